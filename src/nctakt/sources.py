@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""Places in the users' texts as single numbers, for what the realtime part records.
+
+In: file index, line, column. Out: one integer below 2**53, which a float64 cell holds exactly, and
+the way back to a ``Span``. The number is ``file << 44 | line << 20 | column``; line and column
+count from 1, and 0 means that there is no place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.diagnostics import Span
+
+_COLUMN_BITS = 20
+_LINE_BITS = 24
+_LINE_SHIFT = _COLUMN_BITS
+_FILE_SHIFT = _COLUMN_BITS + _LINE_BITS
+
+#: The last column and the last line that have numbers of their own; what lies behind shares them.
+LAST_COLUMN = (1 << _COLUMN_BITS) - 1
+LAST_LINE = (1 << _LINE_BITS) - 1
+
+#: Files with a place of their own; what stands in any further file has none.
+FILE_LIMIT = 1 << (53 - _FILE_SHIFT)
+
+NO_SOURCE = 0
+
+
+def pack(file_index: int, line: int, column: int) -> int:
+    """The number of a place; ``NO_SOURCE`` in a file beyond ``FILE_LIMIT``.
+
+    ``file_index`` counts from 0, ``line`` and ``column`` from 1. A user's text may be longer than
+    the numbers reach: such a line or column gets the last number.
+    """
+    assert file_index >= 0, file_index
+    assert line >= 1, line
+    assert column >= 1, column
+    if file_index >= FILE_LIMIT:
+        return NO_SOURCE
+    return (
+        file_index << _FILE_SHIFT | min(line, LAST_LINE) << _LINE_SHIFT | min(column, LAST_COLUMN)
+    )
+
+
+def unpack(source: int) -> tuple[int, int, int]:
+    """File index, line and column of a number that ``pack`` made; ``(0, 0, 0)`` for no place."""
+    return source >> _FILE_SHIFT, source >> _LINE_SHIFT & LAST_LINE, source & LAST_COLUMN
+
+
+class SourceFiles:
+    """The texts that numbers of places refer to, in the order in which they were added."""
+
+    def __init__(self) -> None:
+        self._files: list[tuple[str, Sequence[str]]] = []
+        self._by_name: dict[str, int] = {}
+
+    def __len__(self) -> int:
+        return len(self._files)
+
+    def add(self, file: str, lines: Sequence[str]) -> int:
+        """The index of the text ``lines`` named ``file``.
+
+        A text that was added before under the same name keeps its index, so that a program which
+        runs again and again does not use up the indices.
+        """
+        known = self._by_name.get(file)
+        if known is not None and self._files[known][1] == lines:
+            return known
+        self._files.append((file, lines))
+        self._by_name[file] = len(self._files) - 1
+        return len(self._files) - 1
+
+    def place(self, source: int) -> Span | None:
+        """The place as a span of one character; ``None`` for ``NO_SOURCE``."""
+        file_index, line, column = unpack(source)
+        if line == 0 or file_index >= len(self._files):
+            return None
+        return Span(self._files[file_index][0], line, column, column + 1)
+
+    def line_of(self, source: int) -> str:
+        """The whole text line of the place, without its end; empty when there is none."""
+        file_index, line, _ = unpack(source)
+        if line == 0 or file_index >= len(self._files):
+            return ""
+        lines = self._files[file_index][1]
+        return lines[line - 1] if line <= len(lines) else ""

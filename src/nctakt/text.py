@@ -45,7 +45,7 @@ def decode_text(data: bytes) -> DecodedText:
         text = body.decode("utf-8")
     except UnicodeDecodeError:
         return DecodedText(body.decode("latin-1").translate(_WINDOWS_1252), "cp1252", guessed=True)
-    return DecodedText(text, "utf-8" if body is data else "utf-8-sig")
+    return DecodedText(text, "utf-8" if len(body) == len(data) else "utf-8-sig")
 
 
 def split_lines(text: str) -> list[str]:

@@ -1,0 +1,3 @@
+#TIME 0.002
+#RT CYCLE START [ID = 9]
+M30

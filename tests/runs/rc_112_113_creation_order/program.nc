@@ -1,0 +1,12 @@
+; Created first, started last, the higher ID: it runs first.
+#RT CYCLE DEF [ID = 20 SCOPE = PROG]
+  V.E.VALUE += 1
+  V.E.COUNT_POS = V.E.VALUE1
+#RT CYCLE END
+#RT CYCLE DEF [ID = 10 SCOPE = PROG]
+  V.E.VALUE1 = 10 * V.E.VALUE
+#RT CYCLE END
+#RT CYCLE START [ID = 10]
+#RT CYCLE START [ID = 20]
+#TIME 0.003
+M30

@@ -1,0 +1,12 @@
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  $IF V.E.CONDITION == 1
+    $IF EDGE V.E.VALUE > 100
+      V.E.COUNT_POS += 1
+    $ENDIF
+    $IF ONCE V.E.VALUE > 100
+      V.E.COUNT_NEG += 1
+    $ENDIF
+  $ENDIF
+#RT CYCLE END
+#TIME 0.01
+M30

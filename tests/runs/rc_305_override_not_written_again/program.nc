@@ -1,0 +1,8 @@
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  ; once is one tick only
+  $IF ONCE V.RTA.ACS.ACT_POS.X > 100
+    V.RTG.OVERRIDE.VEL.CYCLE = 50
+  $ENDIF
+#RT CYCLE END
+N10 G00 X300
+M30

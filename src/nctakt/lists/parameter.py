@@ -20,6 +20,9 @@ from nctakt.lists.reader import ListDialect
 #: for which the manuals print none.
 Value = bool | int | float | str | tuple[str, ...] | None
 
+MAX_UNS16 = 2**16 - 1
+MAX_UNS32 = 2**32 - 1
+
 _INDEX_RANGE = re.compile(r"\[([0-9]+)\.\.([0-9]+)\]")
 
 

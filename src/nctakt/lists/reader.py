@@ -32,10 +32,10 @@ class ListDialect:
     """What differs between the kinds of list.
 
     ``hexadecimal``: numbers may be written as 0x… . ``references``: a number may be written as
-    the ID of the parameter that has it (``P-AXIS-00212.0``). ``boolean_words``: TRUE and FALSE beside 1 and
-    0. ``report_unknown``: each unknown entry is a warning of its own, not one count for the file.
-    ``expects_end``: a missing End is worth a warning. ``comment_notes``: a ``#`` that is not in
-    the first column, or without a blank behind it, is worth a note.
+    the ID of the parameter that has it (``P-AXIS-00212.0``). ``boolean_words``: TRUE and FALSE
+    beside 1 and 0. ``report_unknown``: each unknown entry is a warning of its own, not one count
+    for the file. ``expects_end``: a missing End is worth a warning. ``comment_notes``: a ``#``
+    that is not in the first column, or without a blank behind it, is worth a note.
     """
 
     hexadecimal: bool = True

@@ -104,10 +104,15 @@ class Values:
         return taken.entry.key_span, taken.entry.line
 
     def report(
-        self, collector: Collector, number: int, key: tuple[str, *tuple[int, ...]], **values: object
+        self,
+        collector: Collector,
+        number: int,
+        at: tuple[str, *tuple[int, ...]],
+        /,
+        **values: object,
     ) -> None:
-        """Report ``number`` at the entry of ``key``: the pattern, then the indices."""
-        span, line = self.place(*key)
+        """Report ``number`` at the entry ``at``: the pattern, then the indices."""
+        span, line = self.place(*at)
         collector.report(number, span, line, **values)
 
     def _parameter(self, pattern: str) -> Parameter:

@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: MIT
+"""What happened in a tick: the realtime part's event rows -> ``Event`` objects with text.
+
+In: rows of ``EVENT_WIDTH`` float64 (``kernel/record.py``) and ``EventNames``, which knows what the
+numbers stand for. Out: events in the order of their occurrence. A chunk of rows is decoded when it
+is looked at, not before: a run that nobody asks for its events pays nothing for them.
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Protocol, overload
+
+from nctakt.diagnostics import Severity, Span
+from nctakt.kernel import record
+from nctakt.messages import CATALOGUE
+
+_ROW = struct.Struct(f"={record.EVENT_WIDTH}d")
+
+_SCOPES = ("BLOCK", "PROG", "GLOBAL")
+_ENDED_BY = {
+    record.ENDED_BY_SCOPE: "scope",
+    record.ENDED_BY_DELETE: "delete",
+    record.ENDED_BY_RESET: "reset",
+    record.ENDED_BY_ERROR: "error",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """One thing that happened in tick ``tick``, which begins at ``time_us``.
+
+    ``kind`` is a word, ``text`` its particulars (``fired``, ``17 line 5``). ``span`` is the place
+    in a program that it comes from. ``cycle`` is the realtime cycle it comes from: its programmed
+    ID, or ``#1`` for the first cycle without ID; empty for the path, the decoder and the manager.
+    """
+
+    tick: int
+    time_us: int
+    kind: str
+    text: str
+    span: Span | None = None
+    cycle: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.kind} {self.text}"
+
+
+class EventNames(Protocol):
+    """What the numbers in event rows stand for; stays valid for as long as events are looked at."""
+
+    def cycle(self, serial: int) -> str:
+        """The programmed ID of the cycle with this serial number, or ``#1`` without one."""
+
+    def variable(self, cell: int) -> str:
+        """The name of the variable in a memory cell."""
+
+    def message(self, number: int) -> str:
+        """The text of the message with this number."""
+
+    def program(self, number: int) -> str:
+        """The file name of a program."""
+
+    def place(self, source: int) -> Span | None:
+        """The place of a source number."""
+
+
+def number_text(value: float) -> str:
+    """A number as short as it can be written without loss; whole numbers without ``.0``."""
+    return repr(value + 0.0).removesuffix(".0")
+
+
+class EventDecoder:
+    """Turns event rows into events; ``cycle_time_us`` is the length of a tick."""
+
+    def __init__(self, cycle_time_us: int, names: EventNames) -> None:
+        self._cycle_time_us = cycle_time_us
+        self._names = names
+        self._makers: dict[int, Callable[[int, int, float, float], tuple[str, str]]] = {
+            record.CREATED: self._created,
+            record.STARTED: self._plain("started"),
+            record.HELD: self._plain("held"),
+            record.CONTINUED: self._plain("continued"),
+            record.ABORTED: self._plain("aborted"),
+            record.ENDED: self._ended,
+            record.WRITTEN: self._written,
+            record.TECHNOLOGY: self._technology,
+            record.MESSAGE: self._message,
+            record.ERROR: self._error,
+            record.PROGRAM_END: self._program_end,
+            record.NOTICE: self._notice,
+        }
+
+    def decode(self, data: bytes | memoryview) -> list[Event]:
+        """The events of rows that ``Record.take_events`` gave."""
+        return [self._event(*row) for row in _ROW.iter_unpack(data)]
+
+    def _event(
+        self, tick: float, kind: float, source: float, subject: float, a: float, b: float
+    ) -> Event:
+        number, serial = int(tick), int(subject)
+        time_us = number * self._cycle_time_us
+        span = self._names.place(int(source))
+        if kind == record.FIRED:
+            word, text = self._fired(serial, span)
+        elif kind == record.TECHNOLOGY_RT:
+            word, text = self._technology_rt(a, b, time_us)
+        else:
+            word, text = self._makers[int(kind)](int(kind), serial, a, b)
+        cycle = self._names.cycle(serial) if serial and kind not in _WITHOUT_CYCLE else ""
+        return Event(number, time_us, word, text, span, cycle)
+
+    def _plain(self, word: str) -> Callable[[int, int, float, float], tuple[str, str]]:
+        return lambda _kind, serial, _a, _b: (word, self._names.cycle(serial))
+
+    def _created(self, _kind: int, serial: int, scope: float, _b: float) -> tuple[str, str]:
+        return "created", f"{self._names.cycle(serial)} {_SCOPES[int(scope)]}"
+
+    def _ended(self, _kind: int, serial: int, reason: float, _b: float) -> tuple[str, str]:
+        return "ended", f"{self._names.cycle(serial)} {_ENDED_BY[int(reason)]}"
+
+    def _fired(self, serial: int, span: Span | None) -> tuple[str, str]:
+        line = 0 if span is None else span.line
+        return "fired", f"{self._names.cycle(serial)} line {line}"
+
+    def _written(self, _kind: int, _serial: int, cell: float, value: float) -> tuple[str, str]:
+        return "written", f"{self._names.variable(int(cell))} {number_text(value)}"
+
+    def _technology_rt(self, number: float, sequence: float, time_us: int) -> tuple[str, str]:
+        letter, value = _function(number)
+        return letter, f"{value} {int(sequence)} {time_us}"
+
+    def _technology(self, _kind: int, _serial: int, number: float, _b: float) -> tuple[str, str]:
+        letter, value = _function(number)
+        return "output", f"{letter} {value}"
+
+    def _message(self, _kind: int, number: int, _a: float, _b: float) -> tuple[str, str]:
+        return "message", self._names.message(number)
+
+    def _error(self, _kind: int, _serial: int, number: float, _b: float) -> tuple[str, str]:
+        return _severity_word(int(number)), str(int(number))
+
+    def _notice(self, _kind: int, _serial: int, number: float, _b: float) -> tuple[str, str]:
+        return "notice", str(int(number))
+
+    def _program_end(self, _kind: int, number: int, _a: float, _b: float) -> tuple[str, str]:
+        return "end", self._names.program(number)
+
+
+#: Kinds whose subject is not the serial number of a cycle.
+_WITHOUT_CYCLE = (record.MESSAGE, record.PROGRAM_END, record.TECHNOLOGY)
+
+
+def _function(number: float) -> tuple[str, int]:
+    """Letter and number of a technology function; H functions are negative, H0 is -0.0."""
+    return ("h" if math.copysign(1.0, number) < 0 else "m"), abs(int(number))
+
+
+def _severity_word(number: int) -> str:
+    known = number in CATALOGUE and CATALOGUE[number].severity is not Severity.ERROR
+    return "warning" if known else "error"
+
+
+class EventChunk(Sequence[Event]):
+    """Events of some consecutive ticks, decoded when they are first looked at."""
+
+    def __init__(self, decoder: EventDecoder, data: bytes) -> None:
+        self._decoder = decoder
+        self._data = data
+        self._events: list[Event] | None = None
+
+    def __len__(self) -> int:
+        return len(self._data) // _ROW.size
+
+    def __iter__(self) -> Iterator[Event]:
+        return iter(self._decoded())
+
+    @overload
+    def __getitem__(self, index: int) -> Event: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[Event]: ...
+
+    def __getitem__(self, index: int | slice) -> Event | Sequence[Event]:
+        return self._decoded()[index]
+
+    def _decoded(self) -> list[Event]:
+        if self._events is None:
+            self._events = self._decoder.decode(self._data)
+        return self._events

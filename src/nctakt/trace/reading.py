@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: MIT
+"""Files that the trace sinks wrote -> ``Trace``.
+
+In: a CSV or JSONL file as ``nctakt.trace.sinks`` writes it. Out: the same signals and events. A
+file whose last line is cut off, since its run was, gives what stands before that line. A CSV file
+knows no units, and its cycle time is that between its first two lines.
+"""
+
+from __future__ import annotations
+
+import array
+import csv
+import json
+import math
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from nctakt.diagnostics import Span
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.trace.events import Event
+from nctakt.trace.recorded import Trace
+from nctakt.trace.sinks import FORMAT_NAME, FORMAT_VERSION, SUFFIXES, Signal, TraceHeader
+
+_ORIGIN = re.compile(r"(?s)(?P<cycle>\S+) (?P<place>.+)")
+_PLACE = re.compile(r"(?s)(?P<file>.+):(?P<line>\d+):(?P<column>\d+)")
+_UNMARKED = {"n": "\n", "r": "\r"}
+
+
+def read_trace(path: str | Path) -> Trace:
+    """Read a trace file; the suffix chooses the format.
+
+    Raises ``Failure``: another suffix (900506), a file that cannot be read (900503), or that is no
+    trace (900508).
+    """
+    path = Path(path)
+    if path.suffix.lower() not in SUFFIXES:
+        raise Failure(diagnostic(900506, file=str(path), suffixes=" or ".join(SUFFIXES)))
+    read = _read_csv if path.suffix.lower() == ".csv" else _read_jsonl
+    try:
+        with path.open(encoding="utf-8", newline="") as file:
+            return read(_whole_lines(file))
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise Failure(diagnostic(900503, file=str(path), reason=reason)) from error
+    except (ValueError, KeyError, TypeError, IndexError) as error:
+        raise Failure(diagnostic(900508, file=str(path))) from error
+
+
+def _whole_lines(lines: Iterable[str]) -> Iterator[str]:
+    """The lines that have an end."""
+    return (line for line in lines if line.endswith("\n"))
+
+
+class _Rows:
+    """Gathers rows of consecutive ticks and events."""
+
+    def __init__(self) -> None:
+        self.values = array.array("d")
+        self.events: list[Event] = []
+        self.first_tick: int | None = None
+
+    def add(self, tick: int, values: list[float]) -> None:
+        if self.first_tick is None:
+            self.first_tick = tick
+        self.values.extend(values)
+
+    def trace(self, cycle_time_us: int, signals: tuple[Signal, ...]) -> Trace:
+        header = TraceHeader(cycle_time_us, signals)
+        chunks = (self.values.tobytes(),) if self.values else ()
+        return Trace(header, self.first_tick or 0, chunks, (self.events,))
+
+
+def _read_csv(lines: Iterator[str]) -> Trace:
+    rows = csv.reader(lines)
+    names = next(rows, [])
+    if names[:2] != ["tick", "time_us"] or names[-1:] != ["events"]:
+        raise ValueError
+    gathered = _Rows()
+    integral = [True] * (len(names) - 3)
+    times: list[int] = []
+    for row in rows:
+        tick, time_us, cells = int(row[0]), int(row[1]), row[2:-1]
+        if len(row) != len(names):
+            raise ValueError
+        if len(times) < 2:
+            times.append(time_us)
+        if any(cells):
+            gathered.add(tick, [float(cell) for cell in cells])
+            integral = [
+                whole and _is_whole(cell) for whole, cell in zip(integral, cells, strict=True)
+            ]
+        gathered.events += split_events(row[-1], tick, time_us)
+    signals = zip(names[2:-1], integral, strict=True)
+    cycle_time_us = times[1] - times[0] if len(times) == 2 else 0
+    return gathered.trace(
+        cycle_time_us, tuple(Signal(name, integral=whole) for name, whole in signals)
+    )
+
+
+def _is_whole(cell: str) -> bool:
+    return cell.lstrip("-").isdigit()
+
+
+def _read_jsonl(lines: Iterator[str]) -> Trace:
+    header = json.loads(next(lines, "null"))
+    if header["format"] != FORMAT_NAME or header["version"] != FORMAT_VERSION:
+        raise ValueError
+    signals = tuple(
+        Signal(signal["name"], signal["unit"], signal["integral"]) for signal in header["signals"]
+    )
+    gathered = _Rows()
+    for line in lines:
+        content = json.loads(line)
+        if "values" in content:
+            values = [math.nan if value is None else float(value) for value in content["values"]]
+            if len(values) != len(signals):
+                raise ValueError
+            gathered.add(content["tick"], values)
+        for event in content.get("events", ()):
+            gathered.events.append(_event_of(event, content["tick"], content["time_us"]))
+    return gathered.trace(header["cycle_time_us"], signals)
+
+
+def _event_of(content: dict[str, Any], tick: int, time_us: int) -> Event:
+    span = None
+    if "file" in content:
+        span = Span(content["file"], content["line"], content["column"], content["end_column"])
+    kind, text = content["kind"], content["text"]
+    return Event(tick, time_us, kind, text, span, content.get("cycle", ""))
+
+
+def split_events(cell: str, tick: int, time_us: int) -> list[Event]:
+    """The events of a tick from the CSV's last column, which ``join_events`` made."""
+    return [_event(text, tick, time_us) for text in _divide(cell, "; ") if text]
+
+
+def _event(text: str, tick: int, time_us: int) -> Event:
+    body, *origin = _divide(text, " <")
+    kind, _, particulars = body.partition(" ")
+    cycle, span = _origin(origin[0].removesuffix(">")) if origin else ("", None)
+    return Event(tick, time_us, kind, _unescape(particulars), span, cycle)
+
+
+def _origin(text: str) -> tuple[str, Span | None]:
+    match = _ORIGIN.fullmatch(text)
+    if match is None:
+        raise ValueError
+    cycle = "" if match["cycle"] == "-" else _unescape(match["cycle"])
+    place = _PLACE.fullmatch(match["place"])
+    if place is None:
+        return cycle, None
+    line, column = int(place["line"]), int(place["column"])
+    return cycle, Span(_unescape(place["file"]), line, column, column + 1)
+
+
+def _divide(text: str, divider: str) -> list[str]:
+    r"""Split at each ``divider``; a ``\`` keeps the character behind it from being part of one."""
+    parts = [""]
+    i = 0
+    while i < len(text):
+        if text[i] == "\\":
+            parts[-1] += text[i : i + 2]
+            i += 2
+        elif text.startswith(divider, i):
+            parts.append("")
+            i += len(divider)
+        else:
+            parts[-1] += text[i]
+            i += 1
+    return parts
+
+
+def _unescape(text: str) -> str:
+    return re.sub(r"(?s)\\(.)", lambda match: _UNMARKED.get(match[1], match[1]), text)

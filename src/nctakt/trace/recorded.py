@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""A trace as an object: signals by name as arrays, and events.
+
+In: what a sink is given, or what a file holds. Out: ``Trace``. The recorded bytes are kept as they
+come; arrays and events are made when they are first asked for, and numpy is loaded only then.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from nctakt.trace.events import Event
+from nctakt.trace.sinks import Signal, TraceHeader
+
+if TYPE_CHECKING:
+    import numpy
+    from numpy.typing import NDArray
+
+    Values = NDArray[numpy.float64]
+    Counts = NDArray[numpy.int64]
+
+
+class Trace(Mapping[str, "Values"]):
+    """The recorded signals by name, one float64 per tick, and the events.
+
+    ``trace["X.ACS.ACT_POS"]`` is the column of a signal; a name that was not recorded raises
+    ``KeyError``, which suggests the nearest one. The arrays cannot be written to.
+    """
+
+    def __init__(
+        self,
+        header: TraceHeader,
+        first_tick: int,
+        chunks: Sequence[bytes],
+        events: Sequence[Sequence[Event]],
+    ) -> None:
+        self.cycle_time_us = header.cycle_time_us
+        self.signals: tuple[Signal, ...] = header.signals
+        self.first_tick = first_tick
+        self._chunks = chunks
+        self._event_chunks = events
+        self._rows: Values | None = None
+        self._events: list[Event] | None = None
+        self._columns = {signal.name: i for i, signal in enumerate(header.signals)}
+
+    def __getitem__(self, name: str) -> Values:
+        column = self._columns.get(name)
+        if column is None:
+            near = difflib.get_close_matches(name, self._columns, n=1)
+            hint = f"; did you mean {near[0]}?" if near else ""
+            raise KeyError(f"{name} is not recorded{hint}")
+        return self._table()[:, column]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    @property
+    def ticks(self) -> int:
+        """How many ticks have a row."""
+        width = 8 * len(self.signals)
+        return sum(map(len, self._chunks)) // width if width else 0
+
+    @property
+    def tick(self) -> Counts:
+        """The number of the tick of each row."""
+        import numpy  # noqa: PLC0415 - a run that asks for no array does not load it
+
+        return numpy.arange(self.first_tick, self.first_tick + self.ticks, dtype=numpy.int64)
+
+    @property
+    def time_us(self) -> Counts:
+        """The time at which the tick of each row begins, in microseconds."""
+        return self.tick * self.cycle_time_us
+
+    @property
+    def events(self) -> list[Event]:
+        """All events in the order of their occurrence."""
+        if self._events is None:
+            self._events = [event for chunk in self._event_chunks for event in chunk]
+        return self._events
+
+    def at(self, tick: int, name: str) -> float:
+        """The value of a signal after tick ``tick``; ``IndexError`` for a tick without a row."""
+        if not self.first_tick <= tick < self.first_tick + self.ticks:
+            raise IndexError(f"tick {tick} is not recorded")
+        return float(self[name][tick - self.first_tick])
+
+    def _table(self) -> Values:
+        import numpy  # noqa: PLC0415 - as above
+
+        if self._rows is None:
+            data = b"".join(self._chunks)
+            self._chunks = (data,)
+            rows = numpy.frombuffer(data, dtype=numpy.float64)
+            self._rows = rows.reshape(-1, len(self.signals))
+        return self._rows
+
+
+class MemorySink:
+    """Keeps a trace in memory; ``trace`` is there from ``open`` on and sees what came so far."""
+
+    def __init__(self) -> None:
+        self._header = TraceHeader(0, ())
+        self._first_tick = 0
+        self._chunks: list[bytes] = []
+        self._events: list[Sequence[Event]] = []
+
+    def open(self, header: TraceHeader) -> None:
+        """Begin."""
+        self._header = header
+
+    def events(self, events: Sequence[Event]) -> None:
+        """Keep the events; a chunk that decodes itself is not decoded."""
+        if len(events):
+            self._events.append(events)
+
+    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
+        """Keep the rows."""
+        assert width == len(self._header.signals), width
+        if not self._chunks:
+            self._first_tick = first_tick
+        self._chunks.append(bytes(rows))
+
+    def close(self) -> None:
+        """End; the trace stays."""
+
+    @property
+    def trace(self) -> Trace:
+        """What has been recorded so far."""
+        return Trace(self._header, self._first_tick, tuple(self._chunks), tuple(self._events))

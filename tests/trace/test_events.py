@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+"""Event rows become events with the kinds and texts of the run tests."""
+
+import struct
+
+import pytest
+
+from nctakt.diagnostics import Span
+from nctakt.kernel import record
+from nctakt.sources import SourceFiles, pack
+from nctakt.trace import Event, EventChunk, EventDecoder
+
+PLACE = Span("part.nc", 5, 3, 4)
+
+
+class Names:
+    """Two cycles, one variable, one text, one program, one file."""
+
+    def __init__(self) -> None:
+        self.files = SourceFiles()
+        self.files.add("part.nc", ["M30"] * 9)
+
+    def cycle(self, serial: int) -> str:
+        return {1: "17", 2: "#1"}[serial]
+
+    def variable(self, cell: int) -> str:
+        return {40: "V.E.VALUE"}[cell]
+
+    def message(self, number: int) -> str:
+        return {3: "tool; worn <out>"}[number]
+
+    def program(self, number: int) -> str:
+        return {0: "part.nc"}[number]
+
+    def place(self, source: int) -> Span | None:
+        return self.files.place(source)
+
+
+def row(kind: int, subject: int = 0, a: float = 0.0, b: float = 0.0, tick: int = 7) -> bytes:
+    """An event row from line 5, column 3."""
+    return struct.pack("=6d", tick, kind, pack(0, 5, 3), subject, a, b)
+
+
+@pytest.mark.parametrize(
+    ("data", "kind", "text", "cycle"),
+    [
+        (row(record.CREATED, 1, 1), "created", "17 PROG", "17"),
+        (row(record.CREATED, 2, 0), "created", "#1 BLOCK", "#1"),
+        (row(record.CREATED, 1, 2), "created", "17 GLOBAL", "17"),
+        (row(record.STARTED, 2), "started", "#1", "#1"),
+        (row(record.HELD, 1), "held", "17", "17"),
+        (row(record.CONTINUED, 1), "continued", "17", "17"),
+        (row(record.ABORTED, 1), "aborted", "17", "17"),
+        (row(record.ENDED, 1, record.ENDED_BY_SCOPE), "ended", "17 scope", "17"),
+        (row(record.ENDED, 1, record.ENDED_BY_DELETE), "ended", "17 delete", "17"),
+        (row(record.ENDED, 1, record.ENDED_BY_RESET), "ended", "17 reset", "17"),
+        (row(record.ENDED, 1, record.ENDED_BY_ERROR), "ended", "17 error", "17"),
+        (row(record.FIRED, 1), "fired", "17 line 5", "17"),
+        (row(record.WRITTEN, 1, 40, 198.0), "written", "V.E.VALUE 198", "17"),
+        (row(record.WRITTEN, 0, 40, 16.57), "written", "V.E.VALUE 16.57", ""),
+        (row(record.WRITTEN, 1, 40, -0.0), "written", "V.E.VALUE 0", "17"),
+        (row(record.TECHNOLOGY_RT, 1, 100, 2), "m", "100 2 7000", "17"),
+        (row(record.TECHNOLOGY_RT, 1, -33, 1), "h", "33 1 7000", "17"),
+        (row(record.TECHNOLOGY, 0, 5), "output", "m 5", ""),
+        (row(record.TECHNOLOGY, 0, -5), "output", "h 5", ""),
+        (row(record.TECHNOLOGY, 0, -0.0), "output", "h 0", ""),
+        (row(record.MESSAGE, 3), "message", "tool; worn <out>", ""),
+        (row(record.ERROR, 1, 50879), "error", "50879", "17"),
+        (row(record.ERROR, 0, 900531), "warning", "900531", ""),
+        (row(record.PROGRAM_END, 0), "end", "part.nc", ""),
+        (row(record.NOTICE, 1, 900531), "notice", "900531", "17"),
+    ],
+)
+def test_each_kind_of_row_has_its_text(data: bytes, kind: str, text: str, cycle: str) -> None:
+    """Kinds and texts are those that the run tests expect; the tick stamps its begin (RC-001)."""
+    assert EventDecoder(1000, Names()).decode(data) == [Event(7, 7000, kind, text, PLACE, cycle)]
+
+
+def test_a_chunk_decodes_when_it_is_looked_at() -> None:
+    """Its length is known without decoding, its events come in the order of their rows."""
+
+    class Counting(EventDecoder):
+        decoded = 0
+
+        def decode(self, data: bytes | memoryview) -> list[Event]:
+            self.decoded += 1
+            return super().decode(data)
+
+    decoder = Counting(1000, Names())
+    chunk = EventChunk(decoder, row(record.STARTED, 1) + row(record.HELD, 1))
+    assert len(chunk) == 2
+    assert decoder.decoded == 0
+    assert [str(event) for event in chunk] == ["started 17", "held 17"]
+    assert chunk[1].kind == "held"
+    assert decoder.decoded == 1

@@ -1,0 +1,403 @@
+# SPDX-License-Identifier: MIT
+"""Lines that open, divide or close a structure, and jumps: ``$`` words, ``#RT CYCLE``, ``#IF``.
+
+In: a block's text at its ``$`` or ``#``. Out: what it does to the open structures. If a condition
+cannot be read, the structure is opened nevertheless, so that its end does not become a second
+mistake.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from difflib import get_close_matches
+from typing import NamedTuple, cast
+
+from nctakt.diagnostics import Span
+from nctakt.nc.expressions import (
+    COMMA,
+    EQUALS,
+    expected,
+    parse_expression,
+    parse_target,
+    require,
+    shown,
+)
+from nctakt.nc.frames import (
+    CycleFrame,
+    DoFrame,
+    ForFrame,
+    Frame,
+    IfFrame,
+    Opening,
+    RepeatFrame,
+    SwitchFrame,
+    VariablesFrame,
+    WhileFrame,
+)
+from nctakt.nc.hashes import Hash, cycle_control, cycle_keywords, parse_hash, simple_command
+from nctakt.nc.heads import parse_label
+from nctakt.nc.lexer import BlockError, BlockText
+from nctakt.nc.structure import Structure
+from nctakt.nc.syntax import (
+    Break,
+    Constant,
+    Continue,
+    Expression,
+    Frequency,
+    Goto,
+    Head,
+    If,
+    Statement,
+)
+
+_DOLLAR_WORD = re.compile(r"\s*\$([^\W\d]*)")
+_PREPROCESSOR = re.compile(r"\s*#\s*(IF|ELSEIF|ELSE|ENDIF)(?!\w)", re.IGNORECASE)
+_FREQUENCY = re.compile(r"\s*(ONCE|EDGE|ALWAYS)(?!\w)", re.IGNORECASE)
+_DOLLAR = re.compile(r"\s*\$")
+
+
+class Here(NamedTuple):
+    """The line at hand: its text, what stood in front, its first word with ``$`` or ``#``."""
+
+    text: BlockText
+    head: Head
+    structure: Structure
+    start: int
+    word: str
+
+    def span(self) -> Span:
+        """The place of the first word."""
+        return self.text.span(self.start, self.start + len(self.word))
+
+    def opening(self, end: str) -> Opening:
+        """This line as the one that opens a structure."""
+        span = self.span()
+        return Opening(self.word, end, span, self.text.source_line(span), self.head)
+
+
+def control_line(text: BlockText, head: Head, structure: Structure) -> None:
+    """A line that begins with ``$``."""
+    found = text.match(_DOLLAR_WORD)
+    assert found is not None
+    word = "$" + found[1].upper()
+    handler = _CONTROLS.get(word)
+    if handler is None:
+        suggestion = get_close_matches(word, _CONTROLS, 1, 0.0)[0]
+        start = found.start(1) - 1
+        raise BlockError(
+            900107, start, found.end(), word=shown("$" + found[1]), suggestion=suggestion
+        )
+    handler(Here(text, head, structure, found.start(1) - 1, word))
+
+
+def hash_line(text: BlockText, head: Head, structure: Structure) -> None:
+    """A line that begins with ``#``."""
+    start = text.skip_blanks()
+    preprocessor = text.match(_PREPROCESSOR)
+    if preprocessor is not None:
+        word = "#" + preprocessor[1].upper()
+        _PREPROCESSOR_LINES[word](Here(text, head, structure, start, word))
+        return
+    command = parse_hash(text)
+    name = command.name
+    handler = _HASH_LINES.get(name[:2]) or _HASH_LINES.get(name)
+    if handler is not None:
+        handler(Here(text, head, structure, start, "#" + " ".join(name[:2])), command)
+    else:
+        structure.add_block(simple_command(text, head, command), text)
+
+
+# --- conditions ----------------------------------------------------------------------------------
+
+
+def _value(here: Here) -> Expression:
+    """The expression that follows; if there is none, that is reported and TRUE stands for it."""
+    try:
+        return parse_expression(here.text)
+    except BlockError as error:
+        here.structure.block_error(here.text, error)
+        here.text.pos = len(here.text.text)
+        return Constant(here.span(), "TRUE")
+
+
+def _frequency(here: Here) -> Frequency | None:
+    found = here.text.match(_FREQUENCY)
+    return None if found is None else cast(Frequency, found[1].upper())
+
+
+def _stray(here: Here, begin: str) -> None:
+    span = here.span()
+    line = here.text.source_line(span)
+    here.structure.report(900106, span, line, word=here.word, begin=begin)
+    here.text.pos = len(here.text.text)
+
+
+def _find(here: Here, begin: str) -> Frame | None:
+    """The structure that this line divides or closes, or the report that there is none."""
+    frame = here.structure.find(lambda open_frame: open_frame.opening.begin == begin)
+    if frame is None:
+        _stray(here, begin)
+    return frame
+
+
+# --- $IF, #IF ------------------------------------------------------------------------------------
+
+
+def _if(here: Here) -> None:
+    text = here.text
+    one_line = "$" in text.text[text.pos :]
+    frequency = _frequency(here)
+    condition = _value(here)
+    if text.looking_at(_DOLLAR) is not None:
+        body = _one_line_body(text)
+        here.structure.add_block(If(here.span(), here.head, frequency, condition, (body,)), text)
+    elif not one_line:
+        frame = IfFrame(here.opening("$ENDIF"), frequency, condition, preprocessor=False)
+        here.structure.open(frame)
+
+
+def _one_line_body(text: BlockText) -> Statement:
+    """What may stand behind the condition in the same line: a jump."""
+    found = text.match(_DOLLAR_WORD)
+    assert found is not None
+    start = found.start(1) - 1
+    make = _JUMPS.get("$" + found[1].upper())
+    if make is None:
+        raise BlockError(900100, start, found.end(), found=shown("$" + found[1]))
+    return make(text, Head(), text.span(start, found.end()))
+
+
+def _preprocessor_if(here: Here) -> None:
+    here.structure.open(IfFrame(here.opening("#ENDIF"), None, _value(here), preprocessor=True))
+
+
+def _else_if(here: Here) -> None:
+    frequency = _frequency(here)
+    condition = _value(here)
+    frame = _branch_of(here)
+    if frame is not None:
+        frame.add_branch(here.span(), here.head, frequency, condition)
+
+
+def _else(here: Here) -> None:
+    frame = _branch_of(here)
+    if frame is not None:
+        frame.add_else()
+
+
+def _branch_of(here: Here) -> IfFrame | None:
+    frame = _find(here, here.word[0] + "IF")
+    if frame is None:
+        return None
+    assert isinstance(frame, IfFrame)
+    if frame.else_body is not None:
+        raise BlockError(900120, here.start, here.start + len(here.word), word=here.word)
+    return frame
+
+
+def _end_if(here: Here) -> None:
+    _close(here, here.word[0] + "IF")
+
+
+def _close(here: Here, begin: str) -> None:
+    frame = _find(here, begin)
+    if frame is not None:
+        here.structure.close(frame)
+
+
+# --- loops and branches --------------------------------------------------------------------------
+
+
+def _for(here: Here) -> None:
+    """If the loop's line cannot be read, a ``$WHILE`` stands for it."""
+    text = here.text
+    opening = here.opening("$ENDFOR")
+    try:
+        target = parse_target(text)
+        if target is None:
+            raise expected(text, 900114)
+        require(text, EQUALS, "=")
+        start = parse_expression(text)
+        require(text, COMMA, ",")
+        end = parse_expression(text)
+        require(text, COMMA, ",")
+        bounds = (start, end, parse_expression(text))
+    except BlockError as error:
+        here.structure.block_error(text, error)
+        text.pos = len(text.text)
+        here.structure.open(WhileFrame(opening, Constant(opening.span, "TRUE")))
+        return
+    here.structure.open(ForFrame(opening, target, bounds))
+
+
+def _end_for(here: Here) -> None:
+    _close(here, "$FOR")
+
+
+def _while(here: Here) -> None:
+    here.structure.open(WhileFrame(here.opening("$ENDWHILE"), _value(here)))
+
+
+def _end_while(here: Here) -> None:
+    _close(here, "$WHILE")
+
+
+def _do(here: Here) -> None:
+    here.structure.open(DoFrame(here.opening("$ENDDO")))
+
+
+def _end_do(here: Here) -> None:
+    _close_foot(here, "$DO")
+
+
+def _repeat(here: Here) -> None:
+    here.structure.open(RepeatFrame(here.opening("$UNTIL")))
+
+
+def _until(here: Here) -> None:
+    _close_foot(here, "$REPEAT")
+
+
+def _close_foot(here: Here, begin: str) -> None:
+    frame = _find(here, begin)
+    if frame is not None:
+        assert isinstance(frame, DoFrame | RepeatFrame)
+        frame.condition = _value(here)
+        here.structure.close(frame)
+
+
+def _switch(here: Here) -> None:
+    here.structure.open(SwitchFrame(here.opening("$ENDSWITCH"), _value(here)))
+
+
+def _case(here: Here) -> None:
+    value = _value(here)
+    frame = _find(here, "$SWITCH")
+    if frame is not None:
+        assert isinstance(frame, SwitchFrame)
+        frame.add_case(here.span(), here.head, value)
+
+
+def _default(here: Here) -> None:
+    frame = _find(here, "$SWITCH")
+    if frame is not None:
+        assert isinstance(frame, SwitchFrame)
+        frame.add_case(here.span(), here.head, None)
+
+
+def _end_switch(here: Here) -> None:
+    _close(here, "$SWITCH")
+
+
+# --- jumps ---------------------------------------------------------------------------------------
+
+
+def _goto(text: BlockText, head: Head, span: Span) -> Statement:
+    label = parse_label(text)
+    if label is None:
+        raise expected(text, 900114)
+    return Goto(span, head, label)
+
+
+def _break(_: BlockText, head: Head, span: Span) -> Statement:
+    return Break(span, head)
+
+
+def _continue(_: BlockText, head: Head, span: Span) -> Statement:
+    return Continue(span, head)
+
+
+_JUMPS: dict[str, Callable[[BlockText, Head, Span], Statement]] = {
+    "$GOTO": _goto,
+    "$BREAK": _break,
+    "$CONTINUE": _continue,
+}
+
+
+def _jump(here: Here) -> None:
+    statement = _JUMPS[here.word](here.text, here.head, here.span())
+    here.structure.add_block(statement, here.text)
+
+
+_CONTROLS: dict[str, Callable[[Here], None]] = {
+    "$IF": _if,
+    "$ELSEIF": _else_if,
+    "$ELSE": _else,
+    "$ENDIF": _end_if,
+    "$FOR": _for,
+    "$ENDFOR": _end_for,
+    "$WHILE": _while,
+    "$ENDWHILE": _end_while,
+    "$DO": _do,
+    "$ENDDO": _end_do,
+    "$REPEAT": _repeat,
+    "$UNTIL": _until,
+    "$SWITCH": _switch,
+    "$CASE": _case,
+    "$DEFAULT": _default,
+    "$ENDSWITCH": _end_switch,
+    "$GOTO": _jump,
+    "$BREAK": _jump,
+    "$CONTINUE": _jump,
+}
+
+_PREPROCESSOR_LINES: dict[str, Callable[[Here], None]] = {
+    "#IF": _preprocessor_if,
+    "#ELSEIF": _else_if,
+    "#ELSE": _else,
+    "#ENDIF": _end_if,
+}
+
+
+# --- # structures --------------------------------------------------------------------------------
+
+
+def _realtime_cycle(here: Here, command: Hash) -> None:
+    words = command.name[2:]
+    if words in ((), ("DEF",)):
+        span = here.span()
+        here.structure.close_cycle_before(span, here.text.source_line(span))
+        frame = CycleFrame(here.opening("#RT CYCLE END"), definition_only=bool(words))
+        here.structure.open(frame)
+        frame.keywords = cycle_keywords(here.text, command)
+    elif words == ("END",):
+        _end_realtime_cycle(here, command)
+    else:
+        try:
+            here.structure.add_block(cycle_control(here.text, here.head, command), here.text)
+        except BlockError:
+            # Was it a definition, its end is still to come; it shall not be a second mistake.
+            here.structure.expect_stray_cycle_end()
+            raise
+
+
+def _end_realtime_cycle(here: Here, command: Hash) -> None:
+    frame = here.structure.find(lambda open_frame: isinstance(open_frame, CycleFrame))
+    if frame is not None:
+        here.structure.close(frame)
+    elif not here.structure.forgive_cycle_end():
+        raise BlockError(22005, command.start, command.end, found="#RT CYCLE END")
+    if command.arguments:
+        span = command.arguments[0].span
+        raise BlockError(900100, 0, 0, span, found=shown(here.text.text_of(span)))
+
+
+def _variables(here: Here, _: Hash) -> None:
+    here.structure.open(VariablesFrame(here.opening("#ENDVAR")))
+
+
+def _end_variables(here: Here, _: Hash) -> None:
+    _close(here, "#VAR")
+
+
+def _comment_end(here: Here, _: Hash) -> None:
+    _stray(here, "#COMMENT BEGIN")
+
+
+_HASH_LINES: dict[tuple[str, ...], Callable[[Here, Hash], None]] = {
+    ("RT", "CYCLE"): _realtime_cycle,
+    ("VAR",): _variables,
+    ("ENDVAR",): _end_variables,
+    ("COMMENT", "END"): _comment_end,
+}

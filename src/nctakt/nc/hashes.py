@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: MIT
+"""``#`` commands -> statements, and the ``#`` lines that open or close a structure.
+
+In: a block's text at its ``#``. Each command is read the same way, words and then arguments; then a
+few known ones get a node of their own if they have the form that they should have. What has not
+stays a ``HashCommand``, which the checker refuses or accepts by its name.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal, cast
+
+from nctakt.nc.expressions import (
+    COMMA,
+    OPENING,
+    Item,
+    expected,
+    parse_item,
+    parse_items,
+    parse_variable,
+    starts_value,
+)
+from nctakt.nc.lexer import BlockError, BlockText
+from nctakt.nc.syntax import (
+    Bracket,
+    CycleControl,
+    Expression,
+    Flush,
+    HashCommand,
+    Head,
+    Keyword,
+    Name,
+    Statement,
+    Time,
+    Timer,
+    UserError,
+    UserMessage,
+)
+
+CYCLE_ACTIONS = ("START", "HOLD", "CONTINUE", "ABORT ACTION", "DELETE")
+
+_HASH = re.compile(r"\s*#\s*")
+_WORD = re.compile(r"\s*([^\W\d]\w*)(?!\s*=)")
+
+Argument = Bracket | Keyword | Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Hash:
+    """A ``#`` command as written: ``[start, end)`` in the block, words, arguments."""
+
+    start: int
+    end: int
+    words: tuple[Name, ...]
+    arguments: tuple[Argument, ...]
+
+    @property
+    def name(self) -> tuple[str, ...]:
+        """The words in upper case."""
+        return tuple(word.name for word in self.words)
+
+
+def parse_hash(text: BlockText) -> Hash:
+    """The command at the reading position up to the end of the block."""
+    start = text.skip_blanks()
+    text.match(_HASH)
+    words: list[Name] = []
+    while (word := text.looking_at(_WORD)) is not None and (not words or not starts_value(text)):
+        text.pos = word.end()
+        words.append(Name(text.span(*word.span(1)), word[1].upper(), word[1]))
+    if not words:
+        raise expected(text, 900114)
+    arguments: list[Argument] = []
+    while not text.at_end():
+        if text.match(COMMA) is None:
+            arguments.append(_argument(text))
+    return Hash(start, text.pos, tuple(words), tuple(arguments))
+
+
+def _argument(text: BlockText) -> Argument:
+    if text.looking_at(OPENING) is not None:
+        start = text.skip_blanks()
+        items = parse_items(text)
+        return Bracket(text.span(start, text.pos), items)
+    return parse_variable(text, whole_family=True) or parse_item(text)
+
+
+def only_bracket(command: Hash) -> tuple[Item, ...] | None:
+    """The items of the one bracket that the command has; none is as good as an empty one."""
+    if not command.arguments:
+        return ()
+    if len(command.arguments) > 1 or not isinstance(command.arguments[0], Bracket):
+        return None
+    return command.arguments[0].items
+
+
+def cycle_keywords(text: BlockText, command: Hash) -> tuple[Item, ...]:
+    """The keywords of an ``#RT CYCLE`` line, which may have nothing else behind its words."""
+    items = only_bracket(command)
+    if items is None:
+        wrong = next(
+            argument
+            for index, argument in enumerate(command.arguments)
+            if index or not isinstance(argument, Bracket)
+        )
+        found = text.text_of(wrong.span)
+        raise BlockError(900100, 0, 0, wrong.span, found=found)
+    return items
+
+
+def simple_command(text: BlockText, head: Head, command: Hash) -> Statement:
+    """The statement of a command that opens and closes nothing."""
+    special = _SPECIAL.get(command.words[0].name)
+    statement = special(text, head, command) if special is not None else None
+    if statement is not None:
+        return statement
+    span = text.span(command.start, command.end)
+    return HashCommand(span, head, command.words, command.arguments)
+
+
+def cycle_control(text: BlockText, head: Head, command: Hash) -> CycleControl:
+    """``#RT CYCLE`` with an action; another word is 21985."""
+    words = command.words[2:]
+    action = " ".join(word.name for word in words)
+    if action not in CYCLE_ACTIONS:
+        raise BlockError(21985, 0, 0, words[0].span, keyword=words[0].text)
+    keywords = cycle_keywords(text, command)
+    return CycleControl(text.span(command.start, command.end), head, action, keywords)
+
+
+def _flush(text: BlockText, head: Head, command: Hash) -> Statement | None:
+    name = command.name
+    if command.arguments or len(name) > 2 or (len(name) == 2 and name[1] not in _FLUSH_MODES):
+        return None
+    mode = cast(Literal["WAIT", "CONTINUE"], name[1]) if len(name) == 2 else None
+    return Flush(text.span(command.start, command.end), head, mode)
+
+
+_FLUSH_MODES = ("WAIT", "CONTINUE")
+
+
+def _time(text: BlockText, head: Head, command: Hash) -> Statement | None:
+    if len(command.words) != 1 or len(command.arguments) != 1:
+        return None
+    value = command.arguments[0]
+    if isinstance(value, Bracket) and len(value.items) == 1:
+        value = value.items[0]
+    if not isinstance(value, Expression):
+        return None
+    return Time(text.span(command.start, command.end), head, value)
+
+
+def _message(text: BlockText, head: Head, command: Hash) -> Statement | None:
+    items = only_bracket(command)
+    if not items or not all(isinstance(item, Expression) for item in items):
+        return None
+    values = cast(tuple[Expression, ...], items)
+    span = text.span(command.start, command.end)
+    return UserMessage(span, head, command.words[1:], values[0], values[1:])
+
+
+def _timer(text: BlockText, head: Head, command: Hash) -> Statement | None:
+    items = only_bracket(command)
+    if items is None or len(command.words) < 2:
+        return None
+    span = text.span(command.start, command.end)
+    return Timer(span, head, command.words[1].name, command.words[2:], items)
+
+
+def _error(text: BlockText, head: Head, command: Hash) -> Statement | None:
+    items = only_bracket(command)
+    if items is None or len(command.words) != 1:
+        return None
+    return UserError(text.span(command.start, command.end), head, items)
+
+
+_SPECIAL: dict[str, Callable[[BlockText, Head, Hash], Statement | None]] = {
+    "ERROR": _error,
+    "FLUSH": _flush,
+    "MSG": _message,
+    "TIME": _time,
+    "TIMER": _timer,
+}

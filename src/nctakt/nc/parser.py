@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: MIT
+"""NC text -> tree.
+
+In: a ``Source``. Out: its statements one by one, read no further than needed (``parse``), or the
+whole program (``parse_program``). Each mistake is a diagnostic, and reading goes on at the next
+block. The parser accepts a little more than is valid: which words and commands exist and what is
+allowed where is the checker's matter. The grammar as text: ``grammar.txt``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from nctakt.diagnostics import Diagnostic, Span
+from nctakt.messages import Collector
+from nctakt.nc.controls import control_line, hash_line
+from nctakt.nc.declarations import parse_declaration, whole_declaration
+from nctakt.nc.expressions import unreadable
+from nctakt.nc.frames import VariablesFrame
+from nctakt.nc.heads import parse_head, parse_program_start
+from nctakt.nc.lexer import BlockError, BlockText, Lexer
+from nctakt.nc.source import Source
+from nctakt.nc.structure import Structure
+from nctakt.nc.syntax import (
+    NO_HEAD,
+    Block,
+    Head,
+    Number,
+    Program,
+    ProgramStart,
+    Statement,
+    Subprogram,
+    Word,
+)
+from nctakt.nc.words import parse_content
+
+#: M functions that end a program or a subprogram.
+_ENDS = (2, 17, 29, 30)
+
+
+def parse(source: Source, collector: Collector) -> Iterator[Statement]:
+    """The statements of a source in their order; diagnostics in the order of their discovery.
+
+    A structure is one statement, given when it is closed. Lines are read when they are due.
+    """
+    structure = Structure(collector)
+    lexer = Lexer(source, collector)
+    empty = True
+    for text in lexer.blocks():
+        empty = False
+        _block(text, lexer, structure)
+        if structure.ready:
+            yield from structure.ready
+            structure.ready.clear()
+    structure.close_all()
+    yield from structure.ready
+    if empty and not collector.has_errors:
+        collector.report(900109, Span(source.file, 1, 1, 2))
+
+
+def parse_program(source: Source, collector: Collector) -> Program:
+    """The whole program; diagnostics in the order of the text."""
+    found = Collector()
+    program = _assemble(source, parse(source, found), found)
+    found.diagnostics.sort(key=_place)
+    collector.diagnostics += found.diagnostics
+    return program
+
+
+def _place(diagnostic: Diagnostic) -> tuple[int, int]:
+    span = diagnostic.span
+    return (span.line, span.column) if span is not None else (0, 0)
+
+
+def _block(text: BlockText, lexer: Lexer, structure: Structure) -> None:
+    """One block into the structure, or the report why that cannot be."""
+    head = NO_HEAD
+    try:
+        head = parse_head(text)
+        start = text.skip_blanks()
+        first = text.text[start : start + 1]
+        if isinstance(structure.top, VariablesFrame):
+            if _declaration_line(text, first, head, lexer, structure):
+                return
+        if first == "$":
+            control_line(text, head, structure)
+        elif first == "#":
+            hash_line(text, head, structure)
+        elif first == "%":
+            _program_start(text, structure)
+        else:
+            _content(text, head, structure)
+        if not text.at_end():
+            raise unreadable(text)
+    except BlockError as error:
+        structure.add_unreadable(text, head, error)
+
+
+def _content(text: BlockText, head: Head, structure: Structure) -> None:
+    statements = parse_content(text, head)
+    for statement in statements:
+        structure.add_block(statement, text)
+    if "M" in text.text or "m" in text.text:
+        if any(_is_program_end(statement) for statement in statements):
+            structure.end_program()
+
+
+def _is_program_end(statement: Statement) -> bool:
+    return (
+        isinstance(statement, Block)
+        and statement.head.skip is None
+        and any(
+            isinstance(word, Word)
+            and word.name == "M"
+            and isinstance(word.value, Number)
+            and word.value.value in _ENDS
+            for word in statement.words
+        )
+    )
+
+
+def _program_start(text: BlockText, structure: Structure) -> None:
+    start = parse_program_start(text)
+    assert start is not None
+    structure.begin_program()
+    structure.add(start)
+
+
+def _declaration_line(
+    text: BlockText, first: str, head: Head, lexer: Lexer, structure: Structure
+) -> bool:
+    """A line inside ``#VAR``; false if the line does not belong there, and ``#VAR`` is closed.
+
+    A second line in a row that declares nothing tells that ``#ENDVAR`` was forgotten.
+    """
+    frame = structure.top
+    assert isinstance(frame, VariablesFrame)
+    if first == "#" and text.text[text.pos + 1 :].lstrip().upper().startswith(
+        ("ENDVAR", "COMMENT")
+    ):
+        return False
+    if first in ("#", "$", "%") or (frame.strangers and not _declares(text)):
+        structure.give_up()
+        return False
+    text = whole_declaration(text, lexer)
+    try:
+        frame.declarations.append(parse_declaration(text, head))
+        frame.strangers = 0
+    except BlockError as error:
+        frame.strangers += error.number == 900116
+        structure.block_error(text, error)
+    return True
+
+
+def _declares(text: BlockText) -> bool:
+    return text.text[text.pos : text.pos + 2].upper() in ("V.", "VS")
+
+
+# --- the program ---------------------------------------------------------------------------------
+
+
+def _assemble(source: Source, statements: Iterator[Statement], collector: Collector) -> Program:
+    """Main program and local subprograms from the statements in their order.
+
+    ``%L name`` begins a subprogram. Another ``%`` line begins the main program; inside the main
+    program it is a comment, and so is what stands behind a subprogram once there has been a main
+    program, with a warning.
+    """
+    name = ""
+    main: list[Statement] = []
+    subprograms: list[tuple[ProgramStart, list[Statement]]] = []
+    current: list[Statement] | None = main
+    for statement in statements:
+        if not isinstance(statement, ProgramStart):
+            if current is not None:
+                current.append(statement)
+        elif statement.local:
+            current = []
+            subprograms.append((statement, current))
+        elif current is main:
+            name = name or statement.name
+        elif not main:
+            name, current = statement.name, main
+        else:
+            line = source.line_of(statement.span)
+            collector.report(900117, statement.span, line, name=statement.name)
+            current = None
+    return Program(
+        source,
+        name,
+        tuple(main),
+        tuple(Subprogram(start.span, start.name, tuple(body)) for start, body in subprograms),
+    )

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+# C types of channel.py.
+cimport cython
+from nctakt.kernel.cycles cimport CycleManager
+from nctakt.kernel.hli cimport Hli
+from nctakt.kernel.memory cimport Context
+from nctakt.kernel.path cimport Path
+from nctakt.kernel.record cimport Record
+
+cdef class Channel:
+    cdef double[::1] cells
+    cdef readonly Py_ssize_t first_cell
+    cdef Record record
+    cdef readonly Hli hli
+    cdef readonly CycleManager manager
+    cdef readonly Path path
+    cdef double max_override_pct
+    cdef readonly Context context
+    cdef readonly Py_ssize_t width
+    cdef Py_ssize_t capacity
+    cdef double[::1] queue
+    cdef Py_ssize_t head
+    cdef Py_ssize_t tail
+    cdef readonly Py_ssize_t timed_count
+    cdef public Py_ssize_t low_water
+    cdef public bint decoder_open
+    cdef Py_ssize_t begun
+    cdef int waiting
+    cdef double answer
+    cdef readonly bint answer_ready
+    cdef readonly bint program_ended
+    cdef readonly bint error_pending
+    cdef readonly bint is_stopped
+    cdef readonly bint is_resetting
+
+    cdef Py_ssize_t event_bound(self) noexcept nogil
+    cdef int needs_python(self) noexcept nogil
+    cdef void begin_tick(self, long long tick) noexcept nogil
+    cdef void take_commands(self, long long tick) noexcept nogil
+    @cython.locals(kind=int)
+    cdef int take(self, long long tick, Py_ssize_t base) noexcept nogil
+    cdef int take_block(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)
+    cdef int take_cycle(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
+    @cython.locals(function=cython.longlong)
+    cdef int take_technology(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(cell=Py_ssize_t)
+    cdef void take_write(self, Py_ssize_t base) noexcept nogil
+    cdef int take_program_end(self, long long tick, Py_ssize_t base) noexcept nogil
+    cdef void report(self, long long source, int message, double detail) noexcept nogil
+    cdef void run_cycles(self) noexcept nogil
+    @cython.locals(pct=double, stops=bint)
+    cdef void interpolate(self) noexcept nogil
+    @cython.locals(position=Py_ssize_t, base=Py_ssize_t)
+    cdef void go_on(self, double factor) noexcept nogil
+    cdef void end_tick(self) noexcept nogil
+    @cython.locals(base=Py_ssize_t, cell=Py_ssize_t)
+    cdef void answer_waiting(self) noexcept nogil

@@ -1,0 +1,330 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False
+"""One channel: the queue of commands, and the phases of its tick (RC-002 … RC-007).
+
+A command is a row of float64 in a ring (``decoder/commands.py`` packs it): kind, source ID, block
+number, then what the kind needs. A segment's row is: 3 length, 4 programmed speed, 5 highest speed,
+6 acceleration, 7 end speed, 8 exact stop, then from 12 on start and end of each axis. Commands that
+take time are counted (``timed_count``): while the decoder has more to give, the kernel returns when
+they fall below ``low_water``, so that a tick never finds the queue empty too early.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.cycles import CycleManager
+from nctakt.kernel.hli import Hli
+from nctakt.kernel.memory import Context
+from nctakt.kernel.path import Path
+from nctakt.kernel.record import Record
+
+# Kinds of commands.
+SEGMENT = 1
+DWELL = 2
+DEFINE_CYCLE = 3
+CONTROL_CYCLE = 4
+TECHNOLOGY = 5
+AWAIT_ACKNOWLEDGE = 6
+WRITE = 7
+MESSAGE = 8
+FLUSH = 9
+READ = 10
+PROGRAM_END = 11
+
+#: The kinds that take or may take time.
+TIMED_KINDS = (SEGMENT, DWELL, AWAIT_ACKNOWLEDGE, FLUSH, READ, PROGRAM_END)
+
+#: Commands that take time below which the kernel asks for more.
+LOW_WATER = 8
+
+#: The channel's cells, from ``first_cell`` on, in the order of ``nc/names.py``.
+CELLS = 138
+
+
+class Channel:
+    """One channel with its path, its cycles and its image of the PLC."""
+
+    def __init__(
+        self,
+        memory: bytearray,
+        first_cell: int,
+        record: Record,
+        hli: Hli,
+        manager: CycleManager,
+        path: Path,
+        max_override_pct: float,
+    ) -> None:
+        self.cells = memoryview(memory).cast("d")
+        self.first_cell = first_cell
+        self.record = record
+        self.hli = hli
+        self.manager = manager
+        self.path = path
+        self.max_override_pct = max_override_pct
+        self.context = Context(memory, record, hli)
+        self.width = path.width
+        self.capacity = 256
+        self.queue = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
+        self.head = 0
+        self.tail = 0
+        self.timed_count = 0
+        self.low_water = LOW_WATER
+        self.decoder_open = False
+        self.begun = -1
+        self.waiting = 0
+        self.answer = 0.0
+        self.answer_ready = False
+        self.program_ended = False
+        self.error_pending = False
+        self.is_stopped = False
+        self.is_resetting = False
+
+    # --- Python's side, between two runs --------------------------------------------------------
+
+    def put(self, row: list[float]) -> None:
+        """Append a command; the row may be shorter than the ring's width."""
+        if self.tail - self.head >= self.capacity:
+            self.grow()
+        base = self.tail % self.capacity * self.width
+        for i, number in enumerate(row):
+            self.queue[base + i] = number
+        self.tail += 1
+        if row[0] in TIMED_KINDS:
+            self.timed_count += 1
+
+    def grow(self) -> None:
+        """Double the queue: many commands without motion stand in a row."""
+        rows = [self.row(n) for n in range(self.head, self.tail)]
+        self.capacity *= 2
+        self.queue = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
+        if self.begun >= 0:
+            self.begun -= self.head
+        self.head = 0
+        self.tail = len(rows)
+        for n, row in enumerate(rows):
+            for i, number in enumerate(row):
+                self.queue[n * self.width + i] = number
+
+    def row(self, number: int) -> list[float]:
+        """The command with this running number."""
+        base = number % self.capacity * self.width
+        return [self.queue[base + i] for i in range(self.width)]
+
+    def queued(self) -> int:
+        """How many commands wait."""
+        return self.tail - self.head
+
+    def take_answer(self) -> float:
+        """The value that the decoder has waited for; it goes on."""
+        assert self.answer_ready
+        self.answer_ready = False
+        return self.answer
+
+    def clear_queue(self) -> None:
+        """Give up what was decoded ahead."""
+        self.head = self.tail
+        self.timed_count = 0
+        self.waiting = 0
+        self.begun = -1
+
+    def event_bound(self) -> int:
+        """The most events that one tick can record: a few for each command, cycle and slot."""
+        return 8 + 3 * (self.tail - self.head) + self.manager.events_bound + self.manager.capacity
+
+    # --- the tick -------------------------------------------------------------------------------
+
+    def needs_python(self) -> int:
+        """Why the kernel must return before the next tick: 0 not at all, 1 … 4 (``kernel.py``)."""
+        if self.error_pending:
+            return 4
+        if self.program_ended:
+            return 3
+        if self.answer_ready:
+            return 2
+        if self.decoder_open and self.timed_count < self.low_water:
+            return 1
+        return 0
+
+    def begin_tick(self, tick: int) -> None:
+        """Latch the PLC's answers; the CYCLE override is 100 % again (RC-305)."""
+        self.context.begin(tick)
+        self.hli.latch()
+        self.cells[self.first_cell] = 100.0
+
+    def take_commands(self, tick: int) -> None:
+        """Take commands in order until one takes time or has to wait (RC-003, RC-004)."""
+        self.manager.leave_blocks(self.path.serial if self.path.is_active else 0)
+        if self.is_stopped or self.is_resetting:
+            return
+        while self.head < self.tail and self.waiting == 0 and not self.is_stopped:
+            if self.path.is_active and self.begun < self.head:
+                return
+            if not self.take(tick, self.head % self.capacity * self.width):
+                return
+            self.head += 1
+
+    def take(self, tick: int, base: int) -> int:
+        """Take the command at ``base``: 0 when it stays at the head of the queue."""
+        kind = int(self.queue[base])
+        if kind <= 2:
+            return self.take_block(base)
+        if kind <= 4:
+            return self.take_cycle(tick, base, kind)
+        if kind == 5:
+            return self.take_technology(base)
+        if kind == 6:
+            if self.hli.program_state != 0:
+                return 0
+            self.timed_count -= 1
+            return 1
+        if kind == 7:
+            self.take_write(base)
+            return 1
+        if kind == 8:
+            self.record.message(int(self.queue[base + 1]), int(self.queue[base + 3]))
+            return 1
+        if kind == 11:
+            return self.take_program_end(tick, base)
+        self.waiting = kind
+        return 0
+
+    def take_block(self, base: int) -> int:
+        """A segment or dwell: current from now on."""
+        self.timed_count -= 1
+        if self.head == self.begun:
+            self.begun = -1
+            return 1
+        if self.queue[base] == 1.0 and not self.path.starts_where_axes_stand(base, self.queue):
+            self.report(int(self.queue[base + 1]), 900420, 0.0)
+            return 1
+        self.path.begin(base, self.queue, 0.0)
+        self.manager.enter_block(self.path.serial)
+        return 1
+
+    def take_cycle(self, tick: int, base: int, kind: int) -> int:
+        """A definition or a management command; DELETE and HOLD may have to wait (RC-004)."""
+        source = int(self.queue[base + 1])
+        if kind == 3:
+            message = self.manager.define(
+                int(self.queue[base + 3]), int(self.queue[base + 4]), tick
+            )
+        else:
+            action = int(self.queue[base + 3])
+            identity = int(self.queue[base + 4])
+            if (action in (2, 5)) and self.manager.is_fresh(identity, tick):
+                return 0
+            message = self.manager.control(action, identity, tick, source)
+        if message != 0:
+            self.report(source, message, self.queue[base + 4])
+        return 1
+
+    def take_technology(self, base: int) -> int:
+        """An M or H function of the main program; waits while the interface is busy."""
+        function = int(self.queue[base + 3])
+        if not self.hli.issue_program(function):
+            return 0
+        self.record.technology(int(self.queue[base + 1]), function)
+        return 1
+
+    def take_write(self, base: int) -> None:
+        """A synchronous variable written by the decoder (RC-308)."""
+        cell = int(self.queue[base + 3])
+        self.cells[cell] = self.queue[base + 4]
+
+    def take_program_end(self, tick: int, base: int) -> int:
+        """M30; not in the tick in which a cycle that it deletes was started (RC-004, RC-106)."""
+        if self.manager.has_fresh(tick):
+            return 0
+        self.timed_count -= 1
+        self.manager.end_program()
+        self.record.program_end(int(self.queue[base + 1]), int(self.queue[base + 3]))
+        self.program_ended = True
+        self.waiting = 11
+        return 1
+
+    def report(self, source: int, message: int, detail: float) -> None:
+        """An error of the realtime part: channel in error state, the path brakes (RC-505)."""
+        self.record.error(source, 0, message, detail)
+        self.error_pending = True
+        self.is_stopped = True
+
+    def run_cycles(self) -> None:
+        """All active realtime cycles, once; none during a reset (RC-007)."""
+        if self.is_resetting:
+            return
+        if self.manager.run_cycles(self.context):
+            self.error_pending = True
+            self.is_stopped = True
+
+    def interpolate(self) -> None:
+        """One increment of the path with this tick's override (RC-305, MO-5)."""
+        pct = self.hli.operator_override_pct * self.cells[self.first_cell] / 100.0
+        pct = min(pct, self.max_override_pct)
+        stops = self.is_stopped or self.is_resetting or self.hli.feed_hold
+        if self.path.step(pct / 100.0, stops):
+            self.go_on(pct / 100.0)
+        self.cells[self.first_cell + 1] = pct
+
+    def go_on(self, factor: float) -> None:
+        """The path passes block ends without a stop: carry the time that is left."""
+        position = self.head
+        while position < self.tail:
+            base = position % self.capacity * self.width
+            if self.queue[base] == 1.0 and position != self.begun:
+                self.begun = position
+                self.path.begin(base, self.queue, self.path.left_t)
+                self.manager.enter_block(self.path.serial)
+                if not self.path.step_carried(factor):
+                    return
+            elif self.queue[base] > 8.0 or self.queue[base] == 2.0 or self.queue[base] == 6.0:
+                return
+            position += 1
+
+    def end_tick(self) -> None:
+        """Answer what waits for the path to stand; end a reset; publish (RC-005, RC-007)."""
+        if self.path.stands():
+            if self.waiting in (9, 10):
+                self.answer_waiting()
+            if self.is_resetting:
+                self.is_resetting = False
+                self.path.abandon()
+        self.hli.run_default_plc()
+        self.cells[self.first_cell + 6] = self.path.speed_v
+        if self.path.is_active:
+            self.cells[self.first_cell + 7] = self.path.block_number()
+        else:
+            self.cells[self.first_cell + 7] = 0.0
+        self.cells[self.first_cell + 8] = self.manager.running_count
+
+    def answer_waiting(self) -> None:
+        """Flush and synchronous read at the head: answered with the values of now."""
+        base = self.head % self.capacity * self.width
+        self.answer = 0.0
+        if self.waiting == 10:
+            cell = int(self.queue[base + 3])
+            self.answer = self.cells[cell]
+        if self.queue[base + 5] != 0.0:
+            self.answer_ready = True
+        self.waiting = 0
+        self.head += 1
+        self.timed_count -= 1
+
+    def request_reset(self) -> None:
+        """Latch a reset: from the next tick until the path stands, at least one tick (RC-007)."""
+        self.is_resetting = True
+        self.is_stopped = False
+        self.error_pending = False
+        self.waiting = 0
+        self.clear_queue()
+        self.hli.clear()
+        self.manager.reset()
+
+    def clear_error(self) -> None:
+        """Python has read the error; the channel stays stopped until a reset."""
+        self.error_pending = False
+
+    def accept_end(self) -> None:
+        """Python has seen the program's end; the queue is ready for another program."""
+        assert self.program_ended
+        self.program_ended = False
+        self.waiting = 0

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+# C types of conditions.py.
+cimport cython
+from nctakt.kernel cimport arithmetic
+from nctakt.kernel.expressions cimport Expression
+from nctakt.kernel.memory cimport Context
+
+cdef class Condition:
+    cdef public long long probe
+    cdef readonly int truth
+    cdef readonly bint was_ever_true
+    cdef readonly double nearest
+    cdef readonly double nearest_left
+    cdef readonly double nearest_right
+    cdef readonly long long nearest_tick
+    cdef int decide(self, Context context) noexcept nogil
+
+@cython.locals(distance=double)
+cdef void note(Condition condition, Context context, int truth, double left, double right) noexcept nogil
+
+cdef class Comparison(Condition):
+    cdef Expression left
+    cdef Expression right
+
+cdef class CellComparison(Condition):
+    cdef Py_ssize_t cell
+    cdef double number
+
+cdef class IsTrue(Condition):
+    cdef Expression operand
+    @cython.locals(value=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsLess(Comparison):
+    @cython.locals(left=double, right=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsLessCellConstant(CellComparison):
+    @cython.locals(left=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsLessEqual(Comparison):
+    @cython.locals(left=double, right=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsLessEqualCellConstant(CellComparison):
+    @cython.locals(left=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsGreater(Comparison):
+    @cython.locals(left=double, right=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsGreaterCellConstant(CellComparison):
+    @cython.locals(left=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsGreaterEqual(Comparison):
+    @cython.locals(left=double, right=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsGreaterEqualCellConstant(CellComparison):
+    @cython.locals(left=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsEqual(Comparison):
+    @cython.locals(left=double, right=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsEqualCellConstant(CellComparison):
+    @cython.locals(left=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsNotEqual(Comparison):
+    @cython.locals(left=double, right=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsNotEqualCellConstant(CellComparison):
+    @cython.locals(left=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil

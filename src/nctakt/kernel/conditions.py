@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False
+"""Conditions of ``$IF`` in realtime cycles, each with its probe (RC-202).
+
+A condition keeps its last truth and records a probe row (``record.py``) when its truth changes.
+While it has never been true it keeps the nearest miss: the smallest distance between its two sides,
+and when that was. A condition that is no comparison compares its value with 0.5.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel import arithmetic
+from nctakt.kernel.expressions import Expression
+from nctakt.kernel.memory import Context
+
+#: Truth of a condition that was not evaluated yet.
+UNKNOWN = -1
+
+
+class Condition:
+    """Base, and null object: always true, nothing recorded.
+
+    ``probe`` is its number in the probe rows; ``truth`` the last one (-1: not evaluated yet).
+    """
+
+    def __init__(self) -> None:
+        self.probe = 0
+        self.truth = -1
+        self.was_ever_true = False
+        self.nearest = 1.7976931348623157e308
+        self.nearest_left = 0.0
+        self.nearest_right = 0.0
+        self.nearest_tick = -1
+
+    def decide(self, context: Context) -> int:
+        """Evaluate: 1 true, 0 false. A fault is noted in the context."""
+        return 1
+
+
+def note(condition: Condition, context: Context, truth: int, left: float, right: float) -> None:
+    """Record a change of truth; while never true, keep the nearest miss."""
+    if truth != condition.truth:
+        condition.truth = truth
+        if truth == 1:
+            condition.was_ever_true = True
+        context.record.probe(condition.probe, truth, left, right)
+    if not condition.was_ever_true:
+        distance = left - right
+        if distance < 0.0:
+            distance = 0.0 - distance
+        if distance < condition.nearest:
+            condition.nearest = distance
+            condition.nearest_left = left
+            condition.nearest_right = right
+            condition.nearest_tick = context.tick
+
+
+class Comparison(Condition):
+    """Base of the comparisons of two expressions."""
+
+    def __init__(self, left: Expression, right: Expression) -> None:
+        super().__init__()
+        self.left = left
+        self.right = right
+
+
+class CellComparison(Condition):
+    """Base of the comparisons of a variable with a number (fused)."""
+
+    def __init__(self, cell: int, number: float) -> None:
+        super().__init__()
+        self.cell = cell
+        self.number = number
+
+
+class IsTrue(Condition):
+    """Any other expression: true from a magnitude of 0.5 on."""
+
+    def __init__(self, operand: Expression) -> None:
+        super().__init__()
+        self.operand = operand
+
+    def decide(self, context: Context) -> int:
+        value = self.operand.value(context)
+        truth = 1 if arithmetic.is_true(value) else 0
+        note(self, context, truth, value, 0.5)
+        return truth
+
+
+class IsLess(Comparison):
+    """``left < right``."""
+
+    def decide(self, context: Context) -> int:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        truth = 1 if left < right else 0
+        note(self, context, truth, left, right)
+        return truth
+
+
+class IsLessCellConstant(CellComparison):
+    """Variable ``<`` number."""
+
+    def decide(self, context: Context) -> int:
+        left = context.cells[self.cell]
+        truth = 1 if left < self.number else 0
+        note(self, context, truth, left, self.number)
+        return truth
+
+
+class IsLessEqual(Comparison):
+    """``left <= right``."""
+
+    def decide(self, context: Context) -> int:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        truth = 1 if left <= right else 0
+        note(self, context, truth, left, right)
+        return truth
+
+
+class IsLessEqualCellConstant(CellComparison):
+    """Variable ``<=`` number."""
+
+    def decide(self, context: Context) -> int:
+        left = context.cells[self.cell]
+        truth = 1 if left <= self.number else 0
+        note(self, context, truth, left, self.number)
+        return truth
+
+
+class IsGreater(Comparison):
+    """``left > right``."""
+
+    def decide(self, context: Context) -> int:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        truth = 1 if left > right else 0
+        note(self, context, truth, left, right)
+        return truth
+
+
+class IsGreaterCellConstant(CellComparison):
+    """Variable ``>`` number."""
+
+    def decide(self, context: Context) -> int:
+        left = context.cells[self.cell]
+        truth = 1 if left > self.number else 0
+        note(self, context, truth, left, self.number)
+        return truth
+
+
+class IsGreaterEqual(Comparison):
+    """``left >= right``."""
+
+    def decide(self, context: Context) -> int:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        truth = 1 if left >= right else 0
+        note(self, context, truth, left, right)
+        return truth
+
+
+class IsGreaterEqualCellConstant(CellComparison):
+    """Variable ``>=`` number."""
+
+    def decide(self, context: Context) -> int:
+        left = context.cells[self.cell]
+        truth = 1 if left >= self.number else 0
+        note(self, context, truth, left, self.number)
+        return truth
+
+
+class IsEqual(Comparison):
+    """``left == right``."""
+
+    def decide(self, context: Context) -> int:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        truth = 1 if left == right else 0
+        note(self, context, truth, left, right)
+        return truth
+
+
+class IsEqualCellConstant(CellComparison):
+    """Variable ``==`` number."""
+
+    def decide(self, context: Context) -> int:
+        left = context.cells[self.cell]
+        truth = 1 if left == self.number else 0
+        note(self, context, truth, left, self.number)
+        return truth
+
+
+class IsNotEqual(Comparison):
+    """``left != right``."""
+
+    def decide(self, context: Context) -> int:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        truth = 1 if left != right else 0
+        note(self, context, truth, left, right)
+        return truth
+
+
+class IsNotEqualCellConstant(CellComparison):
+    """Variable ``!=`` number."""
+
+    def decide(self, context: Context) -> int:
+        left = context.cells[self.cell]
+        truth = 1 if left != self.number else 0
+        note(self, context, truth, left, self.number)
+        return truth

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+# C types of cycles.py.
+cimport cython
+from nctakt.kernel.instructions cimport Statement
+from nctakt.kernel.memory cimport Context
+from nctakt.kernel.record cimport Record
+
+cdef class RunThrough:
+    cdef int run_through(self, CycleManager manager, Context context) noexcept nogil
+
+cdef class Group(RunThrough):
+    cdef RunThrough first
+    cdef RunThrough second
+    cdef RunThrough third
+    cdef RunThrough fourth
+    cdef int run_through(self, CycleManager manager, Context context) noexcept nogil
+
+cdef class RealtimeCycle(RunThrough):
+    cdef readonly Statement body
+    cdef readonly long long serial
+    cdef readonly Py_ssize_t events
+    cdef readonly Py_ssize_t probes
+    cdef public Py_ssize_t slot
+    cdef readonly long long runs
+    cdef int run_through(self, CycleManager manager, Context context) noexcept nogil
+
+cdef class CycleManager:
+    cdef Record record
+    cdef readonly Py_ssize_t capacity
+    cdef long long[::1] state
+    cdef long long[::1] identity
+    cdef long long[::1] scope
+    cdef long long[::1] source
+    cdef long long[::1] serial
+    cdef long long[::1] reusable
+    cdef long long[::1] restarts
+    cdef long long[::1] started_tick
+    cdef long long[::1] block
+    cdef readonly list loaded
+    cdef RunThrough root
+    cdef readonly long long latest_start
+    cdef readonly long long running_count
+    cdef readonly long long armed_count
+    cdef long long in_block_count
+    cdef readonly Py_ssize_t events_bound
+    cdef readonly Py_ssize_t probes_bound
+
+    @cython.locals(slot=Py_ssize_t)
+    cdef Py_ssize_t find(self, long long identity) noexcept nogil
+    cdef void enter(self, Py_ssize_t slot, int state) noexcept nogil
+    cdef int define(self, Py_ssize_t slot, int starts, long long tick) noexcept nogil
+    cdef void start(self, Py_ssize_t slot, long long tick, long long source) noexcept nogil
+    @cython.locals(slot=Py_ssize_t)
+    cdef int is_fresh(self, long long identity, long long tick) noexcept nogil
+    @cython.locals(slot=Py_ssize_t)
+    cdef int has_fresh(self, long long tick) noexcept nogil
+    @cython.locals(slot=Py_ssize_t)
+    cdef int control(self, int action, long long identity, long long tick, long long source) noexcept nogil
+    cdef void hold(self, Py_ssize_t slot, long long source) noexcept nogil
+    cdef void resume(self, Py_ssize_t slot, long long source) noexcept nogil
+    @cython.locals(slot=Py_ssize_t)
+    cdef void enter_block(self, long long serial) noexcept nogil
+    @cython.locals(slot=Py_ssize_t)
+    cdef void leave_blocks(self, long long serial) noexcept nogil
+    cdef void end(self, Py_ssize_t slot, int reason) noexcept nogil
+    cdef void end_program(self) noexcept nogil
+    cdef void reset(self) noexcept nogil
+    @cython.locals(slot=Py_ssize_t)
+    cdef void delete_local(self, int reason) noexcept nogil
+    cdef int run_cycles(self, Context context) noexcept nogil
+    cdef void fail(self, Py_ssize_t slot, Context context) noexcept nogil

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+# C types of kernel.py.
+cimport cython
+from nctakt.kernel.axis cimport Axes
+from nctakt.kernel.channel cimport Channel
+from nctakt.kernel.record cimport Record
+
+cdef class Lane:
+    cdef int needs_python(self) noexcept nogil
+    cdef Py_ssize_t event_bound(self) noexcept nogil
+    cdef Py_ssize_t probe_bound(self) noexcept nogil
+    cdef void begin_tick(self, long long tick) noexcept nogil
+    cdef void end_tick(self) noexcept nogil
+
+cdef class ChannelLane(Lane):
+    cdef Channel channel
+    cdef Lane others
+    @cython.locals(reason=int)
+    cdef int needs_python(self) noexcept nogil
+    cdef Py_ssize_t event_bound(self) noexcept nogil
+    cdef Py_ssize_t probe_bound(self) noexcept nogil
+    cdef void begin_tick(self, long long tick) noexcept nogil
+    cdef void end_tick(self) noexcept nogil
+
+cdef class Kernel:
+    cdef double[::1] cells
+    cdef Axes axes
+    cdef Record record
+    cdef Lane lane
+    cdef readonly long long tick
+    cdef Py_ssize_t input_count
+    cdef Py_ssize_t input_capacity
+    cdef long long[::1] input_cells
+    cdef double[::1] input_values
+
+    @cython.locals(reason=int)
+    cpdef int run(self, long long ticks)
+    @cython.locals(end=cython.longlong, reason=int)
+    cdef int loop(self, long long ticks) noexcept nogil
+    cdef void run_tick(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void latch_inputs(self) noexcept nogil
+    cdef void record_row(self) noexcept nogil

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False
+"""All channels and axes in lockstep: ``run(n)`` (RC-001, RC-002).
+
+``run`` goes on without Python objects until n ticks are done or something of Python's is due; where
+it is cut never changes a result. What comes from outside is put into an image (``post``) that the
+next tick latches at its start.
+"""
+
+from __future__ import annotations
+
+import cython
+
+from nctakt.kernel.axis import Axes
+from nctakt.kernel.channel import Channel
+from nctakt.kernel.record import Record
+
+# Why ``run`` returned.
+DONE = 0
+REFILL = 1
+ANSWER = 2
+PROGRAM_END = 3
+ERROR = 4
+FULL = 5
+
+
+class Lane:
+    """The channels of the machine as a chain, since the tick cannot walk through a list.
+
+    The base is the null object at the chain's end.
+    """
+
+    def needs_python(self) -> int:
+        """The first reason why one of the channels needs Python."""
+        return 0
+
+    def event_bound(self) -> int:
+        """The most events of one tick."""
+        return 0
+
+    def probe_bound(self) -> int:
+        """The most probes of one tick."""
+        return 0
+
+    def begin_tick(self, tick: int) -> None:
+        """Up to and with the command phase and the cycles of each channel, then its path."""
+
+    def end_tick(self) -> None:
+        """Answers and outputs of each channel."""
+
+
+class ChannelLane(Lane):
+    """One channel and those behind it."""
+
+    def __init__(self, channel: Channel, others: Lane) -> None:
+        self.channel = channel
+        self.others = others
+
+    def needs_python(self) -> int:
+        reason = self.channel.needs_python()
+        return reason if reason else self.others.needs_python()
+
+    def event_bound(self) -> int:
+        return self.channel.event_bound() + self.others.event_bound()
+
+    def probe_bound(self) -> int:
+        return self.channel.manager.probes_bound + self.others.probe_bound()
+
+    def begin_tick(self, tick: int) -> None:
+        self.channel.begin_tick(tick)
+        self.channel.take_commands(tick)
+        self.channel.run_cycles()
+        self.channel.interpolate()
+        self.others.begin_tick(tick)
+
+    def end_tick(self) -> None:
+        self.channel.end_tick()
+        self.others.end_tick()
+
+
+class Kernel:
+    """The realtime part of one machine."""
+
+    def __init__(
+        self, memory: bytearray, axes: Axes, channels: list[Channel], record: Record
+    ) -> None:
+        self.cells = memoryview(memory).cast("d")
+        self.axes = axes
+        self.record = record
+        lane = Lane()
+        for channel in reversed(channels):
+            lane = ChannelLane(channel, lane)
+        self.lane = lane
+        self.tick = 0
+        self.input_count = 0
+        self.input_capacity = 0
+        self.input_cells = memoryview(bytearray(8)).cast("q")
+        self.input_values = memoryview(bytearray(8)).cast("d")
+        axes.publish_all()
+
+    def post(self, cell: int, value: float) -> None:
+        """Put a value into the image that the next tick latches."""
+        if self.input_count >= self.input_capacity:
+            posted = [(self.input_cells[i], self.input_values[i]) for i in range(self.input_count)]
+            self.input_capacity = 2 * self.input_capacity + 16
+            self.input_cells = memoryview(bytearray(8 * self.input_capacity)).cast("q")
+            self.input_values = memoryview(bytearray(8 * self.input_capacity)).cast("d")
+            for i, (old_cell, old_value) in enumerate(posted):
+                self.input_cells[i] = old_cell
+                self.input_values[i] = old_value
+        self.input_cells[self.input_count] = cell
+        self.input_values[self.input_count] = value
+        self.input_count += 1
+
+    def run(self, ticks: int) -> int:
+        """Run up to ``ticks`` ticks: why it returned, ``DONE`` after all of them."""
+        with cython.nogil:
+            reason = self.loop(ticks)
+        return reason
+
+    def reserve(self) -> None:
+        """Make the emptied record large enough for a tick of the present load."""
+        self.record.reserve(self.lane.event_bound(), self.lane.probe_bound())
+
+    def loop(self, ticks: int) -> int:
+        """The loop over ticks, without Python objects."""
+        end = self.tick + ticks
+        while self.tick < end:
+            reason = self.lane.needs_python()
+            if reason:
+                return reason
+            if not self.record.has_room(self.lane.event_bound(), self.lane.probe_bound()):
+                return 5
+            self.run_tick()
+        return self.lane.needs_python()
+
+    def run_tick(self) -> None:
+        """One tick: a table of its phases (RC-002)."""
+        self.record.tick = self.tick
+        self.latch_inputs()
+        self.axes.begin_tick()
+        self.lane.begin_tick(self.tick)
+        self.axes.publish()
+        self.lane.end_tick()
+        self.record_row()
+        self.tick += 1
+
+    def latch_inputs(self) -> None:
+        """What was posted since the last tick is in force now, in the order of posting."""
+        for i in range(self.input_count):
+            self.cells[self.input_cells[i]] = self.input_values[i]
+        self.input_count = 0
+
+    def record_row(self) -> None:
+        """The trace row of this tick."""
+        if self.record.signal_count > 0:
+            self.record.take_row()

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# C types of memory.py.
+from nctakt.kernel.hli cimport Hli
+from nctakt.kernel.record cimport Record
+
+cdef class Context:
+    cdef double[::1] cells
+    cdef Record record
+    cdef Hli hli
+    cdef public long long tick
+    cdef public long long serial
+    cdef public long long run
+    cdef public int fault
+    cdef public long long fault_source
+    cdef public double fault_a
+    cdef public double fault_b
+    cdef public long long steps
+    cdef public long long check_at
+    cdef public long long max_steps
+    cdef public long long cont_steps
+    cdef public long long budget_steps
+
+    cdef void begin(self, long long tick) noexcept nogil
+    cdef void next_check(self) noexcept nogil
+    cdef int over_limit(self, long long source) noexcept nogil
+    cdef void fail(self, int message, long long source, double a, double b) noexcept nogil

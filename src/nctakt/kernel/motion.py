@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False
+"""One coordinate's way: state, target and limits -> a profile in closed form (MO-2, MO-5, MO-14).
+
+A ``Profile`` is planned from a distance, a start and an end speed, a speed limit and one
+acceleration, time-optimal: change to the highest speed that can be used, keep it, brake to the end
+speed. Position and speed at any time are closed forms, so a hand can compute each tick. Units:
+``_d`` mm or degrees, ``_v`` per second, ``_a`` per second squared, ``_t`` seconds.
+"""
+
+from __future__ import annotations
+
+import math
+
+
+class Profile:
+    """Three phases: constant acceleration, constant speed, constant deceleration.
+
+    ``is_endless`` tells that the end is never reached, because the speed limit is zero: the way is
+    stopped until it is planned anew.
+    """
+
+    def __init__(self) -> None:
+        self.first_t = 0.0
+        self.first_a = 0.0
+        self.first_d = 0.0
+        self.start_v = 0.0
+        self.cruise_t = 0.0
+        self.cruise_v = 0.0
+        self.cruise_d = 0.0
+        self.last_a = 0.0
+        self.duration_t = 0.0
+        self.length_d = 0.0
+        self.end_v = 0.0
+        self.is_endless = False
+
+    def plan(
+        self, length_d: float, start_v: float, end_v: float, limit_v: float, limit_a: float
+    ) -> None:
+        """Plan ``length_d`` from speed ``start_v`` to ``end_v``, nowhere above ``limit_v``.
+
+        A start speed above the limit is first brought down to it. Where ``length_d`` is too short
+        to brake with ``limit_a`` (by a rounding of the caller's), the braking is what it takes.
+        """
+        self.length_d = length_d
+        self.start_v = start_v
+        self.end_v = min(end_v, max(limit_v, start_v))
+        self.is_endless = False
+        brake_d = (start_v * start_v - self.end_v * self.end_v) / (2.0 * limit_a)
+        if brake_d >= length_d and start_v > 0.0:
+            self.brake_only()
+            return
+        if start_v > limit_v:
+            self.first_a = 0.0 - limit_a
+            self.cruise_v = limit_v
+            self.end_v = min(self.end_v, limit_v)
+        else:
+            peak2 = limit_a * length_d + 0.5 * (start_v * start_v + self.end_v * self.end_v)
+            self.first_a = limit_a
+            self.cruise_v = min(limit_v, math.sqrt(peak2))
+            self.end_v = min(self.end_v, self.cruise_v)
+        self.last_a = limit_a
+        self.first_t = (self.cruise_v - start_v) / self.first_a
+        self.first_d = 0.5 * (start_v + self.cruise_v) * self.first_t
+        last_t = (self.cruise_v - self.end_v) / limit_a
+        self.cruise_d = length_d - self.first_d - 0.5 * (self.cruise_v + self.end_v) * last_t
+        self.cruise_d = max(self.cruise_d, 0.0)
+        if self.cruise_v > 0.0:
+            self.cruise_t = self.cruise_d / self.cruise_v
+            self.duration_t = self.first_t + self.cruise_t + last_t
+        else:
+            self.cruise_t = 0.0
+            self.duration_t = self.first_t
+            self.is_endless = True
+
+    def brake_only(self) -> None:
+        """Brake from the first moment so that the end speed is reached at the end."""
+        middle_v = 0.5 * (self.start_v + self.end_v)
+        self.first_t = 0.0
+        self.first_a = 0.0
+        self.first_d = 0.0
+        self.cruise_t = 0.0
+        self.cruise_d = 0.0
+        self.cruise_v = self.start_v
+        self.duration_t = self.length_d / middle_v
+        self.last_a = 0.0
+        if self.duration_t > 0.0:
+            self.last_a = (self.start_v - self.end_v) / self.duration_t
+
+    def position(self, time_t: float) -> float:
+        """Distance covered at ``time_t`` since the plan's start."""
+        if time_t < self.first_t:
+            return time_t * (self.start_v + 0.5 * self.first_a * time_t)
+        if self.is_endless:
+            return self.first_d
+        since = time_t - self.first_t
+        if since < self.cruise_t:
+            return self.first_d + self.cruise_v * since
+        since = since - self.cruise_t
+        return self.first_d + self.cruise_d + since * (self.cruise_v - 0.5 * self.last_a * since)
+
+    def speed(self, time_t: float) -> float:
+        """Speed at ``time_t`` since the plan's start."""
+        if time_t < self.first_t:
+            return self.start_v + self.first_a * time_t
+        since = time_t - self.first_t
+        if self.is_endless or since < self.cruise_t:
+            return self.cruise_v
+        return self.cruise_v - self.last_a * (since - self.cruise_t)
+
+    def phases(self) -> tuple[float, float, float, float]:
+        """First, cruise and total time in seconds, and the cruise speed: for Python's side."""
+        return (self.first_t, self.cruise_t, self.duration_t, self.cruise_v)
+
+    def at(self, time_t: float) -> tuple[float, float]:
+        """Distance and speed at a time: for Python's side."""
+        return (self.position(time_t), self.speed(time_t))
+
+    def prepare(
+        self, length_d: float, start_v: float, end_v: float, limit_v: float, limit_a: float
+    ) -> None:
+        """``plan`` for Python's side."""
+        self.plan(length_d, start_v, end_v, limit_v, limit_a)

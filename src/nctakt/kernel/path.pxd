@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: MIT
+# C types of path.py.
+cimport cython
+from nctakt.kernel.axis cimport Axes
+from nctakt.kernel.motion cimport Profile
+
+cdef class Path:
+    cdef Axes axes
+    cdef readonly Py_ssize_t count
+    cdef long long[::1] members
+    cdef double cycle_time_t
+    cdef double cycle_time_us
+    cdef readonly Py_ssize_t width
+    cdef Py_ssize_t ring_size
+    cdef double[::1] ring
+    cdef readonly long long used
+    cdef Py_ssize_t base
+    cdef readonly long long serial
+    cdef readonly bint is_active
+    cdef bint is_dwell
+    cdef long long dwell_ticks
+    cdef Profile profile
+    cdef double covered_d
+    cdef double plan_d
+    cdef readonly double speed_v
+    cdef double limit_v
+    cdef double offset_t
+    cdef long long ticks
+    cdef readonly double left_t
+
+    @cython.locals(i=Py_ssize_t)
+    cdef void begin(self, Py_ssize_t queue_base, double[::1] queue, double offset_t) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef int starts_where_axes_stand(self, Py_ssize_t queue_base, double[::1] queue) noexcept nogil
+    @cython.locals(limit_v=double)
+    cdef int step(self, double factor, int is_stopping) noexcept nogil
+    cdef int step_carried(self, double factor) noexcept nogil
+    @cython.locals(rest_d=double)
+    cdef void replan(self, double limit_v) noexcept nogil
+    @cython.locals(now_t=double, over_t=double, i=Py_ssize_t)
+    cdef int advance(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t, start=double, end=double)
+    cdef void move_axes(self, double part) noexcept nogil
+    @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
+    cdef void abandon(self) noexcept nogil
+    cdef int stands(self) noexcept nogil
+    cdef double block_number(self) noexcept nogil

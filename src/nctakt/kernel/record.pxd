@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+# C types of record.py.
+cimport cython
+
+cdef class Record:
+    cdef double[::1] cells
+    cdef long long[::1] signals
+    cdef double[::1] rows
+    cdef double[::1] events
+    cdef double[::1] probes
+    cdef readonly Py_ssize_t signal_count
+    cdef readonly Py_ssize_t row_capacity
+    cdef readonly Py_ssize_t row_count
+    cdef readonly Py_ssize_t event_capacity
+    cdef readonly Py_ssize_t event_count
+    cdef readonly Py_ssize_t probe_capacity
+    cdef readonly Py_ssize_t probe_count
+    cdef public long long tick
+    cdef public bint records_writes
+
+    @cython.locals(i=Py_ssize_t, base=Py_ssize_t)
+    cdef void take_row(self) noexcept nogil
+    @cython.locals(base=Py_ssize_t)
+    cdef void event(self, int kind, long long source, long long subject, double a, double b) noexcept nogil
+    cdef void created(self, long long source, long long serial, int scope) noexcept nogil
+    cdef void started(self, long long source, long long serial) noexcept nogil
+    cdef void held(self, long long source, long long serial) noexcept nogil
+    cdef void continued(self, long long source, long long serial) noexcept nogil
+    cdef void aborted(self, long long source, long long serial) noexcept nogil
+    cdef void ended(self, long long source, long long serial, int reason) noexcept nogil
+    cdef void fired(self, long long source, long long serial) noexcept nogil
+    cdef void written(self, long long source, long long serial, Py_ssize_t cell, double value) noexcept nogil
+    cdef void technology_rt(self, long long source, long long serial, long long function, long long sequence) noexcept nogil
+    cdef void technology(self, long long source, long long function) noexcept nogil
+    cdef void message(self, long long source, long long number) noexcept nogil
+    cdef void error(self, long long source, long long serial, int message, double detail) noexcept nogil
+    cdef void program_end(self, long long source, long long program) noexcept nogil
+    cdef void notice(self, long long source, long long serial, int message) noexcept nogil
+    @cython.locals(base=Py_ssize_t)
+    cdef void probe(self, long long number, int truth, double left, double right) noexcept nogil
+    cdef int has_room(self, Py_ssize_t events, Py_ssize_t probes) noexcept nogil

@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False
+"""What the realtime part records: rows of signals, events, probes of conditions.
+
+Each of the three is a block of typed memory that the tick appends to and Python empties between two
+calls of ``Kernel.run``. Before a tick there must be room for all that it can record
+(``has_room``), else ``run`` returns: nothing is ever lost. Every signal is a cell of the memory, so
+a row is a copy of the chosen cells.
+
+Event row, ``EVENT_WIDTH`` floats: tick, kind, source ID, subject, a, b. Probe row, ``PROBE_WIDTH``
+floats: tick, 2 * probe number + truth, left operand, right operand.
+"""
+
+from __future__ import annotations
+
+EVENT_WIDTH = 6
+PROBE_WIDTH = 4
+
+# Kinds of events; behind each what subject, a and b hold.
+CREATED = 1  # serial of the cycle, scope
+STARTED = 2  # serial
+HELD = 3  # serial
+CONTINUED = 4  # serial
+ABORTED = 5  # serial
+ENDED = 6  # serial, reason (the ENDED_BY numbers)
+FIRED = 7  # serial; the source is the branch
+WRITTEN = 8  # serial (0: the decoder), cell, new value
+TECHNOLOGY_RT = 9  # serial, number of the function (negative: H), number within the tick
+TECHNOLOGY = 10  # 0, number of the function (negative: H)
+MESSAGE = 11  # number of the text
+ERROR = 12  # serial (0: the path), message ID, detail; the source is the statement
+PROGRAM_END = 13  # number of the program
+NOTICE = 14  # serial, message ID: diagnosis level 2
+
+ENDED_BY_SCOPE = 0
+ENDED_BY_DELETE = 1
+ENDED_BY_RESET = 2
+ENDED_BY_ERROR = 3
+
+
+class Record:
+    """Rows, events and probes of the ticks since they were last taken.
+
+    ``cells`` is the machine's memory; ``signals`` are the cells that a row holds, in its order.
+    """
+
+    def __init__(
+        self,
+        memory: bytearray,
+        signals: list[int],
+        *,
+        row_capacity: int = 4096,
+        event_capacity: int = 8192,
+        probe_capacity: int = 8192,
+    ) -> None:
+        self.cells = memoryview(memory).cast("d")
+        self.signal_count = len(signals)
+        self.signals = memoryview(bytearray(8 * max(1, len(signals)))).cast("q")
+        for i, cell in enumerate(signals):
+            self.signals[i] = cell
+        self.row_capacity = row_capacity if signals else 0
+        self.rows = memoryview(bytearray(8 * max(1, row_capacity * len(signals)))).cast("d")
+        self.row_count = 0
+        self.event_capacity = event_capacity
+        self.events = memoryview(bytearray(8 * EVENT_WIDTH * event_capacity)).cast("d")
+        self.event_count = 0
+        self.probe_capacity = probe_capacity
+        self.probes = memoryview(bytearray(8 * PROBE_WIDTH * probe_capacity)).cast("d")
+        self.probe_count = 0
+        self.tick = 0
+        self.records_writes = False
+
+    def take_row(self) -> None:
+        """Copy the signals' cells as the row of this tick."""
+        base = self.row_count * self.signal_count
+        for i in range(self.signal_count):
+            self.rows[base + i] = self.cells[self.signals[i]]
+        self.row_count += 1
+
+    def event(self, kind: int, source: int, subject: int, a: float, b: float) -> None:
+        """Append an event of this tick; that there is room was seen before the tick began."""
+        base = self.event_count * 6
+        self.events[base] = self.tick
+        self.events[base + 1] = kind
+        self.events[base + 2] = source
+        self.events[base + 3] = subject
+        self.events[base + 4] = a
+        self.events[base + 5] = b
+        self.event_count += 1
+
+    # One method a kind, so that each number stands in one place: a module constant would be a
+    # Python object in the tick.
+
+    def created(self, source: int, serial: int, scope: int) -> None:
+        """A realtime cycle was defined."""
+        self.event(1, source, serial, scope, 0.0)
+
+    def started(self, source: int, serial: int) -> None:
+        """A realtime cycle was started."""
+        self.event(2, source, serial, 0.0, 0.0)
+
+    def held(self, source: int, serial: int) -> None:
+        """A realtime cycle was held."""
+        self.event(3, source, serial, 0.0, 0.0)
+
+    def continued(self, source: int, serial: int) -> None:
+        """A held realtime cycle goes on."""
+        self.event(4, source, serial, 0.0, 0.0)
+
+    def aborted(self, source: int, serial: int) -> None:
+        """The actions of a realtime cycle were aborted."""
+        self.event(5, source, serial, 0.0, 0.0)
+
+    def ended(self, source: int, serial: int, reason: int) -> None:
+        """A realtime cycle has ended, for one of the ENDED_BY reasons."""
+        self.event(6, source, serial, reason, 0.0)
+
+    def fired(self, source: int, serial: int) -> None:
+        """The body of an ``$IF`` runs, and did not run in the tick before."""
+        self.event(7, source, serial, 0.0, 0.0)
+
+    def written(self, source: int, serial: int, cell: int, value: float) -> None:
+        """A variable has a new value; only where writes are recorded."""
+        if self.records_writes:
+            self.event(8, source, serial, cell, value)
+
+    def technology_rt(self, source: int, serial: int, function: int, sequence: int) -> None:
+        """A function of a realtime cycle went to the HLI."""
+        self.event(9, source, serial, function, sequence)
+
+    def technology(self, source: int, function: int) -> None:
+        """A function of the main program went to the HLI."""
+        self.event(10, source, 0, function, 0.0)
+
+    def message(self, source: int, number: int) -> None:
+        """A ``#MSG`` of the main program is due."""
+        self.event(11, source, 0, number, 0.0)
+
+    def error(self, source: int, serial: int, message: int, detail: float) -> None:
+        """A fault of a realtime cycle or of the path; ``message`` is its number."""
+        self.event(12, source, serial, message, detail)
+
+    def program_end(self, source: int, program: int) -> None:
+        """The end of a main program was taken."""
+        self.event(13, source, 0, program, 0.0)
+
+    def notice(self, source: int, serial: int, message: int) -> None:
+        """Something without effect that may be a mistake: diagnosis level 2."""
+        self.event(14, source, serial, message, 0.0)
+
+    def probe(self, number: int, truth: int, left: float, right: float) -> None:
+        """Append a change of a condition's truth."""
+        base = self.probe_count * 4
+        self.probes[base] = self.tick
+        self.probes[base + 1] = 2 * number + truth
+        self.probes[base + 2] = left
+        self.probes[base + 3] = right
+        self.probe_count += 1
+
+    def has_room(self, events: int, probes: int) -> int:
+        """Whether a tick that records at most so many events and probes fits."""
+        if self.signal_count > 0 and self.row_count >= self.row_capacity:
+            return 0
+        if self.event_count + events > self.event_capacity:
+            return 0
+        return 1 if self.probe_count + probes <= self.probe_capacity else 0
+
+    def reserve(self, events: int, probes: int) -> None:
+        """Make the empty buffers large enough for a tick with so many events and probes."""
+        if events > self.event_capacity and self.event_count == 0:
+            self.event_capacity = 2 * events
+            self.events = memoryview(bytearray(8 * EVENT_WIDTH * self.event_capacity)).cast("d")
+        if probes > self.probe_capacity and self.probe_count == 0:
+            self.probe_capacity = 2 * probes
+            self.probes = memoryview(bytearray(8 * PROBE_WIDTH * self.probe_capacity)).cast("d")
+
+    def take_rows(self) -> bytes:
+        """The rows recorded since the last call, row after row of float64."""
+        taken = bytes(memoryview(self.rows)[: self.row_count * self.signal_count])
+        self.row_count = 0
+        return taken
+
+    def take_events(self) -> bytes:
+        """The events recorded since the last call, ``EVENT_WIDTH`` float64 each."""
+        taken = bytes(memoryview(self.events)[: self.event_count * EVENT_WIDTH])
+        self.event_count = 0
+        return taken
+
+    def take_probes(self) -> bytes:
+        """The probe rows recorded since the last call, ``PROBE_WIDTH`` float64 each."""
+        taken = bytes(memoryview(self.probes)[: self.probe_count * PROBE_WIDTH])
+        self.probe_count = 0
+        return taken

@@ -70,8 +70,9 @@ class Parameter:
     ``None`` stands for the bound of the type; for a STRING ``high`` is the greatest length.
     ``names`` are the values of a NAME or the flags of a FLAGS parameter with their numbers, where
     a number is known. ``restart``: a change counts from the next start of the controller.
-    ``modelled``: nctakt does what the parameter says, otherwise it only accepts it. ``invalid``
-    replaces a defective value where that is not the default, ``invalid_message`` reports it.
+    ``modelled``: nctakt does what the parameter says, otherwise it accepts any value of it.
+    ``invalid`` replaces a defective value where that is not the default, and ``invalid_message``
+    reports it.
     """
 
     id: str

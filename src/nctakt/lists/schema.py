@@ -159,6 +159,11 @@ def check_list(
     """Check ``entries`` against ``schema``; see ``load_list``."""
     taken: dict[Key, Taken] = dict(base.taken) if base is not None else {}
     for key, (parameter, entry) in _select(schema, entries, collector, verbose).items():
+        if not parameter.modelled:
+            if verbose:
+                place = entry.key_span
+                collector.report(900026, place, entry.line, key=entry.path, id=parameter.id)
+            continue
         default = taken[key].value if key in taken else parameter.default
         reference = _reference(parameter, entry) if schema.dialect.references else ""
         if reference:
@@ -167,9 +172,6 @@ def check_list(
         value = convert(parameter, entry, schema.dialect, default, collector)
         if value is not None:
             taken[key] = Taken(value, entry)
-        if verbose and not parameter.modelled:
-            place = entry.key_span
-            collector.report(900026, place, entry.line, key=entry.path, id=parameter.id or "–")
     return Values(schema, file, _resolve(schema, taken, collector))
 
 

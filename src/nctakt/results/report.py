@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: MIT
+"""The diagnosis data of the realtime cycles as text (manual chapter 5, RC-601 … RC-603).
+
+In: events, each with the value that V.RTG.CYCLES.DIAG_LEVEL has then, which decides whether a line
+is made of it. Out: the text with header, rule, note and the columns timestamp, level and message,
+in English or German. Timestamps are microseconds of controller time.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections import deque
+from dataclasses import dataclass
+
+from nctakt.diagnostics import Diagnostic, Language, Text
+from nctakt.messages import CATALOGUE, diagnostic
+from nctakt.trace.events import Event
+
+#: Lines that are kept; each further one pushes out the oldest.
+DIAGNOSIS_CAPACITY = 1000
+
+#: The value of V.RTG.CYCLES.DIAG_LEVEL after a start of the controller.
+DEFAULT_LEVEL = 3
+
+_TITLE = Text(
+    "PATH : REALTIME CYCLES DIAGNOSIS DATA CHANNEL NO.: {channel}",
+    "BAHN : ECHTZEIT-ZYKLEN DIAGNOSE DATEN KANAL-NR.: {channel}",
+)
+_NOTE = Text(
+    "Note:\nV.RTG.CYCLES.DIAG_LEVEL decides which messages are listed here.",
+    "Hinweis:\nV.RTG.CYCLES.DIAG_LEVEL bestimmt, welche Nachrichten hier stehen.",
+)
+_PUSHED_OUT = Text(
+    "Older messages that are no longer kept: {count}",
+    "Aeltere, nicht mehr vorhandene Nachrichten: {count}",
+)
+_HEADS = (
+    Text("Timestamp", "Zeitstempel"),
+    Text("Level", "Level"),
+    Text("Message", "Nachricht"),
+)
+_WIDTH = 63
+_COLUMNS = "{:<12}{:<8}{}"
+
+
+class Level(enum.IntEnum):
+    """The level of a line; V.RTG.CYCLES.DIAG_LEVEL lets lines up to its value through."""
+
+    ERROR = 1
+    WARNING = 2
+    INFO = 3
+    ACTION = 4
+
+
+_LEVELS = {
+    "error": Level.ERROR,
+    "warning": Level.WARNING,
+    "notice": Level.WARNING,
+    "created": Level.INFO,
+    "started": Level.INFO,
+    "held": Level.INFO,
+    "continued": Level.INFO,
+    "aborted": Level.INFO,
+    "ended": Level.INFO,
+    "fired": Level.ACTION,
+    "written": Level.ACTION,
+    "m": Level.ACTION,
+    "h": Level.ACTION,
+}
+_PLAIN = {"started": 900553, "held": 900554, "continued": 900555, "aborted": 900556}
+_ENDED = {"scope": 900557, "delete": 900558, "reset": 900559, "error": 900560}
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line of the diagnosis data: time in microseconds, level, and the message or its number.
+
+    ``number`` stands for a message whose parameters are not at hand (``message`` is ``None``).
+    """
+
+    time_us: int
+    level: Level
+    message: Diagnostic | None
+    number: int = 0
+
+    def text(self, language: Language) -> str:
+        """The message in the language that the user asked for."""
+        if self.message is None:
+            return str(self.number)
+        if self.level <= Level.WARNING:
+            return f"{self.message.id}: {self.message.text(language)}"
+        return self.message.text(language)
+
+
+class DiagnosisReport:
+    """Gathers the diagnosis data of one channel, the newest ``capacity`` lines."""
+
+    def __init__(self, channel: int = 1, capacity: int = DIAGNOSIS_CAPACITY) -> None:
+        assert capacity > 0
+        self._channel = channel
+        self._lines: deque[Line] = deque(maxlen=capacity)
+        self._pushed_out = 0
+
+    @property
+    def lines(self) -> tuple[Line, ...]:
+        """The lines that are kept, the oldest first."""
+        return tuple(self._lines)
+
+    def initialised(self, time_us: int, count: int, level_limit: float = DEFAULT_LEVEL) -> None:
+        """The manager of the realtime cycles has been set up and holds ``count`` cycles."""
+        if level_limit >= Level.INFO:
+            self._append(Line(time_us, Level.INFO, diagnostic(900550)))
+            self._append(Line(time_us, Level.INFO, diagnostic(900551, count=count)))
+
+    def add(self, event: Event, level_limit: float, detail: Diagnostic | None = None) -> None:
+        """Make a line of ``event`` if its level is at most ``level_limit``.
+
+        ``level_limit`` is V.RTG.CYCLES.DIAG_LEVEL at the time of the event. ``detail`` is what an
+        error, warning or note says; without it its number stands in the line. Events that do not
+        come from realtime cycles or their manager make no line.
+        """
+        level = _LEVELS.get(event.kind)
+        if level is None or level > level_limit:
+            return
+        if level <= Level.WARNING:
+            self._append(Line(event.time_us, level, detail or _known(event), int(event.text)))
+        elif event.cycle:
+            self._append(Line(event.time_us, level, _message(event)))
+
+    def render(self, language: Language = "en") -> str:
+        """The diagnosis data as text; it ends with a line end."""
+        title = _TITLE.get(language).format(channel=self._channel)
+        text = [title, "=" * _WIDTH, "", _NOTE.get(language)]
+        if self._pushed_out:
+            text.append(_PUSHED_OUT.get(language).format(count=self._pushed_out))
+        heads = _COLUMNS.format(*(head.get(language) for head in _HEADS))
+        text += ["", heads, "-" * _WIDTH]
+        text += [
+            _COLUMNS.format(line.time_us, line.level.name, line.text(language))
+            for line in self._lines
+        ]
+        return "\n".join(text) + "\n"
+
+    def _append(self, line: Line) -> None:
+        if len(self._lines) == self._lines.maxlen:
+            self._pushed_out += 1
+        self._lines.append(line)
+
+
+def _known(event: Event) -> Diagnostic | None:
+    """The message of an event when it needs no parameters."""
+    number = int(event.text)
+    if number not in CATALOGUE or CATALOGUE[number].parameters:
+        return None
+    return diagnostic(number, event.span)
+
+
+def _message(event: Event) -> Diagnostic:
+    words = event.text.split(" ")
+    cycle = event.cycle
+    if event.kind in _PLAIN:
+        return diagnostic(_PLAIN[event.kind], cycle=cycle)
+    if event.kind == "ended":
+        return diagnostic(_ENDED[words[-1]], cycle=cycle)
+    if event.kind == "created":
+        return diagnostic(900552, cycle=cycle, scope=words[-1])
+    if event.kind == "fired":
+        return diagnostic(900561, cycle=cycle, line=words[-1])
+    if event.kind == "written":
+        variable, value = event.text.rsplit(" ", 1)
+        return diagnostic(900562, cycle=cycle, variable=variable, value=value)
+    function = f"{event.kind.upper()}{words[0]}"
+    return diagnostic(900563, cycle=cycle, function=function, sequence=words[1])

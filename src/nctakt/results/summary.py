@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: MIT
+"""The summary at the end of a run, for a person to read.
+
+In: ``Run``, and how long it took on the wall clock. Out: lines of text: how far it came, what each
+realtime cycle did, M and H functions, messages, errors and warnings. On a terminal the tables are
+drawn with rich; elsewhere they are plain text that is the same whenever the run is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TextIO
+
+from nctakt.diagnostics import Diagnostic, Language, Severity, Span, Text
+from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run
+
+_STATES = {
+    "ended": Text("ended", "beendet"),
+    "error": Text("stopped by an error", "durch einen Fehler angehalten"),
+    "limit": Text(
+        "stopped at the limit (--until or --ticks sets another)",
+        "an der Grenze angehalten (--until oder --ticks setzt eine andere)",
+    ),
+    "interrupted": Text("interrupted", "abgebrochen"),
+}
+_NOT_RUN = Text("not run", "nicht gelaufen")
+_CYCLE_HEADS = (
+    Text("Realtime cycle", "Echtzeit-Zyklus"),
+    Text("Scope", "Gültigkeit"),
+    Text("Reaction", "Reaktion"),
+    Text("Fired", "Ausgelöst"),
+    Text("First", "Zuerst"),
+)
+_OUTPUT_HEADS = (
+    Text("Function", "Funktion"),
+    Text("From", "Aus"),
+    Text("Count", "Anzahl"),
+    Text("First", "Zuerst"),
+)
+_FROM_CYCLE = Text("realtime cycle", "Echtzeit-Zyklus")
+_FROM_PROGRAM = Text("program", "Programm")
+_NEVER = Text("never", "nie")
+_NO_REACTION = Text("no branch", "kein Zweig")
+_TIMES = Text("{count} times", "{count} mal")
+#: What is counted: for one of it, for any other number.
+_COUNTS = (
+    (Text("message", "Meldung"), Text("messages", "Meldungen")),
+    (Text("error", "Fehler"), Text("errors", "Fehler")),
+    (Text("warning", "Warnung"), Text("warnings", "Warnungen")),
+    (Text("note", "Hinweis"), Text("notes", "Hinweise")),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Heads and rows of text, of equal length."""
+
+    heads: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+def print_summary(
+    run: Run, file: TextIO, language: Language = "en", wall_s: float | None = None
+) -> None:
+    """Write the summary to ``file``; ``wall_s`` is told on a terminal only.
+
+    ``wall_s`` is the time that the run took on the wall clock, in seconds.
+    """
+    terminal = file.isatty()
+    lines = headline(run, language, wall_s if terminal else None)
+    tables = [table for table in (_cycles(run, language), _outputs(run, language)) if table.rows]
+    print(lines, file=file)
+    for table in tables:
+        if terminal:
+            _print_rich(table, file)
+        else:
+            print("", *plain_table(table), sep="\n", file=file)
+    print("", counts(run, language), sep="\n", file=file)
+
+
+def headline(run: Run, language: Language, wall_s: float | None) -> str:
+    """Programs, how the run ended, ticks, the machine's time and, given ``wall_s``, the factor."""
+    names = ", ".join(run.programs)
+    if run.ticks == 0:
+        return f"{names}: {_NOT_RUN.get(language)}"
+    time_s = seconds(run.virtual_time_us)
+    how = _STATES[run.state].get(language)
+    ticks = Text("ticks", "Takte").get(language)
+    text = f"{names}: {how}, {run.ticks} {ticks} = {time_s}"
+    if wall_s is None or wall_s <= 0.0:
+        return text
+    factor = run.virtual_time_us / 1e6 / wall_s
+    faster = Text(
+        f"in {wall_s:.2f} s, {_factor(factor)} times as fast as the machine",
+        f"in {wall_s:.2f} s, {_factor(factor)} mal so schnell wie die Maschine",
+    )
+    return f"{text}, {faster.get(language)}"
+
+
+def _factor(value: float) -> str:
+    return f"{value:.0f}" if value >= 10.0 else f"{value:.1f}"
+
+
+def seconds(time_us: int) -> str:
+    """A time with its microseconds: ``0.463000 s``."""
+    return f"{time_us // 1_000_000}.{time_us % 1_000_000:06d} s"
+
+
+def counts(run: Run, language: Language) -> str:
+    """How many messages, errors, warnings and notes there were, on one line."""
+    levels = [Severity.ERROR, Severity.WARNING, Severity.NOTE]
+    numbers = [len(run.messages), *(_count(run.diagnostics, level) for level in levels)]
+    return ", ".join(
+        f"{number} {(one if number == 1 else many).get(language)}"
+        for number, (one, many) in zip(numbers, _COUNTS, strict=True)
+    )
+
+
+def _count(diagnostics: Sequence[Diagnostic], severity: Severity) -> int:
+    return sum(found.severity is severity for found in diagnostics)
+
+
+def _cycles(run: Run, language: Language) -> Table:
+    rows: list[tuple[str, ...]] = []
+    for cycle in run.cycles:
+        head = (_cycle_name(cycle, language), cycle.scope)
+        if not cycle.reactions:
+            rows.append((*head, _NO_REACTION.get(language), "", ""))
+        for reaction in cycle.reactions:
+            rows.append((*head, *_reaction(run, reaction, language)))
+            head = ("", "")
+    return Table(tuple(head.get(language) for head in _CYCLE_HEADS), tuple(rows))
+
+
+def _cycle_name(cycle: CycleResult, language: Language) -> str:
+    name = f"{cycle.name} {_place(cycle.span)}".rstrip()
+    if cycle.instances == 1:
+        return name
+    return f"{name}, {_TIMES.get(language).format(count=cycle.instances)}"
+
+
+def _reaction(run: Run, reaction: ReactionResult, language: Language) -> tuple[str, ...]:
+    place = f"{_place(reaction.span)} {reaction.frequency}".strip()
+    if reaction.first_tick is None:
+        return place, _NEVER.get(language), ""
+    return place, str(reaction.count), _tick(run, reaction.first_tick, language)
+
+
+def _outputs(run: Run, language: Language) -> Table:
+    rows = tuple(_output(run, output, language) for output in run.outputs)
+    return Table(tuple(head.get(language) for head in _OUTPUT_HEADS), rows)
+
+
+def _output(run: Run, output: OutputCount, language: Language) -> tuple[str, ...]:
+    origin = _FROM_CYCLE if output.realtime else _FROM_PROGRAM
+    name = f"{output.letter.upper()}{output.number}"
+    first = _tick(run, output.first_tick, language)
+    return name, origin.get(language), str(output.count), first
+
+
+def _tick(run: Run, tick: int, language: Language) -> str:
+    word = Text("tick", "Takt").get(language)
+    return f"{word} {tick} = {seconds(tick * run.cycle_time_us)}"
+
+
+def _place(span: Span | None) -> str:
+    return "" if span is None else f"{span.file}:{span.line}"
+
+
+def plain_table(table: Table) -> list[str]:
+    """The table as lines: columns padded and two blanks apart, a rule below the heads."""
+    widths = [max(map(len, column)) for column in zip(table.heads, *table.rows, strict=True)]
+    lines = [
+        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+        for row in (table.heads, *table.rows)
+    ]
+    return [lines[0], "-" * (sum(widths) + 2 * (len(widths) - 1)), *lines[1:]]
+
+
+def _print_rich(table: Table, file: TextIO) -> None:
+    from rich import box  # noqa: PLC0415 - a run whose output is no terminal does not load it
+    from rich.console import Console  # noqa: PLC0415
+    from rich.markup import escape  # noqa: PLC0415
+    from rich.table import Table as RichTable  # noqa: PLC0415
+
+    drawn = RichTable(*table.heads, box=box.SIMPLE_HEAD, pad_edge=False)
+    for row in table.rows:
+        drawn.add_row(*map(escape, row))
+    Console(file=file, highlight=False).print(drawn)

@@ -1018,16 +1018,17 @@ _add(
         "limit": "the greatest number of elements",
     },
 )
+
 _add(
     900085,
     WARNING,
-    "{key}: array_size and array_elements differ; {taken} is used",
-    "{key}: array_size und array_elements sind verschieden; es gilt {taken}",
-    remedy_en="Give one of the two.",
-    remedy_de="Nur eines von beiden angeben.",
+    "structures inside {name} nest deeper than {limit}; variables of it are left out",
+    "Strukturen in {name} sind tiefer als {limit} geschachtelt; Variablen dieses Typs entfallen",
+    remedy_en="Nest the structures less deeply.",
+    remedy_de="Die Strukturen weniger tief schachteln.",
     parameters={
-        "key": "the variable or element",
-        "taken": "the number of elements that is used",
+        "name": "the outermost structure",
+        "limit": "the deepest nesting",
     },
 )
 

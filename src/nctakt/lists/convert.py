@@ -104,7 +104,7 @@ def _name(parameter: Parameter, word: Word, dialect: ListDialect, report: _Repor
         for name, value in parameter.names.items():
             if value == number:
                 return name
-    return report.defect(900021, word, value=word.text, names=", ".join(parameter.names))
+    return _bad_name(parameter, word, report)
 
 
 def _number(parameter: Parameter, word: Word, dialect: ListDialect, report: _Report) -> Value:
@@ -131,7 +131,7 @@ def _flags(parameter: Parameter, entry: Entry, dialect: ListDialect, report: _Re
         number = parse_integer(word.text, hexadecimal=dialect.hexadecimal)
         names = (word.text,) if number is None else _flags_of(parameter, number)
         if not names or any(name not in parameter.names for name in names):
-            return _bad_flag(parameter, word, report)
+            return _bad_name(parameter, word, report)
         chosen.extend(names)
     return tuple(name for name in parameter.names if name in chosen)
 
@@ -150,7 +150,7 @@ def _flags_of(parameter: Parameter, number: int) -> tuple[str, ...]:
     return tuple(names) if rest == 0 else ()
 
 
-def _bad_flag(parameter: Parameter, word: Word, report: _Report) -> Value:
+def _bad_name(parameter: Parameter, word: Word, report: _Report) -> Value:
     if parameter.invalid_message is None:
         return report.defect(900021, word, value=word.text, names=", ".join(parameter.names))
     report.collector.report(

@@ -8,7 +8,6 @@ is looked at, not before: a run that nobody asks for its events pays nothing for
 
 from __future__ import annotations
 
-import math
 import struct
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -154,9 +153,10 @@ class EventDecoder:
 _WITHOUT_CYCLE = (record.MESSAGE, record.PROGRAM_END, record.TECHNOLOGY)
 
 
-def _function(number: float) -> tuple[str, int]:
-    """Letter and number of a technology function; H functions are negative, H0 is -0.0."""
-    return ("h" if math.copysign(1.0, number) < 0 else "m"), abs(int(number))
+def _function(code: float) -> tuple[str, int]:
+    """Letter and number of a technology function; H functions are coded -number - 1."""
+    number = int(code)
+    return ("h", -number - 1) if number < 0 else ("m", number)
 
 
 def _severity_word(number: int) -> str:

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: MIT
+"""The user's PLC: what runs on the other side of the interface image (HLI).
+
+In: a Python file of the user's with one class that has a method ``cycle(self, hli)``. Out: an
+object whose ``cycle`` the controller calls after each tick; what it answers counts from the next
+tick on (RC-002). Without one the controller acknowledges everything by itself. What goes wrong in
+the user's file is a diagnostic that shows the way through the user's files, not through ours.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+import traceback
+from pathlib import Path
+from types import ModuleType
+from typing import Protocol
+
+from nctakt.failure import Failure
+from nctakt.kernel.hli import Hli
+from nctakt.messages import diagnostic
+
+
+class Plc(Protocol):
+    """What plays the PLC; a class of the user's need not derive from it."""
+
+    def cycle(self, hli: Hli) -> None:
+        """Called after each tick with the interface image."""
+
+
+class PlcError(Failure):
+    """The user's PLC cannot be loaded, or failed while it ran."""
+
+
+def load_plc(path: str | Path) -> Plc:
+    """The PLC of a file: an object of its one class with a method ``cycle``.
+
+    Classes whose names begin with an underscore, and those that another one derives from, are not
+    counted. Raises ``PlcError``: no such file (900500), a folder (900501), not readable (900503),
+    no class (900520), several (900521), an exception of the file's own (900522).
+    """
+    path = Path(path)
+    module = _load_module(path)
+    candidates = _candidates(module)
+    if not candidates:
+        raise PlcError(diagnostic(900520, file=str(path)))
+    if len(candidates) > 1:
+        names = ", ".join(candidate.__name__ for candidate in candidates)
+        raise PlcError(diagnostic(900521, file=str(path), names=names))
+    try:
+        plc = candidates[0]()
+    except (Exception, SystemExit) as error:  # the user's code may raise what it likes
+        raise _load_error(error, path) from error
+    return _LoadedPlc(plc, path)
+
+
+class _LoadedPlc:
+    """A PLC from a file; what it raises while it runs becomes a ``PlcError`` (900523)."""
+
+    def __init__(self, plc: Plc, path: Path) -> None:
+        self._cycle = plc.cycle
+        self._path = path
+        self._calls = 0
+
+    def cycle(self, hli: Hli) -> None:
+        """Run the user's PLC once."""
+        try:
+            self._cycle(hli)
+        except (Exception, SystemExit) as error:  # the user's code may raise what it likes
+            reason, text = _told(error, self._path)
+            found = diagnostic(900523, tick=self._calls, reason=reason, traceback=text)
+            raise PlcError(found) from error
+        self._calls += 1
+
+
+def _load_module(path: Path) -> ModuleType:
+    """Run the user's file as a module; files beside it can be imported while it is loaded."""
+    if not path.exists():
+        raise PlcError(diagnostic(900500, file=str(path)))
+    if path.is_dir():
+        raise PlcError(diagnostic(900501, file=str(path)))
+    name = f"nctakt_plc_{path.stem}"
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:  # not named .py
+        raise PlcError(diagnostic(900520, file=str(path)))
+    module = importlib.util.module_from_spec(spec)
+    before = sys.modules.get(name)
+    sys.modules[name] = module  # data classes look their own module up
+    sys.path.insert(0, str(path.parent.resolve()))
+    try:
+        spec.loader.exec_module(module)
+    except OSError as error:
+        if error.filename is not None and Path(error.filename) == path:
+            reason = error.strerror or str(error)
+            raise PlcError(diagnostic(900503, file=str(path), reason=reason)) from error
+        raise _load_error(error, path) from error
+    except (Exception, SystemExit) as error:  # the user's code may raise what it likes
+        raise _load_error(error, path) from error
+    finally:
+        sys.path.remove(str(path.parent.resolve()))
+        _restore(name, before)
+    return module
+
+
+def _restore(name: str, before: ModuleType | None) -> None:
+    """Leave ``sys.modules`` as it was, so that two controllers can load files of one name."""
+    if before is None:
+        del sys.modules[name]
+    else:
+        sys.modules[name] = before
+
+
+def _candidates(module: ModuleType) -> list[type[Plc]]:
+    classes = [
+        value
+        for name, value in vars(module).items()
+        if isinstance(value, type)
+        and value.__module__ == module.__name__
+        and not name.startswith("_")
+        and callable(getattr(value, "cycle", None))
+    ]
+    unique = list(dict.fromkeys(classes))
+    return [
+        one
+        for one in unique
+        if not any(other is not one and issubclass(other, one) for other in unique)
+    ]
+
+
+def _load_error(error: BaseException, path: Path) -> PlcError:
+    reason, text = _told(error, path)
+    return PlcError(diagnostic(900522, reason=reason, traceback=text))
+
+
+def _told(error: BaseException, path: Path) -> tuple[str, str]:
+    """The exception on one line, and the way to it from the user's file on."""
+    reason = traceback.format_exception_only(error)[-1].strip()
+    frames = traceback.extract_tb(error.__traceback__)
+    users = [i for i, frame in enumerate(frames) if Path(frame.filename) == path.absolute()]
+    users += [i for i, frame in enumerate(frames) if frame.filename == str(path)]
+    shown = frames[min(users) :] if users else []
+    lines = traceback.format_list(shown)
+    if isinstance(error, SyntaxError):  # its place is in its text, not in a frame
+        lines = traceback.format_exception_only(error)[:-1]
+    return reason, "".join(lines).rstrip()

@@ -43,7 +43,7 @@ from nctakt.nc.syntax import (
 CYCLE_ACTIONS = ("START", "HOLD", "CONTINUE", "ABORT ACTION", "DELETE")
 
 _HASH = re.compile(r"\s*#\s*")
-_WORD = re.compile(r"\s*([^\W\d]\w*)(?!\s*=)")
+_WORD = re.compile(r"\s*([^\W\d]\w*)(?!\w|\s*=)")
 
 Argument = Bracket | Keyword | Expression
 

@@ -162,29 +162,27 @@ def _declares(text: BlockText) -> bool:
 def _assemble(source: Source, statements: Iterator[Statement], collector: Collector) -> Program:
     """Main program and local subprograms from the statements in their order.
 
-    ``%L name`` begins a subprogram. Another ``%`` line begins the main program; inside the main
-    program it is a comment, and so is what stands behind a subprogram once there has been a main
-    program, with a warning.
+    ``%L name`` begins a subprogram, the first other ``%`` line the main program unless that has
+    begun without one. Inside the main program a further ``%`` line is a comment; behind a
+    subprogram it begins a program that never runs, with a warning.
     """
     name = ""
     main: list[Statement] = []
     subprograms: list[tuple[ProgramStart, list[Statement]]] = []
-    current: list[Statement] | None = main
+    current: list[Statement] = main
+    named = False
     for statement in statements:
         if not isinstance(statement, ProgramStart):
-            if current is not None:
-                current.append(statement)
+            current.append(statement)
         elif statement.local:
             current = []
             subprograms.append((statement, current))
-        elif current is main:
-            name = name or statement.name
-        elif not main:
-            name, current = statement.name, main
-        else:
+        elif not main and not named:
+            name, current, named = statement.name, main, True
+        elif current is not main:
             line = source.line_of(statement.span)
             collector.report(900117, statement.span, line, name=statement.name)
-            current = None
+            current = []
     return Program(
         source,
         name,

@@ -10,8 +10,10 @@ take a short way: one pattern per word.
 from __future__ import annotations
 
 import re
+from string import ascii_letters
 from typing import NamedTuple, cast
 
+from nctakt.diagnostics import Span
 from nctakt.nc.expressions import (
     EQUALS,
     FUNCTION_NAMES,
@@ -58,6 +60,10 @@ _NUMBERED = frozenset("DGHMT")
 
 # L calls, N numbers, P is a parameter: they are never plain.
 _PLAIN_WORD = re.compile(r"\s*([A-KMOQ-Za-kmoq-z])\s*([+-]?(?:\d+\.?\d*|\.\d+))", re.ASCII)
+_PLAIN_KINDS: dict[str, tuple[type[AxisWord] | type[Word], str]] = {
+    letter: (AxisWord if letter.upper() in AXIS_LETTERS else Word, letter.upper())
+    for letter in ascii_letters
+}
 _TARGET = re.compile(r"\s*(?:Vs?\.|@?P(?:\d|\[))", re.IGNORECASE)
 _ASSIGN = re.compile(r"\s*([-+*/]?=)(?!=)")
 _LETTERS = re.compile(r"\s*([^\W\d]+)")
@@ -80,25 +86,24 @@ _NAME_KEYWORD = re.compile(r"\s*(NAME)\s*=", re.IGNORECASE)
 
 def parse_plain(text: BlockText, head: Head) -> Block | None:
     """The block, if it holds nothing but letters with numbers; the position stays if not."""
-    content = text.text
+    if len(text.pieces) > 1:
+        return None
+    content, file, line = text.text, text.file, text.line_number
     match = _PLAIN_WORD.match
     words: list[BlockWord] = []
     start = end = text.pos
     while (found := match(content, end)) is not None:
-        letter, number = found.group(1, 2)
-        letter_at, _ = found.span(1)
+        letter, number = found.groups()
+        column = found.start(1) + 1
         digits_at, end = found.span(2)
-        value = Number(text.span(digits_at, end), float(number))
-        name = letter.upper()
-        span = text.span(letter_at, end)
-        words.append(
-            AxisWord(span, name, value) if name in AXIS_LETTERS else Word(span, name, value)
-        )
+        value = Number(Span(file, line, digits_at + 1, end + 1), float(number))
+        make, name = _PLAIN_KINDS[letter]
+        words.append(make(Span(file, line, column, end + 1), name, value))
     # A number too large for float64 is for the long way to report.
     if not words or end - start > 300 or not (end == len(content) or content[end:].isspace()):
         return None
     text.pos = len(content)
-    return Block(text.span(start, end), head, tuple(words))
+    return Block(Span(file, line, start + 1, end + 1), head, tuple(words))
 
 
 def parse_content(text: BlockText, head: Head) -> list[Statement]:
@@ -232,7 +237,7 @@ def _word(text: BlockText) -> BlockWord:
     if len(name) > 1 and text.looking_at(OPENING) is None and text.looking_at(_DIGITS) is None:
         return _make(text, name, start, None)
     value = _optional_value(text, equals=False)
-    if name.upper() == "G" and isinstance(value, Number):
+    if name.upper() == "G" and isinstance(value, Number) and value.value.is_integer():
         return _with_bare_value(text, start, value)
     return _make(text, name, start, value)
 

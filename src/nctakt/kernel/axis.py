@@ -13,9 +13,6 @@ from __future__ import annotations
 
 from nctakt.kernel.coordinates import Offsets
 
-#: Cells of one axis.
-CELLS = 20
-
 
 class Axes:
     """``count`` axes whose cells begin at ``first_cell``."""

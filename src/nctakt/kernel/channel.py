@@ -7,7 +7,8 @@ A command is a row of float64 in a ring (``decoder/commands.py`` packs it): kind
 number, then what the kind needs. A segment's row is: 3 length, 4 programmed speed, 5 highest speed,
 6 acceleration, 7 end speed, 8 exact stop, then from 12 on start and end of each axis. Commands that
 take time are counted (``timed_count``): while the decoder has more to give, the kernel returns when
-they fall below ``low_water``, so that a tick never finds the queue empty too early.
+they fall below ``low_water``, so that a tick never finds the queue empty too early. The channel's
+cells stand from ``first_cell`` on in the order of ``nc/names.py`` (``CHANNEL_VARIABLES``).
 """
 
 from __future__ import annotations
@@ -36,9 +37,6 @@ TIMED_KINDS = (SEGMENT, DWELL, AWAIT_ACKNOWLEDGE, FLUSH, READ, PROGRAM_END)
 
 #: Commands that take time below which the kernel asks for more.
 LOW_WATER = 8
-
-#: The channel's cells, from ``first_cell`` on, in the order of ``nc/names.py``.
-CELLS = 138
 
 
 class Channel:
@@ -295,6 +293,7 @@ class Channel:
         else:
             self.cells[self.first_cell + 7] = 0.0
         self.cells[self.first_cell + 8] = self.manager.running_count
+        self.cells[self.first_cell + 9] = self.path.rest_d()
 
     def answer_waiting(self) -> None:
         """Flush and synchronous read at the head: answered with the values of now."""

@@ -44,4 +44,5 @@ cdef class Path:
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
     cdef void abandon(self) noexcept nogil
     cdef int stands(self) noexcept nogil
+    cdef double rest_d(self) noexcept nogil
     cdef double block_number(self) noexcept nogil

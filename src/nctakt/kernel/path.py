@@ -49,7 +49,7 @@ class Path:
         self.ticks = 0
         self.left_t = 0.0
 
-    def begin(self, queue_base: int, queue: memoryview, offset_t: float) -> None:
+    def begin(self, queue_base: int, queue: memoryview[float], offset_t: float) -> None:
         """Take the segment in ``queue`` at ``queue_base`` as current, ``offset_t`` of it past."""
         self.base = (self.used % self.ring_size) * self.width
         for i in range(self.width):
@@ -69,7 +69,7 @@ class Path:
                 self.axes.target[self.members[i]] = self.ring[self.base + 12 + self.count + i]
             self.axes.has_moved = True
 
-    def starts_where_axes_stand(self, queue_base: int, queue: memoryview) -> int:
+    def starts_where_axes_stand(self, queue_base: int, queue: memoryview[float]) -> int:
         """Whether a segment starts where the axes stand: the path never jumps (RC-409)."""
         for i in range(self.count):
             if queue[queue_base + 12 + i] != self.axes.command[self.members[i]]:
@@ -152,6 +152,12 @@ class Path:
     def stands(self) -> int:
         """Whether nothing moves on the path."""
         return 1 if self.speed_v == 0.0 and (not self.is_active or self.limit_v == 0.0) else 0
+
+    def rest_d(self) -> float:
+        """What is left of the current segment."""
+        if not self.is_active or self.is_dwell:
+            return 0.0
+        return self.ring[self.base + 3] - self.covered_d
 
     def block_number(self) -> float:
         """The N number of the current block."""

@@ -35,7 +35,15 @@ from nctakt.nc.frames import (
     VariablesFrame,
     WhileFrame,
 )
-from nctakt.nc.hashes import Hash, cycle_control, cycle_keywords, parse_hash, simple_command
+from nctakt.nc.hashes import (
+    CYCLE_ACTIONS,
+    Hash,
+    cycle_control,
+    cycle_keywords,
+    parse_arguments,
+    parse_words,
+    simple_command,
+)
 from nctakt.nc.heads import parse_label
 from nctakt.nc.lexer import BlockError, BlockText
 from nctakt.nc.structure import Structure
@@ -99,9 +107,19 @@ def hash_line(text: BlockText, head: Head, structure: Structure) -> None:
         word = "#" + preprocessor[1].upper()
         _PREPROCESSOR_LINES[word](Here(text, head, structure, start, word))
         return
-    command = parse_hash(text)
-    name = command.name
+    words = parse_words(text)
+    name = tuple(word.name for word in words)
     handler = _HASH_LINES.get(name[:2]) or _HASH_LINES.get(name)
+    try:
+        arguments = parse_arguments(text)
+    except BlockError as error:
+        if handler is None:
+            raise
+        # What the line opens or closes counts even if the rest of it cannot be read.
+        structure.block_error(text, error)
+        arguments = ()
+        text.pos = len(text.text)
+    command = Hash(start, text.pos, words, arguments)
     if handler is not None:
         handler(Here(text, head, structure, start, "#" + " ".join(name[:2])), command)
     else:
@@ -361,15 +379,16 @@ def _realtime_cycle(here: Here, command: Hash) -> None:
         frame = CycleFrame(here.opening("#RT CYCLE END"), definition_only=bool(words))
         here.structure.open(frame)
         frame.keywords = cycle_keywords(here.text, command)
-    elif words == ("END",):
+    elif words[:1] == ("END",):
         _end_realtime_cycle(here, command)
+    elif " ".join(words) in CYCLE_ACTIONS:
+        here.structure.add_block(cycle_control(here.text, here.head, command), here.text)
     else:
-        try:
-            here.structure.add_block(cycle_control(here.text, here.head, command), here.text)
-        except BlockError:
-            # Was it a definition, its end is still to come; it shall not be a second mistake.
-            here.structure.expect_stray_cycle_end()
-            raise
+        # Was it a definition, its end is still to come; it shall not be a second mistake.
+        here.structure.expect_stray_cycle_end()
+        known = words[0] in CYCLE_ACTIONS and len(words) > 1
+        wrong = command.words[3 if known else 2]
+        raise BlockError(21985, 0, 0, wrong.span, keyword=shown(wrong.text))
 
 
 def _end_realtime_cycle(here: Here, command: Hash) -> None:
@@ -378,9 +397,10 @@ def _end_realtime_cycle(here: Here, command: Hash) -> None:
         here.structure.close(frame)
     elif not here.structure.forgive_cycle_end():
         raise BlockError(22005, command.start, command.end, found="#RT CYCLE END")
-    if command.arguments:
-        span = command.arguments[0].span
-        raise BlockError(900100, 0, 0, span, found=shown(here.text.text_of(span)))
+    rest = (*command.words[3:], *command.arguments)
+    if rest:
+        found = shown(here.text.text_of(rest[0].span))
+        raise BlockError(900100, 0, 0, rest[0].span, found=found)
 
 
 def _variables(here: Here, _: Hash) -> None:

@@ -63,9 +63,8 @@ class Hash:
         return tuple(word.name for word in self.words)
 
 
-def parse_hash(text: BlockText) -> Hash:
-    """The command at the reading position up to the end of the block."""
-    start = text.skip_blanks()
+def parse_words(text: BlockText) -> tuple[Name, ...]:
+    """``#`` and the words behind it, at least one."""
     text.match(_HASH)
     words: list[Name] = []
     while (word := text.looking_at(_WORD)) is not None and (not words or not starts_value(text)):
@@ -73,11 +72,16 @@ def parse_hash(text: BlockText) -> Hash:
         words.append(Name(text.span(*word.span(1)), word[1].upper(), word[1]))
     if not words:
         raise expected(text, 900114)
+    return tuple(words)
+
+
+def parse_arguments(text: BlockText) -> tuple[Argument, ...]:
+    """What follows the words, up to the end of the block."""
     arguments: list[Argument] = []
     while not text.at_end():
         if text.match(COMMA) is None:
             arguments.append(_argument(text))
-    return Hash(start, text.pos, tuple(words), tuple(arguments))
+    return tuple(arguments)
 
 
 def _argument(text: BlockText) -> Argument:
@@ -122,12 +126,9 @@ def simple_command(text: BlockText, head: Head, command: Hash) -> Statement:
 
 
 def cycle_control(text: BlockText, head: Head, command: Hash) -> CycleControl:
-    """``#RT CYCLE`` with an action; another word is 21985."""
-    words = command.words[2:]
-    action = " ".join(word.name for word in words)
-    if action not in CYCLE_ACTIONS:
-        raise BlockError(21985, 0, 0, words[0].span, keyword=words[0].text)
+    """``#RT CYCLE`` with one of the ``CYCLE_ACTIONS``."""
     keywords = cycle_keywords(text, command)
+    action = " ".join(command.name[2:])
     return CycleControl(text.span(command.start, command.end), head, action, keywords)
 
 

@@ -75,8 +75,8 @@ _DIGITS = re.compile(r"\.?\d")
 _BARE_VALUE = re.compile(r"\s+(?:[-+\d]|\.\d|Vs?\.|P(?:\d|\[))", re.IGNORECASE)
 _CALL = re.compile(
     r"""\s*(LL|L(?!L)|ll|l(?!l))
-        (?: (?=\s*") | \s+(?=[^\s=\[+\-]) | (?=[A-Z\d]) )   # a text, a blank, or glued: LM06
-        (?! [A-Z]+\d*\s* (?:=|\[) )                        # but no word of its own""",
+        (?: (?=\s*") | \s+(?=[^\s=\[+\-])                # a text, or a blank and a name,
+          | (?=[A-Z\d])(?![A-Z]+\d*\s*(?:=|\[)) )         # or glued: LM06, but not LX=5""",
     re.VERBOSE,
 )
 _CALL_CYCLE = re.compile(r"\s*CYCLE(?=\s*\[)", re.IGNORECASE)

@@ -3,9 +3,10 @@
 
 import pytest
 
+from nctakt.diagnostics import Span
 from nctakt.messages import diagnostic
-from nctakt.results.report import DIAGNOSIS_CAPACITY, DiagnosisReport
-from nctakt.trace import Event
+from nctakt.results.report import DIAGNOSIS_CAPACITY, DiagnosisReport, DiagnosisSink
+from nctakt.trace import Event, TraceHeader
 
 
 def event(kind: str, text: str, time_us: int = 426098, cycle: str = "1") -> Event:
@@ -115,10 +116,30 @@ def test_what_is_not_the_cycles_makes_no_line() -> None:
 
 def test_an_error_is_told_with_its_text() -> None:
     """RC-602: what the error says stands behind its number, in the language asked for."""
+    place = Span("part.nc", 5, 3, 4)
     report = DiagnosisReport()
-    report.add(event("error", "900510"), 1, diagnostic(900510, text="soon"))
-    assert body(report)[0].endswith("900510: 'soon' is no time")
-    assert body(report, "de")[0].endswith("900510: 'soon' ist keine Zeit")
+    report.add(Event(1, 1000, "error", "900510", place, "1"), 1)
+    other = diagnostic(900510, Span("part.nc", 6, 3, 9), text="never")
+    found = diagnostic(900510, Span("part.nc", 5, 1, 9), text="soon")
+    assert report.render("en", [other, found]).endswith("900510: 'soon' is no time\n")
+    assert report.render("de", [found]).endswith("900510: 'soon' ist keine Zeit\n")
+    assert report.render("en", [other]).endswith("900510\n")
+
+
+def test_a_sink_follows_the_level_that_is_written() -> None:
+    """RC-603: from the event on that writes DIAG_LEVEL the new level counts."""
+    sink = DiagnosisSink(DiagnosisReport())
+    sink.open(TraceHeader(1000, ()))
+    sink.events(
+        [
+            event("m", "100 1 0"),
+            event("written", "V.RTG.CYCLES.DIAG_LEVEL 99", cycle=""),
+            event("m", "101 1 0"),
+            event("written", "V.RTG.CYCLES.DIAG_LEVEL 0"),
+            event("m", "102 1 0"),
+        ]
+    )
+    assert [line.split(": ", 1)[1][:4] for line in body(sink.report)] == ["M101", "V.RT"]
 
 
 @pytest.mark.parametrize("extra", [-1, 0, 1])

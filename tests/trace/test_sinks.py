@@ -2,6 +2,8 @@
 """Traces are streamed to files, kept in memory, and read back the same."""
 
 import array
+import errno
+import io
 import json
 import math
 import time
@@ -12,7 +14,9 @@ import pytest
 from nctakt.diagnostics import Span
 from nctakt.failure import Failure
 from nctakt.trace import (
+    CsvSink,
     Event,
+    JsonlSink,
     MemorySink,
     Signal,
     Sink,
@@ -223,3 +227,26 @@ def test_csv_keeps_up_with_the_realtime_part(tmp_path: Path) -> None:
     per_row_us = (time.perf_counter() - begin) / (4 * count) * 1e6
     sink.close()
     assert per_row_us < 20
+
+
+class FullDisk(io.StringIO):
+    """A file that takes no more after its first line."""
+
+    name = "out.csv"
+    lines = 0
+
+    def write(self, text: str) -> int:
+        self.lines += 1
+        if self.lines > 1:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return super().write(text)
+
+
+@pytest.mark.parametrize("kind", [CsvSink, JsonlSink])
+def test_a_disk_that_runs_full_is_a_diagnostic(kind: type[CsvSink] | type[JsonlSink]) -> None:
+    """A trace that cannot go on says why; closing it afterwards is harmless."""
+    sink = kind(FullDisk())
+    with pytest.raises(Failure, match="No space left"):
+        feed(sink)
+    sink.close()
+    sink.close()

@@ -10,17 +10,21 @@ from __future__ import annotations
 
 import enum
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nctakt.diagnostics import Diagnostic, Language, Text
+from nctakt.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.messages import CATALOGUE, diagnostic
 from nctakt.trace.events import Event
+from nctakt.trace.sinks import TraceHeader
 
 #: Lines that are kept; each further one pushes out the oldest.
 DIAGNOSIS_CAPACITY = 1000
 
 #: The value of V.RTG.CYCLES.DIAG_LEVEL after a start of the controller.
 DEFAULT_LEVEL = 3
+
+_LEVEL_VARIABLE = "V.RTG.CYCLES.DIAG_LEVEL "
 
 _TITLE = Text(
     "PATH : REALTIME CYCLES DIAGNOSIS DATA CHANNEL NO.: {channel}",
@@ -73,23 +77,31 @@ _ENDED = {"scope": 900557, "delete": 900558, "reset": 900559, "error": 900560}
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A line of the diagnosis data: time in microseconds, level, and the message or its number.
+    """A line of the diagnosis data: time in microseconds, level, number and place of the message.
 
-    ``number`` stands for a message whose parameters are not at hand (``message`` is ``None``).
+    ``message`` is ``None`` for an error or warning whose parameters an event does not hold.
     """
 
     time_us: int
     level: Level
+    number: int
+    span: Span | None
     message: Diagnostic | None
-    number: int = 0
 
-    def text(self, language: Language) -> str:
-        """The message in the language that the user asked for."""
-        if self.message is None:
-            return str(self.number)
-        if self.level <= Level.WARNING:
-            return f"{self.message.id}: {self.message.text(language)}"
-        return self.message.text(language)
+    def text(self, language: Language, details: Sequence[Diagnostic]) -> str:
+        """The message; what an error says is looked up in ``details`` by number and place."""
+        if self.level > Level.WARNING:
+            assert self.message is not None
+            return self.message.text(language)
+        for found in (self.message, *details):
+            if found is not None and found.id == self.number and self._is_at(found.span):
+                return f"{self.number}: {found.text(language)}"
+        return str(self.number)
+
+    def _is_at(self, span: Span | None) -> bool:
+        if span is None or self.span is None:
+            return span is self.span
+        return (span.file, span.line) == (self.span.file, self.span.line)
 
 
 class DiagnosisReport:
@@ -109,26 +121,30 @@ class DiagnosisReport:
     def initialised(self, time_us: int, count: int, level_limit: float = DEFAULT_LEVEL) -> None:
         """The manager of the realtime cycles has been set up and holds ``count`` cycles."""
         if level_limit >= Level.INFO:
-            self._append(Line(time_us, Level.INFO, diagnostic(900550)))
-            self._append(Line(time_us, Level.INFO, diagnostic(900551, count=count)))
+            self._append(_info(time_us, diagnostic(900550)))
+            self._append(_info(time_us, diagnostic(900551, count=count)))
 
-    def add(self, event: Event, level_limit: float, detail: Diagnostic | None = None) -> None:
+    def add(self, event: Event, level_limit: float) -> None:
         """Make a line of ``event`` if its level is at most ``level_limit``.
 
-        ``level_limit`` is V.RTG.CYCLES.DIAG_LEVEL at the time of the event. ``detail`` is what an
-        error, warning or note says; without it its number stands in the line. Events that do not
+        ``level_limit`` is V.RTG.CYCLES.DIAG_LEVEL at the time of the event. Events that do not
         come from realtime cycles or their manager make no line.
         """
         level = _LEVELS.get(event.kind)
         if level is None or level > level_limit:
             return
         if level <= Level.WARNING:
-            self._append(Line(event.time_us, level, detail or _known(event), int(event.text)))
+            message = _known(event)
+            self._append(Line(event.time_us, level, int(event.text), event.span, message))
         elif event.cycle:
-            self._append(Line(event.time_us, level, _message(event)))
+            self._append(_info(event.time_us, _message(event), level))
 
-    def render(self, language: Language = "en") -> str:
-        """The diagnosis data as text; it ends with a line end."""
+    def render(self, language: Language = "en", details: Sequence[Diagnostic] = ()) -> str:
+        """The diagnosis data as text; it ends with a line end.
+
+        ``details`` are the diagnostics of the run: they know what the errors say, whose numbers
+        alone an event holds.
+        """
         title = _TITLE.get(language).format(channel=self._channel)
         text = [title, "=" * _WIDTH, "", _NOTE.get(language)]
         if self._pushed_out:
@@ -136,7 +152,7 @@ class DiagnosisReport:
         heads = _COLUMNS.format(*(head.get(language) for head in _HEADS))
         text += ["", heads, "-" * _WIDTH]
         text += [
-            _COLUMNS.format(line.time_us, line.level.name, line.text(language))
+            _COLUMNS.format(line.time_us, line.level.name, line.text(language, details))
             for line in self._lines
         ]
         return "\n".join(text) + "\n"
@@ -145,6 +161,38 @@ class DiagnosisReport:
         if len(self._lines) == self._lines.maxlen:
             self._pushed_out += 1
         self._lines.append(line)
+
+
+class DiagnosisSink:
+    """Makes diagnosis data of a run while it goes on; a sink.
+
+    ``level`` is V.RTG.CYCLES.DIAG_LEVEL at the begin of the run; where a program or a cycle writes
+    it, the events tell.
+    """
+
+    def __init__(self, report: DiagnosisReport, level: float = DEFAULT_LEVEL) -> None:
+        self.report = report
+        self._level = level
+
+    def open(self, header: TraceHeader) -> None:
+        """Nothing to do: events hold all that is needed."""
+
+    def events(self, events: Sequence[Event]) -> None:
+        """Make lines of these events."""
+        for event in events:
+            self.report.add(event, self._level)
+            if event.kind == "written" and event.text.startswith(_LEVEL_VARIABLE):
+                self._level = float(event.text.removeprefix(_LEVEL_VARIABLE))
+
+    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
+        """Nothing to do: diagnosis data come from events."""
+
+    def close(self) -> None:
+        """Nothing to do; the report stays."""
+
+
+def _info(time_us: int, message: Diagnostic, level: Level = Level.INFO) -> Line:
+    return Line(time_us, level, message.id, message.span, message)
 
 
 def _known(event: Event) -> Diagnostic | None:

@@ -11,6 +11,7 @@ as zero, so that equal values are equal text.
 
 from __future__ import annotations
 
+import abc
 import csv
 import io
 import json
@@ -90,13 +91,8 @@ def unwritable(path: Path, error: OSError) -> Diagnostic:
     return diagnostic(900507, file=str(path), reason=error.strerror or str(error))
 
 
-class CsvSink:
-    """One line per tick: ``tick,time_us,<signals…>,events``.
-
-    The last column joins the tick's events with ``; ``. Behind an event stands where it comes
-    from: ``fired 17 line 5 <17 part.nc:5:3>``, cycle and place, ``-`` for what is missing.
-    Without signals only ticks with events have a line.
-    """
+class _FileSink(abc.ABC):
+    """Writes pieces of text to a file; raises ``Failure`` (900507) when it takes no more."""
 
     def __init__(self, file: TextIO) -> None:
         self._file = file
@@ -104,18 +100,58 @@ class CsvSink:
         self._integral: tuple[bool, ...] = ()
         self._waiting: list[Event] = []
 
-    def open(self, header: TraceHeader) -> None:
-        """Write the header line."""
-        self._cycle_time_us = header.cycle_time_us
-        self._integral = tuple(signal.integral for signal in header.signals)
-        names = [signal.name for signal in header.signals]
-        self._file.write(_csv_line(["tick", "time_us", *names, "events"]))
-
     def events(self, events: Sequence[Event]) -> None:
         """Keep the events for their rows; without signals, write them."""
         self._waiting.extend(events)
         if not self._integral:
             self._write_waiting()
+
+    def close(self) -> None:
+        """Write events behind the last row, and close the file; again: nothing."""
+        if self._file.closed:
+            return
+        try:
+            self._write_waiting()
+        finally:
+            self._close_file()
+
+    def _write_waiting(self) -> None:
+        for tick, together in _by_tick(self._waiting):
+            self._write(self._line_without_row(tick, together))
+        self._waiting.clear()
+
+    @abc.abstractmethod
+    def _line_without_row(self, tick: int, together: Sequence[Event]) -> str:
+        """The line of events in a tick that has no row."""
+
+    def _write(self, text: str) -> None:
+        try:
+            self._file.write(text)
+        except OSError as error:
+            self._waiting.clear()
+            raise Failure(unwritable(Path(self._file.name), error)) from error
+
+    def _close_file(self) -> None:
+        try:
+            self._file.close()
+        except OSError as error:
+            raise Failure(unwritable(Path(self._file.name), error)) from error
+
+
+class CsvSink(_FileSink):
+    """One line per tick: ``tick,time_us,<signals…>,events``.
+
+    The last column joins the tick's events with ``; ``. Behind an event stands where it comes
+    from: ``fired 17 line 5 <17 part.nc:5:3>``, cycle and place, ``-`` for what is missing.
+    Without signals only ticks with events have a line.
+    """
+
+    def open(self, header: TraceHeader) -> None:
+        """Write the header line."""
+        self._cycle_time_us = header.cycle_time_us
+        self._integral = tuple(signal.integral for signal in header.signals)
+        names = [signal.name for signal in header.signals]
+        self._write(_csv_line(["tick", "time_us", *names, "events"]))
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
         """Write a line for each row."""
@@ -127,13 +163,7 @@ class CsvSink:
         cells = self._event_cells(ticks)
         times = map(str, range(ticks.start * self._cycle_time_us, *self._time_stop(ticks)))
         lines = map(",".join, zip(map(str, ticks), times, *columns, cells, strict=True))
-        self._file.write("\n".join(lines))
-        self._file.write("\n")
-
-    def close(self) -> None:
-        """Write events behind the last row, and close the file."""
-        self._write_waiting()
-        self._file.close()
+        self._write("\n".join(lines) + "\n")
 
     def _time_stop(self, ticks: range) -> tuple[int, int]:
         return ticks.stop * self._cycle_time_us, self._cycle_time_us
@@ -150,27 +180,18 @@ class CsvSink:
         del self._waiting[:due]
         return cells
 
-    def _write_waiting(self) -> None:
+    def _line_without_row(self, tick: int, together: Sequence[Event]) -> str:
         empty = [""] * len(self._integral)
-        for tick, together in _by_tick(self._waiting):
-            cells = [str(tick), str(together[0].time_us), *empty, join_events(together)]
-            self._file.write(_csv_line(cells))
-        self._waiting.clear()
+        return _csv_line([str(tick), str(together[0].time_us), *empty, join_events(together)])
 
 
-class JsonlSink:
+class JsonlSink(_FileSink):
     """A header object, then one object per tick with its values and events, each on a line.
 
     ``{"tick": 0, "time_us": 0, "values": [...], "events": [...]}``; ``values`` in the order of the
     header's signals, ``events`` only where there are some. Without signals only ticks with events
     have a line. A value that is no number is ``null``.
     """
-
-    def __init__(self, file: TextIO) -> None:
-        self._file = file
-        self._cycle_time_us = 0
-        self._integral: tuple[bool, ...] = ()
-        self._waiting: list[Event] = []
 
     def open(self, header: TraceHeader) -> None:
         """Write the header object."""
@@ -180,20 +201,13 @@ class JsonlSink:
             {"name": signal.name, "unit": signal.unit, "integral": signal.integral}
             for signal in header.signals
         ]
-        self._write_object(
-            {
-                "format": FORMAT_NAME,
-                "version": FORMAT_VERSION,
-                "cycle_time_us": header.cycle_time_us,
-                "signals": signals,
-            }
-        )
-
-    def events(self, events: Sequence[Event]) -> None:
-        """Keep the events for their rows; without signals, write them."""
-        self._waiting.extend(events)
-        if not self._integral:
-            self._write_waiting()
+        content = {
+            "format": FORMAT_NAME,
+            "version": FORMAT_VERSION,
+            "cycle_time_us": header.cycle_time_us,
+            "signals": signals,
+        }
+        self._write(_json(content) + "\n")
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
         """Write an object for each row."""
@@ -215,22 +229,12 @@ class JsonlSink:
             lines[tick - first_tick] = f'{line[:-1]}, "events": {objects}}}'
             due += len(together)
         del self._waiting[:due]
-        self._file.write("\n".join(lines))
-        self._file.write("\n")
+        self._write("\n".join(lines) + "\n")
 
-    def close(self) -> None:
-        """Write events behind the last row, and close the file."""
-        self._write_waiting()
-        self._file.close()
-
-    def _write_waiting(self) -> None:
-        for tick, together in _by_tick(self._waiting):
-            objects = [event_object(event) for event in together]
-            self._write_object({"tick": tick, "time_us": together[0].time_us, "events": objects})
-        self._waiting.clear()
-
-    def _write_object(self, content: object) -> None:
-        self._file.write(_json(content) + "\n")
+    def _line_without_row(self, tick: int, together: Sequence[Event]) -> str:
+        objects = [event_object(event) for event in together]
+        content = {"tick": tick, "time_us": together[0].time_us, "events": objects}
+        return _json(content) + "\n"
 
 
 def column_texts(

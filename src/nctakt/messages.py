@@ -763,8 +763,8 @@ _add(
 _add(
     900065,
     WARNING,
-    "{key} names no list; default values are used",
-    "{key} nennt keine Liste; es gelten Standardwerte",
+    "{key} is missing: this list is left out",
+    "{key} fehlt: diese Liste entfällt",
     remedy_en="Name the list, or lower the number of lists.",
     remedy_de="Die Liste nennen oder die Anzahl der Listen verringern.",
     parameters={
@@ -774,32 +774,32 @@ _add(
 _add(
     900066,
     ERROR,
-    "no axis list has the logical number {number} of {name}; it is left out",
-    "keine Achsliste hat die logische Nummer {number} von {name}; es entfällt",
+    "no axis list has the logical number {logical} of {name}; it is left out",
+    "keine Achsliste hat die logische Nummer {logical} von {name}; es entfällt",
     remedy_en="Correct the number, or add the axis to the start-up list.",
     remedy_de="Die Nummer berichtigen oder die Achse in die Hochlaufliste aufnehmen.",
     parameters={
-        "number": "the logical axis number",
+        "logical": "the logical axis number",
         "name": "the axis or spindle",
     },
 )
 _add(
     900067,
     ERROR,
-    "the logical axis number {number} is 0 or used by another axis list; this list is left out",
-    "die logische Achsnummer {number} ist 0 oder von einer anderen Achsliste belegt; "
+    "the logical axis number {logical} is 0 or used by another axis list; this list is left out",
+    "die logische Achsnummer {logical} ist 0 oder von einer anderen Achsliste belegt; "
     "diese Liste entfällt",
     remedy_en="Give each axis a number of its own, from 1.",
     remedy_de="Jeder Achse eine eigene Nummer ab 1 geben.",
     parameters={
-        "number": "the logical axis number",
+        "logical": "the logical axis number",
     },
 )
 _add(
     900068,
     NOTE,
-    "the start-up list names no rtconf.lis; the NC cycle is {cycle} µs",
-    "die Hochlaufliste nennt keine rtconf.lis; der NC-Takt ist {cycle} µs",
+    "there is no rtconf.lis; the NC cycle is {cycle} µs",
+    "es gibt keine rtconf.lis; der NC-Takt ist {cycle} µs",
     remedy_en="Name the list with rtconf_lis to set the cycle time.",
     remedy_de="Die Liste mit rtconf_lis nennen, um die Taktzeit festzulegen.",
     parameters={
@@ -835,12 +835,12 @@ _add(
 _add(
     900072,
     WARNING,
-    "main_spindle_ax_nr: no spindle of the channel has the logical number {number}",
-    "main_spindle_ax_nr: keine Spindel des Kanals hat die logische Nummer {number}",
+    "main_spindle_ax_nr: no spindle of the channel has the logical number {logical}",
+    "main_spindle_ax_nr: keine Spindel des Kanals hat die logische Nummer {logical}",
     remedy_en="Use the logical number of one of the channel's spindles.",
     remedy_de="Die logische Nummer einer Spindel des Kanals verwenden.",
     parameters={
-        "number": "the logical number",
+        "logical": "the logical number",
     },
 )
 _add(
@@ -858,12 +858,12 @@ _add(
 _add(
     900074,
     WARNING,
-    "no gear step has the number {number}; gear step {used} is used",
-    "keine Getriebestufe hat die Nummer {number}; es gilt die Stufe {used}",
+    "no gear step has the number {wanted}; gear step {used} is used",
+    "keine Getriebestufe hat die Nummer {wanted}; es gilt die Stufe {used}",
     remedy_en="Correct kenngr.getriebe_stufe or getriebe[i].nummer.",
     remedy_de="kenngr.getriebe_stufe oder getriebe[i].nummer berichtigen.",
     parameters={
-        "number": "the number that is asked for",
+        "wanted": "the number that is asked for",
         "used": "the number of the step that is used",
     },
 )

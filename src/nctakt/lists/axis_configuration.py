@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import enum
 from dataclasses import dataclass
+from math import inf
 
 from nctakt.lists.axis import LINEAR_TYPE, ROTARY_TYPE, SPINDLE_TYPE
 from nctakt.lists.schema import Values
@@ -103,9 +104,9 @@ class AxisDynamics:
 class AxisConfiguration:
     """One axis; ``dynamics`` are those of the gear step that is active after start-up.
 
-    ``is_modulo``: positions repeat every ``modulo_range``. ``override_mode``: P-AXIS-00491.
-    ``max_override_pct``: P-AXIS-00109. ``follows_exactly``: actual position = command position
-    (P-AXIS-00096). ``file``: the list that describes the axis.
+    ``is_modulo``: positions repeat every ``modulo_range``, and there are no software limits.
+    ``override_mode``: P-AXIS-00491. ``max_override_pct``: P-AXIS-00109. ``follows_exactly``:
+    actual position = command position (P-AXIS-00096). ``file``: the list that describes the axis.
     """
 
     logical_number: int
@@ -164,12 +165,13 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
     modulo_bit = _MODULO_LINEAR_BIT if type_ is AxisType.LINEAR else _MODULO_BIT
     steps = sorted({0, *values.indices("getriebe[]")})
     gears = tuple(_dynamics(values, step, collector) for step in steps)
-    low, high = _software_limits(values, collector)
+    is_modulo = bool(mode & modulo_bit) or type_ is AxisType.SPINDLE
+    low, high = (-inf, inf) if is_modulo else _software_limits(values, collector)
     return AxisConfiguration(
         values.integer("kopf.achs_nr"),
         values.text("kopf.log_achs_name"),
         type_,
-        bool(mode & modulo_bit) or type_ is AxisType.SPINDLE,
+        is_modulo,
         values.flag("kenngr.enable_single_axis"),
         values.integer("kenngr.indp_override_mode"),
         values.integer("kenngr.max_vb_override") / 10,
@@ -201,7 +203,7 @@ def _active_gear(
         if gear.gear_number == number:
             return gear
     used = gears[0].gear_number
-    values.report(collector, 900074, ("kenngr.getriebe_stufe",), number=number, used=used)
+    values.report(collector, 900074, ("kenngr.getriebe_stufe",), wanted=number, used=used)
     return gears[0]
 
 

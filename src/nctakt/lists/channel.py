@@ -53,6 +53,22 @@ def _channel(
 
 
 _AXES = (
+    Parameter(
+        "P-CHAN-00005",
+        "gruppe[0..0].bezeichnung",
+        ValueType.STRING,
+        "",
+        Text("Name of the group of axes", "Name der Achsgruppe"),
+        modelled=False,
+    ),
+    Parameter(
+        "P-CHAN-00023",
+        "grp_anzahl",
+        ValueType.UNS16,
+        1,
+        Text("Number of groups of axes, always 1", "Anzahl der Achsgruppen, immer 1"),
+        modelled=False,
+    ),
     _channel(
         "P-CHAN-00003",
         "gruppe[0..0].achs_anzahl",

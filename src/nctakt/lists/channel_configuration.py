@@ -230,7 +230,7 @@ def _spindles(values: Values, collector: Collector) -> tuple[Spindle, ...]:
         functions = {key: _spindle_function(values, key, index) for key in SPINDLE_FUNCTION_KEYS}
         spindles.append(Spindle(name, list_name, number, is_main, plc_controlled, functions))
     if main_number and not any(spindle.is_main for spindle in spindles):
-        values.report(collector, 900072, ("main_spindle_ax_nr",), number=main_number)
+        values.report(collector, 900072, ("main_spindle_ax_nr",), logical=main_number)
     return tuple(spindles)
 
 

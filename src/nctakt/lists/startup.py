@@ -306,9 +306,7 @@ def startup_configuration(values: Values, collector: Collector) -> StartupConfig
         _reference(values, "default_sda_mds"),
         tuple(_channel(values, index) for index in range(values.integer("kanal_anzahl"))),
         _reference(values, "default_achs_mds"),
-        tuple(
-            _reference(values, "achs_mds[]", index) for index in range(values.integer("zahl_mds"))
-        ),
+        tuple(_reference(values, "achs_mds[]", index) for index in range(_axis_count(values))),
         _reference(values, "rtconf_lis"),
         values.integer("ext_var_max") * 24,
         alignment,
@@ -317,6 +315,13 @@ def startup_configuration(values: Values, collector: Collector) -> StartupConfig
         values.text("configuration.diagnosis_upload.path"),
         values.text("configuration.diagnosis_upload.default_file"),
     )
+
+
+def _axis_count(values: Values) -> int:
+    """The number of axes that the list gives, else as many as it names."""
+    if values.given("zahl_mds"):
+        return values.integer("zahl_mds")
+    return max(values.indices("achs_mds[]"), default=-1) + 1
 
 
 def _reference(values: Values, pattern: str, *indices: int) -> ListReference | None:

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""Paths in lists -> files.
+
+In: a path as a list has it, the folder of that list. Out: the file. A path is searched in the
+list's own folder, then in the folder above (vendors' sets keep all lists in ``listen`` and name
+them ``./listen/x.lis``). Back-slashes and letter case count as on Windows, with a note.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from nctakt.lists.startup import ListReference
+from nctakt.messages import Collector
+
+
+def find_list(reference: ListReference, folder: Path, collector: Collector) -> Path | None:
+    """The file that ``reference`` in a list of ``folder`` means; reported if there is none."""
+    found = find_file(reference.path, folder)
+    place, line = reference.span, reference.line
+    if found is None:
+        collector.report(900062, place, line, path=reference.path)
+        return None
+    plain = "/".join(part for part in reference.path.split("/") if part not in {"", "."})
+    if not found.as_posix().endswith(plain):
+        collector.report(900063, place, line, path=reference.path, found=found.as_posix())
+    return found
+
+
+def find_file(path: str, folder: Path) -> Path | None:
+    """Search ``path`` in ``folder``, then in its parent."""
+    parts = path.replace("\\", "/").split("/")
+    if Path(path).is_absolute():
+        absolute = Path(path)
+        return absolute if absolute.is_file() else None
+    for root in (folder, folder / ".."):
+        found = _descend(root, parts)
+        if found is not None and found.is_file():
+            return found
+    return None
+
+
+def _descend(root: Path, parts: list[str]) -> Path | None:
+    current = root
+    for part in parts:
+        if part in {"", "."}:
+            continue
+        if part == "..":
+            current = current / part
+            continue
+        name = _entry(current, part)
+        if name is None:
+            return None
+        current = current / name
+    return current
+
+
+def _entry(folder: Path, name: str) -> str | None:
+    """The entry of ``folder`` called ``name``, else the first that differs in case only."""
+    try:
+        names = sorted(entry.name for entry in folder.iterdir())
+    except OSError:
+        return None
+    if name in names:
+        return name
+    wanted = name.casefold()
+    return next((found for found in names if found.casefold() == wanted), None)
+
+
+def read_file(path: Path, collector: Collector) -> bytes | None:
+    """The bytes of ``path``; reported if it cannot be read."""
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        collector.report(900076, None, path=path.as_posix(), reason=error.strerror or str(error))
+        return None

@@ -1,0 +1,345 @@
+# SPDX-License-Identifier: MIT
+"""A machine folder -> ``MachineConfiguration``.
+
+In: a folder with a start-up list (or that list itself), ``None`` for the demo machine. Out: all
+that its lists say, immutable, and what was found wrong with them. Only where no machine at all can
+result ``MachineError`` is raised; everything else is mended and reported.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from nctakt.diagnostics import Diagnostic
+from nctakt.lists.axis import AXIS
+from nctakt.lists.axis_configuration import AxisConfiguration, axis_configuration
+from nctakt.lists.channel import CHANNEL
+from nctakt.lists.channel_configuration import (
+    ChannelParameters,
+    Spindle,
+    channel_parameters,
+)
+from nctakt.lists.files import find_list, read_file
+from nctakt.lists.parameter import Schema
+from nctakt.lists.rtconf import RtconfConfiguration
+from nctakt.lists.rtconf_effective import load_rtconf
+from nctakt.lists.schema import Values, load_list
+from nctakt.lists.startup import (
+    STARTUP,
+    ChannelStartup,
+    ListReference,
+    StartupConfiguration,
+    startup_configuration,
+)
+from nctakt.lists.variable_tree import (
+    Variable,
+    VariablesConfiguration,
+    VariableScope,
+    channel_memory_bytes,
+    variables_configuration,
+)
+from nctakt.lists.variables import VARIABLES
+from nctakt.messages import Collector
+
+#: Names of a start-up list in a machine folder, the first that exists counts.
+STARTUP_NAMES = ("hochlauf.lis", "startup.lis")
+#: NC cycle without rtconf.lis, in µs.
+DEFAULT_CYCLE_TIME_US = 1000
+_DEMO = Path(__file__).parent.parent / "machines" / "demo"
+
+
+class MachineError(Exception):
+    """No machine can be made of the folder; ``diagnostics`` say why."""
+
+    def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
+        super().__init__(diagnostics[-1].headline())
+        self.diagnostics = diagnostics
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelAxis:
+    """An axis of a channel; ``index`` into the machine's ``axes``."""
+
+    name: str
+    logical_number: int
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelSpindle:
+    """A spindle of a channel; ``index`` into the machine's ``axes``, ``None`` for the PLC's."""
+
+    spindle: Spindle
+    index: int | None
+
+    @property
+    def name(self) -> str:
+        """The name in programs."""
+        return self.spindle.name
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelConfiguration:
+    """One channel; ``number`` counts from 1.
+
+    ``external_variables`` holds the channel's own V.E variables and the GLOBAL ones that its list
+    declares. ``tools``, ``zero_offsets``, ``clamp_offsets``: the files that the start-up list
+    names for it.
+    """
+
+    number: int
+    startup: ChannelStartup
+    parameters: ChannelParameters
+    axes: tuple[ChannelAxis, ...]
+    spindles: tuple[ChannelSpindle, ...]
+    external_variables: tuple[Variable, ...]
+    channel_variables: tuple[Variable, ...]
+    tools: Path | None
+    zero_offsets: Path | None
+    clamp_offsets: Path | None
+
+    @property
+    def main_spindle(self) -> ChannelSpindle | None:
+        """The spindle that S, M3, M4, M5 and M19 as words mean."""
+        return next((one for one in self.spindles if one.spindle.is_main), None)
+
+
+@dataclass(frozen=True, slots=True)
+class MachineConfiguration:
+    """All lists of a machine; ``folder`` is that of the start-up list.
+
+    ``cycle_time_us``: the tick. ``axes``: axes and spindles that have a list, in the order of the
+    start-up list. ``global_variables``: each GLOBAL V.E variable once, whoever declares it.
+    """
+
+    name: str
+    folder: Path
+    cycle_time_us: int
+    startup: StartupConfiguration
+    rtconf: RtconfConfiguration | None
+    channels: tuple[ChannelConfiguration, ...]
+    axes: tuple[AxisConfiguration, ...]
+    global_variables: tuple[Variable, ...]
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def load_machine(folder: Path | None, *, verbose: bool = False) -> MachineConfiguration:
+    """Load the machine of ``folder``, ``None``: the demo machine.
+
+    ``verbose``: name each entry that nctakt does not know, or accepts without effect. Raises
+    ``MachineError`` where the folder, the start-up list or every channel list is missing.
+    """
+    collector = Collector()
+    startup_file = _DEMO / STARTUP_NAMES[0] if folder is None else _startup_file(folder, collector)
+    return _Loader(startup_file, collector, verbose).machine()
+
+
+def _startup_file(folder: Path, collector: Collector) -> Path:
+    if folder.is_file():
+        return folder
+    if not folder.is_dir():
+        collector.report(900060, None, path=folder.as_posix())
+        raise MachineError(tuple(collector.diagnostics))
+    names = sorted(entry.name for entry in folder.iterdir() if entry.is_file())
+    for wanted in STARTUP_NAMES:
+        for name in (wanted, *names):
+            if name.casefold() == wanted and name in names:
+                return folder / name
+    collector.report(900061, None, path=folder.as_posix(), names=", ".join(STARTUP_NAMES))
+    raise MachineError(tuple(collector.diagnostics))
+
+
+class _Loader:
+    """Loads the lists of one machine; all of them are named by its start-up list."""
+
+    def __init__(self, startup_file: Path, collector: Collector, verbose: bool) -> None:
+        self.startup_file = startup_file
+        self.folder = startup_file.parent
+        self.collector = collector
+        self.verbose = verbose
+
+    def machine(self) -> MachineConfiguration:
+        startup = self._startup()
+        rtconf = self._rtconf(startup)
+        axes = self._axes(startup)
+        parameters = self._channel_parameters(startup)
+        variables = tuple(self._variables(channel) for channel in startup.channels)
+        shared, variables = self._share(variables)
+        channels = tuple(
+            self._channel(startup, index, parameters[index], variables[index], axes)
+            for index in range(len(startup.channels))
+        )
+        return MachineConfiguration(
+            self.folder.resolve().name,
+            self.folder,
+            rtconf.cycle_time_us if rtconf is not None else DEFAULT_CYCLE_TIME_US,
+            startup,
+            rtconf,
+            channels,
+            axes,
+            shared,
+            tuple(self.collector.diagnostics),
+        )
+
+    def _fail(self) -> MachineError:
+        return MachineError(tuple(self.collector.diagnostics))
+
+    def _load(self, schema: Schema, path: Path | None, base: Values | None = None) -> Values | None:
+        """The values of the list in ``path``, ``None`` if there is none or it is unreadable."""
+        data = read_file(path, self.collector) if path is not None else None
+        if path is None or data is None:
+            return None
+        return load_list(
+            schema, path.as_posix(), data, self.collector, base=base, verbose=self.verbose
+        )
+
+    def _find(self, reference: ListReference | None) -> Path | None:
+        if reference is None:
+            return None
+        return find_list(reference, self.folder, self.collector)
+
+    def _startup(self) -> StartupConfiguration:
+        values = self._load(STARTUP, self.startup_file)
+        if values is None:
+            raise self._fail()
+        format_ = values.text("listen")
+        if format_ != "ASCII":
+            values.report(self.collector, 900064, ("listen",), format=format_)
+            raise self._fail()
+        return startup_configuration(values, self.collector)
+
+    def _rtconf(self, startup: StartupConfiguration) -> RtconfConfiguration | None:
+        path = self._find(startup.rtconf)
+        data = read_file(path, self.collector) if path is not None else None
+        if path is None or data is None:
+            self.collector.report(900068, None, cycle=DEFAULT_CYCLE_TIME_US)
+            return None
+        return load_rtconf(path.as_posix(), data, self.collector)
+
+    def _missing(self, key: str) -> None:
+        self.collector.report(900065, None, key=key)
+
+    def _axes(self, startup: StartupConfiguration) -> tuple[AxisConfiguration, ...]:
+        base = self._load(AXIS, self._find(startup.axis_defaults))
+        axes: list[AxisConfiguration] = []
+        for index, reference in enumerate(startup.axes):
+            if reference is None:
+                self._missing(f"achs_mds[{index}]")
+            values = self._load(AXIS, self._find(reference), base)
+            if values is None:
+                continue
+            axis = axis_configuration(values, self.collector)
+            number = axis.logical_number
+            if number == 0 or any(other.logical_number == number for other in axes):
+                values.report(self.collector, 900067, ("kopf.achs_nr",), logical=number)
+                continue
+            axes.append(axis)
+        return tuple(axes)
+
+    def _channel_parameters(self, startup: StartupConfiguration) -> tuple[ChannelParameters, ...]:
+        base = self._load(CHANNEL, self._find(startup.channel_defaults))
+        any_list = base is not None
+        parameters: list[ChannelParameters] = []
+        for channel in startup.channels:
+            if channel.parameters is None and base is None:
+                self._missing(f"sda_mds[{channel.index}]")
+            values = self._load(CHANNEL, self._find(channel.parameters), base)
+            any_list = any_list or values is not None
+            values = values or base or Values(CHANNEL, self.startup_file.as_posix())
+            parameters.append(channel_parameters(values, self.collector))
+        if not any_list:
+            self.collector.report(900077, None)
+            raise self._fail()
+        return tuple(parameters)
+
+    def _variables(self, channel: ChannelStartup) -> VariablesConfiguration:
+        values = self._load(VARIABLES, self._find(channel.variables))
+        if values is None:
+            return VariablesConfiguration((), ())
+        return variables_configuration(values, self.collector)
+
+    def _share(
+        self, lists: tuple[VariablesConfiguration, ...]
+    ) -> tuple[tuple[Variable, ...], tuple[VariablesConfiguration, ...]]:
+        """The GLOBAL variables of all channels; a channel that differs gets the first one's."""
+        shared: dict[str, tuple[int, Variable]] = {}
+        settled: list[VariablesConfiguration] = []
+        for number, variables in enumerate(lists, start=1):
+            external: list[Variable] = []
+            for variable in variables.external:
+                if variable.scope is not VariableScope.GLOBAL:
+                    external.append(variable)
+                    continue
+                first, known = shared.setdefault(variable.name, (number, variable))
+                if known != variable:
+                    self.collector.report(
+                        900078, None, name=variable.name, channel=number, first=first
+                    )
+                external.append(known)
+            settled.append(VariablesConfiguration(tuple(external), variables.channel))
+        return tuple(known for _, known in shared.values()), tuple(settled)
+
+    def _channel(
+        self,
+        startup: StartupConfiguration,
+        index: int,
+        parameters: ChannelParameters,
+        variables: VariablesConfiguration,
+        axes: tuple[AxisConfiguration, ...],
+    ) -> ChannelConfiguration:
+        channel = startup.channels[index]
+        return ChannelConfiguration(
+            index + 1,
+            channel,
+            parameters,
+            self._channel_axes(parameters, axes),
+            self._channel_spindles(parameters, axes),
+            variables.external,
+            self._channel_variables(parameters, variables),
+            self._find(channel.tools),
+            self._find(channel.zero_offsets),
+            self._find(channel.clamp_offsets),
+        )
+
+    def _axis_index(
+        self, name: str, number: int, axes: tuple[AxisConfiguration, ...]
+    ) -> int | None:
+        for index, axis in enumerate(axes):
+            if axis.logical_number == number:
+                return index
+        self.collector.report(900066, None, logical=number, name=name)
+        return None
+
+    def _channel_axes(
+        self, parameters: ChannelParameters, axes: tuple[AxisConfiguration, ...]
+    ) -> tuple[ChannelAxis, ...]:
+        found: list[ChannelAxis] = []
+        for axis in parameters.axes:
+            index = self._axis_index(axis.name, axis.logical_number, axes)
+            if index is not None:
+                found.append(ChannelAxis(axis.name, axis.logical_number, index))
+        return tuple(found)
+
+    def _channel_spindles(
+        self, parameters: ChannelParameters, axes: tuple[AxisConfiguration, ...]
+    ) -> tuple[ChannelSpindle, ...]:
+        found: list[ChannelSpindle] = []
+        for spindle in parameters.spindles:
+            if spindle.plc_controlled:
+                found.append(ChannelSpindle(spindle, None))
+                continue
+            index = self._axis_index(spindle.name, spindle.logical_number, axes)
+            if index is not None:
+                found.append(ChannelSpindle(spindle, index))
+        return tuple(found)
+
+    def _channel_variables(
+        self, parameters: ChannelParameters, variables: VariablesConfiguration
+    ) -> tuple[Variable, ...]:
+        needed = channel_memory_bytes(variables.channel)
+        available = parameters.channel_variables_bytes
+        if needed > available:
+            self.collector.report(21992, None, needed=needed, available=available)
+            return ()
+        return variables.channel

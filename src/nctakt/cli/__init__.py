@@ -1,1 +1,85 @@
 # SPDX-License-Identifier: MIT
+"""The command ``nctakt``: subcommands, each in a file of its own, and the exit codes.
+
+In: the words of the command line. Out: 0 it ran, 1 an NC error or interrupted, 2 wrong usage (an
+option, a file or a machine that cannot be used), 3 an error of nctakt's own. A subcommand's module
+is loaded when it is called, so that none waits for the libraries of another. ``NCTAKT_DEBUG=1``
+shows the traceback of an error of our own.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import sys
+import traceback
+from collections.abc import Sequence
+
+import click
+
+from nctakt import __version__
+
+EXIT_RAN = 0
+EXIT_NC_ERROR = 1
+EXIT_USAGE = 2
+EXIT_INTERNAL = 3
+
+#: Subcommands and the modules that hold them as ``command``.
+_COMMANDS = {"run": "nctakt.cli.run"}
+
+
+class _LazyGroup(click.Group):
+    """Loads the module of a subcommand when it is needed."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(_COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in _COMMANDS:
+            return None
+        command = importlib.import_module(_COMMANDS[cmd_name]).command
+        assert isinstance(command, click.Command)
+        return command
+
+
+@click.group(cls=_LazyGroup)
+@click.version_option(__version__, prog_name="nctakt")
+def group() -> None:
+    """A virtual CNC controller that runs NC programs with realtime cycles tick by tick."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command; its exit code. ``arguments`` default to those of the process."""
+    _never_fail_at_a_character()
+    try:
+        code = group.main(arguments, prog_name="nctakt", standalone_mode=False)
+    except click.ClickException as error:
+        error.show()
+        return EXIT_USAGE
+    except (click.Abort, KeyboardInterrupt):
+        click.echo("interrupted", err=True)
+        return EXIT_NC_ERROR
+    except Exception as error:  # noqa: BLE001 - the last resort, told as an error of our own
+        return _internal_error(error)
+    return code if isinstance(code, int) else EXIT_RAN
+
+
+def _never_fail_at_a_character() -> None:
+    """Where the terminal's encoding lacks a character a '?' stands for it."""
+    for stream in (sys.stdout, sys.stderr):
+        reconfigure = getattr(stream, "reconfigure", None)
+        if reconfigure is not None:
+            reconfigure(errors="replace")
+
+
+def _internal_error(error: Exception) -> int:
+    if os.environ.get("NCTAKT_DEBUG"):
+        traceback.print_exception(error)
+    told = traceback.format_exception_only(error)[-1].strip()
+    click.echo(f"internal error: {told}", err=True)
+    click.echo(
+        "  This is a fault of nctakt, not of your program. Set NCTAKT_DEBUG=1 and run the same "
+        "command again for the traceback; please report it.",
+        err=True,
+    )
+    return EXIT_INTERNAL

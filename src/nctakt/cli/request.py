@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: MIT
+"""The words of ``nctakt run`` -> what the controller is asked for.
+
+In: ``Options``, the words as they were given. Out: ``Request``, or one ``Failure`` with all that
+is wrong with them.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, ParamSpec, TypeVar
+
+from nctakt.diagnostics import Diagnostic, Language
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.stimuli import Stimulus, parse_assignment, parse_stimulus, parse_time
+
+if TYPE_CHECKING:
+    from nctakt.controller import NcText
+    from nctakt.plc import Plc
+
+STANDARD_INPUT = "-"
+
+_P = ParamSpec("_P")
+_T = TypeVar("_T")
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """The words of the command line as they were given; ``None``: not given."""
+
+    programs: tuple[str, ...]
+    machine: str | None
+    assignments: tuple[str, ...]
+    stimuli: tuple[tuple[str, str], ...]
+    ticks: int | None
+    until: str | None
+    after: str
+    plc: str | None
+    trace: str | None
+    signals: str | None
+    diagnosis: str | None
+    messages: str | None
+    language: Language
+    compiled: bool | None
+    quiet: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """What the controller is asked for; times in microseconds, ``signals`` ``None``: its choice."""
+
+    programs: tuple[Path | NcText, ...]
+    initial: dict[str, float]
+    stimuli: tuple[Stimulus, ...]
+    until_us: int | None
+    after_us: int
+    signals: tuple[str, ...] | None
+    plc: Plc | None
+
+
+class _Reader:
+    """Reads word for word and gathers what is wrong."""
+
+    def __init__(self) -> None:
+        self.found: list[Diagnostic] = []
+
+    def read(
+        self, function: Callable[_P, _T], *words: _P.args, **named: _P.kwargs
+    ) -> tuple[_T, ...]:
+        """What ``function`` makes of ``words``, alone in a tuple; empty when they are wrong."""
+        try:
+            return (function(*words, **named),)
+        except Failure as failure:
+            self.found.extend(failure.diagnostics)
+            return ()
+
+
+def read_request(options: Options) -> Request:
+    """Read every word; raises one ``Failure`` with everything that is wrong."""
+    reader = _Reader()
+    if options.programs.count(STANDARD_INPUT) > 1:
+        reader.found.append(diagnostic(900504))
+    for program in dict.fromkeys(options.programs):
+        reader.read(_check_program, program)
+    if options.machine is not None:
+        reader.read(_check_folder, options.machine)
+    assignments = [reader.read(parse_assignment, text) for text in options.assignments]
+    stimuli = [reader.read(parse_stimulus, *pair) for pair in options.stimuli]
+    until = () if options.until is None else reader.read(parse_time, options.until)
+    after = reader.read(parse_time, options.after)
+    plc = () if options.plc is None else reader.read(_load_plc, options.plc)
+    signals = None if options.signals is None else split_names(options.signals)
+    if reader.found:
+        raise Failure(*reader.found)
+    return Request(
+        tuple(_program(program) for program in options.programs),
+        dict(pair for one in assignments for pair in one),
+        tuple(stimulus for one in stimuli for stimulus in one),
+        next(iter(until), None),
+        after[0],
+        signals,
+        next(iter(plc), None),
+    )
+
+
+def _check_program(program: str) -> None:
+    """Whether a program can be read; not by reading, since what a pipe gives comes only once."""
+    if program == STANDARD_INPUT:
+        return
+    if not Path(program).exists():
+        raise Failure(diagnostic(900500, file=program))
+    if Path(program).is_dir():
+        raise Failure(diagnostic(900501, file=program))
+    if not os.access(program, os.R_OK):
+        reason = os.strerror(errno.EACCES)
+        raise Failure(diagnostic(900503, file=program, reason=reason))
+
+
+def _check_folder(folder: str) -> None:
+    if not Path(folder).exists():
+        raise Failure(diagnostic(900500, file=folder))
+    if not Path(folder).is_dir():
+        raise Failure(diagnostic(900502, folder=folder))
+
+
+def _program(program: str) -> Path | NcText:
+    if program != STANDARD_INPUT:
+        return Path(program)
+    from nctakt.controller import NcText  # noqa: PLC0415 - the mode is chosen before its import
+    from nctakt.text import decode_text  # noqa: PLC0415
+
+    data = sys.stdin.buffer.read() if sys.stdin is not None else b""
+    return NcText("<stdin>", decode_text(data).text)
+
+
+def _load_plc(path: str) -> Plc:
+    from nctakt.plc import load_plc  # noqa: PLC0415 - the mode is chosen before its import
+
+    return load_plc(path)
+
+
+def split_names(text: str) -> tuple[str, ...]:
+    """The names in a list divided by commas; a comma within brackets belongs to a name."""
+    names = [""]
+    depth = 0
+    for character in text:
+        depth += (character == "[") - (character == "]")
+        if character == "," and depth <= 0:
+            names.append("")
+        else:
+            names[-1] += character
+    return tuple(name.strip() for name in names if name.strip())
+
+
+def initial_value(request: Request, name: str) -> float | None:
+    """The value that ``--set`` gives to a variable; case does not matter in names."""
+    for known, value in request.initial.items():
+        if known.upper() == name:
+            return value
+    return None

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt run``: run NC programs one after another on a machine and tell what happened.
+
+In: programs, machine, values of variables at times, limits, files to write. Out: what the programs
+say (standard output, as it comes), a summary (standard output), diagnostics (standard error), the
+files, and the exit code. All that is wrong with the words of the command line is told before a
+file is written or a tick is run.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TextIO
+
+import click
+
+from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.request import Options, Request, initial_value, read_request
+from nctakt.cli.terminal import ProgressBar, message_line, print_diagnostics
+from nctakt.diagnostics import Severity
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+
+if TYPE_CHECKING:
+    from nctakt.controller import Controller
+    from nctakt.results.report import DiagnosisSink
+    from nctakt.results.run import Run
+    from nctakt.trace.sinks import Sink
+
+_EPILOG = """\b
+Times are numbers with us, ms, s or min; a number alone means seconds.
+Exit codes: 0 it ran (also up to a limit), 1 an NC error or interrupted by
+Ctrl-C, 2 wrong usage or unusable input, 3 an error of nctakt's own.
+
+\b
+  nctakt run part.nc
+  nctakt run part.nc --set V.E.VALUE=5 --at 1.5ms V.E.VALUE=-1
+  nctakt run part.nc --trace out.csv --signals X.ACS.ACT_POS,BLOCK
+  nctakt run - < part.nc
+"""
+
+
+@click.command("run", epilog=_EPILOG, short_help="Run NC programs one after another.")
+@click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True)
+@click.option("--machine", metavar="DIR", help="Folder with the machine's lists [default: demo].")
+@click.option(
+    "--set",
+    "assignments",
+    metavar="NAME=VALUE",
+    multiple=True,
+    help="Give a variable a value before the first tick.",
+)
+@click.option(
+    "--at",
+    "stimuli",
+    metavar="TIME NAME=VALUE",
+    nargs=2,
+    multiple=True,
+    help="Give a variable a value at a time of the run.",
+)
+@click.option("--ticks", type=click.IntRange(min=1), metavar="N", help="Run at most N ticks.")
+@click.option("--until", metavar="TIME", help="Run at most so long [default: 10min].")
+@click.option("--after", metavar="TIME", default="0", help="Go on so long after the last program.")
+@click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC.")
+@click.option("--trace", metavar="FILE", help="Record each tick in a .csv or .jsonl file.")
+@click.option("--signals", metavar="NAME,...", help="What to record.")
+@click.option("--diagnosis", metavar="FILE", help="Write the realtime cycles' diagnosis data.")
+@click.option("--messages", metavar="FILE", help="Write what the programs say to a file, too.")
+@click.option(
+    "--lang",
+    "language",
+    type=click.Choice(["en", "de"]),
+    default="en",
+    help="Language of diagnostics, summary and diagnosis data.",
+)
+@click.option(
+    "--compiled/--plain",
+    default=None,
+    help="The realtime part compiled or as plain Python [default: compiled where it is built].",
+)
+@click.option("--quiet", is_flag=True, help="No summary and no notes.")
+def command(**words: Any) -> int:
+    """Run NC programs one after another on the same controller ('-': standard input)."""
+    options = Options(**words)
+    try:
+        return _run(options)
+    except Failure as failure:
+        print_diagnostics(failure.diagnostics, options.language)
+        return EXIT_USAGE
+
+
+def _run(options: Options) -> int:
+    """Prepare, run, tell; raises ``Failure`` for what cannot be used."""
+    _choose_mode(options)
+    request = read_request(options)
+    controller = _start(options)
+    with contextlib.ExitStack() as files:
+        sinks = _open_trace(options, files)
+        messages = _open_text(options.messages, files)
+        report = _open_text(options.diagnosis, files)
+        diagnosis = None if report is None else _diagnosis(controller, request)
+        listeners = sinks if diagnosis is None else [*sinks, diagnosis]
+        begin_s = time.perf_counter()
+        run = _run_controller(options, request, controller, listeners, messages)
+        wall_s = time.perf_counter() - begin_s
+        if run is not None and report is not None and diagnosis is not None:
+            _write(report, diagnosis.report.render(options.language, run.diagnostics))
+    return EXIT_NC_ERROR if run is None else _tell(options, run, wall_s)
+
+
+def _choose_mode(options: Options) -> None:
+    """Compiled or plain: before anything of the realtime part is imported."""
+    from nctakt import mode  # noqa: PLC0415 - a command that only shows its help does not load it
+
+    if options.compiled is False:
+        mode.use_plain()
+    elif not mode.is_compiled():
+        if options.compiled:
+            raise Failure(diagnostic(900530))
+        if not options.quiet:
+            print_diagnostics([diagnostic(900531)], options.language)
+
+
+def _start(options: Options) -> Controller:
+    from nctakt.controller import Controller  # noqa: PLC0415 - the mode is chosen before
+
+    return Controller(options.machine)
+
+
+def _open_trace(options: Options, files: contextlib.ExitStack) -> list[Sink]:
+    """The sink of ``--trace``; it is closed also when the run is broken off."""
+    from nctakt.trace.sinks import file_sink  # noqa: PLC0415 - the mode is chosen before
+
+    if options.trace is None:
+        return []
+    sink = file_sink(Path(options.trace))
+    files.callback(sink.close)
+    return [sink]
+
+
+def _open_text(path: str | None, files: contextlib.ExitStack) -> TextIO | None:
+    """A text file to write, or ``None`` when the option was not given."""
+    if path is None:
+        return None
+    try:
+        return files.enter_context(Path(path).open("w", encoding="utf-8", newline="\n"))
+    except OSError as error:
+        raise _unwritable(path, error) from error
+
+
+def _write(file: TextIO, text: str) -> None:
+    try:
+        file.write(text)
+        file.flush()
+    except OSError as error:
+        raise _unwritable(file.name, error) from error
+
+
+def _unwritable(path: str, error: OSError) -> Failure:
+    return Failure(diagnostic(900507, file=path, reason=error.strerror or str(error)))
+
+
+def _diagnosis(controller: Controller, request: Request) -> DiagnosisSink:
+    """Gathers the diagnosis data, from the level on that counts at the first tick."""
+    from nctakt.results.report import DiagnosisReport, DiagnosisSink  # noqa: PLC0415 - as above
+
+    name = "V.RTG.CYCLES.DIAG_LEVEL"
+    level = initial_value(request, name)
+    if level is None:
+        level = float(controller.read(name))
+    report = DiagnosisReport()
+    report.initialised(controller.tick * controller.cycle_time_us, 0, level)
+    return DiagnosisSink(report, level)
+
+
+def _run_controller(
+    options: Options,
+    request: Request,
+    controller: Controller,
+    sinks: list[Sink],
+    messages: TextIO | None,
+) -> Run | None:
+    """The result of the run; ``None`` when the user's PLC broke it off, which has been told."""
+    from nctakt.plc import PlcError  # noqa: PLC0415 - the mode is chosen before
+
+    bar = ProgressBar()
+
+    def show_message(time_us: int, text: str) -> None:
+        line = message_line(time_us, text)
+        bar.hide()
+        click.echo(line)
+        if messages is not None:
+            _write(messages, f"{line}\n")
+
+    try:
+        return controller.run(
+            *request.programs,
+            plc=request.plc,
+            until_us=request.until_us,
+            ticks=options.ticks,
+            after_us=request.after_us,
+            initial=request.initial,
+            stimuli=request.stimuli,
+            sinks=sinks,
+            signals=request.signals,
+            memory_trace=False,
+            on_message=show_message,
+            on_progress=bar.update,
+        )
+    except PlcError as failure:
+        bar.hide()
+        print_diagnostics(failure.diagnostics, options.language)
+        return None
+    finally:
+        bar.hide()
+
+
+def _tell(options: Options, run: Run, wall_s: float) -> int:
+    """Show diagnostics and summary; the exit code."""
+    from nctakt.results.summary import print_summary  # noqa: PLC0415 - the mode is chosen before
+
+    lowest = Severity.WARNING if options.quiet else Severity.NOTE
+    print_diagnostics(run.diagnostics, options.language, lowest)
+    if not options.quiet:
+        print_summary(run, sys.stdout, options.language, wall_s)
+    stopped = run.state in ("error", "interrupted")
+    return EXIT_NC_ERROR if stopped or run.errors else EXIT_RAN

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""What a command shows while it works: diagnostics, messages of programs, progress.
+
+Diagnostics and progress go to standard error, what programs say to standard output. The progress
+bar appears only on a terminal and only for work that takes a while.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, TextIO
+
+import click
+
+from nctakt.diagnostics import Diagnostic, Language, Severity
+
+if TYPE_CHECKING:
+    from rich.progress import Progress
+
+#: Seconds of wall-clock time after which the progress bar appears.
+PATIENCE_S = 1.0
+
+#: Seconds of wall-clock time between two looks of the progress bar.
+_REFRESH_S = 0.1
+
+_COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.NOTE: None}
+
+
+def print_diagnostics(
+    diagnostics: Iterable[Diagnostic], language: Language, lowest: Severity = Severity.NOTE
+) -> None:
+    """Show the diagnostics of severity ``lowest`` and above on standard error."""
+    for found in diagnostics:
+        if found.severity >= lowest:
+            headline, *rest = found.render(language).split("\n")
+            click.secho(headline, err=True, fg=_COLOURS[found.severity])
+            for line in rest:
+                click.echo(line, err=True)
+
+
+def message_line(time_us: int, text: str) -> str:
+    """A message of a program with its virtual time, on one line."""
+    shown = "".join(character if character.isprintable() else "·" for character in text)
+    return f"{time_us // 1_000_000}.{time_us % 1_000_000:06d} s  {shown}"
+
+
+class ProgressBar:
+    """How far a run has come, on a terminal, from ``PATIENCE_S`` after its begin."""
+
+    def __init__(self, file: TextIO | None = None) -> None:
+        self._file = sys.stderr if file is None else file
+        self._wanted = self._file.isatty()
+        self._next_s = time.monotonic() + PATIENCE_S
+        self._progress: Progress | None = None
+
+    def update(self, tick: int, limit: int | None) -> None:
+        """``tick`` ticks of at most ``limit`` are done."""
+        if not self._wanted or time.monotonic() < self._next_s:
+            return
+        self._next_s = time.monotonic() + _REFRESH_S
+        if self._progress is None:
+            self._progress = self._begin(limit)
+        self._progress.update(self._progress.task_ids[0], completed=tick, total=limit)
+
+    def hide(self) -> None:
+        """Take the bar away, since something else is to be shown; ``update`` brings it back."""
+        if self._progress is not None:
+            self._progress.stop()
+            self._progress = None
+
+    def _begin(self, limit: int | None) -> Progress:
+        from rich.console import Console  # noqa: PLC0415 - short runs do not load it
+        from rich.progress import Progress  # noqa: PLC0415
+
+        console = Console(file=self._file)
+        progress = Progress(
+            console=console, transient=True, redirect_stdout=False, redirect_stderr=False
+        )
+        progress.add_task("", total=limit)
+        progress.start()
+        return progress

@@ -48,10 +48,14 @@ class Opening:
 
 @dataclass(slots=True)
 class Frame:
-    """An open structure; ``body`` takes the statements of the branch that is open."""
+    """An open structure; ``body`` takes the statements of the branch that is open.
+
+    ``inside_dead``: the branch that this structure stands in can never run.
+    """
 
     opening: Opening
     body: list[Statement] = field(default_factory=list)
+    inside_dead: bool = False
 
     @property
     def dead(self) -> bool:
@@ -82,7 +86,7 @@ class _Branch:
 class IfFrame(Frame):
     """``$IF`` and ``#IF`` with their branches."""
 
-    __slots__ = ("branches", "else_body", "preprocessor")
+    __slots__ = ("branches", "else_body", "else_span", "preprocessor")
 
     def __init__(
         self,
@@ -95,6 +99,7 @@ class IfFrame(Frame):
         super().__init__(opening)
         self.preprocessor = preprocessor
         self.else_body: list[Statement] | None = None
+        self.else_span: Span | None = None
         self.branches = [_Branch(opening.span, opening.head, frequency, condition, self.body)]
 
     @property
@@ -108,9 +113,10 @@ class IfFrame(Frame):
         self.body = []
         self.branches.append(_Branch(span, head, frequency, condition, self.body))
 
-    def add_else(self) -> None:
+    def add_else(self, span: Span) -> None:
         """Begin the ``$ELSE``."""
         self.body = self.else_body = []
+        self.else_span = span
 
     def finish(self) -> If:
         first = self.branches[0]
@@ -126,6 +132,7 @@ class IfFrame(Frame):
             ),
             None if self.else_body is None else tuple(self.else_body),
             self.preprocessor,
+            self.else_span,
         )
 
 

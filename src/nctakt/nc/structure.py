@@ -45,7 +45,7 @@ class Structure:
         """Put a statement into the open branch, or out if nothing is open."""
         if not self._stack:
             self.ready.append(statement)
-        elif len(self._stack) <= STRUCTURE_DEPTH:
+        else:
             self._stack[-1].body.append(statement)
 
     def add_block(self, statement: Statement, text: BlockText) -> None:
@@ -76,7 +76,7 @@ class Structure:
 
     def block_error(self, text: BlockText, error: BlockError) -> None:
         """Report why a block could not be read, unless it stands where nothing ever runs."""
-        if any(frame.dead for frame in self._stack):
+        if self._stack and (self._stack[-1].dead or self._stack[-1].inside_dead):
             return
         span = error.span or text.span(error.start, error.end)
         self.report(error.number, span, text.source_line(span), **error.values)
@@ -93,6 +93,8 @@ class Structure:
 
     def open(self, frame: Frame) -> None:
         """Begin a structure."""
+        if self._stack:
+            frame.inside_dead = self._stack[-1].dead or self._stack[-1].inside_dead
         self._stack.append(frame)
         if len(self._stack) == STRUCTURE_DEPTH + 1:
             opening = frame.opening
@@ -102,18 +104,27 @@ class Structure:
 
     def find(self, fits: Callable[[Frame], bool]) -> Frame | None:
         """The innermost structure that fits; those inside it are reported and closed."""
-        index = next((i for i in range(len(self._stack) - 1, -1, -1) if fits(self._stack[i])), -1)
-        if index < 0:
+        index = self._index(fits)
+        if index is None:
             return None
         while len(self._stack) > index + 1:
             self.give_up()
         return self._stack[index]
 
+    def _index(self, fits: Callable[[Frame], bool]) -> int | None:
+        """Where the innermost structure that fits is; looked for no deeper than structures go."""
+        last = len(self._stack) - 1
+        for index in range(last, max(-1, last - 2 * STRUCTURE_DEPTH), -1):
+            if fits(self._stack[index]):
+                return index
+        return None
+
     def close(self, frame: Frame) -> None:
-        """The innermost structure ends."""
+        """The innermost structure ends; one that is too deep leaves no node."""
         assert frame is self._stack[-1]
         self._stack.pop()
-        self.add(frame.finish())
+        if len(self._stack) < STRUCTURE_DEPTH:
+            self.add(frame.finish())
 
     def give_up(self) -> None:
         """The innermost structure lacks its end: report that, and close it."""
@@ -145,12 +156,18 @@ class Structure:
 
     def close_cycle_before(self, span: Span, line: str) -> None:
         """A definition begins: none may be open (22005)."""
-        cycle = next((frame for frame in self._stack if isinstance(frame, CycleFrame)), None)
-        if cycle is None:
+        index = self._index(_is_cycle)
+        if index is None:
             return
+        cycle = self._stack[index]
+        assert isinstance(cycle, CycleFrame)
         self.report(22005, span, line, found="#RT CYCLE")
         cycle.reported = True
         if cycle is self.top:
             # Most likely its end was forgotten; if not, the end that is left over is forgiven.
             self.expect_stray_cycle_end()
             self.close(cycle)
+
+
+def _is_cycle(frame: Frame) -> bool:
+    return isinstance(frame, CycleFrame)

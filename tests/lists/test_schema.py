@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: MIT
+"""Checking entries against declared parameters."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from nctakt.diagnostics import Text
+from nctakt.lists.axis import AXIS
+from nctakt.lists.channel import CHANNEL
+from nctakt.lists.parameter import Parameter, Schema, ValueType, shown
+from nctakt.lists.parameters import SCHEMAS, find_parameters
+from nctakt.lists.reader import ListDialect
+from nctakt.lists.schema import Values, load_list
+from nctakt.lists.variables import VARIABLES
+from nctakt.messages import CATALOGUE, Collector
+
+
+def load(
+    schema: Schema, text: str, *, base: Values | None = None, verbose: bool = False
+) -> tuple[Values, list[int]]:
+    """The values of a list and the numbers of what was found."""
+    collector = Collector()
+    values = load_list(schema, "x.lis", text.encode(), collector, base=base, verbose=verbose)
+    for found in collector.diagnostics:
+        assert found.render("en") and found.render("de")
+    return values, [found.id for found in collector.diagnostics]
+
+
+def test_hexadecimal_and_signed_numbers() -> None:
+    """Lists other than rtconf.lis have hexadecimal and signed numbers."""
+    values, found = load(AXIS, "kenngr.achs_mode 0x400001\nkenngr.swe_neg -5\nkenngr.swe_pos +7\n")
+    assert found == []
+    assert values.integer("kenngr.achs_mode") == 0x400001
+    assert values.integer("kenngr.swe_neg") == -5
+    assert values.integer("kenngr.swe_pos") == 7
+
+
+def test_missing_end_and_comment_styles_are_silent_outside_rtconf() -> None:
+    """Vendors' lists end without End and comment with '#' without a blank: no finding."""
+    assert load(AXIS, "#comment\n   # indented\n#\n")[1] == []
+
+
+@pytest.mark.parametrize(
+    ("text", "flags"),
+    [
+        ("MOS", ("MOS",)),
+        ("MOS (comment", ("MOS",)),
+        ("PLC_INFO | MVS_SVS", ("MVS_SVS", "PLC_INFO")),
+        ("PLC_INFO|MVS_SVS 0x00020002", ("MVS_SVS", "PLC_INFO")),
+        ("0x00020002   PLC_INFO,  MVS_SVS", ("MVS_SVS", "PLC_INFO")),
+        ("PLC_INFO, MVS_SVS", ("MVS_SVS", "PLC_INFO")),
+        ("MVS_SVS | 0x20000", ("MVS_SVS", "PLC_INFO")),
+        ("8", ("MNS_SNS",)),
+        ("0", ("NO_SYNCH",)),
+        ('"MOS"', ("MOS",)),
+    ],
+)
+def test_flag_sets(text: str, flags: tuple[str, ...]) -> None:
+    """Flags are joined by '|' or commas, by name or by their bits; a comment may follow."""
+    values, found = load(CHANNEL, f"m_synch[7] {text}\n")
+    assert (values.names("m_synch[]", 7), found) == (flags, [])
+
+
+@pytest.mark.parametrize("text", ["MOSS", "0x40", "MOS#", "MOS | ?", "-1", "MVS_SVS | WRONG"])
+def test_wrong_synchronisation_becomes_mvs_svs(text: str) -> None:
+    """A synchronisation type that does not exist is 20965 and counts as MVS_SVS."""
+    values, found = load(CHANNEL, f"m_synch[7] {text}\n")
+    if text == "MOS | ?":
+        assert (values.names("m_synch[]", 7), found) == (("MOS",), [])
+        return
+    assert (values.names("m_synch[]", 7), found) == (("MVS_SVS",), [20965])
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "numbers"),
+    [
+        ("1", True, []),
+        ("0", False, []),
+        ("TRUE", True, []),
+        ("false", False, []),
+        ("0x1", True, []),
+        ("YES", True, [900022]),
+        ("2", True, [900019]),
+    ],
+)
+def test_truth_values_in_a_variables_list(text: str, value: bool, numbers: list[int]) -> None:
+    """Variables lists have TRUE and FALSE beside 1 and 0; a wrong word leaves the default."""
+    values, found = load(VARIABLES, f"var[0].synchronisation {text}\n")
+    assert (values.flag("var[].synchronisation", 0), found) == (value, numbers)
+
+
+def test_truth_words_are_refused_elsewhere() -> None:
+    """Other lists have 0 and 1 only."""
+    assert load(CHANNEL, "exact_stop_after_g00 TRUE\n")[1] == [900014]
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "numbers"),
+    [
+        ("1000", 1000.0, []),
+        ("1000.5", 1000.5, []),
+        ("1.5e3", 1500.0, []),
+        (".5", 0.5, []),
+        ("0x10", 16.0, []),
+        ("-1", 0.0, [900019]),
+        ("nan", 0.0, [900014]),
+        ("inf", 0.0, [900014]),
+        ("1e999", 0.0, [900014]),
+        ("1,5", 0.0, [900014]),
+    ],
+)
+def test_real_numbers(text: str, value: float, numbers: list[int]) -> None:
+    """A REAL64 parameter takes decimal points and exponents, only finite values."""
+    values, found = load(CHANNEL, f"prog_start.feedrate {text}\n")
+    assert (values.real("prog_start.feedrate"), found) == (value, numbers)
+
+
+@pytest.mark.parametrize(
+    ("key", "low", "high", "default"),
+    [
+        ("rt_cycles.max_duration", 1, 65534, 75),
+        ("rt_cycles.cont_steps", 1, 2**32 - 2, 100),
+        ("rt_cycles.max_steps", 1, 2**32 - 2, 2**32 - 2),
+        ("configuration.rt_cycles.memory", 0, 2**32 - 2, 48000),
+        ("configuration.rt_cycles.buffers", 0, 65534, 5),
+        ("configuration.decoder.v_ch_memory", 0, 2**32 - 2, 0),
+    ],
+)
+def test_limits_of_realtime_cycles(key: str, low: int, high: int, default: int) -> None:
+    """RC-5xx: ranges are kept at both ends, outside them the default is used."""
+    assert load(CHANNEL, "")[0].integer(key) == default
+    for value in (low, high):
+        values, found = load(CHANNEL, f"{key} {value}\n")
+        assert (values.integer(key), found) == (value, [])
+    for value in (low - 1, high + 1):
+        values, found = load(CHANNEL, f"{key} {value}\n")
+        assert (values.integer(key), found) == (default, [900019])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "numbers"),
+    [
+        ("rt_cycles.enable", "configuration.rt_cycles.enable", []),
+        ("rt_cycles.memory", "configuration.rt_cycles.memory", []),
+        ("v_ch_memory", "configuration.decoder.v_ch_memory", [900024]),
+        ("twincat.context.geo", "schedule.context.geo", []),
+    ],
+)
+def test_old_names(old: str, new: str, numbers: list[int]) -> None:
+    """Old names work, silently or with a warning as the manual has it."""
+    values, found = load(CHANNEL, f"{old} 1\n")
+    assert (values.get(new), found) == (1, numbers)
+
+
+def test_unknown_entries_are_counted_in_one_note() -> None:
+    """One note per file counts the unknown entries; with verbose each is a warning."""
+    text = "feed_to_weakest_axis 1\nmesstyp 2\nmass_einh 0\n"
+    assert load(CHANNEL, text)[1] == [900010]
+    found = load(CHANNEL, text, verbose=True)[1]
+    assert len(found) == 2 and set(found) <= {900008, 900009}
+
+
+def test_accepted_entries_are_silent_and_unchecked() -> None:
+    """A parameter without effect is accepted whatever its value; verbose says so."""
+    text = "gruppe[0].bezeichnung IPO 1 # x\n"
+    assert load(CHANNEL, text)[1] == []
+    assert load(CHANNEL, text, verbose=True)[1] == [900026]
+
+
+def test_specific_list_goes_over_the_defaults_list() -> None:
+    """What a list does not name comes from the defaults list, what is defective too."""
+    base, _ = load(AXIS, "kenngr.swe_pos 5\ngetriebe[0].kv 2000\nkenngr.swe_neg -5\n")
+    values, found = load(AXIS, "kenngr.swe_pos 7\nkenngr.swe_neg x\n", base=base)
+    assert found == [900014]
+    assert values.integer("kenngr.swe_pos") == 7
+    assert values.integer("kenngr.swe_neg") == -5
+    assert values.integer("getriebe[].kv", 0) == 2000
+    assert values.integer("getriebe[].kv", 1) == 1000
+
+
+def test_references_take_the_value_of_another_parameter() -> None:
+    """P-AXIS-00212.0 is the value of that parameter for gear step 0, wherever it stands."""
+    text = "getriebe[0].vb_eilgang P-AXIS-00212.0 (comment\ngetriebe[1].vb_eilgang P-AXIS-00212\n"
+    base, found = load(AXIS, text)
+    assert found == []
+    assert base.integer("getriebe[].vb_eilgang", 0) == 200_000
+    own = "getriebe[0].dynamik.vb_max 90000\ngetriebe[1].dynamik.vb_max 80000\n"
+    values, found = load(AXIS, own, base=base)
+    assert found == []
+    assert values.integer("getriebe[].vb_eilgang", 0) == 90_000
+    assert values.integer("getriebe[].vb_eilgang", 1) == 80_000
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "getriebe[0].vb_eilgang P-AXIS-99999.0",
+        "getriebe[0].vb_eilgang P-AXIS-00209.0",
+        "getriebe[0].vb_eilgang P-AXIS-00297",
+        "getriebe[0].vb_eilgang P-AXIS-00212.0\ngetriebe[0].dynamik.vb_max P-AXIS-00209.0",
+        "kopf.achs_nr P-AXIS-00212",
+    ],
+)
+def test_broken_references_leave_the_default(text: str) -> None:
+    """A reference to nothing, to itself, to a text or in a circle is reported."""
+    values, found = load(AXIS, text + "\n")
+    assert found == [900025] * (text.count("\n") + 1)
+    assert values.integer("getriebe[].vb_eilgang", 0) == 166_666
+
+
+def test_name_parameters_take_names_and_numbers() -> None:
+    """An axis type is its name or its number."""
+    for text in ("ACHSTYP_SPINDEL", "4", "0x0004", '"ACHSTYP_SPINDEL"'):
+        values, found = load(AXIS, f"kenngr.achs_typ {text}\n")
+        assert (values.text("kenngr.achs_typ"), found) == ("ACHSTYP_SPINDEL", [])
+    assert load(AXIS, "kenngr.achs_typ 3\n")[1] == [900021]
+
+
+def test_scope_that_does_not_exist_is_the_controllers_own_number() -> None:
+    """P-EXTV-00004: a wrong scope is 21196 and counts as CHANNEL."""
+    values, found = load(VARIABLES, "var[0].scope LOCAL\n")
+    assert (values.text("var[].scope", 0), found) == ("CHANNEL", [21196])
+
+
+def test_values_given_by_a_list_have_a_place() -> None:
+    """Where an entry stands can be told later; without one it is the start of the file."""
+    values, _ = load(CHANNEL, "\n  mass_einh 1\n")
+    span, line = values.place("mass_einh")
+    assert (span.line, span.column, line) == (2, 3, "  mass_einh 1")
+    assert values.place("max_vb_override")[0].line == 1
+
+
+def test_each_parameter_is_well_declared() -> None:
+    """IDs, texts in both languages, defaults within their own range, unique names."""
+    for schema in SCHEMAS:
+        for parameter in schema.parameters:
+            assert re.fullmatch(r"(P-[A-Z]{4}-\d{5})?", parameter.id)
+            assert parameter.text.en and parameter.text.de
+            assert parameter.text.en != parameter.text.de
+            _check_default(parameter)
+            if parameter.invalid_message is not None:
+                assert parameter.invalid_message in CATALOGUE
+
+
+def _check_default(parameter: Parameter) -> None:
+    default = parameter.default
+    if parameter.type is ValueType.FLAGS:
+        assert isinstance(default, tuple) and all(name in parameter.names for name in default)
+    elif parameter.type is ValueType.NAME:
+        assert default in parameter.names
+    elif parameter.type is ValueType.BOOLEAN:
+        assert isinstance(default, bool)
+    elif parameter.type is ValueType.STRING:
+        assert isinstance(default, str)
+    elif default is not None and parameter.id != "P-RTCF-00001" and parameter.modelled:
+        low, high = parameter.bounds
+        assert isinstance(default, int | float) and low <= default <= high
+
+
+def test_parameters_are_found_by_id_and_by_name() -> None:
+    """The explanation finds P-CHAN-00425 and rt_cycles.max_duration alike."""
+    for name in ("P-CHAN-00425", "p-chan-00425", "rt_cycles.max_duration"):
+        (found,) = find_parameters(name)
+        assert (found.schema.kind, found.parameter.default) == ("channel", 75)
+    (found,) = find_parameters("thread[3].context")
+    assert found.parameter.id == "P-RTCF-00017"
+    assert find_parameters("P-RTCF-00016") == ()
+
+
+def test_values_are_shown_as_a_list_writes_them() -> None:
+    """Messages show defaults in the notation of the lists."""
+    assert [shown(value) for value in (True, 5, ("A", "B"), "", None)] == [
+        "1",
+        "5",
+        "A | B",
+        '""',
+        "–",
+    ]
+
+
+def test_names_are_declared_once() -> None:
+    """Two parameters with one name are a mistake of ours."""
+    one = Parameter("", "a", ValueType.UNS16, 0, Text("a", "b"))
+    with pytest.raises(AssertionError):
+        Schema("x", Text("x", "y"), ListDialect(), (one, one))

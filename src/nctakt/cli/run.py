@@ -146,9 +146,10 @@ def _open_text(path: str | None, files: contextlib.ExitStack) -> TextIO | None:
     if path is None:
         return None
     try:
-        return files.enter_context(Path(path).open("w", encoding="utf-8", newline="\n"))
+        file = Path(path).open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
     except OSError as error:
         raise _unwritable(path, error) from error
+    return files.enter_context(file)
 
 
 def _write(file: TextIO, text: str) -> None:

@@ -80,7 +80,7 @@ def file_sink(path: Path) -> CsvSink | JsonlSink:
     if path.suffix.lower() not in SUFFIXES:
         raise Failure(diagnostic(900506, file=str(path), suffixes=" or ".join(SUFFIXES)))
     try:
-        file = path.open("w", encoding="utf-8", newline="\n")
+        file = path.open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
     except OSError as error:
         raise Failure(unwritable(path, error)) from error
     return CsvSink(file) if path.suffix.lower() == ".csv" else JsonlSink(file)

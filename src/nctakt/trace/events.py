@@ -78,6 +78,7 @@ class EventDecoder:
     def __init__(self, cycle_time_us: int, names: EventNames) -> None:
         self._cycle_time_us = cycle_time_us
         self._names = names
+        self._places: dict[int, Span | None] = {}
         self._makers: dict[int, Callable[[int, int, float, float], tuple[str, str]]] = {
             record.CREATED: self._created,
             record.STARTED: self._plain("started"),
@@ -102,7 +103,7 @@ class EventDecoder:
     ) -> Event:
         number, serial = int(tick), int(subject)
         time_us = number * self._cycle_time_us
-        span = self._names.place(int(source))
+        span = self._place(int(source))
         if kind == record.FIRED:
             word, text = self._fired(serial, span)
         elif kind == record.TECHNOLOGY_RT:
@@ -111,6 +112,12 @@ class EventDecoder:
             word, text = self._makers[int(kind)](int(kind), serial, a, b)
         cycle = self._names.cycle(serial) if serial and kind not in _WITHOUT_CYCLE else ""
         return Event(number, time_us, word, text, span, cycle)
+
+    def _place(self, source: int) -> Span | None:
+        """Few places make many events: each is looked up once."""
+        if source not in self._places:
+            self._places[source] = self._names.place(source)
+        return self._places[source]
 
     def _plain(self, word: str) -> Callable[[int, int, float, float], tuple[str, str]]:
         return lambda _kind, serial, _a, _b: (word, self._names.cycle(serial))

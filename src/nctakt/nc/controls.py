@@ -201,7 +201,7 @@ def _else_if(here: Here) -> None:
 def _else(here: Here) -> None:
     frame = _branch_of(here)
     if frame is not None:
-        frame.add_else()
+        frame.add_else(here.span())
 
 
 def _branch_of(here: Here) -> IfFrame | None:

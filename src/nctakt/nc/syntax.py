@@ -286,7 +286,9 @@ class ElseIf(Node):
 
 @dataclass(frozen=True, slots=True)
 class If(Statement):
-    """``$IF … $ENDIF``, also ``$IF c $GOTO N20``; ``else_body`` is ``None`` without ``$ELSE``.
+    """``$IF … $ENDIF``, also ``$IF c $GOTO N20``.
+
+    ``else_body`` and ``else_span`` (the place of ``$ELSE``) are ``None`` without ``$ELSE``.
 
     ``preprocessor`` for ``#IF … #ENDIF``.
     """
@@ -297,6 +299,7 @@ class If(Statement):
     elseifs: tuple[ElseIf, ...] = ()
     else_body: tuple[Statement, ...] | None = None
     preprocessor: bool = False
+    else_span: Span | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -164,13 +164,17 @@ def _find(here: Here, begin: str) -> Frame | None:
 
 def _if(here: Here) -> None:
     text = here.text
-    one_line = "$" in text.text[text.pos :]
     frequency = _frequency(here)
+    begin = text.pos
     condition = _value(here)
+    failed = condition.span == here.span()
+    if failed and "$" in text.text[begin:]:
+        # A jump in the same line, most likely: it needs no $ENDIF.
+        return
     if text.looking_at(_DOLLAR) is not None:
         body = _one_line_body(text)
         here.structure.add_block(If(here.span(), here.head, frequency, condition, (body,)), text)
-    elif not one_line:
+    else:
         frame = IfFrame(here.opening("$ENDIF"), frequency, condition, preprocessor=False)
         here.structure.open(frame)
 

@@ -51,8 +51,8 @@ class Entry:
     """One line ``name value`` of a list.
 
     ``path`` is the name with its indices normalised (``thread[00].name`` -> ``thread[0].name``),
-    ``pattern`` the same with empty brackets. A name that is not well formed has itself as pattern
-    and matches no parameter. ``rest`` is what follows the name, from ``rest_column`` on.
+    ``pattern`` the same with empty brackets. A name that is not well formed has itself as
+    pattern. ``rest`` is what follows the name, from ``rest_column`` on.
     """
 
     path: str
@@ -62,6 +62,11 @@ class Entry:
     rest_column: int
     key_span: Span
     line: str
+
+    @property
+    def is_well_formed(self) -> bool:
+        """Whether each bracket of the name holds an index; otherwise it names no parameter."""
+        return self.pattern.count("[]") == len(self.indices)
 
     def span(self, start: int, end: int) -> Span:
         """The place of ``rest[start:end]``."""

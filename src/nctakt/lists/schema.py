@@ -182,7 +182,7 @@ def _select(
     selected: dict[Key, tuple[Parameter, Entry]] = {}
     unknown: list[Entry] = []
     for entry in entries:
-        found = schema.find(entry.pattern)
+        found = schema.find(entry.pattern) if entry.is_well_formed else None
         if found is None:
             unknown.append(entry)
             continue
@@ -252,6 +252,7 @@ def _report_unknown(
             continue
         if nearest.count("[]") == len(entry.indices):
             nearest = with_indices(nearest, entry.indices)
+        nearest = nearest.replace("[]", "[i]")
         collector.report(900009, place, line, key=key, nearest=nearest)
 
 

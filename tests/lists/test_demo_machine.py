@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""The built-in demo machine (MO-15)."""
+
+from __future__ import annotations
+
+from math import inf
+
+import pytest
+
+from nctakt.lists.axis_configuration import AxisType
+from nctakt.lists.machine import MachineConfiguration, load_machine
+from nctakt.lists.variable_tree import AccessRights, Leaf
+
+
+@pytest.fixture(scope="module")
+def demo() -> MachineConfiguration:
+    """The demo machine."""
+    return load_machine(None)
+
+
+def leaves(demo: MachineConfiguration) -> dict[str, Leaf]:
+    """All V.E leaves by path."""
+    (channel,) = demo.channels
+    return {leaf.path: leaf for one in channel.external_variables for leaf in one.leaves()}
+
+
+def test_it_loads_without_any_finding(demo: MachineConfiguration) -> None:
+    """The demo lists are an example: not even a note, verbose or not."""
+    assert demo.diagnostics == ()
+    found = load_machine(None, verbose=True).diagnostics
+    assert {one.id for one in found} == {900026}
+
+
+def test_tick(demo: MachineConfiguration) -> None:
+    """MO-15: T is 1 ms."""
+    assert (demo.name, demo.cycle_time_us) == ("demo", 1000)
+
+
+@pytest.mark.parametrize("index", [0, 1, 2])
+def test_linear_axes(demo: MachineConfiguration, index: int) -> None:
+    """MO-15: X Y Z, ±10 m, 500 mm/s, 4000 mm/s², trapezoid, single axis motion, exact drive."""
+    axis = demo.axes[index]
+    assert (axis.name, axis.type, axis.is_modulo) == ("XYZ"[index], AxisType.LINEAR, False)
+    assert (axis.software_limit_low, axis.software_limit_high) == (-10_000, 10_000)
+    assert (axis.rapid_speed, axis.max_speed, axis.max_acceleration) == (500, 500, 4000)
+    assert (axis.dynamics.feed_acceleration, axis.dynamics.rapid_acceleration) == (4000, 4000)
+    assert (axis.enable_single_axis, axis.follows_exactly) == (True, True)
+
+
+def test_rotary_axis(demo: MachineConfiguration) -> None:
+    """MO-15: A, modulo 360°, 360 °/s, 4000 °/s²."""
+    axis = demo.axes[3]
+    assert (axis.name, axis.type, axis.modulo_range) == ("A", AxisType.ROTARY, 360)
+    assert (axis.rapid_speed, axis.max_speed, axis.max_acceleration) == (360, 360, 4000)
+    assert (axis.software_limit_low, axis.software_limit_high) == (-inf, inf)
+    assert (axis.enable_single_axis, axis.follows_exactly) == (True, True)
+
+
+def test_channel(demo: MachineConfiguration) -> None:
+    """MO-15: axes X Y Z A, spindles S, S2 and the PLC's S3, realtime cycles and V.CH memory."""
+    (channel,) = demo.channels
+    assert [axis.name for axis in channel.axes] == ["X", "Y", "Z", "A"]
+    assert [axis.index for axis in channel.axes] == [0, 1, 2, 3]
+    assert [one.name for one in channel.spindles] == ["S", "S2", "S3"]
+    assert channel.main_spindle is channel.spindles[0]
+    plc = channel.spindles[2].spindle
+    assert (plc.plc_controlled, plc.logical_number, channel.spindles[2].index) == (True, 10, None)
+    limits = channel.parameters.realtime_cycles
+    assert limits.enable
+    assert (limits.memory_bytes, limits.buffers) == (48_000, 5)
+    assert (limits.max_duration_pct, limits.cont_steps, limits.max_steps) == (75, 100, 2**32 - 2)
+    assert channel.parameters.channel_variables_bytes == 10_000
+    assert channel.parameters.max_override_pct == 100
+
+
+def test_program_start(demo: MachineConfiguration) -> None:
+    """MO-15: G00 G17 G71 G90, 1000 mm/min, exact stop after G00, trapezoid."""
+    parameters = demo.channels[0].parameters
+    start = parameters.program_start
+    assert start.g_functions == {0: 0, 4: 17, 12: 71, 14: 90, 23: 162}
+    assert (start.feed_mm_min, start.feed_unit_mm_min, start.slope_profile) == (1000, 1, 0)
+    assert parameters.exact_stop_after_g00
+
+
+@pytest.mark.parametrize("kind", ["m", "h"])
+def test_technology_functions(demo: MachineConfiguration, kind: str) -> None:
+    """MO-15: 100 … 110 are MOS, then one of each synchronisation type."""
+    parameters = demo.channels[0].parameters
+    functions = parameters.m_functions if kind == "m" else parameters.h_functions
+    assert {functions[number].synchronisation for number in range(100, 111)} == {"MOS"}
+    others = [functions[number].synchronisation for number in range(111, 118)]
+    assert others == [
+        "MVS_SVS",
+        "MVS_SNS",
+        "MNS_SNS",
+        "MVS_SLM",
+        "MVS_SLP",
+        "MNE_SNS",
+        "NO_SYNCH",
+    ]
+    assert functions[118].modifiers == ("PLC_INFO",)
+
+
+@pytest.mark.parametrize(
+    ("path", "type_", "synchronous", "scope"),
+    [
+        ("VALUE", "REAL64", True, "GLOBAL"),
+        ("VALUE1", "REAL64", True, "GLOBAL"),
+        ("VALUE2", "REAL64", True, "CHANNEL"),
+        ("COUNT_POS", "SGN32", True, "CHANNEL"),
+        ("COUNT_NEG", "SGN32", True, "CHANNEL"),
+        ("COUNT_NULL", "SGN32", True, "CHANNEL"),
+        ("CONDITION", "SGN32", True, "CHANNEL"),
+        ("TRIGGER", "SGN32", True, "GLOBAL"),
+        ("SYNC", "REAL64", True, "CHANNEL"),
+        ("ASYNC", "REAL64", False, "CHANNEL"),
+        ("COUNT", "UNS32", True, "CHANNEL"),
+        ("LIST[9]", "REAL64", True, "CHANNEL"),
+        ("FLAG", "BOOLEAN", True, "CHANNEL"),
+        ("TEXT", "STRING", True, "CHANNEL"),
+        ("LEVEL_1_A[0].REAL64", "REAL64", True, "CHANNEL"),
+        ("LEVEL_1_A[2].FROZEN", "REAL64", False, "CHANNEL"),
+        ("LEVEL_1_A[1].LEVEL_2_A[1].LIST[3]", "SGN32", True, "CHANNEL"),
+    ],
+)
+def test_variables(
+    demo: MachineConfiguration, path: str, type_: str, synchronous: bool, scope: str
+) -> None:
+    """MO-15: the variables of the manuals' examples, and some of each type."""
+    leaf = leaves(demo)[path]
+    assert (leaf.type, leaf.synchronous, leaf.scope.value) == (type_, synchronous, scope)
+
+
+def test_variables_have_each_type_and_right(demo: MachineConfiguration) -> None:
+    """Every basic type but VSTRING, and every access right."""
+    found = leaves(demo)
+    assert {leaf.rights for leaf in found.values()} == set(AccessRights)
+    expected = {"BOOLEAN", "SGN08", "UNS08", "SGN16", "UNS16", "SGN32", "UNS32", "REAL64", "STRING"}
+    assert {leaf.type for leaf in found.values()} == expected
+
+
+def test_channel_variables(demo: MachineConfiguration) -> None:
+    """V.CH.VarTest1 of the manual is asynchronous."""
+    found = {one.name: one for one in demo.channels[0].channel_variables}
+    assert not found["VarTest1"].node.synchronous
+    assert found["Total"].node.synchronous

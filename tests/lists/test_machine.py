@@ -1,0 +1,316 @@
+# SPDX-License-Identifier: MIT
+"""Machine folders: which lists are read, from where, and what comes of mistakes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from nctakt.lists.machine import MachineConfiguration, MachineError, load_machine
+
+STARTUP = """\
+kanal_anzahl 1
+sda_mds[0] kanal.lis
+zahl_mds 1
+achs_mds[0] x.lis
+rtconf_lis rtconf.lis
+"""
+CHANNEL = "gruppe[0].achse[0].log_achs_nr 1\ngruppe[0].achse[0].bezeichnung X\n"
+RTCONF = """\
+interrupt_source 3
+external_object_name s
+cycle_time 2000
+time_slice 500
+windows_time 500
+thread[0].name GEO
+thread[0].cycle 2000
+thread[0].error_on_overflow 1
+thread[0].function[0].name task_int
+End
+"""
+FILES = {
+    "hochlauf.lis": STARTUP,
+    "kanal.lis": CHANNEL,
+    "x.lis": "kopf.achs_nr 1\n",
+    "rtconf.lis": RTCONF,
+}
+
+
+def write(folder: Path, files: dict[str, str]) -> Path:
+    """A machine folder with these files, over those of a smallest machine."""
+    for name, text in {**FILES, **files}.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return folder
+
+
+def load(folder: Path, *, verbose: bool = False) -> tuple[MachineConfiguration, list[int]]:
+    """The machine of ``folder``, and what was found."""
+    machine = load_machine(folder, verbose=verbose)
+    for found in machine.diagnostics:
+        assert found.render("en") and found.render("de")
+    return machine, [found.id for found in machine.diagnostics]
+
+
+def failure(folder: Path) -> list[int]:
+    """What a folder without a machine reports."""
+    with pytest.raises(MachineError) as caught:
+        load_machine(folder)
+    for found in caught.value.diagnostics:
+        assert found.render("en") and found.render("de")
+    return [found.id for found in caught.value.diagnostics]
+
+
+def test_smallest_machine(tmp_path: Path) -> None:
+    """A channel with an axis loads without any finding."""
+    machine, found = load(write(tmp_path, {}))
+    assert found == []
+    assert (machine.name, machine.folder, machine.cycle_time_us) == (tmp_path.name, tmp_path, 2000)
+    (channel,) = machine.channels
+    assert channel.number == 1
+    (axis,) = channel.axes
+    assert (axis.name, axis.logical_number, axis.index) == ("X", 1, 0)
+    assert channel.main_spindle is None
+
+
+@pytest.mark.parametrize("name", ["startup.lis", "Hochlauf.LIS"])
+def test_names_of_the_startup_list(tmp_path: Path, name: str) -> None:
+    """hochlauf.lis or startup.lis, in any letter case, or the file itself."""
+    write(tmp_path, {})
+    (tmp_path / "hochlauf.lis").rename(tmp_path / name)
+    assert load(tmp_path)[1] == []
+    assert load(tmp_path / name)[1] == []
+
+
+def test_no_folder_and_no_startup_list(tmp_path: Path) -> None:
+    """A folder that does not exist, or that has no start-up list, is no machine."""
+    assert failure(tmp_path / "nowhere") == [900060]
+    assert failure(tmp_path) == [900061]
+
+
+@pytest.mark.parametrize("format_", ["XML", "BINAER", "BINARY"])
+def test_other_formats_are_refused_by_name(tmp_path: Path, format_: str) -> None:
+    """Binary and XML lists cannot be read."""
+    folder = write(tmp_path, {"hochlauf.lis": f"listen {format_}\n{STARTUP}"})
+    assert failure(folder) == [900064]
+
+
+def test_no_channel_list_at_all(tmp_path: Path) -> None:
+    """Without any channel list there is no machine."""
+    folder = write(tmp_path, {"hochlauf.lis": "kanal_anzahl 2\n"})
+    assert failure(folder) == [900068, 900065, 900065, 900077]
+
+
+def test_paths_relative_to_the_parent_folder(tmp_path: Path) -> None:
+    """Vendors keep all lists in one folder and name them from the folder above."""
+    folder = tmp_path / "listen"
+    write(folder, {"hochlauf.lis": STARTUP.replace("kanal.lis", "./listen/kanal.lis")})
+    assert load(folder)[1] == []
+
+
+def test_own_folder_comes_before_the_parent(tmp_path: Path) -> None:
+    """A path that exists in both is that of the list's own folder."""
+    (tmp_path / "kanal.lis").write_text("bogus 1\n", encoding="utf-8")
+    assert load(write(tmp_path / "listen", {}))[1] == []
+
+
+@pytest.mark.parametrize("path", [".\\kanal.lis", "KANAL.LIS", "..\\m\\Kanal.lis", ".//kanal.lis"])
+def test_paths_as_on_windows(tmp_path: Path, path: str) -> None:
+    """Back-slashes and letter case are tolerated, with a note."""
+    folder = write(tmp_path / "m", {"hochlauf.lis": STARTUP.replace("kanal.lis", path)})
+    machine, found = load(folder)
+    assert found == ([] if path == ".//kanal.lis" else [900063])
+    assert machine.channels[0].axes
+
+
+def test_absolute_paths(tmp_path: Path) -> None:
+    """An absolute path is taken as it is."""
+    other = tmp_path / "other.lis"
+    other.write_text(CHANNEL, encoding="utf-8")
+    folder = write(tmp_path / "m", {})
+    for path, numbers in ((other, []), (tmp_path / "nothing.lis", [900062])):
+        text = STARTUP.replace("kanal.lis", path.as_posix())
+        (folder / "hochlauf.lis").write_text(text, encoding="utf-8")
+        try:
+            assert load(folder)[1] == numbers
+        except MachineError as error:
+            assert [found.id for found in error.diagnostics] == [*numbers, 900077]
+
+
+def test_missing_axis_list(tmp_path: Path) -> None:
+    """An axis list that does not exist costs the axis, and the channel's axis with it."""
+    folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("x.lis", "y.lis")})
+    machine, found = load(folder)
+    assert found == [900062, 900066]
+    assert (machine.axes, machine.channels[0].axes) == ((), ())
+    assert str(machine.diagnostics[0].span).endswith("hochlauf.lis:4:1")
+
+
+def test_axis_list_that_is_not_named(tmp_path: Path) -> None:
+    """zahl_mds may promise more lists than are named."""
+    folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("zahl_mds 1", "zahl_mds 2")})
+    machine, found = load(folder)
+    assert (found, len(machine.axes)) == ([900065], 1)
+
+
+@pytest.mark.parametrize("number", [0, 1])
+def test_logical_numbers_are_unique(tmp_path: Path, number: int) -> None:
+    """A logical number that is 0 or used already costs the axis."""
+    text = STARTUP.replace("zahl_mds 1", "zahl_mds 2") + "achs_mds[1] y.lis\n"
+    files = {"hochlauf.lis": text, "y.lis": f"kopf.achs_nr {number}\n"}
+    machine, found = load(write(tmp_path, files))
+    assert (found, len(machine.axes)) == ([900067], 1)
+
+
+def test_missing_rtconf(tmp_path: Path) -> None:
+    """Without rtconf.lis the tick is 1 ms, with a note."""
+    folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("rtconf_lis rtconf.lis\n", "")})
+    machine, found = load(folder)
+    assert (found, machine.cycle_time_us, machine.rtconf) == ([900068], 1000, None)
+    folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("rtconf.lis\n", "no.lis\n")})
+    machine, found = load(folder)
+    assert (found, machine.cycle_time_us) == ([900062, 900068], 1000)
+
+
+def test_list_that_is_a_folder(tmp_path: Path) -> None:
+    """A folder in place of a list is no list."""
+    folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("x.lis", "d")})
+    (folder / "d").mkdir()
+    assert load(folder)[1] == [900062, 900066]
+
+
+def test_list_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What the operating system refuses is reported with its reason."""
+    folder = write(tmp_path, {})
+
+    def refuse(path: Path) -> bytes:
+        if path.name == "x.lis":
+            raise PermissionError(13, "Permission denied")
+        return path.open("rb").read() if path.name == "" else _read(path)
+
+    def _read(path: Path) -> bytes:
+        with path.open("rb") as file:
+            return file.read()
+
+    monkeypatch.setattr(Path, "read_bytes", refuse)
+    assert load(folder)[1] == [900076, 900066]
+
+
+def test_defaults_lists_come_first(tmp_path: Path) -> None:
+    """default_sda_mds and default_achs_mds hold what the specific lists do not name."""
+    files = {
+        "hochlauf.lis": STARTUP + "default_sda_mds d.lis\ndefault_achs_mds a.lis\n",
+        "d.lis": "m_synch[100] MOS\nprog_start.feedrate 5\n",
+        "kanal.lis": f"{CHANNEL}prog_start.feedrate 7\n",
+        "a.lis": "kenngr.enable_single_axis 1\nkenngr.swe_pos 10000\n",
+        "x.lis": "kopf.achs_nr 1\nkenngr.swe_pos 20000\n",
+    }
+    machine, found = load(write(tmp_path, files))
+    assert found == []
+    parameters = machine.channels[0].parameters
+    assert parameters.program_start.feed_mm_min == 7
+    assert 100 in parameters.m_functions
+    (axis,) = machine.axes
+    assert (axis.enable_single_axis, axis.software_limit_high) == (True, 2)
+
+
+def test_channel_without_a_list_of_its_own(tmp_path: Path) -> None:
+    """The defaults list alone makes a channel."""
+    text = "kanal_anzahl 2\ndefault_sda_mds kanal.lis\nachs_mds[0] x.lis\nrtconf_lis rtconf.lis\n"
+    machine, found = load(write(tmp_path, {"hochlauf.lis": text}))
+    assert found == []
+    assert [channel.axes[0].name for channel in machine.channels] == ["X", "X"]
+
+
+SHARED = "number_used_variables 2\nvar[0].name A\nvar[0].scope GLOBAL\nvar[1].name OWN\n"
+
+
+def test_several_channels_share_global_variables(tmp_path: Path) -> None:
+    """A GLOBAL variable is one for all channels, CHANNEL variables are each channel's own."""
+    files = {
+        "hochlauf.lis": STARTUP.replace("anzahl 1", "anzahl 2")
+        + "sda_mds[1] kanal.lis\nve_var[0] v.lis\nve_var[1] v.lis\n",
+        "v.lis": SHARED,
+    }
+    machine, found = load(write(tmp_path, files))
+    assert found == []
+    assert [one.name for one in machine.global_variables] == ["A"]
+    for channel in machine.channels:
+        assert [one.name for one in channel.external_variables] == ["A", "OWN"]
+    assert [channel.number for channel in machine.channels] == [1, 2]
+
+
+def test_global_variables_that_differ(tmp_path: Path) -> None:
+    """Channels that declare a GLOBAL variable differently get the first declaration."""
+    files = {
+        "hochlauf.lis": STARTUP.replace("anzahl 1", "anzahl 2")
+        + "sda_mds[1] kanal.lis\nve_var[0] v.lis\nve_var[1] w.lis\n",
+        "v.lis": SHARED,
+        "w.lis": f"{SHARED}var[0].type REAL64\n",
+    }
+    machine, found = load(write(tmp_path, files))
+    assert found == [900078]
+    assert machine.channels[1].external_variables[0].node.type == "UNS32"
+
+
+@pytest.mark.parametrize(("memory", "fits"), [(72, True), (71, False), (0, False)])
+def test_memory_of_channel_variables(tmp_path: Path, memory: int, fits: bool) -> None:
+    """RC-309: V.CH variables need P-CHAN-00424 for data and management, else 21992."""
+    files = {
+        "hochlauf.lis": f"{STARTUP}ve_var[0] v.lis\n",
+        "kanal.lis": f"{CHANNEL}configuration.decoder.v_ch_memory {memory}\n",
+        "v.lis": "vch[0].name A\nvch[0].type REAL64\n",
+    }
+    machine, found = load(write(tmp_path, files))
+    assert found == ([] if fits else [21992])
+    assert len(machine.channels[0].channel_variables) == int(fits)
+
+
+def test_no_memory_needed_without_channel_variables(tmp_path: Path) -> None:
+    """A variables list without vch needs no memory."""
+    files = {"hochlauf.lis": f"{STARTUP}ve_var[0] v.lis\n", "v.lis": SHARED}
+    assert load(write(tmp_path, files))[1] == []
+
+
+def test_spindles_need_an_axis_list_unless_the_plc_turns_them(tmp_path: Path) -> None:
+    """An NC spindle without an axis list is left out, a PLC spindle needs none."""
+    spindles = (
+        "spindel[0].bezeichnung S1\nspindel[0].log_achs_nr 1\n"
+        "spindel[1].bezeichnung S2\nspindel[1].log_achs_nr 2\n"
+        "spindel[2].bezeichnung S3\nspindel[2].log_achs_nr 10\nspindel[2].plc_control 1\n"
+    )
+    machine, found = load(write(tmp_path, {"kanal.lis": CHANNEL + spindles}))
+    assert found == [900066]
+    assert [(one.name, one.index) for one in machine.channels[0].spindles] == [
+        ("S1", 0),
+        ("S3", None),
+    ]
+
+
+def test_lists_that_are_not_read_yet_must_exist(tmp_path: Path) -> None:
+    """Tools and offsets are found, or reported as missing."""
+    files = {
+        "hochlauf.lis": f"{STARTUP}werkz_data[0] t.lis\nnullp_data[0] n.lis\npzv_data[0] p.lis\n",
+        "t.lis": "",
+        "p.lis": "",
+    }
+    machine, found = load(write(tmp_path, files))
+    channel = machine.channels[0]
+    assert found == [900062]
+    assert (channel.tools, channel.zero_offsets) == (tmp_path / "t.lis", None)
+    assert channel.clamp_offsets == tmp_path / "p.lis"
+
+
+def test_verbose_names_each_unknown_entry(tmp_path: Path) -> None:
+    """Unknown entries are one note per file, with verbose one warning each."""
+    folder = write(tmp_path, {"x.lis": "kopf.achs_nr 1\nbogus.one 1\nbogus.two 2\n"})
+    assert load(folder)[1] == [900010]
+    assert load(folder, verbose=True)[1] == [900008, 900008]
+
+
+def test_loading_twice_gives_the_same(tmp_path: Path) -> None:
+    """Nothing is kept between two loads."""
+    folder = write(tmp_path, {"x.lis": "kopf.achs_nr 1\nbogus 1\n"})
+    assert load_machine(folder) == load_machine(folder)

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+"""Variables of the tree -> their places in the table of names.
+
+One way from a node to ``NameTable.resolve``, for checker and decoder.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from nctakt.nc.names import Location, NameTable, NotFound
+from nctakt.nc.syntax import ArrayLiteral, Binary, Call, Expression, Parameter, Unary, Variable
+
+
+def resolve(variable: Variable, names: NameTable) -> Location | NotFound:
+    """The location of a variable, or why there is none; its index values are not looked at."""
+    parts = [(part.name, len(part.indices)) for part in variable.parts]
+    return names.resolve(variable.family, parts)
+
+
+def indices_of(variable: Variable) -> list[Expression]:
+    """All indices of a variable in the order of ``Location.dimensions``."""
+    return [index for part in variable.parts for index in part.indices]
+
+
+def path_text(variable: Variable) -> str:
+    """The variable as messages show it: ``V.E.LIST[].MEMBER``, indices left out."""
+    parts = (part.name + "[]" * len(part.indices) for part in variable.parts)
+    return ".".join((f"V.{variable.family}", *parts))
+
+
+def variables_in(expression: Expression) -> Iterator[Variable]:
+    """All variables in an expression; those in an index come before the variable it belongs to."""
+    match expression:
+        case Variable():
+            for index in indices_of(expression):
+                yield from variables_in(index)
+            yield expression
+        case Parameter():
+            yield from variables_in(expression.index)
+        case Unary():
+            yield from variables_in(expression.operand)
+        case Binary():
+            yield from variables_in(expression.left)
+            yield from variables_in(expression.right)
+        case Call():
+            for argument in expression.arguments:
+                yield from variables_in(argument)
+        case ArrayLiteral():
+            for item in expression.items:
+                yield from variables_in(item)

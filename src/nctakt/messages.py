@@ -1032,6 +1032,19 @@ _add(
     },
 )
 
+_add(
+    900086,
+    WARNING,
+    "rt_cycles.max_duration is {value} %: realtime cycles may use more than the whole tick",
+    "rt_cycles.max_duration ist {value} %: Echtzeit-Zyklen dürfen mehr als den ganzen "
+    "CNC-Takt nutzen",
+    remedy_en="Use at most 100, and leave time for the rest of the tick.",
+    remedy_de="Höchstens 100 verwenden und Zeit für den Rest des Takts lassen.",
+    parameters={
+        "value": "P-CHAN-00425",
+    },
+)
+
 # --- NC text: lexer and parser -------------------------------------------------------------------
 
 _FOUND = {"found": "the text at that place; <EOL> at the end of the block"}

@@ -343,6 +343,19 @@ def test_g_functions_at_program_start(
     assert (found.program_start.g_functions[group], reported) == (number, findings)
 
 
+@pytest.mark.parametrize(("value", "findings"), [(100, []), (101, [900086])])
+def test_share_of_the_tick(value: int, findings: list[int]) -> None:
+    """P-CHAN-00425 above 100 % is taken, with a warning."""
+    found, reported = channel(f"rt_cycles.max_duration {value}\n")
+    assert (found.realtime_cycles.max_duration_pct, reported) == (value, findings)
+
+
+def test_spindle_without_a_number_is_not_the_main_spindle() -> None:
+    """main_spindle_ax_nr 0 stands for none."""
+    (spindle,) = channel("spindel[0].bezeichnung S1\nspindel[0].log_achs_nr 0\n")[0].spindles
+    assert (spindle.name, spindle.is_main) == ("S1", False)
+
+
 # --- start-up ---
 
 

@@ -181,21 +181,38 @@ def test_list_that_is_a_folder(tmp_path: Path) -> None:
     assert load(folder)[1] == [900062, 900066]
 
 
-def test_list_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What the operating system refuses is reported with its reason."""
-    folder = write(tmp_path, {})
+def refuse(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    """Make the operating system refuse to read files of that name."""
 
-    def refuse(path: Path) -> bytes:
-        if path.name == "x.lis":
+    def read_bytes(path: Path) -> bytes:
+        if path.name == name:
             raise PermissionError(13, "Permission denied")
-        return path.open("rb").read() if path.name == "" else _read(path)
-
-    def _read(path: Path) -> bytes:
         with path.open("rb") as file:
             return file.read()
 
-    monkeypatch.setattr(Path, "read_bytes", refuse)
-    assert load(folder)[1] == [900076, 900066]
+    monkeypatch.setattr(Path, "read_bytes", read_bytes)
+
+
+def test_list_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What the operating system refuses is reported with its reason."""
+    folder = write(tmp_path, {})
+    refuse(monkeypatch, "x.lis")
+    machine, found = load(folder)
+    assert found == [900076, 900066]
+    assert "Permission denied" in machine.diagnostics[0].text("en")
+
+
+def test_startup_list_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without its start-up list there is no machine."""
+    folder = write(tmp_path, {})
+    refuse(monkeypatch, "hochlauf.lis")
+    assert failure(folder) == [900076]
+
+
+def test_path_through_a_file(tmp_path: Path) -> None:
+    """A file in place of a folder leads nowhere."""
+    folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("x.lis", "kanal.lis/x.lis")})
+    assert load(folder)[1] == [900062, 900066]
 
 
 def test_defaults_lists_come_first(tmp_path: Path) -> None:

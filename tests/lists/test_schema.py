@@ -74,6 +74,12 @@ def test_wrong_synchronisation_becomes_mvs_svs(text: str) -> None:
     assert (values.names("m_synch[]", 7), found) == (("MVS_SVS",), [20965])
 
 
+def test_flag_set_without_a_value() -> None:
+    """A flag set needs a flag."""
+    values, found = load(CHANNEL, "m_synch[7]\n")
+    assert (values.names("m_synch[]", 7), found) == (("NOT_VALID",), [900013])
+
+
 @pytest.mark.parametrize(
     ("text", "value", "numbers"),
     [

@@ -58,6 +58,7 @@ def test_each_type_exists(type_: str) -> None:
     assert leaf.is_numeric is (type_ not in {"STRING", "VSTRING"})
     numeric = list(configuration.external[0].numeric_leaves())
     assert len(numeric) == int(leaf.is_numeric)
+    assert SCALARS[type_].is_integer is (type_ not in {"REAL64", "STRING", "VSTRING"})
 
 
 @pytest.mark.parametrize(

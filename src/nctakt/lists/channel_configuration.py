@@ -159,20 +159,27 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         values.integer("max_vb_override") / 10,
         values.integer("mass_einh") == 1,
         values.integer("rund_mass_einh") == 1,
-        RealtimeCycleLimits(
-            values.flag("configuration.rt_cycles.enable"),
-            values.integer("configuration.rt_cycles.memory"),
-            values.integer("configuration.rt_cycles.buffers"),
-            values.integer("rt_cycles.max_duration"),
-            values.integer("rt_cycles.cont_steps"),
-            values.integer("rt_cycles.max_steps"),
-        ),
+        _realtime_cycles(values, collector),
         values.integer("configuration.decoder.v_ch_memory"),
         values.integer("kasto_residual_path") / 10_000,
         values.flag("kasto_multi_block"),
         values.integer("schedule.context.geo"),
         values.integer("schedule.context.sda"),
         values.integer("schedule.context.com"),
+    )
+
+
+def _realtime_cycles(values: Values, collector: Collector) -> RealtimeCycleLimits:
+    max_duration_pct = values.integer("rt_cycles.max_duration")
+    if max_duration_pct > 100:
+        values.report(collector, 900086, ("rt_cycles.max_duration",), value=max_duration_pct)
+    return RealtimeCycleLimits(
+        values.flag("configuration.rt_cycles.enable"),
+        values.integer("configuration.rt_cycles.memory"),
+        values.integer("configuration.rt_cycles.buffers"),
+        max_duration_pct,
+        values.integer("rt_cycles.cont_steps"),
+        values.integer("rt_cycles.max_steps"),
     )
 
 
@@ -219,7 +226,7 @@ def _spindles(values: Values, collector: Collector) -> tuple[Spindle, ...]:
     for index in indices[:count]:
         number = values.integer("spindel[].log_achs_nr", index)
         list_name = values.text("spindel[].bezeichnung", index)
-        is_main = number == main_number
+        is_main = number == main_number != 0
         name = main_name if is_main else list_name
         if not _is_usable(name, "S") or any(spindle.name == name for spindle in spindles):
             key = ("spindel[].bezeichnung", index)

@@ -48,15 +48,18 @@ def _descend(root: Path, parts: list[str]) -> Path | None:
         if part == "..":
             current = current / part
             continue
-        name = _entry(current, part)
+        name = find_entry(current, part)
         if name is None:
             return None
         current = current / name
     return current
 
 
-def _entry(folder: Path, name: str) -> str | None:
-    """The entry of ``folder`` called ``name``, else the first that differs in case only."""
+def find_entry(folder: Path, name: str) -> str | None:
+    """The entry of ``folder`` called ``name``, else the first that differs in case only.
+
+    ``None``: there is none, or the folder cannot be read.
+    """
     try:
         names = sorted(entry.name for entry in folder.iterdir())
     except OSError:

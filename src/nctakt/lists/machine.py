@@ -20,7 +20,7 @@ from nctakt.lists.channel_configuration import (
     Spindle,
     channel_parameters,
 )
-from nctakt.lists.files import find_list, read_file
+from nctakt.lists.files import find_entry, find_list, read_file
 from nctakt.lists.parameter import Schema
 from nctakt.lists.rtconf import RtconfConfiguration
 from nctakt.lists.rtconf_effective import load_rtconf
@@ -141,11 +141,10 @@ def _startup_file(folder: Path, collector: Collector) -> Path:
     if not folder.is_dir():
         collector.report(900060, None, path=folder.as_posix())
         raise MachineError(tuple(collector.diagnostics))
-    names = sorted(entry.name for entry in folder.iterdir() if entry.is_file())
     for wanted in STARTUP_NAMES:
-        for name in (wanted, *names):
-            if name.casefold() == wanted and name in names:
-                return folder / name
+        name = find_entry(folder, wanted)
+        if name is not None and (folder / name).is_file():
+            return folder / name
     collector.report(900061, None, path=folder.as_posix(), names=", ".join(STARTUP_NAMES))
     raise MachineError(tuple(collector.diagnostics))
 

@@ -110,6 +110,16 @@ def test_paths_relative_to_the_parent_folder(tmp_path: Path) -> None:
     assert load(folder)[1] == []
 
 
+def test_parent_of_the_working_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The machine in the working folder is searched above it too."""
+    folder = write(tmp_path / "m", {})
+    (folder / "x.lis").rename(tmp_path / "x.lis")
+    (folder / "sub").mkdir()
+    for working, name in ((folder, "."), (folder / "sub", "..")):
+        monkeypatch.chdir(working)
+        assert load(Path(name))[1] == []
+
+
 def test_own_folder_comes_before_the_parent(tmp_path: Path) -> None:
     """A path that exists in both is that of the list's own folder."""
     (tmp_path / "kanal.lis").write_text("bogus 1\n", encoding="utf-8")

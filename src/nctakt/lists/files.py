@@ -33,7 +33,9 @@ def find_file(path: str, folder: Path) -> Path | None:
     if Path(path).is_absolute():
         absolute = Path(path)
         return absolute if absolute.is_file() else None
-    for root in (folder, folder / ".."):
+    # '.' and '..' have no parent that their spelling shows.
+    above = folder.parent if folder.name not in {"", ".."} else folder / ".."
+    for root in (folder, above):
         found = _descend(root, parts)
         if found is not None and found.is_file():
             return found

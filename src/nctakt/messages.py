@@ -1304,6 +1304,547 @@ _add(
 
 # --- checked program: words, names, cycles -------------------------------------------------------
 
+_KNOWN = {
+    "command": "the word or command",
+    "meaning_en": "what it does, in English",
+    "meaning_de": "what it does, in German",
+}
+_WORD = {"word": "the word as written"}
+_NAME = {"name": "the variable"}
+_NEAREST = {"nearest": "the most similar known name, or –"}
+
+_add(
+    900200,
+    ERROR,
+    "{command} ({meaning_en}) is not simulated by this version",
+    "{command} ({meaning_de}) wird von dieser Version nicht simuliert",
+    remedy_en="leave it out: what it does would change positions or times",
+    remedy_de="weglassen: die Wirkung würde Positionen oder Zeiten ändern",
+    parameters=_KNOWN,
+)
+_add(
+    900201,
+    NOTE,
+    "{command} ({meaning_en}) is accepted and has no effect here",
+    "{command} ({meaning_de}) wird angenommen und wirkt hier nicht",
+    remedy_en="nothing to do; this is told once per program",
+    remedy_de="nichts zu tun; das wird einmal je Programm gemeldet",
+    parameters=_KNOWN,
+)
+_add(
+    900202,
+    ERROR,
+    "nobody knows the command {word}",
+    "den Befehl {word} kennt niemand",
+    remedy_en="most similar: {nearest}",
+    remedy_de="am ähnlichsten: {nearest}",
+    parameters={**_WORD, **_NEAREST},
+)
+_add(
+    900203,
+    ERROR,
+    "{word} is neither a word of the language nor an axis or spindle of this channel",
+    "{word} ist weder ein Wort der Sprache noch eine Achse oder Spindel dieses Kanals",
+    remedy_en="axes of the channel: {axes}; most similar: {nearest}",
+    remedy_de="Achsen des Kanals: {axes}; am ähnlichsten: {nearest}",
+    parameters={**_WORD, "axes": "names of the channel's axes", **_NEAREST},
+)
+_add(
+    900204,
+    ERROR,
+    "there is no function {word}",
+    "eine Funktion {word} gibt es nicht",
+    remedy_en="write the number of a G, M or H function, a whole one",
+    remedy_de="die Nummer einer G-, M- oder H-Funktion schreiben, eine ganze Zahl",
+    parameters=_WORD,
+)
+_add(
+    900205,
+    ERROR,
+    "the channel list does not define {word}",
+    "die Kanalliste definiert {word} nicht",
+    remedy_en="give it a synchronisation type there: {key} MOS",
+    remedy_de="dort eine Synchronisationsart angeben: {key} MOS",
+    parameters={**_WORD, "key": "the key of the channel list"},
+)
+_add(
+    900206,
+    ERROR,
+    "{word} belongs to axis {axis}; a realtime cycle outputs functions of the channel only",
+    "{word} gehört zur Achse {axis}; ein Echtzeit-Zyklus gibt nur Funktionen des Kanals aus",
+    remedy_en="use another function, or take {key} out of the channel list",
+    remedy_de="eine andere Funktion verwenden oder {key} aus der Kanalliste nehmen",
+    parameters={
+        **_WORD,
+        "axis": "the axis that the channel list names",
+        "key": "the key of the channel list",
+    },
+)
+_add(
+    900207,
+    ERROR,
+    "{word} controls programs and has no place in a realtime cycle",
+    "{word} steuert Programme und hat im Echtzeit-Zyklus keinen Platz",
+    remedy_en="output another M function and let the PLC react to it",
+    remedy_de="eine andere M-Funktion ausgeben und die SPS darauf reagieren lassen",
+    parameters=_WORD,
+)
+_add(
+    900208,
+    ERROR,
+    "a value is missing behind {word}",
+    "hinter {word} fehlt ein Wert",
+    remedy_en="write a number, a variable or an expression behind it",
+    remedy_de="eine Zahl, eine Variable oder einen Ausdruck dahinter schreiben",
+    parameters=_WORD,
+)
+_add(
+    900209,
+    ERROR,
+    "{word} stands twice in this block",
+    "{word} steht zweimal in diesem Satz",
+    remedy_en="keep the one that is meant",
+    remedy_de="das behalten, das gemeint ist",
+    parameters=_WORD,
+)
+_add(
+    900210,
+    ERROR,
+    "{word} and {other} exclude each other in one block",
+    "{word} und {other} schließen sich in einem Satz aus",
+    remedy_en="divide the block, or keep one of both",
+    remedy_de="den Satz teilen oder eines von beiden behalten",
+    parameters={**_WORD, "other": "the function that stands before it"},
+)
+_add(
+    900211,
+    ERROR,
+    "G04 stands alone in its block, with one time in seconds",
+    "G04 steht allein im Satz, mit einer Zeit in Sekunden",
+    remedy_en="write G04 X0.5 or G04 0.5",
+    remedy_de="G04 X0.5 oder G04 0.5 schreiben",
+)
+_add(
+    900212,
+    ERROR,
+    "{word} takes nothing further",
+    "zu {word} gehört nichts Weiteres",
+    remedy_en="remove what stands behind the number",
+    remedy_de="entfernen, was hinter der Nummer steht",
+    parameters=_WORD,
+)
+_add(
+    900213,
+    ERROR,
+    "there is no variable {name}",
+    "eine Variable {name} gibt es nicht",
+    remedy_en="most similar: {nearest}; names distinguish upper and lower case",
+    remedy_de="am ähnlichsten: {nearest}; Groß- und Kleinschreibung zählt",
+    parameters={**_NAME, **_NEAREST},
+)
+_add(
+    900214,
+    ERROR,
+    "{name} has {expected} indices here, not {given}",
+    "{name} hat hier {expected} Indizes, nicht {given}",
+    remedy_en="write {expected} indices in brackets",
+    remedy_de="{expected} Indizes in Klammern schreiben",
+    parameters={**_NAME, "expected": "indices of the declaration", "given": "indices as written"},
+)
+_add(
+    900215,
+    ERROR,
+    "{name} is a structure and no value",
+    "{name} ist eine Struktur und kein Wert",
+    remedy_en="name a member: {member}",
+    remedy_de="ein Element angeben: {member}",
+    parameters={**_NAME, "member": "the member that is probably meant"},
+)
+_add(
+    900216,
+    ERROR,
+    "{name} is READ_ONLY and cannot be written",
+    "{name} ist READ_ONLY und nicht beschreibbar",
+    remedy_en="write another variable, or change access_rights in the variables list",
+    remedy_de="eine andere Variable beschreiben oder access_rights in der Variablenliste ändern",
+    parameters=_NAME,
+)
+_add(
+    900217,
+    ERROR,
+    "{name} is WRITE_ONLY and cannot be read",
+    "{name} ist WRITE_ONLY und nicht lesbar",
+    remedy_en="read another variable, or change access_rights in the variables list",
+    remedy_de="eine andere Variable lesen oder access_rights in der Variablenliste ändern",
+    parameters=_NAME,
+)
+_add(
+    900218,
+    ERROR,
+    "there is no function {word}",
+    "eine Funktion {word} gibt es nicht",
+    remedy_en="most similar: {nearest}",
+    remedy_de="am ähnlichsten: {nearest}",
+    parameters={**_WORD, **_NEAREST},
+)
+_add(
+    900219,
+    ERROR,
+    "{word} takes {expected} arguments, not {given}",
+    "{word} hat {expected} Argumente, nicht {given}",
+    remedy_en="write {expected} values in the brackets, commas between them",
+    remedy_de="{expected} Werte in die Klammern schreiben, durch Kommas getrennt",
+    parameters={
+        **_WORD,
+        "expected": "how many the function takes",
+        "given": "how many are written",
+    },
+)
+_add(
+    900220,
+    ERROR,
+    "{word} asks about names or texts and has no place in a realtime cycle",
+    "{word} fragt nach Namen oder Texten und hat im Echtzeit-Zyklus keinen Platz",
+    remedy_en="assign its value to a P parameter before, and read that one",
+    remedy_de="den Wert vorher einem P-Parameter zuweisen und diesen lesen",
+    parameters=_WORD,
+)
+_add(
+    900221,
+    ERROR,
+    "{word} is no value",
+    "{word} ist kein Wert",
+    remedy_en="most similar: {nearest}; variables begin with V., functions have brackets",
+    remedy_de="am ähnlichsten: {nearest}; Variablen beginnen mit V., Funktionen haben Klammern",
+    parameters={**_WORD, **_NEAREST},
+)
+_add(
+    900222,
+    ERROR,
+    "{word}: ONCE, EDGE and ALWAYS belong into a realtime cycle",
+    "{word}: ONCE, EDGE und ALWAYS gehören in einen Echtzeit-Zyklus",
+    remedy_en="leave the word out, or move the $IF into #RT CYCLE … #RT CYCLE END",
+    remedy_de="das Wort weglassen oder das $IF in #RT CYCLE … #RT CYCLE END verschieben",
+    parameters=_WORD,
+)
+_add(
+    900223,
+    ERROR,
+    "{word} stands in nothing that it could leave or repeat",
+    "{word} steht in nichts, das es verlassen oder wiederholen könnte",
+    remedy_en="put it into a loop; $BREAK also ends a $CASE",
+    remedy_de="in eine Schleife setzen; $BREAK beendet auch ein $CASE",
+    parameters=_WORD,
+)
+_add(
+    900224,
+    ERROR,
+    "the keyword {word} stands twice",
+    "das Schlüsselwort {word} steht zweimal",
+    remedy_en="keep one of both",
+    remedy_de="eines von beiden behalten",
+    parameters=_WORD,
+)
+_add(
+    900225,
+    ERROR,
+    "{word} = {value} does not exist",
+    "{word} = {value} gibt es nicht",
+    remedy_en="write one of these: {names}",
+    remedy_de="eines davon schreiben: {names}",
+    parameters={
+        **_WORD,
+        "value": "the value as written, or –",
+        "names": "what the keyword may be",
+    },
+)
+_add(
+    900226,
+    ERROR,
+    "#RT CYCLE {action} needs an ID",
+    "#RT CYCLE {action} braucht eine ID",
+    remedy_en="write #RT CYCLE {action} [ID=1] with the ID of the definition",
+    remedy_de="#RT CYCLE {action} [ID=1] mit der ID der Definition schreiben",
+    parameters={"action": "the management command"},
+)
+_add(
+    900227,
+    WARNING,
+    "{name} is asynchronous: its index is read once, too, when the cycle is defined",
+    "{name} ist asynchron: auch der Index wird nur einmal gelesen, beim Definieren des Zyklus",
+    remedy_en="write Vs. in front of it, to read it in each tick",
+    remedy_de="Vs. davor schreiben, damit in jedem Takt gelesen wird",
+    parameters=_NAME,
+)
+_add(
+    900228,
+    ERROR,
+    "{name} is accessed with Vs. and without in one block",
+    "{name} wird in einem Satz mit und ohne Vs. angesprochen",
+    remedy_en="write Vs. here, too: it is synchronous for the whole block",
+    remedy_de="auch hier Vs. schreiben: sie ist für den ganzen Satz synchron",
+    parameters=_NAME,
+)
+_add(
+    900229,
+    ERROR,
+    "this block is no NC text",
+    "dieser Satz ist kein NC-Text",
+    remedy_en="make it a comment",
+    remedy_de="zum Kommentar machen",
+)
+_add(
+    900230,
+    ERROR,
+    "the text has places for {expected} values, {given} are given",
+    "der Text hat Platz für {expected} Werte, angegeben sind {given}",
+    remedy_en="write one value for each %d, %f or %s; %% is the sign itself",
+    remedy_de="zu jedem %d, %f oder %s einen Wert schreiben; %% ist das Zeichen selbst",
+    parameters={"expected": "places in the text", "given": "values behind it"},
+)
+_add(
+    900231,
+    ERROR,
+    "{word} is no place for a value",
+    "{word} ist kein Platz für einen Wert",
+    remedy_en="write %d, %i, %u, %x, %f, %e, %g or %s, or %% for the sign itself",
+    remedy_de="%d, %i, %u, %x, %f, %e, %g oder %s schreiben, oder %% für das Zeichen selbst",
+    parameters=_WORD,
+)
+_add(
+    900232,
+    ERROR,
+    "{word} and this value do not fit together: %s takes a text, all others a number",
+    "{word} und dieser Wert passen nicht zusammen: %s nimmt einen Text, alle anderen eine Zahl",
+    remedy_en="change the place in the text or the value",
+    remedy_de="die Stelle im Text oder den Wert ändern",
+    parameters={"word": "the place in the text"},
+)
+_add(
+    900233,
+    ERROR,
+    "{command} does not have this form",
+    "{command} hat diese Form nicht",
+    remedy_en="write it as the manual of the language has it",
+    remedy_de="so schreiben, wie es die Programmieranleitung angibt",
+    parameters={"command": "the command"},
+)
+_add(
+    900234,
+    ERROR,
+    "{command} has no option {word}",
+    "{command} hat keine Option {word}",
+    remedy_en="one of these is possible: {names}",
+    remedy_de="möglich sind: {names}",
+    parameters={"command": "the command", **_WORD, "names": "the options that exist"},
+)
+_add(
+    20003,
+    ERROR,
+    "G60 in a block without motion",
+    "G60 in einem Satz ohne Bewegung",
+    remedy_en="write it into the block at whose end the axes shall stand",
+    remedy_de="in den Satz schreiben, an dessen Ende die Achsen stehen sollen",
+    reaction=2,
+    clearing=3,
+)
+_add(
+    21981,
+    ERROR,
+    "{name} holds a text; realtime cycles know numbers only",
+    "{name} enthält einen Text; Echtzeit-Zyklen kennen nur Zahlen",
+    remedy_en="use a variable with a number",
+    remedy_de="eine Variable mit einer Zahl verwenden",
+    parameters=_NAME,
+    reaction=2,
+    clearing=3,
+)
+_add(
+    21982,
+    ERROR,
+    "{command}: realtime cycles are off in this channel (P-CHAN-00406)",
+    "{command}: Echtzeit-Zyklen sind in diesem Kanal ausgeschaltet (P-CHAN-00406)",
+    remedy_en="write configuration.rt_cycles.enable 1 into the channel list and start again",
+    remedy_de="configuration.rt_cycles.enable 1 in die Kanalliste schreiben und neu starten",
+    parameters={"command": "the command"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    21983,
+    ERROR,
+    "a GLOBAL realtime cycle has an ID above 0, not {value}",
+    "ein GLOBAL-Echtzeit-Zyklus hat eine ID über 0, nicht {value}",
+    remedy_en="give it a whole number from 1 on",
+    remedy_de="eine ganze Zahl ab 1 angeben",
+    parameters={"value": "the ID as written"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    21984,
+    ERROR,
+    "structure {name} cannot be copied in a realtime cycle",
+    "die Struktur {name} kann im Echtzeit-Zyklus nicht kopiert werden",
+    remedy_en="assign member by member: {member}",
+    remedy_de="Element für Element zuweisen: {member}",
+    parameters={**_NAME, "member": "a member of the structure"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    21993,
+    ERROR,
+    "{access} access to {name} is not defined: program {decoder}, realtime cycle {cycle}",
+    "{access}-Zugriff auf {name} ist nicht definiert: Programm {decoder}, Echtzeit-Zyklus {cycle}",
+    remedy_en="R is reading, W writing, – neither; move the access to where it is defined",
+    remedy_de="R ist Lesen, W Schreiben, – keines; den Zugriff dorthin verlegen, wo es ihn gibt",
+    parameters={
+        **_NAME,
+        "access": "R for reading, W for writing",
+        "decoder": "what programs may do",
+        "cycle": "what realtime cycles may do",
+    },
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22001,
+    ERROR,
+    "structure or array {name} cannot be given a list of values in a realtime cycle",
+    "Struktur oder Feld {name} kann im Echtzeit-Zyklus keine Werteliste zugewiesen werden",
+    remedy_en="assign member by member, or before the cycle",
+    remedy_de="Element für Element zuweisen oder vor dem Zyklus",
+    parameters=_NAME,
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22002,
+    ERROR,
+    "{command} has no meaning in a realtime cycle",
+    "{command} hat in einem Echtzeit-Zyklus keinen Sinn",
+    remedy_en="a cycle is made of $IF, assignments, M and H functions",
+    remedy_de="ein Zyklus besteht aus $IF, Zuweisungen, M- und H-Funktionen",
+    parameters={"command": "the word or command"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22003,
+    ERROR,
+    "a realtime cycle with {word} needs an ID",
+    "ein Echtzeit-Zyklus mit {word} braucht eine ID",
+    remedy_en="write ID=1 or another whole number into the brackets",
+    remedy_de="ID=1 oder eine andere ganze Zahl in die Klammern schreiben",
+    parameters={"word": "DEF or SCOPE=GLOBAL"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22004,
+    ERROR,
+    "{command} has no keyword {word} in a realtime cycle",
+    "{command} hat im Echtzeit-Zyklus kein Schlüsselwort {word}",
+    remedy_en="leave it out",
+    remedy_de="weglassen",
+    parameters={"command": "the command", **_WORD},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22006,
+    ERROR,
+    "#TIMER in a realtime cycle needs the word SYN",
+    "#TIMER braucht im Echtzeit-Zyklus das Wort SYN",
+    remedy_en="write #TIMER {action} SYN",
+    remedy_de="#TIMER {action} SYN schreiben",
+    parameters={"action": "START, STOP, READ or CLEAR"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22009,
+    ERROR,
+    "{name} is asynchronous and cannot be written in a realtime cycle",
+    "{name} ist asynchron und im Echtzeit-Zyklus nicht beschreibbar",
+    remedy_en="V.E and V.CH: synchronisation TRUE in the variables list, or Vs. for this block",
+    remedy_de="V.E und V.CH: synchronisation TRUE in der Variablenliste, oder Vs. für diesen Satz",
+    parameters=_NAME,
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22021,
+    ERROR,
+    "$ELSEIF takes no {word}",
+    "bei $ELSEIF gibt es kein {word}",
+    remedy_en="put an $IF {word} of its own into the branch",
+    remedy_de="ein eigenes $IF {word} in den Zweig schreiben",
+    parameters=_WORD,
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22022,
+    ERROR,
+    "$IF {word} has neither $ELSEIF nor $ELSE",
+    "$IF {word} hat weder $ELSEIF noch $ELSE",
+    remedy_en="close it before and write a second $IF",
+    remedy_de="vorher schließen und ein zweites $IF schreiben",
+    parameters={"word": "ONCE, EDGE or ALWAYS"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    50875,
+    ERROR,
+    "{value} is no ID of a realtime cycle",
+    "{value} ist keine ID eines Echtzeit-Zyklus",
+    remedy_en="IDs are whole numbers from 1 on",
+    remedy_de="IDs sind ganze Zahlen ab 1",
+    parameters={"value": "the value of the ID"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50929,
+    ERROR,
+    "{variable} has no element {index}; there are {count}, counted from 0",
+    "{variable} hat kein Element {index}; es gibt {count}, gezählt ab 0",
+    remedy_en="keep the index within the array, or enlarge it in the variables list",
+    remedy_de="den Index im Feld halten oder das Feld in der Variablenliste vergrößern",
+    parameters={
+        "variable": "the array",
+        "index": "the index",
+        "count": "elements of the array",
+    },
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50938,
+    ERROR,
+    "the channel list does not define M{number}",
+    "die Kanalliste definiert M{number} nicht",
+    remedy_en="give it a synchronisation type there: m_synch[{number}] MOS",
+    remedy_de="dort eine Synchronisationsart angeben: m_synch[{number}] MOS",
+    parameters={"number": "the number of the function"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50940,
+    ERROR,
+    "the channel list does not define H{number}",
+    "die Kanalliste definiert H{number} nicht",
+    remedy_en="give it a synchronisation type there: h_synch[{number}] MOS",
+    remedy_de="dort eine Synchronisationsart angeben: h_synch[{number}] MOS",
+    parameters={"number": "the number of the function"},
+    reaction=6,
+    clearing=6,
+)
+
 # --- decoder, while it evaluates -----------------------------------------------------------------
 
 # --- realtime part -------------------------------------------------------------------------------

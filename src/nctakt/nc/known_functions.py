@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: MIT
+"""G and M functions and words that are known, with this version's answer to each.
+
+Data for ``support.py``, which looks them up. A row: name, answer (``S`` simulated, ``A`` accepted:
+no effect on positions here, ``R`` refused), meaning in English and German, for G functions the
+group of those that exclude each other in one block.
+"""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple
+
+from nctakt.diagnostics import Text
+
+Code = Literal["S", "A", "R"]
+
+
+class Row(NamedTuple):
+    """One known name."""
+
+    name: str
+    code: Code
+    meaning: Text
+    group: str = ""
+
+
+def known(*rows: tuple[str, Code, str, str]) -> tuple[Row, ...]:
+    """Rows without a group."""
+    return tuple(Row(name, code, Text(en, de)) for name, code, en, de in rows)
+
+
+def _group(group: str, *rows: tuple[str, Code, str, str]) -> tuple[Row, ...]:
+    return tuple(row._replace(group=group) for row in known(*rows))
+
+
+def _range(first: int, last: int, en: str, de: str) -> tuple[Row, ...]:
+    return known(*((f"G{number}", "R", en, de) for number in range(first, last + 1)))
+
+
+G_FUNCTIONS = (
+    *_group(
+        "motion",
+        ("G00", "S", "rapid traverse", "Eilgang"),
+        ("G01", "S", "straight line with feed", "Gerade mit Vorschub"),
+        ("G02", "R", "arc, clockwise", "Kreis im Uhrzeigersinn"),
+        ("G03", "R", "arc, counter-clockwise", "Kreis gegen den Uhrzeigersinn"),
+        ("G33", "R", "thread cutting", "Gewindeschneiden"),
+        ("G63", "R", "tapping", "Gewindebohren"),
+        ("G303", "R", "arc in space", "Kreis im Raum"),
+        ("G331", "R", "tapping with pitch", "Gewindebohren mit Steigung"),
+        ("G332", "R", "retraction from tapping", "Rückzug beim Gewindebohren"),
+    ),
+    *known(
+        ("G04", "S", "dwell", "Verweilzeit"),
+        ("G05", "R", "tangent of tool radius compensation", "Tangente der Radiuskorrektur"),
+        ("G08", "R", "acceleration at the block's start", "Beschleunigen am Satzanfang"),
+        ("G09", "R", "deceleration at the block's end", "Bremsen am Satzende"),
+        ("G10", "R", "constant feed on arcs", "konstanter Vorschub auf Bögen"),
+        ("G11", "R", "adapted feed on arcs", "angepasster Vorschub auf Bögen"),
+        ("G12", "R", "corner deceleration off", "Eckenverzögerung aus"),
+        ("G13", "R", "corner deceleration on", "Eckenverzögerung ein"),
+    ),
+    *_group(
+        "plane",
+        ("G17", "A", "plane X Y", "Ebene X Y"),
+        ("G18", "A", "plane Z X", "Ebene Z X"),
+        ("G19", "A", "plane Y Z", "Ebene Y Z"),
+    ),
+    *_group(
+        "mirror",
+        ("G20", "R", "mirroring off", "Spiegeln aus"),
+        ("G21", "R", "mirroring", "Spiegeln"),
+        ("G22", "R", "mirroring", "Spiegeln"),
+        ("G23", "R", "mirroring", "Spiegeln"),
+        ("G351", "R", "mirroring of named axes", "Spiegeln genannter Achsen"),
+    ),
+    *known(
+        ("G25", "R", "linear transitions of tool radius compensation", "lineare Übergänge der WRK"),
+        ("G26", "R", "circular transitions of tool radius compensation", "Bogenübergänge der WRK"),
+    ),
+    *_group(
+        "compensation",
+        ("G40", "A", "tool radius compensation off", "Werkzeugradiuskorrektur aus"),
+        ("G41", "R", "tool radius compensation left", "Werkzeugradiuskorrektur links"),
+        ("G42", "R", "tool radius compensation right", "Werkzeugradiuskorrektur rechts"),
+    ),
+    *known(
+        ("G51", "R", "diameter programming on", "Durchmesserprogrammierung ein"),
+        ("G52", "R", "diameter programming off", "Durchmesserprogrammierung aus"),
+    ),
+    *_group(
+        "zero offset",
+        ("G53", "A", "zero offsets off", "Nullpunktverschiebungen aus"),
+        ("G54", "R", "zero offset", "Nullpunktverschiebung"),
+        ("G55", "R", "zero offset", "Nullpunktverschiebung"),
+        ("G56", "R", "zero offset", "Nullpunktverschiebung"),
+        ("G57", "R", "zero offset", "Nullpunktverschiebung"),
+        ("G58", "R", "zero offset", "Nullpunktverschiebung"),
+        ("G59", "R", "zero offset", "Nullpunktverschiebung"),
+        ("G159", "R", "further zero offset", "weitere Nullpunktverschiebung"),
+    ),
+    *known(
+        ("G60", "A", "exact stop for this block", "Genauhalt für diesen Satz"),
+        ("G61", "R", "contouring for this block", "Überschleifen für diesen Satz"),
+        ("G66", "R", "synchronising at the block's end", "Synchronisation am Satzende"),
+    ),
+    *_group(
+        "unit",
+        ("G70", "S", "lengths in inch", "Längen in Zoll"),
+        ("G71", "S", "lengths in mm", "Längen in mm"),
+    ),
+    *known(("G74", "R", "homing", "Referenzfahrt")),
+    *_range(80, 89, "implicit subprogram", "implizites Unterprogramm"),
+    *_group(
+        "dimension",
+        ("G90", "S", "absolute dimensions", "Absolutmaße"),
+        ("G91", "S", "relative dimensions", "Relativmaße"),
+    ),
+    *known(("G92", "R", "reference point offset", "Bezugspunktverschiebung")),
+    *_group(
+        "feed",
+        ("G93", "R", "F is the time of the block", "F ist die Zeit des Satzes"),
+        ("G94", "A", "F is feed per minute", "F ist Vorschub je Minute"),
+        ("G95", "R", "F is feed per revolution", "F ist Vorschub je Umdrehung"),
+        ("G194", "R", "F is a share of the highest feed", "F ist Anteil des höchsten Vorschubs"),
+    ),
+    *_group(
+        "cutting",
+        ("G96", "R", "constant cutting speed", "konstante Schnittgeschwindigkeit"),
+        ("G97", "A", "constant spindle speed", "konstante Spindeldrehzahl"),
+    ),
+    *known(
+        ("G98", "R", "negative software limit", "negativer Software-Endschalter"),
+        ("G99", "R", "positive software limit", "positiver Software-Endschalter"),
+        ("G100", "R", "measuring", "Messen"),
+        ("G101", "R", "measuring offsets included", "Messversatz einrechnen"),
+        ("G102", "R", "measuring offsets taken out", "Messversatz herausrechnen"),
+        ("G106", "R", "measuring on the way to a target", "Messen auf dem Weg zum Ziel"),
+        ("G107", "R", "edge banding off", "Kantenanleimen aus"),
+        ("G108", "R", "edge banding", "Kantenanleimen"),
+        ("G112", "R", "gear change", "Getriebeschaltung"),
+        ("G115", "R", "influence on look-ahead", "Einfluss auf Look-ahead"),
+        ("G116", "R", "influence on look-ahead", "Einfluss auf Look-ahead"),
+        ("G117", "R", "look-ahead on", "Look-ahead ein"),
+        ("G127", "R", "weight of an axis' speed", "Gewichtung der Achsgeschwindigkeit"),
+        ("G128", "R", "weight of the highest speed", "Gewichtung der Höchstgeschwindigkeit"),
+        ("G129", "R", "weight of the rapid speed", "Gewichtung der Eilganggeschwindigkeit"),
+        ("G130", "R", "weight of an axis' acceleration", "Gewichtung der Achsbeschleunigung"),
+        ("G131", "R", "weight of acceleration", "Gewichtung der Beschleunigung"),
+        ("G132", "R", "weight of an axis' ramp time", "Gewichtung der Rampenzeit einer Achse"),
+        ("G133", "R", "weight of ramp times", "Gewichtung der Rampenzeiten"),
+        ("G134", "R", "weight of geometrical ramp times", "Gewichtung geometr. Rampenzeiten"),
+        ("G135", "R", "feed-forward on", "Vorsteuerung ein"),
+        ("G136", "R", "weight of feed-forward", "Gewichtung der Vorsteuerung"),
+        ("G137", "R", "feed-forward off", "Vorsteuerung aus"),
+        ("G138", "R", "direct begin of tool radius compensation", "direkte Anwahl der WRK"),
+        ("G139", "R", "indirect begin of tool radius compensation", "indirekte Anwahl der WRK"),
+        ("G140", "R", "contour masking off", "Konturausblendung aus"),
+        ("G141", "R", "contour masking on", "Konturausblendung ein"),
+        ("G150", "R", "spline off", "Spline aus"),
+        ("G151", "R", "spline on", "Spline ein"),
+        ("G160", "R", "zero offset of named axes", "Nullpunktverschiebung genannter Achsen"),
+    ),
+    *_group(
+        "arc centre",
+        ("G161", "A", "absolute centres of arcs", "Kreismittelpunkte absolut"),
+        ("G162", "A", "relative centres of arcs", "Kreismittelpunkte relativ"),
+        ("G163", "R", "radius programming", "Radiusprogrammierung"),
+    ),
+    *_group(
+        "centre correction",
+        ("G164", "A", "correction of arc centres off", "Korrektur der Kreismittelpunkte aus"),
+        ("G165", "A", "correction of arc centres on", "Korrektur der Kreismittelpunkte ein"),
+    ),
+    *known(
+        ("G166", "R", "override 100 %", "Override 100 %"),
+        ("G167", "R", "spindle override 100 %", "Spindel-Override 100 %"),
+        ("G193", "R", "feed interpolated over the path", "Vorschub über dem Weg interpoliert"),
+        ("G196", "R", "highest spindle speed", "höchste Spindeldrehzahl"),
+        ("G200", "R", "manual mode", "Handbetrieb"),
+        ("G201", "R", "manual mode beside the path", "Handbetrieb neben der Bahn"),
+        ("G202", "R", "manual mode beside the path off", "Handbetrieb neben der Bahn aus"),
+        ("G230", "R", "weight of an axis' acceleration, rapid", "Achsbeschleunigung im Eilgang"),
+        ("G231", "R", "weight of acceleration, rapid", "Gewichtung der Eilgangbeschleunigung"),
+        ("G232", "R", "weight of an axis' ramp time, rapid", "Rampenzeit einer Achse im Eilgang"),
+        ("G233", "R", "weight of ramp times, rapid", "Gewichtung der Eilgang-Rampenzeiten"),
+        ("G236", "R", "direct begin of tool radius compensation", "direkte Anwahl der WRK"),
+        ("G237", "R", "perpendicular begin of compensation", "senkrechte Anwahl der WRK"),
+        ("G238", "R", "inner corner of compensation", "Innenecke der WRK"),
+        ("G239", "R", "begin of compensation without motion", "Anwahl der WRK ohne Bewegung"),
+        ("G260", "R", "contouring off", "Überschleifen aus"),
+        ("G261", "R", "contouring on", "Überschleifen ein"),
+        ("G293", "R", "feed interpolated over time", "Vorschub über der Zeit interpoliert"),
+        ("G301", "R", "chamfer", "Fase"),
+        ("G302", "R", "rounding", "Rundung"),
+        ("G310", "R", "interruptible block", "unterbrechbarer Satz"),
+        ("G333", "R", "weight of an axis' ramp time", "Gewichtung der Rampenzeit einer Achse"),
+        ("G334", "R", "weight of an axis' ramp time", "Gewichtung der Rampenzeit einer Achse"),
+        ("G338", "R", "weight of deceleration", "Gewichtung der Verzögerung"),
+        ("G339", "R", "weight of deceleration", "Gewichtung der Verzögerung"),
+        ("G359", "R", "exact stop off", "Genauhalt aus"),
+        ("G360", "R", "exact stop on", "Genauhalt ein"),
+    ),
+    *_range(800, 819, "implicit subprogram", "implizites Unterprogramm"),
+    *known(
+        ("G900", "R", "deceleration at the block's end", "Bremsen am Satzende"),
+        ("G901", "R", "deceleration at the block's end", "Bremsen am Satzende"),
+    ),
+)
+
+#: M functions of the controller itself. All others are those of the channel list.
+M_FUNCTIONS = known(
+    ("M00", "R", "programmed stop", "programmierter Halt"),
+    ("M01", "A", "optional stop; nobody has asked for it", "wahlweiser Halt; ist nicht angewählt"),
+    ("M02", "S", "program end", "Programmende"),
+    ("M03", "R", "spindle clockwise", "Spindel im Uhrzeigersinn"),
+    ("M04", "R", "spindle counter-clockwise", "Spindel gegen den Uhrzeigersinn"),
+    ("M05", "R", "spindle stop", "Spindel halt"),
+    ("M17", "R", "end of a subprogram", "Ende eines Unterprogramms"),
+    ("M19", "R", "spindle to a position", "Spindel positionieren"),
+    ("M29", "R", "end of a subprogram", "Ende eines Unterprogramms"),
+    ("M30", "S", "program end", "Programmende"),
+)
+
+#: M and H functions of the channel list, by their synchronisation type (P-CHAN-00041).
+TECHNOLOGY = known(
+    ("NO_SYNCH", "S", "not output", "ohne Ausgabe"),
+    ("MOS", "S", "output without waiting", "Ausgabe ohne Warten"),
+    ("MVS_SVS", "S", "output and waiting before the motion", "Ausgabe und Warten vor der Bewegung"),
+    ("MVS_SNS", "S", "output before, waiting behind it", "Ausgabe vor, Warten nach der Bewegung"),
+    ("MNS_SNS", "S", "output and waiting behind the motion", "Ausgabe und Warten danach"),
+    ("MNE_SNS", "R", "output at a measuring event", "Ausgabe beim Messereignis"),
+    (
+        "MVS_SLM",
+        "R",
+        "late waiting, at the next motion",
+        "spätes Warten, bei der nächsten Bewegung",
+    ),
+    ("MVS_SLP", "R", "late waiting, at #EXPL SYN", "spätes Warten, bei #EXPL SYN"),
+    ("MOS_TS", "R", "output with a time stamp", "Ausgabe mit Zeitstempel"),
+    ("MEP_SVS", "R", "output a way before the block's end", "Ausgabe mit Weg vor dem Satzende"),
+    ("MEP_MOS", "R", "output a way before the block's end", "Ausgabe mit Weg vor dem Satzende"),
+    ("MET_SVS", "R", "output a time before the block's end", "Ausgabe mit Zeit vor dem Satzende"),
+    ("MET_MOS", "R", "output a time before the block's end", "Ausgabe mit Zeit vor dem Satzende"),
+)
+
+#: Words of a block and what stands in front of one.
+WORDS = known(
+    ("%", "S", "name of a program", "Name eines Programms"),
+    ("/", "A", "skip level; levels are off, the block runs", "Ausblendebene; aus, der Satz läuft"),
+    ("N", "S", "number of a block", "Satznummer"),
+    ("N20:", "A", "label", "Sprungmarke"),
+    ("X", "S", "position of an axis of the channel", "Position einer Achse des Kanals"),
+    ("F", "S", "feed", "Vorschub"),
+    ("G", "S", "G function", "G-Funktion"),
+    ("M", "S", "M function of the channel list", "M-Funktion der Kanalliste"),
+    ("H", "S", "H function of the channel list", "H-Funktion der Kanalliste"),
+    ("D", "R", "tool offset", "Werkzeugkorrektur"),
+    ("E", "R", "feed at the block's end", "Vorschub am Satzende"),
+    ("I", "R", "centre of an arc", "Mittelpunkt eines Kreises"),
+    ("J", "R", "centre of an arc", "Mittelpunkt eines Kreises"),
+    ("K", "R", "centre of an arc", "Mittelpunkt eines Kreises"),
+    ("L", "R", "call of a subprogram in a file", "Aufruf eines Unterprogramms als Datei"),
+    ("LL", "R", "call of a local subprogram", "Aufruf eines lokalen Unterprogramms"),
+    ("R", "R", "radius of an arc", "Radius eines Kreises"),
+    ("S", "R", "speed of the main spindle", "Drehzahl der Hauptspindel"),
+    ("S.POS", "R", "position of the main spindle", "Position der Hauptspindel"),
+    ("T", "R", "tool", "Werkzeug"),
+)

@@ -329,7 +329,11 @@ def test_a_mode_that_cannot_be_had_is_wrong_usage(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    """--compiled without a build is an error; without the option a note tells that it is slower."""
+    """--compiled without a build is an error; without the option a note tells that it is slower.
+
+    Who asks for plain Python, by option or by NCTAKT_PLAIN=1, is not told.
+    """
+    monkeypatch.delenv("NCTAKT_PLAIN", raising=False)
     monkeypatch.setattr("nctakt.mode.is_compiled", lambda: False)
     assert main(["run", str(part), "--compiled"]) == 2
     assert "error 900530" in capsys.readouterr().err
@@ -337,6 +341,8 @@ def test_a_mode_that_cannot_be_had_is_wrong_usage(
     assert "note 900531" in capsys.readouterr().err
     assert main(["run", str(part), "--plain"]) == 0
     assert main(["run", str(part), "--quiet"]) == 0
+    monkeypatch.setenv("NCTAKT_PLAIN", "1")
+    assert main(["run", str(part)]) == 0
     assert "900531" not in capsys.readouterr().err
 
 

@@ -10,6 +10,7 @@ file is written or a tick is run.
 from __future__ import annotations
 
 import contextlib
+import os
 import sys
 import time
 from pathlib import Path
@@ -120,7 +121,8 @@ def _choose_mode(options: Options) -> None:
     elif not mode.is_compiled():
         if options.compiled:
             raise Failure(diagnostic(900530))
-        if not options.quiet:
+        wished = os.environ.get("NCTAKT_PLAIN") == "1"
+        if not options.quiet and not wished:
             print_diagnostics([diagnostic(900531)], options.language)
 
 

@@ -7,6 +7,7 @@ real controller is tested in ``test_command.py``.
 
 from __future__ import annotations
 
+import signal
 import sys
 import types
 from collections.abc import Callable, Iterator
@@ -266,6 +267,28 @@ def test_an_interrupt_outside_the_run_is_told(
     asked.behave = behave
     assert main(["run", "part.nc"]) == 1
     assert capsys.readouterr().err.strip() == "interrupted"
+
+
+@pytest.mark.usefixtures("part")
+def test_ctrl_c_ends_a_run_between_two_ticks(asked: Asked) -> None:
+    """The first Ctrl-C waits for the next look at the progress, a second one does not wait."""
+    reached: list[str] = []
+
+    def behave(on_progress: Callable[[int, int | None], None], **_: Any) -> Run:
+        on_progress(1, 10)
+        signal.raise_signal(signal.SIGINT)
+        reached.append("goes on")
+        with pytest.raises(KeyboardInterrupt):
+            on_progress(2, 10)
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+        return result(state="interrupted")
+
+    asked.behave = behave
+    before = signal.getsignal(signal.SIGINT)
+    assert main(["run", "part.nc"]) == 1
+    assert reached == ["goes on"]
+    assert signal.getsignal(signal.SIGINT) is before
 
 
 @pytest.mark.usefixtures("part", "asked")

@@ -20,7 +20,7 @@ import click
 
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.request import Options, Request, initial_value, read_request
-from nctakt.cli.terminal import ProgressBar, message_line, print_diagnostics
+from nctakt.cli.terminal import InterruptRequest, ProgressBar, message_line, print_diagnostics
 from nctakt.diagnostics import Severity
 from nctakt.failure import Failure
 from nctakt.messages import diagnostic
@@ -198,21 +198,26 @@ def _run_controller(
         if messages is not None:
             _write(messages, f"{line}\n")
 
+    def show_progress(tick: int, limit: int | None) -> None:
+        interrupt.check()
+        bar.update(tick, limit)
+
     try:
-        return controller.run(
-            *request.programs,
-            plc=request.plc,
-            until_us=request.until_us,
-            ticks=options.ticks,
-            after_us=request.after_us,
-            initial=request.initial,
-            stimuli=request.stimuli,
-            sinks=sinks,
-            signals=request.signals,
-            memory_trace=False,
-            on_message=show_message,
-            on_progress=bar.update,
-        )
+        with InterruptRequest() as interrupt:
+            return controller.run(
+                *request.programs,
+                plc=request.plc,
+                until_us=request.until_us,
+                ticks=options.ticks,
+                after_us=request.after_us,
+                initial=request.initial,
+                stimuli=request.stimuli,
+                sinks=sinks,
+                signals=request.signals,
+                memory_trace=False,
+                on_message=show_message,
+                on_progress=show_progress,
+            )
     except PlcError as failure:
         bar.hide()
         print_diagnostics(failure.diagnostics, options.language)

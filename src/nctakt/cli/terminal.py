@@ -7,10 +7,13 @@ bar appears only on a terminal and only for work that takes a while.
 
 from __future__ import annotations
 
+import signal
 import sys
+import threading
 import time
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, TextIO
+from types import FrameType
+from typing import TYPE_CHECKING, Self, TextIO
 
 import click
 
@@ -44,6 +47,35 @@ def message_line(time_us: int, text: str) -> str:
     """A message of a program with its virtual time, on one line."""
     shown = "".join(character if character.isprintable() else "·" for character in text)
     return f"{time_us // 1_000_000}.{time_us % 1_000_000:06d} s  {shown}"
+
+
+class InterruptRequest:
+    """Ctrl-C while a run goes on: the first one asks for its end, which ``check`` then brings.
+
+    So the run ends between two ticks, with all that it has recorded. A second Ctrl-C interrupts at
+    once: what the first one waits for may be an endless loop in the user's PLC.
+    """
+
+    def __init__(self) -> None:
+        self._requested = False
+
+    def __enter__(self) -> Self:
+        if threading.current_thread() is threading.main_thread():
+            self._before = signal.signal(signal.SIGINT, self._on_interrupt)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if threading.current_thread() is threading.main_thread():
+            signal.signal(signal.SIGINT, self._before)
+
+    def check(self) -> None:
+        """Raise ``KeyboardInterrupt`` when Ctrl-C was pressed."""
+        if self._requested:
+            raise KeyboardInterrupt
+
+    def _on_interrupt(self, _number: int, _frame: FrameType | None) -> None:
+        self.check()
+        self._requested = True
 
 
 class ProgressBar:

@@ -14,17 +14,19 @@ import sys
 import traceback
 from pathlib import Path
 from types import ModuleType
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from nctakt.failure import Failure
-from nctakt.kernel.hli import Hli
 from nctakt.messages import diagnostic
+
+if TYPE_CHECKING:
+    from nctakt.interface import Interface
 
 
 class Plc(Protocol):
     """What plays the PLC; a class of the user's need not derive from it."""
 
-    def cycle(self, hli: Hli) -> None:
+    def cycle(self, hli: Interface) -> None:
         """Called after each tick with the interface image."""
 
 
@@ -60,17 +62,15 @@ class _LoadedPlc:
     def __init__(self, plc: Plc, path: Path) -> None:
         self._cycle = plc.cycle
         self._path = path
-        self._calls = 0
 
-    def cycle(self, hli: Hli) -> None:
+    def cycle(self, hli: Interface) -> None:
         """Run the user's PLC once."""
         try:
             self._cycle(hli)
         except (Exception, SystemExit) as error:  # the user's code may raise what it likes
             reason, text = _told(error, self._path)
-            found = diagnostic(900523, tick=self._calls, reason=reason, traceback=text)
+            found = diagnostic(900523, tick=hli.tick, reason=reason, traceback=text)
             raise PlcError(found) from error
-        self._calls += 1
 
 
 def _load_module(path: Path) -> ModuleType:

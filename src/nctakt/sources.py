@@ -81,6 +81,14 @@ class SourceFiles:
     def line_of(self, source: int) -> str:
         """The whole text line of the place, without its end; empty when there is none."""
         file_index, line, _ = unpack(source)
+        return self._line(file_index, line)
+
+    def line_at(self, span: Span) -> str:
+        """The whole text line of a span, in the text that was last added under its file name."""
+        file_index = self._by_name.get(span.file)
+        return "" if file_index is None else self._line(file_index, span.line)
+
+    def _line(self, file_index: int, line: int) -> str:
         if line == 0 or file_index >= len(self._files):
             return ""
         lines = self._files[file_index][1]

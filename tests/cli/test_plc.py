@@ -3,11 +3,14 @@
 
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING, cast
 
 import pytest
 
-from nctakt.kernel.hli import Hli
 from nctakt.plc import PlcError, load_plc
+
+if TYPE_CHECKING:
+    from nctakt.interface import Interface
 
 GOOD = """
 from __future__ import annotations
@@ -27,6 +30,12 @@ class _Other:
 
 seen = []
 """
+
+
+class Hli:
+    """The PLC's side of the interface image after tick 2."""
+
+    tick = 2
 
 
 def write(folder: Path, text: str, name: str = "plc.py") -> Path:
@@ -49,8 +58,8 @@ def test_a_plc_is_the_one_class_with_a_method_cycle(tmp_path: Path) -> None:
     write(tmp_path, "STEP = 2", "helper.py")
     modules, paths = set(sys.modules), list(sys.path)
     plc = load_plc(write(tmp_path, GOOD))
-    plc.cycle(Hli())
-    plc.cycle(Hli())
+    plc.cycle(cast("Interface", Hli()))
+    plc.cycle(cast("Interface", Hli()))
     assert set(sys.modules) - modules <= {"helper"}
     assert sys.path == paths
     sys.modules.pop("helper", None)
@@ -59,7 +68,7 @@ def test_a_plc_is_the_one_class_with_a_method_cycle(tmp_path: Path) -> None:
 def test_a_base_class_is_not_counted(tmp_path: Path) -> None:
     """Of classes that derive from one another the last one is the PLC."""
     text = "class A:\n    def cycle(self, hli): ...\nclass B(A): pass\nalias = B\n"
-    load_plc(write(tmp_path, text)).cycle(Hli())
+    load_plc(write(tmp_path, text)).cycle(cast("Interface", Hli()))
 
 
 @pytest.mark.parametrize(
@@ -131,10 +140,10 @@ class Plc:
         assert self.left >= 0, "no more"
 """
     plc = load_plc(write(tmp_path, text))
-    plc.cycle(Hli())
-    plc.cycle(Hli())
+    plc.cycle(cast("Interface", Hli()))
+    plc.cycle(cast("Interface", Hli()))
     with pytest.raises(PlcError) as failure:
-        plc.cycle(Hli())
+        plc.cycle(cast("Interface", Hli()))
     (found,) = failure.value.diagnostics
     assert found.id == 900523
     assert found.values["tick"] == 2

@@ -44,6 +44,9 @@ def test_source_files_give_back_span_and_line() -> None:
     source = pack(index, 2, 3)
     assert files.place(source) == Span("b.nc", 2, 3, 4)
     assert files.line_of(source) == "  G1 X2"
+    assert files.line_at(Span("b.nc", 2, 3, 9)) == "  G1 X2"
+    assert files.line_at(Span("b.nc", 3, 1, 2)) == ""
+    assert files.line_at(Span("c.nc", 1, 1, 2)) == ""
 
 
 def test_no_source_has_no_place() -> None:

@@ -1847,7 +1847,269 @@ _add(
 
 # --- decoder, while it evaluates -----------------------------------------------------------------
 
+_add(
+    20008,
+    ERROR,
+    "no feed is active for this feed motion",
+    "für diese Vorschubbewegung ist kein Vorschub aktiv",
+    remedy_en="program F with a value above 0, or give P-CHAN-00099 a start value",
+    remedy_de="F mit einem Wert über 0 programmieren oder P-CHAN-00099 einen Startwert geben",
+    reaction=2,
+    clearing=3,
+)
+_add(
+    21241,
+    ERROR,
+    "the argument of {operation} is outside its range",
+    "das Argument von {operation} liegt außerhalb seines Bereichs",
+    remedy_en="test the argument before, for example with $IF",
+    remedy_de="das Argument vorher prüfen, zum Beispiel mit $IF",
+    parameters={"operation": "the function"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900300,
+    ERROR,
+    "the operation {operation} has no result for these operands",
+    "die Operation {operation} hat für diese Operanden kein Ergebnis",
+    remedy_en="test the operands before: a divisor of 0, a negative base or too large bit patterns",
+    remedy_de="die Operanden vorher prüfen: Divisor 0, negative Basis oder zu große Bitmuster",
+    parameters={"operation": "the operator"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900301,
+    ERROR,
+    "the result of this expression is too large for a number",
+    "das Ergebnis dieses Ausdrucks ist zu groß für eine Zahl",
+    remedy_en="keep intermediate results below 1.8e308",
+    remedy_de="Zwischenergebnisse unter 1,8e308 halten",
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900302,
+    WARNING,
+    "the step of this $FOR is 0: it never ends by itself",
+    "die Schrittweite dieses $FOR ist 0: es endet nicht von selbst",
+    remedy_en="give a step other than 0, or leave the loop with $BREAK",
+    remedy_de="eine Schrittweite ungleich 0 angeben oder die Schleife mit $BREAK verlassen",
+)
+_add(
+    900303,
+    ERROR,
+    "{count} blocks in a row without one that takes time: a loop that never moves?",
+    "{count} Sätze hintereinander ohne einen, der Zeit braucht: eine Schleife ohne Bewegung?",
+    remedy_en="give the loop an end, or let it move, dwell (#TIME) or wait (#FLUSH WAIT)",
+    remedy_de="die Schleife beenden oder in ihr fahren, verweilen (#TIME), warten (#FLUSH WAIT)",
+    parameters={"count": "the most blocks that are decoded so"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900304,
+    ERROR,
+    "format and values of this #MSG do not fit together at '{found}'",
+    "Format und Werte dieses #MSG passen bei '{found}' nicht zusammen",
+    remedy_en="give one value for each %d, %f, %s … of the format",
+    remedy_de="zu jedem %d, %f, %s … des Formats einen Wert angeben",
+    parameters={"found": "the place in the format, or the value, that is too much"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900305,
+    ERROR,
+    "a dwell of {seconds} s is not possible",
+    "eine Verweilzeit von {seconds} s ist nicht möglich",
+    remedy_en="program a time of 0 s or more",
+    remedy_de="eine Zeit von 0 s oder mehr programmieren",
+    parameters={"seconds": "the time"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900306,
+    ERROR,
+    "the target {position} of axis {axis} is outside its software limits {low} … {high}",
+    "das Ziel {position} der Achse {axis} liegt außerhalb der Software-Endschalter {low} … {high}",
+    remedy_en="program a position between the limits (P-AXIS-00177, P-AXIS-00178)",
+    remedy_de="eine Position zwischen den Grenzen programmieren (P-AXIS-00177, P-AXIS-00178)",
+    parameters={
+        "axis": "name of the axis",
+        "position": "target in mm or degrees",
+        "low": "lower limit",
+        "high": "upper limit",
+    },
+    reaction=2,
+    clearing=3,
+)
+
 # --- realtime part -------------------------------------------------------------------------------
+
+_add(
+    50854,
+    ERROR,
+    "the realtime cycles need {steps} elementary instructions in a tick, {limit} are allowed",
+    "die Echtzeit-Zyklen brauchen {steps} Elementar-Anweisungen im Takt, erlaubt sind {limit}",
+    remedy_en="shorten cycle {cycle} or another one, or raise rt_cycles.max_steps (P-CHAN-00427)",
+    remedy_de="Zyklus {cycle} oder andere kürzen oder rt_cycles.max_steps (P-CHAN-00427) erhöhen",
+    parameters={"cycle": "cycle at fault", "steps": "instructions so far", "limit": "the limit"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50858,
+    ERROR,
+    "no realtime cycle has the ID {id}",
+    "kein Echtzeit-Zyklus hat die ID {id}",
+    remedy_en="define the cycle before, and mind its scope: it may have ended already",
+    remedy_de="den Zyklus vorher definieren; seine Gültigkeit beachten: er kann schon beendet sein",
+    parameters={"id": "the ID"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50877,
+    ERROR,
+    "more than {count} realtime cycles at once",
+    "mehr als {count} Echtzeit-Zyklen zugleich",
+    remedy_en="delete cycles that are no longer needed with #RT CYCLE DELETE",
+    remedy_de="nicht mehr gebrauchte Zyklen mit #RT CYCLE DELETE löschen",
+    parameters={"count": "the most cycles of a channel"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50879,
+    ERROR,
+    "'{operation}' in realtime cycle {cycle} has no usable result",
+    "'{operation}' im Echtzeit-Zyklus {cycle} hat kein brauchbares Ergebnis",
+    remedy_en="test the operands with $IF before; '=' stands for a result that is too large",
+    remedy_de="die Operanden vorher mit $IF prüfen; '=' steht für ein zu großes Ergebnis",
+    parameters={"cycle": "cycle at fault", "operation": "operator or function"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50892,
+    ERROR,
+    "{value} is outside the range {low} … {high} of {variable}",
+    "{value} liegt außerhalb des Bereichs {low} … {high} von {variable}",
+    remedy_en="limit the value, or give the variable a larger type",
+    remedy_de="den Wert begrenzen oder der Variablen einen größeren Typ geben",
+    parameters={
+        "variable": "the variable",
+        "value": "the value, rounded",
+        "low": "smallest value of its type",
+        "high": "largest value of its type",
+    },
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50893,
+    ERROR,
+    "{value} is not a finite number and cannot be given to {name}",
+    "{value} ist keine endliche Zahl und kann {name} nicht zugewiesen werden",
+    remedy_en="give a finite number",
+    remedy_de="eine endliche Zahl angeben",
+    parameters={"name": "the variable", "value": "the value"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50900,
+    ERROR,
+    "the ID {id} belongs to another realtime cycle already",
+    "die ID {id} gehört schon einem anderen Echtzeit-Zyklus",
+    remedy_en="choose another ID, or delete the other cycle before with #RT CYCLE DELETE",
+    remedy_de="eine andere ID wählen oder den anderen Zyklus vorher mit #RT CYCLE DELETE löschen",
+    parameters={"id": "the ID"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50939,
+    ERROR,
+    "the realtime cycles take too long: {steps} elementary instructions, time is for {limit}",
+    "die Echtzeit-Zyklen dauern zu lange: {steps} Elementar-Anweisungen, Zeit ist für {limit}",
+    remedy_en="shorten cycle {cycle} or others, or raise rt_cycles.max_duration (P-CHAN-00425)",
+    remedy_de="Zyklus {cycle} oder andere kürzen, rt_cycles.max_duration (P-CHAN-00425) erhöhen",
+    parameters={
+        "cycle": "cycle at fault",
+        "steps": "instructions so far",
+        "limit": "instructions for which the share of the tick lasts",
+    },
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50942,
+    ERROR,
+    "{function} cannot be handed to the PLC: all {slots} places of the interface are taken",
+    "{function} kann der SPS nicht übergeben werden: alle {slots} Plätze der Schnittstelle belegt",
+    remedy_en="let the PLC acknowledge in every tick, or output fewer functions",
+    remedy_de="die SPS in jedem Takt quittieren lassen oder weniger Funktionen ausgeben",
+    parameters={"function": "the function", "slots": "places of the realtime section"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50943,
+    ERROR,
+    "{function} is one function too many in this tick: the interface holds {slots}",
+    "{function} ist in diesem Takt eine Funktion zu viel: die Schnittstelle fasst {slots}",
+    remedy_en="spread the functions over several ticks",
+    remedy_de="die Funktionen auf mehrere Takte verteilen",
+    parameters={"function": "the function", "slots": "places of the realtime section"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    900410,
+    NOTE,
+    "there is no realtime cycle with this ID: nothing to delete",
+    "es gibt keinen Echtzeit-Zyklus mit dieser ID: nichts zu löschen",
+    remedy_en="",
+    remedy_de="",
+)
+_add(
+    900411,
+    NOTE,
+    "the realtime cycle does not run: HOLD has no effect",
+    "der Echtzeit-Zyklus läuft nicht: HOLD bewirkt nichts",
+    remedy_en="",
+    remedy_de="",
+)
+_add(
+    900412,
+    NOTE,
+    "the realtime cycle is not held: CONTINUE has no effect",
+    "der Echtzeit-Zyklus ist nicht angehalten: CONTINUE bewirkt nichts",
+    remedy_en="",
+    remedy_de="",
+)
+_add(
+    900413,
+    NOTE,
+    "a realtime cycle with scope BLOCK ended with the program without having run",
+    "ein Echtzeit-Zyklus mit Gültigkeit BLOCK endete mit dem Programm, ohne gelaufen zu sein",
+    remedy_en="",
+    remedy_de="",
+)
+_add(
+    900420,
+    ERROR,
+    "the block does not begin where the axes stand",
+    "der Satz beginnt nicht dort, wo die Achsen stehen",
+    remedy_en="let the decoder read the positions anew before, with #FLUSH WAIT or #CHANNEL INIT",
+    remedy_de="den Dekoder die Positionen vorher neu lesen lassen: #FLUSH WAIT, #CHANNEL INIT",
+    reaction=6,
+    clearing=6,
+)
 
 # --- command line, files, stimuli, PLC -----------------------------------------------------------
 
@@ -2144,4 +2406,49 @@ _add(
         "function": "the M or H function",
         "sequence": "its number within the tick, from 1",
     },
+)
+_add(
+    900540,
+    ERROR,
+    "there is no variable {name}",
+    "es gibt keine Variable {name}",
+    remedy_en="see the machine's variables list for the names",
+    remedy_de="die Namen stehen in der Variablenliste der Maschine",
+    parameters={"name": "the name"},
+)
+_add(
+    900541,
+    ERROR,
+    "there is no variable {name}",
+    "es gibt keine Variable {name}",
+    remedy_en="did you mean {nearest}?",
+    remedy_de="war {nearest} gemeint?",
+    parameters={"name": "the name", "nearest": "the nearest known name"},
+)
+_add(
+    900542,
+    ERROR,
+    "{name} belongs to the controller and cannot be set from outside",
+    "{name} gehört der Steuerung und kann nicht von außen gesetzt werden",
+    remedy_en="set V.E or V.CH variables; write V.RT* variables in a program or a realtime cycle",
+    remedy_de="V.E- oder V.CH-Variablen setzen; V.RT* in Programm oder Echtzeit-Zyklus schreiben",
+    parameters={"name": "the name"},
+)
+_add(
+    900543,
+    ERROR,
+    "{name} of type {type} does not take the value {value}",
+    "{name} vom Typ {type} nimmt den Wert {value} nicht",
+    remedy_en="give a number to a number, a text to a text",
+    remedy_de="einer Zahl eine Zahl geben, einem Text einen Text",
+    parameters={"name": "the variable", "type": "its type", "value": "the value"},
+)
+_add(
+    900544,
+    ERROR,
+    "there is no signal {name}",
+    "es gibt kein Signal {name}",
+    remedy_en="did you mean {nearest}?",
+    remedy_de="war {nearest} gemeint?",
+    parameters={"name": "the name", "nearest": "the nearest known name"},
 )

@@ -30,6 +30,7 @@ cdef class Channel:
     cdef readonly bint answer_ready
     cdef readonly bint program_ended
     cdef readonly bint error_pending
+    cdef readonly double error_detail
     cdef readonly bint is_stopped
     cdef readonly bint is_resetting
 

@@ -31,9 +31,10 @@ MESSAGE = 8
 FLUSH = 9
 READ = 10
 PROGRAM_END = 11
+GIVE_UP = 12
 
 #: The kinds that take or may take time.
-TIMED_KINDS = (SEGMENT, DWELL, AWAIT_ACKNOWLEDGE, FLUSH, READ, PROGRAM_END)
+TIMED_KINDS = (SEGMENT, DWELL, AWAIT_ACKNOWLEDGE, FLUSH, READ, PROGRAM_END, GIVE_UP)
 
 #: Commands that take time below which the kernel asks for more.
 LOW_WATER = 8
@@ -74,6 +75,7 @@ class Channel:
         self.answer_ready = False
         self.program_ended = False
         self.error_pending = False
+        self.error_detail = 0.0
         self.is_stopped = False
         self.is_resetting = False
 
@@ -183,6 +185,10 @@ class Channel:
             return 1
         if kind == 11:
             return self.take_program_end(tick, base)
+        if kind == 12:
+            self.timed_count -= 1
+            self.report(int(self.queue[base + 1]), int(self.queue[base + 3]), 0.0)
+            return 1
         self.waiting = kind
         return 0
 
@@ -228,6 +234,8 @@ class Channel:
         """A synchronous variable written by the decoder (RC-308)."""
         cell = int(self.queue[base + 3])
         self.cells[cell] = self.queue[base + 4]
+        if self.queue[base + 5] != 0.0:
+            self.record.written(int(self.queue[base + 1]), 0, cell, self.cells[cell])
 
     def take_program_end(self, tick: int, base: int) -> int:
         """M30; not in the tick in which a cycle that it deletes was started (RC-004, RC-106)."""
@@ -243,6 +251,7 @@ class Channel:
     def report(self, source: int, message: int, detail: float) -> None:
         """An error of the realtime part: channel in error state, the path brakes (RC-505)."""
         self.record.error(source, 0, message, detail)
+        self.error_detail = detail
         self.error_pending = True
         self.is_stopped = True
 

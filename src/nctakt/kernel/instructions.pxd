@@ -58,7 +58,7 @@ cdef class AssignBoolean(Assignment):
     cdef int run(self, Context context) noexcept nogil
     cdef int store(self, Context context, Py_ssize_t cell, double value) noexcept nogil
 
-cdef class AssignRealtime(Assignment):
+cdef class AssignOverride(Assignment):
     @cython.locals(value=double)
     cdef int run(self, Context context) noexcept nogil
 

@@ -211,10 +211,10 @@ class AssignBoolean(Assignment):
         return 0
 
 
-class AssignRealtime(Assignment):
-    """Into an integer V.RT* variable: too frequent to be an event.
+class AssignOverride(Assignment):
+    """Into an override: no event, since it is written anew in every tick (RC-305).
 
-    An override is written anew in every tick (RC-305); its changes show in the trace rows.
+    Its changes show in the trace rows.
     """
 
     def run(self, context: Context) -> int:

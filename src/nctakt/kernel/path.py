@@ -153,6 +153,10 @@ class Path:
         """Whether nothing moves on the path."""
         return 1 if self.speed_v == 0.0 and (not self.is_active or self.limit_v == 0.0) else 0
 
+    def has_stopped(self) -> bool:
+        """``stands`` for Python's side."""
+        return bool(self.stands())
+
     def rest_d(self) -> float:
         """What is left of the current segment."""
         if not self.is_active or self.is_dwell:

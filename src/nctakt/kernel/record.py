@@ -28,9 +28,9 @@ FIRED = 7  # serial; the source is the branch
 WRITTEN = 8  # serial (0: the decoder), cell, new value
 TECHNOLOGY_RT = 9  # serial, number of the function (negative: H), number within the tick
 TECHNOLOGY = 10  # 0, number of the function (negative: H)
-MESSAGE = 11  # number of the text
+MESSAGE = 11  # number of the text (subject)
 ERROR = 12  # serial (0: the path), message ID, detail; the source is the statement
-PROGRAM_END = 13  # number of the program
+PROGRAM_END = 13  # number of the program (subject)
 NOTICE = 14  # serial, message ID: diagnosis level 2
 
 ENDED_BY_SCOPE = 0
@@ -42,26 +42,20 @@ ENDED_BY_ERROR = 3
 class Record:
     """Rows, events and probes of the ticks since they were last taken.
 
-    ``cells`` is the machine's memory; ``signals`` are the cells that a row holds, in its order.
+    ``memory`` is the machine's; ``signals`` (``select``) are the cells that a row holds.
     """
 
     def __init__(
         self,
         memory: bytearray,
-        signals: list[int],
         *,
         row_capacity: int = 4096,
         event_capacity: int = 8192,
         probe_capacity: int = 8192,
     ) -> None:
         self.cells = memoryview(memory).cast("d")
-        self.signal_count = len(signals)
-        self.signals = memoryview(bytearray(8 * max(1, len(signals)))).cast("q")
-        for i, cell in enumerate(signals):
-            self.signals[i] = cell
-        self.row_capacity = row_capacity if signals else 0
-        self.rows = memoryview(bytearray(8 * max(1, row_capacity * len(signals)))).cast("d")
-        self.row_count = 0
+        self.row_capacity = row_capacity
+        self.select([])
         self.event_capacity = event_capacity
         self.events = memoryview(bytearray(8 * EVENT_WIDTH * event_capacity)).cast("d")
         self.event_count = 0
@@ -70,6 +64,15 @@ class Record:
         self.probe_count = 0
         self.tick = 0
         self.records_writes = False
+
+    def select(self, signals: list[int]) -> None:
+        """The cells that a row holds from now on; rows that were not taken are dropped."""
+        self.signal_count = len(signals)
+        self.signals = memoryview(bytearray(8 * max(1, len(signals)))).cast("q")
+        for i, cell in enumerate(signals):
+            self.signals[i] = cell
+        self.rows = memoryview(bytearray(8 * max(1, self.row_capacity * len(signals)))).cast("d")
+        self.row_count = 0
 
     def take_row(self) -> None:
         """Copy the signals' cells as the row of this tick."""
@@ -135,7 +138,7 @@ class Record:
 
     def message(self, source: int, number: int) -> None:
         """A ``#MSG`` of the main program is due."""
-        self.event(11, source, 0, number, 0.0)
+        self.event(11, source, number, 0.0, 0.0)
 
     def error(self, source: int, serial: int, message: int, detail: float) -> None:
         """A fault of a realtime cycle or of the path; ``message`` is its number."""
@@ -143,7 +146,7 @@ class Record:
 
     def program_end(self, source: int, program: int) -> None:
         """The end of a main program was taken."""
-        self.event(13, source, 0, program, 0.0)
+        self.event(13, source, program, 0.0, 0.0)
 
     def notice(self, source: int, serial: int, message: int) -> None:
         """Something without effect that may be a mistake: diagnosis level 2."""

@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: MIT
+"""A machine put together: memory, axes, channels, kernel, and what their numbers stand for.
+
+In: ``MachineConfiguration``. Out: ``Machine``, which the controller runs, and ``Registry``, which
+knows the names behind the numbers of events.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Callable, Sequence
+
+from nctakt.decoder.cycles import CycleDefinition
+from nctakt.decoder.preparation import axis_limits
+from nctakt.decoder.surroundings import Surroundings
+from nctakt.diagnostics import Diagnostic, Span
+from nctakt.failure import Failure
+from nctakt.kernel import arithmetic
+from nctakt.kernel.axis import Axes
+from nctakt.kernel.channel import Channel
+from nctakt.kernel.cycles import CycleManager
+from nctakt.kernel.hli import Hli
+from nctakt.kernel.kernel import Kernel
+from nctakt.kernel.path import Path as KernelPath
+from nctakt.kernel.record import Record
+from nctakt.lists.channel_configuration import ChannelParameters
+from nctakt.lists.machine import MachineConfiguration
+from nctakt.lists.variables import SCALARS
+from nctakt.messages import diagnostic
+from nctakt.nc.names import ChannelNames, Layout, Location, NotFound
+from nctakt.nc.source import Source
+from nctakt.results.run import Reaction
+from nctakt.sources import SourceFiles, pack
+
+#: What an elementary instruction is taken to cost in virtual time, in ns (RC-503).
+INSTRUCTION_COST_NS = 10
+
+#: V.RTG.CYCLES.DIAG_LEVEL at start-up (RC-603).
+DEFAULT_DIAGNOSIS_LEVEL = 3.0
+
+_DIAGNOSIS_LEVEL_CELL = 2
+
+
+class Registry:
+    """The names behind the numbers of events; they stay valid for the controller's life."""
+
+    def __init__(self, files: SourceFiles, variable: Callable[[int], str]) -> None:
+        self._files = files
+        self._variable = variable
+        self._cycle_names: list[str] = [""]
+        self._anonymous = 0
+        self._probes = 0
+        self._texts: list[str] = []
+        self._programs: list[str] = []
+        self._latest: dict[str, CycleDefinition] = {}
+        self._definitions: list[CycleDefinition] = []
+
+    # --- what events ask ------------------------------------------------------------------------
+
+    def cycle(self, serial: int) -> str:
+        """The programmed ID of a cycle, or ``#1`` without one."""
+        return self._cycle_names[serial]
+
+    def variable(self, cell: int) -> str:
+        """The name of the variable in a memory cell."""
+        return self._variable(cell)
+
+    def message(self, number: int) -> str:
+        """The text of a message."""
+        return self._texts[number]
+
+    def program(self, number: int) -> str:
+        """The file name of a program."""
+        return self._programs[number]
+
+    def place(self, source: int) -> Span | None:
+        """The place of a source number."""
+        return self._files.place(source)
+
+    # --- what fills it --------------------------------------------------------------------------
+
+    def next_cycle(self) -> tuple[int, int]:
+        """Serial number and first probe of the cycle that is defined next."""
+        return len(self._cycle_names), self._probes
+
+    def keep(self, definition: CycleDefinition) -> None:
+        """A cycle was built."""
+        assert definition.serial == len(self._cycle_names)
+        name = str(definition.identity)
+        if definition.identity == 0:
+            self._anonymous += 1
+            name = f"#{self._anonymous}"
+        self._cycle_names.append(name)
+        self._probes += definition.cycle.probes
+        self._latest[name] = definition
+        self._definitions.append(definition)
+
+    def add_text(self, text: str) -> int:
+        """The number of a message's text."""
+        self._texts.append(text)
+        return len(self._texts) - 1
+
+    def add_program(self, name: str) -> int:
+        """The number of a program."""
+        self._programs.append(name.replace("\\", "/").rsplit("/", 1)[-1])
+        return len(self._programs) - 1
+
+    # --- for results ----------------------------------------------------------------------------
+
+    def reactions_of(self, name: str) -> Sequence[Reaction]:
+        """The branches of the latest cycle with this name."""
+        definition = self._latest[name]
+        return [Reaction(one.span, one.frequency) for one in definition.reactions]
+
+    def runs(self) -> dict[str, int]:
+        """Run-throughs of all cycles by name."""
+        runs: dict[str, int] = {}
+        for definition in self._definitions:
+            name = self._cycle_names[definition.serial]
+            runs[name] = runs.get(name, 0) + definition.cycle.runs
+        return runs
+
+
+class Machine:
+    """One machine's realtime part with its names; the first channel is the one that runs."""
+
+    def __init__(self, configuration: MachineConfiguration) -> None:
+        self.configuration = configuration
+        linear = frozenset(i for i, axis in enumerate(configuration.axes) if axis.is_linear)
+        layout = Layout(
+            [
+                ChannelNames(
+                    tuple((axis.name, axis.index) for axis in channel.axes),
+                    linear,
+                    channel.external_variables,
+                    channel.channel_variables,
+                )
+                for channel in configuration.channels
+            ],
+            len(configuration.axes),
+        )
+        self.memory = bytearray(8 * layout.size)
+        self.cells = memoryview(self.memory).cast("d")
+        self.record = Record(self.memory)
+        self.axes = Axes(self.memory, layout.axis_cell(0), len(configuration.axes))
+        self.channels = [
+            self._channel(index, layout) for index in range(len(configuration.channels))
+        ]
+        self.kernel = Kernel(self.memory, self.axes, self.channels, self.record)
+        self.names = layout.tables[0]
+        self.parameters: ChannelParameters = configuration.channels[0].parameters
+        self.members = [axis.index for axis in configuration.channels[0].axes]
+        self.files = SourceFiles()
+        self.registry = Registry(self.files, self._name_of_cell)
+        self._strings: dict[tuple[str, int], str] = {}
+        self._pending: dict[int, float] = {}
+        self._cell_names: dict[int, str] = {}
+
+    def _channel(self, index: int, layout: Layout) -> Channel:
+        configuration = self.configuration.channels[index]
+        parameters = configuration.parameters
+        members = [axis.index for axis in configuration.axes]
+        first = layout.channel_cell(index)
+        channel = Channel(
+            self.memory,
+            first,
+            self.record,
+            Hli(),
+            CycleManager(self.record),
+            KernelPath(self.axes, members, self.configuration.cycle_time_us),
+            parameters.max_override_pct,
+        )
+        limits = parameters.realtime_cycles
+        context = channel.context
+        context.max_steps = limits.max_steps
+        context.cont_steps = limits.cont_steps
+        budget_ns = 10 * self.configuration.cycle_time_us * limits.max_duration_pct
+        context.budget_steps = budget_ns // INSTRUCTION_COST_NS
+        self.cells[first] = self.cells[first + 1] = 100.0
+        self.cells[first + _DIAGNOSIS_LEVEL_CELL] = DEFAULT_DIAGNOSIS_LEVEL
+        return channel
+
+    # --- running --------------------------------------------------------------------------------
+
+    def reserve(self) -> None:
+        """Room in the record for a tick of the present load."""
+        self.kernel.reserve()
+
+    def path_stands(self) -> bool:
+        """Whether nothing moves on the channel's path."""
+        return bool(self.channels[0].path.has_stopped())
+
+    def surroundings(self, source: Source, notice: Callable[[Diagnostic], None]) -> Surroundings:
+        """What the decoder of a program works with."""
+        file = self.files.add(source.file, source.lines)
+        axes = tuple(self.configuration.axes[i] for i in self.members)
+        channel = self.configuration.channels[0]
+        return Surroundings(
+            self.names,
+            self.parameters,
+            {axis.name: place for place, axis in enumerate(channel.axes)},
+            axes,
+            tuple(axis_limits(axis) for axis in axes),
+            self.cells,
+            self.configuration.cycle_time_us,
+            lambda span: pack(file, span.line, span.column),
+            source.line_of,
+            notice,
+        )
+
+    # --- variables by name ----------------------------------------------------------------------
+
+    def _find(self, name: str) -> tuple[Location, int]:
+        found = self.names.resolve_text(name)
+        if isinstance(found, NotFound):
+            nearest = found.nearest or self._nearest(name)
+            if nearest:
+                raise Failure(diagnostic(900541, name=name, nearest=nearest))
+            raise Failure(diagnostic(900540, name=name))
+        return found
+
+    def _nearest(self, name: str) -> str:
+        near = difflib.get_close_matches(name, [one for one, _, _ in self.names.values()], n=1)
+        return near[0] if near else ""
+
+    def read(self, name: str) -> float | bool | str:
+        """The value of a variable; a value that waits for the next tick is read already."""
+        location, cell = self._find(name)
+        if not location.is_numeric:
+            return self._strings.get((location.family, cell), "")
+        value = self._pending.get(cell, self.cells[cell])
+        return value != 0.0 if location.type == "BOOLEAN" else value
+
+    def check(self, name: str, value: float | bool | str) -> tuple[Location, int, float]:
+        """Location, cell and converted value; ``Failure`` where the variable cannot hold it."""
+        location, cell = self._find(name)
+        if location.family in ("RTG", "RTA"):
+            raise Failure(diagnostic(900542, name=name))
+        if isinstance(value, str) or not location.is_numeric:
+            if isinstance(value, str) and not location.is_numeric:
+                return location, cell, 0.0
+            raise Failure(diagnostic(900543, name=name, type=location.type, value=value))
+        number = float(value)
+        if not math.isfinite(number):
+            raise Failure(diagnostic(50893, name=name, value=number))
+        scalar = SCALARS[location.type]
+        if location.type == "BOOLEAN":
+            number = 1.0 if arithmetic.is_true(number) else 0.0
+        elif scalar.is_integer:
+            number = arithmetic.round_half_even(number)
+        if not scalar.low <= number <= scalar.high:
+            raise Failure(
+                diagnostic(50892, variable=name, value=number, low=scalar.low, high=scalar.high)
+            )
+        return location, cell, number
+
+    def write(self, name: str, value: float | bool | str) -> None:
+        """A value for the next tick."""
+        location, cell, number = self.check(name, value)
+        if isinstance(value, str):
+            self._strings[(location.family, cell)] = value
+        else:
+            self._pending[cell] = number
+
+    def post_writes(self) -> None:
+        """Put what was written into the image that the next tick latches."""
+        for cell, value in self._pending.items():
+            self.kernel.post(cell, value)
+        self._pending.clear()
+
+    def apply_writes(self) -> None:
+        """Values before the first tick are there at once, so that the decoder sees them."""
+        for cell, value in self._pending.items():
+            self.cells[cell] = value
+        self._pending.clear()
+
+    def _name_of_cell(self, cell: int) -> str:
+        if not self._cell_names:
+            self._cell_names = {place: name for name, place, _ in self.names.values()}
+            for name, place, row in self.names.signals():
+                if row.decoder or row.cycle:
+                    self._cell_names[place] = f"V.RTG.{name}"
+        return self._cell_names[cell]
+
+    # --- signals --------------------------------------------------------------------------------
+
+    def signals(self) -> dict[str, tuple[int, str, bool]]:
+        """Everything that can be recorded: name -> cell, unit, whether it is a whole number."""
+        known = {
+            name: (cell, row.unit, row.type != "REAL64") for name, cell, row in self.names.signals()
+        }
+        for name, cell, type_ in self.names.values():
+            scalar = SCALARS[type_]
+            if scalar.is_numeric:
+                known[name] = (cell, "", scalar.is_integer)
+        return known
+
+    def default_signals(self) -> list[str]:
+        """Positions of all axes, path speed, override, block number, active cycles."""
+        names = [
+            f"{axis.name}.ACS.{position}"
+            for position in ("ACT_POS", "CUR_POS")
+            for axis in self.configuration.channels[0].axes
+        ]
+        return [*names, "PATH.SPEED", "OVERRIDE.VEL.TOTAL", "BLOCK", "CYCLES.ACTIVE"]
+
+    def unknown_signal(self, name: str) -> Diagnostic:
+        """The diagnostic of a signal that is none."""
+        near = difflib.get_close_matches(name, self.signals(), n=1)
+        return diagnostic(900544, name=name, nearest=near[0] if near else "BLOCK")

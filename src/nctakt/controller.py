@@ -1,0 +1,338 @@
+# SPDX-License-Identifier: MIT
+"""The virtual controller: assembles a machine and runs NC programs on it.
+
+In: a machine (folder, configuration or the demo machine), programs, values of variables at times, a
+PLC. Out: a ``Run``. ``run`` does it all; ``start`` and ``step`` go tick by tick. Controllers do not
+know of each other: any number lives in one process.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from nctakt import loading
+from nctakt.assembly import Machine
+from nctakt.decoder.feed import Feed
+from nctakt.decoder.program import ProgramDecoder
+from nctakt.decoder.state import state_at_program_start
+from nctakt.diagnostics import Diagnostic
+from nctakt.failure import Failure
+from nctakt.interface import Interface
+from nctakt.kernel import kernel as reasons
+from nctakt.lists.machine import MachineConfiguration, MachineError, load_machine
+from nctakt.loading import NcText
+from nctakt.nc.syntax import Program
+from nctakt.plc import Plc
+from nctakt.results.run import Run, RunState, RunStatistics
+from nctakt.runtime_errors import realtime_diagnostic
+from nctakt.stimuli import Stimulus
+from nctakt.trace.events import EventChunk, EventDecoder
+from nctakt.trace.recorded import MemorySink
+from nctakt.trace.sinks import Signal, Sink, TraceHeader
+
+__all__ = ["DEFAULT_LIMIT_US", "Controller", "NcText"]
+
+#: Virtual time after which a run ends where neither a time nor a number of ticks is given.
+DEFAULT_LIMIT_US = 600_000_000
+
+#: Ticks between two calls of a progress function.
+PROGRESS_TICKS = 100_000
+
+
+class Controller:
+    """One machine with its channel, from start-up on.
+
+    ``machine`` is a folder with lists, a configuration, or ``None`` for the demo machine. Raises
+    ``Failure`` where no machine results.
+    """
+
+    def __init__(self, machine: MachineConfiguration | str | Path | None = None) -> None:
+        if not isinstance(machine, MachineConfiguration):
+            try:
+                machine = load_machine(None if machine is None else Path(machine))
+            except MachineError as error:
+                raise Failure(*error.diagnostics) from error
+        self.machine = machine
+        self.cycle_time_us = machine.cycle_time_us
+        self.diagnostics: list[Diagnostic] = list(machine.diagnostics)
+        self._machine = Machine(machine)
+        self._channel = self._machine.channels[0]
+        self._kernel = self._machine.kernel
+        self._feed: Feed | None = None
+        self._state: RunState = "ended"
+        self._events = EventDecoder(self.cycle_time_us, self._machine.registry)
+        self._sinks: list[Sink] = []
+        self._stimuli: list[Stimulus] = []
+        self._stimuli_from = 0
+        self._plc: Plc | None = None
+        self._on_message: Callable[[int, str], None] | None = None
+
+    # --- state and variables --------------------------------------------------------------------
+
+    @property
+    def tick(self) -> int:
+        """Ticks since the controller was started."""
+        return self._kernel.tick
+
+    @property
+    def state(self) -> str:
+        """``running`` while a program runs, ``error`` after an NC error, else ``ready``."""
+        if self._channel.is_stopped:
+            return "error"
+        return "ready" if self._feed is None else "running"
+
+    def read(self, name: str) -> float | bool | str:
+        """The value of a V. variable, such as ``V.E.LIST[3]`` or ``V.RTA.ACS.ACT_POS.X``.
+
+        What ``write`` has put is read back at once. Raises ``Failure`` for an unknown name.
+        """
+        return self._machine.read(name)
+
+    def write(self, name: str, value: float | bool | str) -> None:
+        """Give a V.E or V.CH variable a value, from the next tick on.
+
+        Raises ``Failure`` for an unknown name and for a value that the variable cannot hold.
+        """
+        self._machine.write(name, value)
+
+    # --- tick by tick ---------------------------------------------------------------------------
+
+    def start(self, program: str | Path | NcText) -> None:
+        """Start a program; ``step`` runs it. Raises ``Failure`` with its diagnostics.
+
+        An error of the program before is reset first.
+        """
+        assert self._feed is None, "a program is running"
+        loaded = loading.load(program, self._machine, self.diagnostics)
+        self._begin(loaded)
+
+    def step(self, ticks: int = 1) -> None:
+        """Run so many ticks, whatever the state."""
+        end = self.tick + ticks
+        while self.tick < end:
+            self._advance(end)
+
+    def reset(self) -> None:
+        """Reset the channel (RC-007): runs until everything stands, at least one tick."""
+        if self._feed is not None:
+            self._feed.stop()
+            self._feed = None
+        self._channel.request_reset()
+        self._channel.manager.drop_unborn()
+        while self._channel.is_resetting:
+            self.step(1)
+
+    # --- whole programs -------------------------------------------------------------------------
+
+    def run(
+        self,
+        *programs: str | Path | NcText,
+        plc: Plc | None = None,
+        until_us: int | None = None,
+        ticks: int | None = None,
+        after_us: int = 0,
+        initial: Mapping[str, float] | None = None,
+        stimuli: Sequence[Stimulus] = (),
+        sinks: Sequence[Sink] = (),
+        signals: Sequence[str] | None = None,
+        memory_trace: bool = True,
+        on_message: Callable[[int, str], None] | None = None,
+        on_progress: Callable[[int, int | None], None] | None = None,
+    ) -> Run:
+        """Run programs one after another; their GLOBAL cycles, V.E and V.S variables live on.
+
+        ``until_us`` and ``ticks`` limit the run (``DEFAULT_LIMIT_US``), ``after_us`` is how long
+        the channel goes on behind the last program. ``initial`` are values before the first tick,
+        ``stimuli`` values at times of the run. ``sinks`` get the trace, which ``memory_trace``
+        keeps in the result, of ``signals`` (positions of all axes, path speed, override, block
+        number, active cycles unless given). Raises ``Failure`` for a name or value that does not
+        fit; mistakes of the programs are in the result.
+        """
+        first_tick = self.tick
+        for name, value in (initial or {}).items():
+            self._machine.write(name, value)
+        self._machine.apply_writes()
+        for stimulus in stimuli:
+            self._machine.check(stimulus.name, stimulus.value)
+        begun = len(self.diagnostics) if first_tick else 0
+        memory = MemorySink() if memory_trace else None
+        statistics = RunStatistics(self._machine.registry.reactions_of)
+        self._sinks = [*sinks, *((memory,) if memory else ()), statistics]
+        header = self._select(signals, records=bool(sinks) or memory_trace)
+        for sink in self._sinks:
+            sink.open(header)
+        self._plc = plc
+        self._channel.hli.acknowledges_itself = plc is None
+        self._on_message = on_message
+        self._stimuli = sorted(stimuli, key=lambda one: one.time_us)
+        self._stimuli_from = first_tick
+        limit = self._limit(until_us, ticks)
+        try:
+            state = self._run_programs(programs, first_tick + limit, after_us, on_progress)
+        except KeyboardInterrupt:
+            self._drain()
+            state = "interrupted"
+        finally:
+            for sink in self._sinks:
+                sink.close()
+            self._sinks = []
+        return Run(
+            programs=tuple(loading.name_of(program) for program in programs),
+            cycle_time_us=self.cycle_time_us,
+            first_tick=first_tick,
+            ticks=self.tick - first_tick,
+            state=state,
+            trace=None if memory is None else memory.trace,
+            diagnostics=tuple(self.diagnostics[begun:]),
+            messages=statistics.messages,
+            cycles=statistics.cycles(self._machine.registry.runs()),
+            outputs=statistics.outputs(),
+        )
+
+    def _limit(self, until_us: int | None, ticks: int | None) -> int:
+        """The most ticks of a run."""
+        limits = [ticks] if ticks is not None else []
+        if until_us is not None:
+            limits.append(-(-until_us // self.cycle_time_us))
+        return min(limits) if limits else DEFAULT_LIMIT_US // self.cycle_time_us
+
+    def _run_programs(
+        self,
+        programs: Sequence[str | Path | NcText],
+        end: int,
+        after_us: int,
+        on_progress: Callable[[int, int | None], None] | None,
+    ) -> RunState:
+        loaded: list[Program] = []
+        for program in programs:
+            try:
+                loaded.append(loading.load(program, self._machine, self.diagnostics))
+            except Failure:
+                continue
+        if len(loaded) < len(programs):
+            return "error"
+        for one in loaded:
+            self._begin(one)
+            while self._feed is not None and not self._channel.is_stopped:
+                if self.tick >= end:
+                    return "limit"
+                self._advance(min(end, self.tick + PROGRESS_TICKS))
+                if on_progress is not None:
+                    on_progress(self.tick, end)
+            if self._channel.is_stopped:
+                while self.tick < end and not self._machine.path_stands():
+                    self._advance(self.tick + 1)
+                return "error"
+        stop = self.tick - (-after_us // self.cycle_time_us)
+        while self.tick < min(stop, end):
+            self._advance(min(stop, end))
+        return "limit" if self.tick < stop else "ended"
+
+    # --- the loop decoder <-> kernel ------------------------------------------------------------
+
+    def _begin(self, program: Program) -> None:
+        """Put a checked program at the start of the channel."""
+        if self._channel.is_stopped:
+            self.reset()
+        machine = self._machine
+        positions = [machine.axes.positions()[i] for i in machine.members]
+        start = machine.parameters.program_start
+        surroundings = machine.surroundings(program.source, self.diagnostics.append)
+        decoder = ProgramDecoder(
+            surroundings,
+            state_at_program_start(start, positions),
+            machine.registry.next_cycle,
+            machine.registry.keep,
+        )
+        self._feed = Feed(
+            self._channel,
+            machine.axes,
+            machine.members,
+            machine.registry.add_program(program.source.file),
+            decoder.decode(program),
+            machine.registry.add_text,
+            decoder.took_time,
+            self.diagnostics.append,
+            lambda found: 0 if found.span is None else surroundings.place(found.span),
+        )
+
+    def _advance(self, end: int) -> None:
+        """Run up to tick ``end``, at most until something of Python's is due."""
+        due = min(end, self._next_stimulus())
+        if self._plc is not None:
+            due = min(due, self.tick + 1)
+        self._machine.post_writes()
+        self._machine.reserve()
+        reason = self._kernel.run(due - self.tick)
+        self._drain()
+        channel = self._channel
+        if reason == reasons.ERROR:
+            self._stop_program()
+        elif reason == reasons.PROGRAM_END:
+            channel.accept_end()
+            self._feed = None
+        elif reason == reasons.ANSWER:
+            assert self._feed is not None
+            self._feed.answer()
+        elif reason == reasons.REFILL:
+            assert self._feed is not None
+            self._feed.refill()
+        if self._plc is not None and self._kernel.tick == due and reason != reasons.FULL:
+            self._plc.cycle(Interface(self._machine))
+
+    def _next_stimulus(self) -> int:
+        """Post the stimuli of the coming tick; the tick before which the next one is due."""
+        while self._stimuli:
+            stimulus = self._stimuli[0]
+            tick = self._stimuli_from + -(-stimulus.time_us // self.cycle_time_us)
+            if tick > self.tick:
+                return tick
+            self._machine.write(stimulus.name, stimulus.value)
+            self._stimuli.pop(0)
+        return self.tick + (1 << 60)
+
+    def _stop_program(self) -> None:
+        """An error of the realtime part: its diagnostic; the program is given up."""
+        self._channel.clear_error()
+        if self._feed is not None:
+            self._feed.stop()
+            self._feed = None
+
+    def _drain(self) -> None:
+        """Hand on what the kernel has recorded."""
+        record = self._machine.record
+        rows_count, first_tick = record.row_count, self._kernel.tick - record.row_count
+        record.take_probes()
+        events = EventChunk(self._events, record.take_events())
+        rows = memoryview(record.take_rows()).cast("d")
+        if len(events):
+            self._watch(events)
+        for sink in self._sinks:
+            if len(events):
+                sink.events(events)
+            if rows_count:
+                sink.rows(first_tick, rows, record.signal_count)
+
+    def _watch(self, events: EventChunk) -> None:
+        """Messages are said as they come; errors of the realtime part become diagnostics."""
+        for event in events:
+            if event.kind == "message" and self._on_message is not None:
+                self._on_message(event.time_us, event.text)
+            elif event.kind in ("error", "warning"):
+                found = realtime_diagnostic(event, self._machine)
+                if found is not None:
+                    self.diagnostics.append(found)
+
+    def _select(self, names: Sequence[str] | None, *, records: bool) -> TraceHeader:
+        """Choose the signals of the trace; unknown ones raise ``Failure`` with the nearest."""
+        known = self._machine.signals()
+        if names is None:
+            names = self._machine.default_signals()
+        unknown = [name for name in names if name not in known]
+        if unknown:
+            raise Failure(*(self._machine.unknown_signal(name) for name in unknown))
+        self._machine.record.select([known[name][0] for name in names] if records else [])
+        self._machine.record.records_writes = records
+        signals = tuple(Signal(name, known[name][1], known[name][2]) for name in names)
+        return TraceHeader(self.cycle_time_us, signals if records else ())

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+"""What goes down the queue to the realtime part: plain data, no text, no names.
+
+``pack`` turns a command into the row that ``kernel/channel.py`` takes. A command that ``waits``
+is answered through the decoder's ``yield``: with the value that was read, or the axes' positions.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nctakt.kernel import channel
+from nctakt.kernel.cycles import RealtimeCycle
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """``source`` is the place (``sources.py``), ``number`` the N word of its block, 0 without."""
+
+    source: int
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class Segment(Command):
+    """A straight motion of the path's axes, mm or degrees, mm/s, mm/s².
+
+    ``speed`` is programmed, ``highest_speed`` and ``acceleration`` are what the axes allow on it.
+    """
+
+    start: tuple[float, ...]
+    target: tuple[float, ...]
+    length: float
+    speed: float
+    highest_speed: float
+    acceleration: float
+    end_speed: float = 0.0
+    exact_stop: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Dwell(Command):
+    """Standing still for so many ticks."""
+
+    ticks: int
+
+
+@dataclass(frozen=True, slots=True)
+class LoadCycle(Command):
+    """A realtime cycle, defined and, unless ``definition_only``, started when it is taken.
+
+    ``identity`` is 0 without an ID; ``scope`` as in ``kernel/cycles.py``.
+    """
+
+    cycle: RealtimeCycle
+    identity: int
+    scope: int
+    definition_only: bool
+
+
+#: Actions of ``CycleControl`` by the words of the language.
+CONTROL_ACTIONS = {"START": 1, "HOLD": 2, "CONTINUE": 3, "ABORT ACTION": 4, "DELETE": 5}
+
+
+@dataclass(frozen=True, slots=True)
+class CycleControl(Command):
+    """A management command for the cycle with this ID (RC-111)."""
+
+    action: int
+    identity: int
+
+
+@dataclass(frozen=True, slots=True)
+class TechnologyOutput(Command):
+    """An M function, or as -number - 1 an H function, for the PLC."""
+
+    function: int
+
+
+@dataclass(frozen=True, slots=True)
+class AwaitAcknowledge(Command):
+    """Goes on when the PLC has taken the last function."""
+
+
+@dataclass(frozen=True, slots=True)
+class WriteVariable(Command):
+    """A synchronous variable gets a value when this is taken (RC-308).
+
+    ``is_told``: it is an event; that of a V.RT* variable, which changes how the run goes on.
+    """
+
+    cell: int
+    value: float
+    is_told: bool
+
+
+@dataclass(frozen=True, slots=True)
+class UserMessage(Command):
+    """A ``#MSG`` text, already formatted."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Flush(Command):
+    """The path stands before what follows is taken; ``waits``: the decoder, too (RC-005)."""
+
+    waits: bool
+
+
+@dataclass(frozen=True, slots=True)
+class ReadRealtime(Command):
+    """The decoder waits for the value of a cell when the path stands (RC-308)."""
+
+    cell: int
+
+
+@dataclass(frozen=True, slots=True)
+class PositionRequest(Command):
+    """The decoder waits for the path's positions when it stands (RC-409)."""
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramEnd(Command):
+    """M30."""
+
+
+@dataclass(frozen=True, slots=True)
+class GiveUp(Command):
+    """Behind what was prepared the channel stops with an error of the decoder."""
+
+    message: int
+
+
+#: What the decoder gets back from a command that waits.
+Answer = float | tuple[float, ...] | None
+
+
+def pack(command: Command, place: int = 0) -> list[float]:
+    """The row of a command; ``place`` is the slot of a cycle or the number of a text or program."""
+    head = (command.source, command.number)
+    match command:
+        case Segment():
+            row = [channel.SEGMENT, *head, command.length, command.speed, command.highest_speed]
+            row += [command.acceleration, command.end_speed, command.exact_stop, 0, 0, 0]
+            return [*row, *command.start, *command.target]
+        case Dwell():
+            return [channel.DWELL, *head, command.ticks]
+        case LoadCycle():
+            return [channel.DEFINE_CYCLE, *head, place, not command.definition_only]
+        case CycleControl():
+            return [channel.CONTROL_CYCLE, *head, command.action, command.identity]
+        case TechnologyOutput():
+            return [channel.TECHNOLOGY, *head, command.function]
+        case AwaitAcknowledge():
+            return [channel.AWAIT_ACKNOWLEDGE, *head]
+        case WriteVariable():
+            return [channel.WRITE, *head, command.cell, command.value, command.is_told]
+        case UserMessage():
+            return [channel.MESSAGE, *head, place]
+        case Flush():
+            return [channel.FLUSH, *head, 0, 0, command.waits]
+        case ReadRealtime():
+            return [channel.READ, *head, command.cell, 0, True]
+        case PositionRequest():
+            return [channel.FLUSH, *head, 0, 0, True]
+        case ProgramEnd():
+            return [channel.PROGRAM_END, *head, place]
+        case GiveUp():
+            return [channel.GIVE_UP, *head, command.message]
+    raise AssertionError(command)
+
+
+def waits(command: Command) -> bool:
+    """Whether the decoder goes on only with an answer."""
+    return isinstance(command, ReadRealtime | PositionRequest) or (
+        isinstance(command, Flush) and command.waits
+    )

@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: MIT
+"""A checked realtime cycle -> the tree that runs in the tick (RC-2xx, RC-302, RC-403, RC-501).
+
+Synchronous variables become loads and stores; asynchronous ones are read now and stand in the tree
+as constants (``frozen``). The unit of length is the one that is active at the definition (RC-410).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from nctakt.decoder.expressions import Built, ExpressionBuilder, constant, load
+from nctakt.decoder.values import Values
+from nctakt.diagnostics import Span
+from nctakt.kernel import expressions, instructions
+from nctakt.kernel.conditions import Condition
+from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
+from nctakt.kernel.instructions import Branch, Reaction, Statement
+from nctakt.lists.variables import SCALARS
+from nctakt.nc import syntax
+from nctakt.nc.names import Location
+
+SCOPES = {"BLOCK": BLOCK, "PROG": PROG, "GLOBAL": GLOBAL}
+
+#: Events that a cycle can record in a tick beside those of its statements.
+_OWN_EVENTS = 3
+
+_REACTIONS = {
+    "ONCE": instructions.IfOnce,
+    "EDGE": instructions.IfEdge,
+    "ALWAYS": instructions.IfAlways,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Frozen:
+    """An asynchronous variable that became a constant: its text, its value, its place."""
+
+    name: str
+    value: float
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class BuiltReaction:
+    """A branch of a cycle: its place and frequency, and the node that counts its firings."""
+
+    span: Span
+    frequency: str
+    node: Reaction
+
+
+@dataclass(slots=True)
+class CycleDefinition:
+    """What is known of a built cycle: for results, listings and diagnosis."""
+
+    serial: int
+    identity: int
+    scope: str
+    span: Span
+    cycle: RealtimeCycle
+    reactions: list[BuiltReaction] = field(default_factory=list)
+    frozen: list[Frozen] = field(default_factory=list)
+
+
+class CycleBuilder:
+    """Builds one cycle; ``first_probe`` is the number of its first condition."""
+
+    def __init__(self, values: Values, first_probe: int) -> None:
+        self._values = values
+        self._place = values.surroundings.place
+        self._builder = ExpressionBuilder(self._leaf)
+        self._conditions = 0
+        self._statements = 0
+        self._first_probe = first_probe
+        self._reactions: list[BuiltReaction] = []
+        self._frozen: list[Frozen] = []
+
+    def build(
+        self, statement: syntax.RealtimeCycle, serial: int, identity: int, scope: str
+    ) -> CycleDefinition:
+        """The cycle of a definition."""
+        body = self._sequence(statement.body)
+        events = self._statements + _OWN_EVENTS
+        cycle = RealtimeCycle(body, serial, events, self._conditions)
+        return CycleDefinition(
+            serial, identity, scope, statement.span, cycle, self._reactions, self._frozen
+        )
+
+    # --- statements -----------------------------------------------------------------------------
+
+    def _sequence(self, statements: Sequence[syntax.Statement]) -> Statement:
+        built: list[Statement] = []
+        for statement in statements:
+            built += self._statement(statement)
+        return instructions.sequence(built)
+
+    def _statement(self, statement: syntax.Statement) -> list[Statement]:
+        self._statements += 1
+        match statement:
+            case syntax.Assignment():
+                return [self._assignment(statement)]
+            case syntax.If():
+                return [self._if(statement)]
+            case syntax.Block():
+                return self._technology(statement)
+            case syntax.VariableBlock():
+                built = self._builder.build(statement.variable)
+                source = self._place(statement.span)
+                return [instructions.Read(built.node, source, built.cost)]
+        raise AssertionError(statement)
+
+    def _technology(self, block: syntax.Block) -> list[Statement]:
+        """The M and H functions of a block, in their order (RC-403)."""
+        built: list[Statement] = []
+        for word in block.words:
+            assert isinstance(word, syntax.Word)
+            assert isinstance(word.value, syntax.Number)
+            number = int(word.value.value)
+            function = number if word.name == "M" else -number - 1
+            built.append(instructions.IssueTechnology(function, self._place(word.span), 1))
+        self._statements += len(built)
+        return built
+
+    def _if(self, statement: syntax.If) -> Statement:
+        frequency = statement.frequency
+        if frequency is not None:
+            condition = self._builder.condition(statement.condition)
+            node = self._condition(condition.node)
+            body = self._sequence(statement.body)
+            source = self._place(statement.span)
+            made = _REACTIONS[frequency](node, body, source, condition.cost)
+            self._reactions.append(BuiltReaction(statement.span, frequency, made))
+            return made
+        alternatives = [self._branch(statement.span, statement.condition, statement.body)]
+        for elseif in statement.elseifs:
+            alternatives.append(self._branch(elseif.span, elseif.condition, elseif.body))
+        if statement.else_body is not None:
+            alternatives.append(self._otherwise(statement))
+        return instructions.branches(alternatives)
+
+    def _branch(
+        self, span: Span, condition: syntax.Expression, body: Sequence[syntax.Statement]
+    ) -> Branch:
+        built = self._builder.condition(condition)
+        node = self._condition(built.node)
+        made = Branch(node, self._sequence(body), self._place(span), built.cost)
+        self._reactions.append(BuiltReaction(span, "", made))
+        self._statements += 1
+        return made
+
+    def _otherwise(self, statement: syntax.If) -> Branch:
+        """``$ELSE``: a branch that is always taken; it costs nothing of its own."""
+        assert statement.else_body is not None
+        assert statement.else_span is not None
+        body = self._sequence(statement.else_body)
+        made = Branch(Condition(), body, self._place(statement.else_span), 0)
+        self._reactions.append(BuiltReaction(statement.else_span, "", made))
+        self._statements += 1
+        return made
+
+    def _condition(self, node: Condition) -> Condition:
+        node.probe = self._first_probe + self._conditions
+        self._conditions += 1
+        return node
+
+    def _assignment(self, statement: syntax.Assignment) -> Statement:
+        assert isinstance(statement.target, syntax.Variable)
+        location = self._values.locate(statement.target)
+        value = self._builder.build(statement.value)
+        if statement.operator != "=":
+            target = self._builder.build(statement.target)
+            value = self._builder.combine(statement.operator[0], target, value)
+        return self._store(statement.target, location, value, self._place(statement.span))
+
+    def _store(
+        self, target: syntax.Variable, location: Location, value: Built, source: int
+    ) -> Statement:
+        scalar = SCALARS[location.type]
+        cell, index, index_cost = self._index(target, location)
+        cost = value.cost + 1 + index_cost
+        kind: type[instructions.Assignment]
+        if location.name.startswith(("V.RTG.OVERRIDE", "V.RTA.OVERRIDE")):
+            kind = instructions.AssignOverride
+        elif scalar.name == "BOOLEAN":
+            kind = instructions.AssignBoolean
+        elif scalar.is_integer:
+            kind = instructions.AssignInteger
+        else:
+            kind = instructions.AssignReal
+        made = kind(cell, value.node, scalar.low, scalar.high, source, cost)
+        if index is None:
+            return made
+        return instructions.AssignElement(index, made, source, cost)
+
+    # --- variables ------------------------------------------------------------------------------
+
+    def _leaf(self, node: syntax.Variable | syntax.Parameter) -> Built:
+        if isinstance(node, syntax.Parameter):
+            return self._freeze(node, _parameter_name(node))
+        location = self._values.locate(node)
+        if not (location.synchronous or node.synchronous):
+            return self._freeze(node, location.name)
+        cell, index, cost = self._index(node, location)
+        built = load(cell)
+        if index is not None:
+            built = Built(expressions.LoadElement(cell, index), 1 + cost)
+        unit = self._values.state.length_unit_mm
+        if location.is_length and unit != 1.0:
+            return Built(expressions.DivideExpressionConstant(built.node, unit), built.cost)
+        return built
+
+    def _freeze(self, node: syntax.Variable | syntax.Parameter, name: str) -> Built:
+        """An asynchronous value: that of now, a constant from now on; its access still counts."""
+        value = self._values.evaluate_now(node)
+        self._frozen.append(Frozen(name, value, node.span))
+        return constant(value, 1)
+
+    def _index(
+        self, variable: syntax.Variable, location: Location
+    ) -> tuple[int, expressions.Expression | None, int]:
+        """Cell, computed part and cost of an array access; constant indices are in the cell."""
+        cell = location.cell
+        further: expressions.Expression | None = None
+        cost = 0
+        indices = [index for part in variable.parts for index in part.indices]
+        for index, dimension in reversed(list(zip(indices, location.dimensions, strict=True))):
+            built = self._builder.build(index)
+            cost += built.cost
+            if built.constant is not None and 0 <= round(built.constant) < dimension.count:
+                cell += round(built.constant) * dimension.stride
+                continue
+            further = expressions.Index(
+                built.node,
+                dimension.stride,
+                dimension.count,
+                further or expressions.Constant(0.0),
+                self._place(index.span),
+            )
+        return cell, further, cost
+
+
+def _parameter_name(node: syntax.Parameter) -> str:
+    if isinstance(node.index, syntax.Number):
+        return f"P{int(node.index.value)}"
+    return "P[…]"

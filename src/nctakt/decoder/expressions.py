@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: MIT
+"""Expression of the tree -> expression of the realtime part, with its cost (RC-206, RC-501).
+
+The one meaning of operators and functions for decoder and cycles: in a cycle a variable becomes a
+load, in the decoder the value that it has now, and the tree is evaluated at once. Nodes with simple
+operands are fused; a fused node costs what the nodes cost that it stands for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from nctakt.kernel import conditions, expressions
+from nctakt.kernel.conditions import Condition
+from nctakt.kernel.expressions import Expression
+from nctakt.kernel.hli import Hli
+from nctakt.kernel.memory import Context
+from nctakt.kernel.record import Record
+from nctakt.nc import syntax
+
+_BINARY: dict[str, type[expressions.Binary]] = {
+    "+": expressions.Add,
+    "-": expressions.Subtract,
+    "*": expressions.Multiply,
+    "/": expressions.Divide,
+    "MOD": expressions.Modulo,
+    "**": expressions.Power,
+    "<": expressions.Less,
+    "<=": expressions.LessEqual,
+    ">": expressions.Greater,
+    ">=": expressions.GreaterEqual,
+    "==": expressions.Equal,
+    "!=": expressions.NotEqual,
+    "&": expressions.BitAnd,
+    "|": expressions.BitOr,
+    "^": expressions.BitXor,
+    "&&": expressions.And,
+    "||": expressions.Or,
+    "XOR": expressions.ExclusiveOr,
+}
+
+_UNARY: dict[str, type[expressions.Unary]] = {
+    "-": expressions.Negate,
+    "NOT": expressions.Not,
+    "INV": expressions.Invert,
+    "ABS": expressions.Absolute,
+    "SQR": expressions.Square,
+    "SQRT": expressions.SquareRoot,
+    "EXP": expressions.Exponential,
+    "DEXP": expressions.DecimalExponential,
+    "LN": expressions.NaturalLogarithm,
+    "LOG": expressions.DecimalLogarithm,
+    "SIN": expressions.Sine,
+    "COS": expressions.Cosine,
+    "TAN": expressions.Tangent,
+    "COT": expressions.Cotangent,
+    "ASIN": expressions.ArcSine,
+    "ACOS": expressions.ArcCosine,
+    "ATAN": expressions.ArcTangent,
+    "ACOT": expressions.ArcCotangent,
+    "INT": expressions.Truncate,
+    "FRACT": expressions.Fraction,
+    "ROUND": expressions.Round,
+    "CEIL": expressions.Ceiling,
+    "FLOOR": expressions.Floor,
+}
+
+#: The comparisons: two expressions, and variable with number.
+_COMPARISONS: dict[
+    str, tuple[type[conditions.Comparison], type[conditions.CellComparison], str]
+] = {
+    "<": (conditions.IsLess, conditions.IsLessCellConstant, ">"),
+    "<=": (conditions.IsLessEqual, conditions.IsLessEqualCellConstant, ">="),
+    ">": (conditions.IsGreater, conditions.IsGreaterCellConstant, "<"),
+    ">=": (conditions.IsGreaterEqual, conditions.IsGreaterEqualCellConstant, "<="),
+    "==": (conditions.IsEqual, conditions.IsEqualCellConstant, "=="),
+    "!=": (conditions.IsNotEqual, conditions.IsNotEqualCellConstant, "!="),
+}
+
+_FUSED: dict[
+    str,
+    tuple[
+        type[expressions.CellConstant],
+        type[expressions.CellCell],
+        type[expressions.ExpressionConstant],
+        type[expressions.ExpressionCell],
+    ],
+] = {
+    "+": (
+        expressions.AddCellConstant,
+        expressions.AddCellCell,
+        expressions.AddExpressionConstant,
+        expressions.AddExpressionCell,
+    ),
+    "-": (
+        expressions.SubtractCellConstant,
+        expressions.SubtractCellCell,
+        expressions.SubtractExpressionConstant,
+        expressions.SubtractExpressionCell,
+    ),
+    "*": (
+        expressions.MultiplyCellConstant,
+        expressions.MultiplyCellCell,
+        expressions.MultiplyExpressionConstant,
+        expressions.MultiplyExpressionCell,
+    ),
+}
+
+_CONSTANTS = {"TRUE": 1.0, "FALSE": 0.0, "PI": 3.141592653589793}
+
+
+@dataclass(frozen=True, slots=True)
+class Built:
+    """A node with its cost in elementary instructions.
+
+    ``constant`` is its value where that is known, ``cell`` the variable that it only loads.
+    """
+
+    node: Expression
+    cost: int
+    constant: float | None = None
+    cell: int | None = None
+
+
+def constant(value: float, cost: int = 0) -> Built:
+    """A known number."""
+    return Built(expressions.Constant(value), cost, value)
+
+
+def load(cell: int) -> Built:
+    """A variable of the memory."""
+    return Built(expressions.Load(cell), 1, cell=cell)
+
+
+@dataclass(frozen=True, slots=True)
+class BuiltCondition:
+    """The condition of an ``$IF`` with its cost, its own instruction included."""
+
+    node: Condition
+    cost: int
+
+
+class ExpressionBuilder:
+    """``leaf`` says what a variable or parameter becomes."""
+
+    def __init__(self, leaf: Callable[[syntax.Variable | syntax.Parameter], Built]) -> None:
+        self._leaf = leaf
+        self._context = Context(bytearray(8), Record(bytearray(8)), Hli())
+
+    def build(self, expression: syntax.Expression) -> Built:
+        """The node of an expression that the checker has let pass."""
+        match expression:
+            case syntax.Number():
+                return constant(expression.value)
+            case syntax.Constant():
+                return constant(_CONSTANTS[expression.name])
+            case syntax.Variable() | syntax.Parameter():
+                return self._leaf(expression)
+            case syntax.Unary():
+                return self._unary(expression.operator, expression.operand)
+            case syntax.Binary():
+                left = self.build(expression.left)
+                return self.combine(expression.operator, left, self.build(expression.right))
+            case syntax.Call():
+                return self._call(expression)
+        raise AssertionError(expression)
+
+    def condition(self, expression: syntax.Expression) -> BuiltCondition:
+        """The condition of an ``$IF``."""
+        if not isinstance(expression, syntax.Binary) or expression.operator not in _COMPARISONS:
+            built = self.build(expression)
+            return BuiltCondition(conditions.IsTrue(built.node), built.cost + 1)
+        operator = expression.operator
+        left, right = self.build(expression.left), self.build(expression.right)
+        cost = left.cost + right.cost + 2
+        general, fused, mirrored = _COMPARISONS[operator]
+        if left.cell is not None and right.constant is not None:
+            return BuiltCondition(fused(left.cell, right.constant), cost)
+        if left.constant is not None and right.cell is not None:
+            return BuiltCondition(_COMPARISONS[mirrored][1](right.cell, left.constant), cost)
+        return BuiltCondition(general(left.node, right.node), cost)
+
+    def combine(self, operator: str, left: Built, right: Built) -> Built:
+        """``left operator right``."""
+        cost = left.cost + right.cost + 1
+        if left.constant is not None and right.constant is not None:
+            return self._folded(_BINARY[operator](left.node, right.node), cost)
+        if operator in _FUSED:
+            fused = self._fused(operator, left, right)
+            if fused is not None:
+                return Built(fused, cost)
+        if operator == "/" and right.constant:
+            return Built(expressions.DivideExpressionConstant(left.node, right.constant), cost)
+        return Built(_BINARY[operator](left.node, right.node), cost)
+
+    def _fused(self, operator: str, left: Built, right: Built) -> Expression | None:
+        cell_constant, cell_cell, expression_constant, expression_cell = _FUSED[operator]
+        if operator != "-" and right.cell is None and right.constant is None:
+            left, right = right, left
+        if left.cell is not None and right.constant is not None:
+            return cell_constant(left.cell, right.constant)
+        if operator != "-" and left.constant is not None and right.cell is not None:
+            return cell_constant(right.cell, left.constant)
+        if left.cell is not None and right.cell is not None:
+            return cell_cell(left.cell, right.cell)
+        if right.constant is not None:
+            return expression_constant(left.node, right.constant)
+        if right.cell is not None and left.constant is None:
+            return expression_cell(left.node, right.cell)
+        return None
+
+    def _unary(self, operator: str, operand: syntax.Expression) -> Built:
+        built = self.build(operand)
+        node = _UNARY[operator](built.node)
+        if built.constant is not None:
+            return self._folded(node, built.cost + 1)
+        return Built(node, built.cost + 1)
+
+    def _call(self, call: syntax.Call) -> Built:
+        if call.function == "ATAN2":
+            left, right = (self.build(argument) for argument in call.arguments)
+            node = expressions.ArcTangent2(left.node, right.node)
+            cost = left.cost + right.cost + 1
+            if left.constant is not None and right.constant is not None:
+                return self._folded(node, cost)
+            return Built(node, cost)
+        return self._unary(call.function, call.arguments[0])
+
+    def _folded(self, node: Expression, cost: int) -> Built:
+        """A node of known operands: its value, unless it is a fault that the run has to tell."""
+        self._context.fault = 0
+        value = node.measure(self._context)
+        if self._context.fault or value - value != 0.0:
+            return Built(node, cost)
+        return constant(value, cost)

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+"""What the decoder of one channel works with: names, lists, memory, places. Immutable but for the
+memory's values."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from nctakt.decoder.preparation import AxisLimits
+from nctakt.diagnostics import Diagnostic, Span
+from nctakt.lists.axis_configuration import AxisConfiguration
+from nctakt.lists.channel_configuration import ChannelParameters
+from nctakt.nc.names import NameTable
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """One channel as its decoder sees it.
+
+    ``axis_numbers``: axis name -> place in the path's positions. ``cells``: the machine's memory.
+    ``place``: the source number of a span (``sources.py``). ``line``: the text line of a span.
+    ``notice``: takes a finding that does not stop the program.
+    """
+
+    names: NameTable
+    parameters: ChannelParameters
+    axis_numbers: Mapping[str, int]
+    axes: tuple[AxisConfiguration, ...]
+    limits: tuple[AxisLimits, ...]
+    cells: memoryview[float]
+    cycle_time_us: int
+    place: Callable[[Span], int]
+    line: Callable[[Span], str]
+    notice: Callable[[Diagnostic], None]
+
+
+class DecodeError(Exception):
+    """Decoding cannot go on: the program is given up behind the blocks that are prepared."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        super().__init__(diagnostic.headline())
+        self.diagnostic = diagnostic

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+"""Errors that the realtime part has told as numbers -> diagnostics with their place."""
+
+from __future__ import annotations
+
+from nctakt.assembly import Machine
+from nctakt.diagnostics import Diagnostic
+from nctakt.kernel.expressions import OPERATIONS
+from nctakt.lists.variables import SCALARS
+from nctakt.messages import diagnostic
+from nctakt.trace.events import Event
+
+
+def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic | None:
+    """The diagnostic of an error event; ``None`` for one of the decoder, which is told already.
+
+    The values come from the context of the cycle at fault, which keeps them until the next tick.
+    """
+    number = int(event.text)
+    context = machine.channels[0].context
+    a, b = context.fault_a, context.fault_b
+    cycle = event.cycle
+    values: dict[str, object]
+    match number:
+        case 50879:
+            values = {"cycle": cycle, "operation": OPERATIONS.get(int(a), "=")}
+        case 50892:
+            name = machine.registry.variable(int(a))
+            location = machine.names.resolve_text(name)
+            assert isinstance(location, tuple)
+            scalar = SCALARS[location[0].type]
+            values = {"variable": name, "value": b, "low": scalar.low, "high": scalar.high}
+        case 50929:
+            values = {"index": int(a), "count": int(b)}
+        case 50942 | 50943:
+            function = f"H{-int(a) - 1}" if a < 0 else f"M{int(a)}"
+            values = {"function": function, "slots": int(b)}
+        case 50854 | 50939:
+            values = {"cycle": cycle, "steps": int(a), "limit": int(b)}
+        case 50858 | 50900:
+            values = {"id": int(machine.channels[0].error_detail)}
+        case 50877:
+            values = {"count": machine.channels[0].manager.capacity}
+        case 900420:
+            values = {}
+        case _:
+            return None
+    line = ""
+    if event.span is not None:
+        line = machine.files.line_at(event.span)
+    return diagnostic(number, event.span, line, **values)

@@ -1,2 +1,302 @@
 # SPDX-License-Identifier: MIT
-"""Tree -> diagnostics: what can be known of a program before it runs."""
+"""Tree -> diagnostics: what can be known of a program before it runs.
+
+In: a program, the variables and the list of its channel. Out: diagnostics in the order of the text;
+nothing is executed. What passes without an error the decoder can run; what depends on values is the
+decoder's. Which commands exist and what becomes of them: ``support.py``. Behind the end of the main
+program nothing is checked, nor where a constant condition lets nothing run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from difflib import get_close_matches
+
+from nctakt.diagnostics import Diagnostic
+from nctakt.lists.channel_configuration import ChannelParameters
+from nctakt.messages import Collector
+from nctakt.nc import support
+from nctakt.nc.check_cycle import CycleChecker
+from nctakt.nc.check_values import ValueChecker
+from nctakt.nc.check_words import WordChecker
+from nctakt.nc.findings import Findings
+from nctakt.nc.formats import places
+from nctakt.nc.frames import is_false
+from nctakt.nc.names import NameTable
+from nctakt.nc.source import Source
+from nctakt.nc.support import Answer
+from nctakt.nc.syntax import (
+    Assignment,
+    Block,
+    Break,
+    Continue,
+    CycleControl,
+    Do,
+    Expression,
+    Flush,
+    For,
+    Goto,
+    HashCommand,
+    If,
+    MacroDefinition,
+    Number,
+    Program,
+    RealtimeCycle,
+    Repeat,
+    Statement,
+    StringLiteral,
+    SubprogramCall,
+    Switch,
+    Time,
+    Timer,
+    UserError,
+    UserMessage,
+    VariableBlock,
+    VariableDeclarations,
+    While,
+    Word,
+)
+
+#: M functions that end a main program, and those that end whatever they stand in.
+PROGRAM_ENDS = (2, 30)
+SUBPROGRAM_ENDS = (*PROGRAM_ENDS, 17, 29)
+_MESSAGE_OPTIONS = ("SAVE", "EXCLUSIVE")
+#: Options of #MSG that exist and are not simulated.
+_REFUSED_OPTIONS = ("CONTINUE", "INFO", "SYN", "ACK")
+
+
+def check(
+    program: Program, names: NameTable, channel: ChannelParameters, collector: Collector
+) -> None:
+    """All diagnostics of a program, local subprograms included, in the order of the text."""
+    found = Collector()
+    checker = Checker(program.source, names, channel, found)
+    checker.main_program(program.statements)
+    for subprogram in program.subprograms:
+        checker.subprogram(subprogram.statements)
+    found.diagnostics.sort(key=_place)
+    collector.diagnostics += found.diagnostics
+
+
+def _place(diagnostic: Diagnostic) -> tuple[int, int]:
+    span = diagnostic.span
+    return (span.line, span.column) if span is not None else (0, 0)
+
+
+class Checker:
+    """Checks statements of one program one by one, in their order."""
+
+    def __init__(
+        self, source: Source, names: NameTable, channel: ChannelParameters, collector: Collector
+    ) -> None:
+        self._findings = Findings(source, collector)
+        self._values = ValueChecker(names, self._findings, in_cycle=False)
+        self._words = WordChecker(channel, self._values, self._findings)
+        in_cycle = ValueChecker(names, self._findings, in_cycle=True)
+        self._cycles = CycleChecker(channel, self._words, self._values, in_cycle, self._findings)
+        self._loops = 0
+        self._switches = 0
+        self._in_subprogram = False
+
+    def main_program(self, statements: Sequence[Statement]) -> None:
+        """The main program, up to its end."""
+        self._in_subprogram = False
+        for statement in statements:
+            self.statement(statement)
+            if ends(statement, PROGRAM_ENDS):
+                break
+
+    def subprogram(self, statements: Sequence[Statement]) -> None:
+        """A local subprogram, up to its end."""
+        self._in_subprogram = True
+        for statement in statements:
+            self.statement(statement)
+            if ends(statement, SUBPROGRAM_ENDS):
+                break
+
+    def _all(self, statements: Sequence[Statement]) -> None:
+        for statement in statements:
+            self.statement(statement)
+
+    def statement(self, statement: Statement) -> None:
+        """One statement with all that is inside it."""
+        if statement.head.number is not None:
+            self._values.block(statement.head.number)
+        match statement:
+            case Block():
+                self._words.block(statement, in_subprogram=self._in_subprogram)
+            case Assignment():
+                self._values.assignment(statement)
+            case VariableBlock():
+                self._values.block(statement.variable)
+            case RealtimeCycle():
+                self._cycles.definition(statement)
+            case CycleControl():
+                self._cycles.control(statement)
+            case Time():
+                self._values.block(statement.seconds)
+            case UserMessage():
+                self._message(statement)
+            case If() | For() | While() | Do() | Repeat() | Switch():
+                self._structure(statement)
+            case Break() | Continue():
+                self._leave(statement)
+            case Flush():
+                pass
+            case _:
+                self._other(statement)
+
+    # --- structures ------------------------------------------------------------------------------
+
+    def _structure(self, statement: If | For | While | Do | Repeat | Switch) -> None:
+        match statement:
+            case If():
+                self._if(statement)
+            case For():
+                bounds = (statement.start, statement.end, statement.step)
+                self._values.line(statement.variable, *bounds)
+                self._values.write(statement.variable, compound=True)
+                for bound in bounds:
+                    self._values.value(bound)
+                self._loop(statement.body)
+            case While():
+                self._values.block(statement.condition)
+                if not is_false(statement.condition):
+                    self._loop(statement.body)
+            case Do() | Repeat():
+                self._loop(statement.body)
+                self._values.block(statement.condition)
+            case Switch():
+                self._switch(statement)
+
+    def _loop(self, body: Sequence[Statement]) -> None:
+        self._loops += 1
+        self._all(body)
+        self._loops -= 1
+
+    def _switch(self, switch: Switch) -> None:
+        self._values.block(switch.subject)
+        self._switches += 1
+        for case in switch.cases:
+            if case.head.number is not None:
+                self._values.block(case.head.number)
+            if case.value is not None:
+                self._values.block(case.value)
+            self._all(case.body)
+        self._switches -= 1
+
+    def _if(self, statement: If) -> None:
+        if statement.preprocessor:
+            self._refuse_hash(statement, "IF")
+            return
+        if statement.frequency is not None:
+            word = f"$IF {statement.frequency}"
+            self._findings.report(900222, statement.span, word=word)
+        self._branch(statement.condition, statement.body)
+        for branch in statement.elseifs:
+            if branch.frequency is not None:
+                word = f"$ELSEIF {branch.frequency}"
+                self._findings.report(900222, branch.span, word=word)
+            self._branch(branch.condition, branch.body)
+        self._all(statement.else_body or ())
+
+    def _branch(self, condition: Expression, body: Sequence[Statement]) -> None:
+        self._values.block(condition)
+        if not is_false(condition):
+            self._all(body)
+
+    def _leave(self, statement: Break | Continue) -> None:
+        inside = self._loops or (isinstance(statement, Break) and self._switches)
+        if not inside:
+            word = "$BREAK" if isinstance(statement, Break) else "$CONTINUE"
+            self._findings.report(900223, statement.span, word=word)
+
+    # --- commands --------------------------------------------------------------------------------
+
+    def _message(self, message: UserMessage) -> None:
+        seen: dict[str, None] = {}
+        for option in message.options:
+            if option.name in _REFUSED_OPTIONS:
+                self._refuse_hash(message, "MSG", "INFO", shown=f"#MSG {option.name}")
+            elif option.name not in _MESSAGE_OPTIONS:
+                near = get_close_matches(option.name, _MESSAGE_OPTIONS, 1)
+                names = [*near, *(name for name in _MESSAGE_OPTIONS if name not in near)]
+                self._findings.report(
+                    900234, option.span, command="#MSG", word=option.text, names=", ".join(names)
+                )
+            elif option.name in seen:
+                self._findings.report(900224, option.span, word=option.name)
+            seen[option.name] = None
+        self._message_text(message)
+
+    def _message_text(self, message: UserMessage) -> None:
+        self._values.line(*message.arguments)
+        if not isinstance(message.format, StringLiteral):
+            self._findings.answer(support.form("V.E.TEXT"), message.format.span)
+            return
+        found = list(places(message.format.value))
+        wrong = next((place for place, known in found if not known), None)
+        if wrong is not None:
+            self._findings.report(900231, message.format.span, word=wrong)
+        elif len(found) != len(message.arguments):
+            expected, given = len(found), len(message.arguments)
+            self._findings.report(900230, message.format.span, expected=expected, given=given)
+        for index, argument in enumerate(message.arguments):
+            is_text = isinstance(argument, StringLiteral)
+            if index < len(found) and found[index][1]:
+                if is_text != found[index][0].endswith("s"):
+                    self._findings.report(900232, argument.span, word=found[index][0])
+            if not is_text:
+                self._values.value(argument)
+
+    def _other(self, statement: Statement) -> None:
+        """Statements that this version refuses as a whole."""
+        match statement:
+            case Goto():
+                self._findings.answer(support.answer_control("$GOTO"), statement.span)
+            case SubprogramCall():
+                entry = support.answer_word("LL" if statement.local else "L")
+                assert entry is not None
+                self._findings.answer(entry, statement.span)
+            case MacroDefinition():
+                self._findings.answer(support.form('"NAME"'), statement.span)
+            case VariableDeclarations():
+                self._refuse_hash(statement, "VAR")
+            case Timer():
+                self._refuse_hash(statement, "TIMER")
+            case UserError():
+                self._refuse_hash(statement, "ERROR")
+            case HashCommand():
+                self._hash(statement)
+
+    def _refuse_hash(self, statement: Statement, *words: str, shown: str = "") -> None:
+        entry = support.answer_hash(words)
+        assert entry is not None
+        self._findings.answer(entry, statement.span, shown)
+
+    def _hash(self, command: HashCommand) -> None:
+        words = [word.name for word in command.words]
+        entry = support.answer_hash(words)
+        name = "#" + " ".join(words)
+        if entry is None:
+            nearest = support.nearest_hash(words) or "–"
+            self._findings.report(900202, command.span, word=name, nearest=nearest)
+        elif entry.answer is Answer.SIMULATED:
+            self._findings.report(900233, command.span, command=entry.name)
+        else:
+            self._findings.answer(entry, command.span, name)
+
+
+def ends(statement: Statement, numbers: Sequence[int]) -> bool:
+    """Whether a block holds one of these M functions, whatever the skip levels are."""
+    return (
+        isinstance(statement, Block)
+        and statement.head.skip is None
+        and any(
+            isinstance(word, Word)
+            and word.name == "M"
+            and isinstance(word.value, Number)
+            and word.value.value in numbers
+            for word in statement.words
+        )
+    )

@@ -1,0 +1,295 @@
+# SPDX-License-Identifier: MIT
+"""Expressions and accesses to variables: what can be known before they are evaluated.
+
+In: nodes, in the context of the program or of a realtime cycle. Out: diagnostics. Names and
+indices (RC-310), rights (RC-303), writing of asynchronous variables (RC-301), ``Vs.`` for a whole
+block (RC-301), texts, structures and lists of values (RC-208), functions (RC-206).
+"""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+
+from nctakt.nc import support
+from nctakt.nc.findings import Findings
+from nctakt.nc.names import Access, Location, NameTable, NotFound, Problem
+from nctakt.nc.operators import CONSTANTS, FUNCTIONS
+from nctakt.nc.resolution import indices_of, path_text, resolve, variables_in
+from nctakt.nc.support import Answer
+from nctakt.nc.syntax import (
+    ArrayLiteral,
+    Assignment,
+    Binary,
+    Call,
+    Expression,
+    Name,
+    Number,
+    Parameter,
+    StringLiteral,
+    Unary,
+    Variable,
+)
+
+_RIGHTS = {Access.NONE: "–", Access.READ: "R", Access.WRITE: "W", Access.BOTH: "R/W"}
+#: Families whose variables the variables list declares, with rights of their own.
+_DECLARED = ("E", "CH")
+
+
+class ValueChecker:
+    """Checks expressions and accesses; ``in_cycle``: those of a realtime cycle's body."""
+
+    def __init__(self, names: NameTable, findings: Findings, *, in_cycle: bool) -> None:
+        self._names = names
+        self._findings = findings
+        self._in_cycle = in_cycle
+
+    # --- expressions -----------------------------------------------------------------------------
+
+    def block(self, *expressions: Expression) -> None:
+        """All expressions of one block: their values, and ``Vs.`` in all of them or in none."""
+        self.line(*expressions)
+        for expression in expressions:
+            self.value(expression)
+
+    def line(self, *expressions: Expression) -> None:
+        """A variable is synchronous for its whole block or not at all."""
+        found: dict[str, list[Variable]] = {}
+        for expression in expressions:
+            for variable in variables_in(expression):
+                if variable.family in _DECLARED:
+                    found.setdefault(path_text(variable), []).append(variable)
+        for name, variables in found.items():
+            if not any(variable.synchronous for variable in variables):
+                continue
+            location = resolve(variables[0], self._names)
+            if isinstance(location, NotFound) or location.synchronous:
+                continue
+            for variable in variables:
+                if not variable.synchronous:
+                    self._findings.report(900228, variable.span, name=name)
+
+    def value(self, expression: Expression) -> None:
+        """An expression whose value is needed."""
+        match expression:
+            case Variable():
+                self.read(expression)
+            case Parameter():
+                self._parameter(expression)
+            case Unary():
+                self.value(expression.operand)
+            case Binary():
+                self.value(expression.left)
+                self.value(expression.right)
+            case Call():
+                self._call(expression)
+            case Name():
+                known = [*FUNCTIONS, *CONSTANTS]
+                near = get_close_matches(expression.name, known, 1)
+                self._findings.report(
+                    900221, expression.span, word=expression.text, nearest=near[0] if near else "–"
+                )
+            case StringLiteral():
+                self._text(expression, '"…"')
+            case ArrayLiteral():
+                self._findings.answer(support.form("[1, 2]"), expression.span)
+
+    def _text(self, expression: Expression, name: str) -> None:
+        if self._in_cycle:
+            self._findings.report(21981, expression.span, name=name)
+        else:
+            form = "V.E.TEXT" if isinstance(expression, Variable) else '"text"'
+            self._findings.answer(support.form(form), expression.span, name)
+
+    def _parameter(self, parameter: Parameter) -> None:
+        if parameter.call:
+            self._findings.answer(support.call_parameter(), parameter.span)
+        self.value(parameter.index)
+        if self._in_cycle and self._is_live(parameter.index):
+            self._findings.report(900227, parameter.span, name="P")
+
+    def _call(self, call: Call) -> None:
+        function = FUNCTIONS.get(call.function)
+        if function is None:
+            near = get_close_matches(call.function, list(FUNCTIONS), 1)
+            nearest = near[0] if near else "–"
+            self._findings.report(900218, call.span, word=call.function, nearest=nearest)
+        elif function.decoder_only:
+            self._asks_about_names(call)
+            return
+        elif not function.minimum <= len(call.arguments) <= function.maximum:
+            self._findings.report(
+                900219,
+                call.span,
+                word=call.function,
+                expected=function.minimum,
+                given=len(call.arguments),
+            )
+        for argument in call.arguments:
+            self.value(argument)
+
+    def _asks_about_names(self, call: Call) -> None:
+        if self._in_cycle:
+            self._findings.report(900220, call.span, word=call.function)
+            return
+        entry = support.answer_function(call.function)
+        assert entry is not None
+        self._findings.answer(entry, call.span)
+
+    # --- variables -------------------------------------------------------------------------------
+
+    def read(self, variable: Variable) -> None:
+        """A variable whose value is needed."""
+        location = self._found(variable)
+        if location is None or not self._may(variable, location, Access.READ):
+            return
+        if not location.is_numeric:
+            self._text(variable, location.name)
+        elif self._in_cycle and not (location.synchronous or variable.synchronous):
+            if any(self._is_live(index) for index in indices_of(variable)):
+                self._findings.report(900227, variable.span, name=location.name)
+
+    def write(self, target: Variable | Parameter, *, compound: bool = False) -> None:
+        """What is assigned to; ``compound``: it is read as well, as in ``+=``."""
+        if isinstance(target, Parameter):
+            self._parameter(target)
+            if self._in_cycle:
+                self._asynchronous(target)
+            return
+        entry = support.answer_family(target.family)
+        if self._in_cycle and entry is not None and entry.answer is Answer.REFUSED:
+            self._asynchronous(target)
+            return
+        location = self._found(target)
+        if location is None or not self._may(target, location, Access.WRITE):
+            return
+        if compound and not self._may(target, location, Access.READ):
+            return
+        if not location.is_numeric:
+            self._text(target, location.name)
+        elif self._in_cycle and not (location.synchronous or target.synchronous):
+            self._findings.report(22009, target.span, name=location.name)
+
+    def assignment(self, statement: Assignment) -> None:
+        """``target operator value``, structures and lists of values among them."""
+        target, value = statement.target, statement.value
+        self.line(target, value)
+        if isinstance(value, ArrayLiteral):
+            self._list_of_values(target, value)
+            return
+        if isinstance(value, Variable) and self._is_structure(value):
+            self._structure(target, value)
+            return
+        self.write(target, compound=statement.operator != "=")
+        self.value(value)
+
+    def _is_structure(self, variable: Variable) -> bool:
+        found = resolve(variable, self._names)
+        return isinstance(found, NotFound) and found.reason is Problem.STRUCTURE
+
+    def _structure(self, target: Variable | Parameter, value: Variable) -> None:
+        """A structure is assigned: to a structure, or to a number that may be named as a member."""
+        found = resolve(value, self._names)
+        assert isinstance(found, NotFound)
+        if not (isinstance(target, Variable) and self._is_structure(target)):
+            self.write(target)
+            member = self._member_like(target, value) or found.nearest
+            self._findings.report(900215, value.span, name=found.name, member=member)
+        elif self._in_cycle:
+            self._findings.report(21984, target.span, name=path_text(target), member=found.nearest)
+        else:
+            self._findings.answer(support.form("V.E.A = V.CH.A"), target.span, path_text(target))
+
+    def _member_like(self, target: Variable | Parameter, value: Variable) -> str:
+        """The member of ``value`` that is named as the last part of ``target``, empty if none."""
+        if not isinstance(target, Variable) or not target.parts:
+            return ""
+        name = target.parts[-1].name
+        parts = [(part.name, len(part.indices)) for part in value.parts]
+        wanted = self._names.resolve(value.family, [*parts, (name, 0)])
+        known = isinstance(wanted, Location)
+        return f"{self._findings.written(value.span)}.{name}" if known else ""
+
+    def _list_of_values(self, target: Variable | Parameter, value: ArrayLiteral) -> None:
+        if self._in_cycle:
+            name = path_text(target) if isinstance(target, Variable) else "P"
+            self._findings.report(22001, value.span, name=name)
+        else:
+            self._findings.answer(support.form("[1, 2]"), value.span)
+
+    def _asynchronous(self, target: Variable | Parameter) -> None:
+        name = path_text(target) if isinstance(target, Variable) else "P"
+        if isinstance(target, Parameter) and isinstance(target.index, Number):
+            name = f"P{target.index.value:g}"
+        self._findings.report(22009, target.span, name=name)
+
+    def _found(self, variable: Variable) -> Location | None:
+        """The location, or the report why there is none; the indices are checked, too."""
+        entry = support.answer_family(variable.family)
+        if entry is None:
+            nearest = support.nearest_family(variable.family) or "–"
+            name = path_text(variable)
+            self._findings.report(900213, variable.span, name=name, nearest=nearest)
+            return None
+        if entry.answer is not Answer.SIMULATED:
+            self._findings.answer(entry, variable.span, path_text(variable))
+            return None
+        for index in indices_of(variable):
+            self.value(index)
+        found = resolve(variable, self._names)
+        if isinstance(found, NotFound):
+            self._not_found(variable, found)
+            return None
+        return found if self._indices_fit(variable, found) else None
+
+    def _not_found(self, variable: Variable, found: NotFound) -> None:
+        report, span = self._findings.report, variable.span
+        match found.reason:
+            case Problem.UNKNOWN:
+                nearest = found.nearest or "–"
+                report(900213, span, name=path_text(variable), nearest=nearest)
+            case Problem.INDICES:
+                given = sum(1 for _ in indices_of(variable))
+                report(900214, span, name=found.name, expected=found.expected_indices, given=given)
+            case Problem.STRUCTURE:
+                report(900215, span, name=found.name, member=found.nearest)
+
+    def _indices_fit(self, variable: Variable, location: Location) -> bool:
+        """Constant indices inside the array; those that are computed are checked when they are."""
+        fits = True
+        for index, dimension in zip(indices_of(variable), location.dimensions, strict=True):
+            if isinstance(index, Number) and not 0 <= round(index.value) < dimension.count:
+                fits = False
+                self._findings.report(
+                    50929,
+                    index.span,
+                    variable=location.name,
+                    index=round(index.value),
+                    count=dimension.count,
+                )
+        return fits
+
+    def _may(self, variable: Variable, location: Location, wanted: Access) -> bool:
+        allowed = location.cycle if self._in_cycle else location.decoder
+        if wanted in allowed:
+            return True
+        if location.family in _DECLARED:
+            number = 900216 if wanted is Access.WRITE else 900217
+            self._findings.report(number, variable.span, name=location.name)
+            return False
+        self._findings.report(
+            21993,
+            variable.span,
+            name=location.name,
+            access=_RIGHTS[wanted],
+            decoder=_RIGHTS[location.decoder],
+            cycle=_RIGHTS[location.cycle],
+        )
+        return False
+
+    def _is_live(self, index: Expression) -> bool:
+        """Whether an index holds something that a realtime cycle reads in each tick."""
+        for variable in variables_in(index):
+            found = resolve(variable, self._names)
+            if isinstance(found, Location) and (found.synchronous or variable.synchronous):
+                return True
+        return False

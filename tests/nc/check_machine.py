@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+"""The demo machine's channel for tests of the checker, and ways to change its list."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cache
+
+from nctakt.diagnostics import Diagnostic
+from nctakt.lists.channel_configuration import ChannelParameters
+from nctakt.lists.machine import load_machine
+from nctakt.lists.technology import TechnologyFunction
+from nctakt.messages import Collector
+from nctakt.nc.check import check
+from nctakt.nc.names import ChannelNames, Layout, NameTable
+from nctakt.nc.parser import parse_program
+from nctakt.nc.source import Source
+
+
+@dataclass(frozen=True, slots=True)
+class Channel:
+    """What ``check`` needs of a channel beside the program."""
+
+    names: NameTable
+    parameters: ChannelParameters
+
+
+@cache
+def demo_channel() -> Channel:
+    """The demo machine's channel, with functions of axes that its list does not have."""
+    machine = load_machine(None)
+    channel = machine.channels[0]
+    axes = tuple((axis.name, axis.index) for axis in channel.axes)
+    linear = frozenset(number for _, number in axes if machine.axes[number].is_linear)
+    names = ChannelNames(axes, linear, channel.external_variables, channel.channel_variables)
+    of_axis = TechnologyFunction(200, "MOS", (), 0.0, "X")
+    parameters = replace(
+        channel.parameters,
+        m_functions={**channel.parameters.m_functions, 200: of_axis},
+        h_functions={**channel.parameters.h_functions, 200: of_axis},
+    )
+    return Channel(Layout([names], len(machine.axes)).tables[0], parameters)
+
+
+def findings(
+    lines: tuple[str, ...], parameters: ChannelParameters | None = None, file: str = "p.nc"
+) -> list[Diagnostic]:
+    """The diagnostics of parser and checker, each in the order of the text."""
+    channel = demo_channel()
+    collector = Collector()
+    program = parse_program(Source(file, lines), collector)
+    check(program, channel.names, parameters or channel.parameters, collector)
+    return collector.diagnostics

@@ -1,0 +1,142 @@
+; All of it is simulated
+%MAIN
+N10 G00 X1 Y2.5 Z-3 A90
+N20 G01 G90 G71 X[1+2] F500
+G91 G70 X1
+G01 X1 F1000 M100 M111 M112 M113 M117 M118 H100
+/ G00 X0
+/3 N30 G00 X0
+N100
+N40: G00 X1
+[MARK] G00 X2
+P1 = 5 P2 = 6 X10
+G00 XP1 YV.E.VALUE
+G04 X0.5
+G04 0.5
+G4 P1
+N5 G04 X[2 * P1]
+#TIME 0.5
+#FLUSH
+#FLUSH WAIT
+#FLUSH CONTINUE
+F100
+M30
+; --- accepted: told once per program
+G17 G40 X1 ; note 900201 "G17 (plane X Y)"; note 900201 "G40"
+G17 X2
+G18 ; note 900201 "G18"
+G19 ; note 900201 "G19"
+G60 X3 ; note 900201 "G60"
+G53 ; note 900201 "G53"
+G94 ; note 900201 "G94"
+G97 ; note 900201 "G97"
+G161 ; note 900201 "G161"
+G162 ; note 900201 "G162"
+G164 ; note 900201 "G164"
+G165 ; note 900201 "G165"
+M01 ; note 900201 "M01"
+M01
+M02
+; --- refused by name
+G02 X1 Y1 I1 J0 ; error 900200 "G02 (arc, clockwise)"; error 900200 "I1"; error 900200 "J0"
+G3 X1 Y1 R5 ; error 900200 "G03"; error 900200 "R5"
+G08 X1 ; error 900200 "G08"
+G09 X1 ; error 900200 "G09"
+G41 X1 ; error 900200 "G41"
+G54 ; error 900200 "G54"
+G80 ; error 900200 "G80"
+G805[1, P2] ; error 900200 "G805"
+G129 = 50 ; error 900200 "G129"
+G166 X1 ; error 900200 "G166"
+G360 ; error 900200 "G360"
+S1000 ; error 900200 "S1000 (speed of the main spindle)"
+S2=2000 ; error 900200 "S2=2000"
+S.POS=90 ; error 900200 "S.POS=90"
+S2[M03 REV=1000] ; error 900200 "S2["
+M3 ; error 900200 "M03"
+M19 ; error 900200 "M19"
+M0 ; error 900200 "M00"
+T1 D2 ; error 900200 "T1"; error 900200 "D2"
+E100 ; error 900200 "E100"
+X[INDP G90 POS=10] ; error 900200 "X[INDP] (independent motion of an axis)"
+Z[DIST_CTRL OFF] ; error 900200 "Z[…]"
+M17 ; error 900200 "M17"
+M17[MAIN] ; error 900200 "M17[…]"
+M110=130 ; error 900200 "M110=130"
+M@P6 ; error 900200 "M@P6"
+GP1 X1 ; error 900200 "GP1"
+HV.E.VALUE ; error 900200 "HV.E.VALUE"
+M114 ; error 900200 "M114 (late waiting, at the next motion)"
+M115 ; error 900200 "M115"
+M116 ; error 900200 "M116 (output at a measuring event)"
+H116 ; error 900200 "H116"
+M200 ; error 900200 "M200 (M or H function of one axis)"
+H200 ; error 900200 "H200"
+"MACRO" ; error 900200 "macro"
+"DRILL" = "G1 Z-10" ; error 900200 "macro"
+L file.nc ; error 900200 "L (call of a subprogram in a file)"
+LL SUB ; error 900200 "LL (call of a local subprogram)"
+L CYCLE [NAME=drill.nc @P1=3] ; error 900200 "L ("
+G04 S10 ; error 900200 "G04 S (dwell in revolutions)"
+M30
+; --- nobody knows it
+Q5 ; error 900203 "Q5"
+X Y1 ; error 900208 "X"
+B10 X1 ; error 900203 "B10"
+XR=5 ; error 900203 "XR=5"
+X1=10 ; error 900203 "X1=10"
+UNKNOWN ; error 900203 "UNKNOWN"
+O100 ; error 900203 "O100"
+Q[INDP G90 POS=10] ; error 900203 "Q"
+S7[M05] ; error 900203 "S7"
+G7 ; error 900204 "G7"
+G54.1 ; error 900204 "G54.1"
+G-1 ; error 900204 "G-1"
+M1.5 ; error 900204 "M1.5"
+M99 ; error 900205 "M99"
+M6 T5 ; error 900205 "M06"; error 900200 "T5"
+H7 ; error 900205 "H07"
+; --- words without a value
+G ; error 900208 "G"
+M ; error 900208 "M"
+G01 X1 F ; error 900208 "F"
+; --- together in one block
+G00 G01 X1 ; error 900210 "G01 and G00"
+G01 G02 X1 ; error 900200 "G02"
+G90 G91 X1 ; error 900210 "G91 and G90"
+G70 G71 ; error 900210 "G71 and G70"
+G17 G18 ; error 900210 "G18 and G17"; note 900201 "G17"; note 900201 "G18"
+G90 G90 X1
+X1 Y2 X3 ; error 900209 "X"
+F1 F2 X1 ; error 900209 "F"
+G00 5 X1 ; error 900212 "G00"
+M100 M100 M101
+G60 ; note 900201 "G60"; error 20003 "G60"
+G60 F100 ; error 20003 "G60"
+; --- G04 alone
+G04 ; error 900211 "alone"
+G04 X1 Y1 ; error 900211 "alone"
+G04 X1 M100 ; error 900211 "alone"
+G04 X ; error 900211 "alone"
+G04 1 X1 ; error 900211 "alone"
+G04 F5 ; error 900211 "alone"
+G00 G04 X1 ; error 900211 "alone"
+G04 S1 X1 ; error 900211 "alone"
+G04 X[V.E.UNKNOWN] ; error 900213 "V.E.UNKNOWN"
+; --- behind the end nothing is checked, but subprograms are
+%L SUB
+G00 X1
+G99 ; error 900200 "G99"
+M17
+G99
+%MAIN
+G00 X1
+M30
+G99
+; --- a skipped end ends nothing
+/ M30
+G99 ; error 900200 "G99"
+M30
+; --- block numbers are values
+N[P1*10] G0 X1
+N[V.E.NONE] G0 X1 ; error 900213 "V.E.NONE"

@@ -93,6 +93,8 @@ L CYCLE [NAME=a @P] ; error 900101 "@"
 #FLUSH CONTINUE
 #TIME 1.5
 #TIME P1 * 2
+#TIME [P1 + 1] * 2
+#TIME [3]
 #TIMER START SYN [ID = 0]
 #TIMER READ
 #MSG ["text"]

@@ -111,7 +111,7 @@ def hash_line(text: BlockText, head: Head, structure: Structure) -> None:
     name = tuple(word.name for word in words)
     handler = _HASH_LINES.get(name[:2]) or _HASH_LINES.get(name)
     try:
-        arguments = parse_arguments(text)
+        arguments = parse_arguments(text, name)
     except BlockError as error:
         if handler is None:
             raise

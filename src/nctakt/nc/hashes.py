@@ -18,6 +18,7 @@ from nctakt.nc.expressions import (
     OPENING,
     Item,
     expected,
+    parse_expression,
     parse_item,
     parse_items,
     parse_variable,
@@ -43,7 +44,7 @@ from nctakt.nc.syntax import (
 CYCLE_ACTIONS = ("START", "HOLD", "CONTINUE", "ABORT ACTION", "DELETE")
 
 _HASH = re.compile(r"\s*#\s*")
-_WORD = re.compile(r"\s*([^\W\d]\w*)(?!\w|\s*=)")
+_WORD = re.compile(r"\s*([^\W\d]\w*)(?!\w|\s*=|\.\w)")
 
 Argument = Bracket | Keyword | Expression
 
@@ -75,9 +76,12 @@ def parse_words(text: BlockText) -> tuple[Name, ...]:
     return tuple(words)
 
 
-def parse_arguments(text: BlockText) -> tuple[Argument, ...]:
+def parse_arguments(text: BlockText, name: tuple[str, ...]) -> tuple[Argument, ...]:
     """What follows the words, up to the end of the block."""
     arguments: list[Argument] = []
+    if name == ("TIME",) and not text.at_end():
+        # The only command whose brackets may be those of an expression: ``#TIME [P1] * 2``.
+        arguments.append(parse_expression(text))
     while not text.at_end():
         if text.match(COMMA) is None:
             arguments.append(_argument(text))
@@ -147,10 +151,7 @@ def _time(text: BlockText, head: Head, command: Hash) -> Statement | None:
     if len(command.words) != 1 or len(command.arguments) != 1:
         return None
     value = command.arguments[0]
-    if isinstance(value, Bracket) and len(value.items) == 1:
-        value = value.items[0]
-    if not isinstance(value, Expression):
-        return None
+    assert isinstance(value, Expression)
     return Time(text.span(command.start, command.end), head, value)
 
 

@@ -77,12 +77,13 @@ class BlockText:
     def span(self, start: int, end: int) -> Span:
         """The place of ``text[start:end]``; it ends with the line that it begins in."""
         if len(self.pieces) == 1:
-            return Span(self.file, self.line_number, start + 1, end + 1)
+            return Span(self.file, self.line_number, start + 1, max(start + 1, end) + 1)
         index = bisect_right(self.pieces, start, key=_start) - 1
         piece = self.pieces[index]
         if index + 1 < len(self.pieces):
-            end = max(start, min(end, self.pieces[index + 1].start - 1))
-        return Span(self.file, piece.number, start - piece.start + 1, end - piece.start + 1)
+            end = min(end, self.pieces[index + 1].start - 1)
+        column = start - piece.start + 1
+        return Span(self.file, piece.number, column, max(column, end - piece.start) + 1)
 
     def source_line(self, span: Span) -> str:
         """The whole line in which a span of this block stands."""

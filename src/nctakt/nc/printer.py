@@ -165,12 +165,12 @@ def format_items(items: tuple[Keyword | Expression, ...]) -> str:
     return f"[{''.join(parts)}]"
 
 
-def _format_item(item: Keyword | Expression) -> str:
+def _format_item(item: Keyword | Expression, *, glued: bool = True) -> str:
     if isinstance(item, Expression):
         return format_expression(item)
     if item.value is None:
         return item.name + (format_items(item.arguments) if item.arguments else "")
-    if item.name in ("G", "M", "H") and _is_natural(item.value):
+    if glued and item.name in ("G", "M", "H") and _is_natural(item.value):
         return item.name + format_expression(item.value)
     return f"{item.name}={format_expression(item.value)}"
 
@@ -261,7 +261,9 @@ def _format_call(call: SubprogramCall) -> str:
 def _format_hash(command: HashCommand) -> str:
     words = " ".join(word.text for word in command.words)
     arguments = ", ".join(
-        format_items(argument.items) if isinstance(argument, Bracket) else _format_item(argument)
+        format_items(argument.items)
+        if isinstance(argument, Bracket)
+        else _format_item(argument, glued=False)
         for argument in command.arguments
     )
     return f"#{words} {arguments}"

@@ -1,0 +1,200 @@
+; Expressions and accesses that are simulated
+P1 = 3 * [V.E.VALUE + 2] ** 2 MOD 4
+P[P1 + 1] = -P1
+P2 = SQRT[2] + ATAN2[1, 2] - ROUND[PI] * TRUE
+P3 += 1 P4 -= 2 P5 *= 3 P6 /= 4
+V.E.VALUE = P1
+V.E.LIST[0] = V.E.LIST[9]
+V.E.LIST[P1] = V.E.LIST[P1 + 1]
+V.E.LEVEL_1_A[2].REAL64 = 5
+V.E.LEVEL_1_A[0].LEVEL_2_A[1].LIST[3] += 1
+V.E.OUTPUT = V.E.INPUT
+V.CH.Table[4] = V.CH.Level.UNS08
+V.CH.VarTest1 = 2
+Vs.CH.VarTest1 = Vs.CH.VarTest1 + 1
+V.E.FLAG = V.E.VALUE > 3 && NOT V.E.FLAG
+V.RTG.CYCLES.DIAG_LEVEL = 4
+V.RTG.MEAS_DELTA = V.RTG.MEAS_DELTA + 1
+P1 = V.RTG.TIMER[127] + V.RTG.OVERRIDE.VEL.TOTAL
+P1 = V.RTA.ACS.ACT_POS.X + V.RTA.MCS.DIST_TO_GO.A
+V.E.VALUE
+Vs.E.LEVEL_1_A[0].REAL64
+P1
+$IF V.E.VALUE > 1 || P1
+  G00 X1
+$ELSEIF INT[P1]
+$ELSE
+$ENDIF
+$FOR P1 = 0, V.E.VALUE, 1
+  $BREAK
+$ENDFOR
+$FOR V.E.VALUE = 10, 0, -1
+  $CONTINUE
+$ENDFOR
+$SWITCH P1
+$CASE 1
+  $BREAK
+$DEFAULT
+$ENDSWITCH
+M30
+; --- names
+V.E.VALUES = 1 ; error 900213 "V.E.VALUES"
+V.E.value = 1 ; error 900213 "V.E.value"
+P1 = V.CH.Nothing ; error 900213 "V.CH.Nothing"
+P1 = V.E.LEVEL_1_A[0].REAL ; error 900213 "V.E.LEVEL_1_A[].REAL"
+P1 = V.RTG.NOTHING ; error 900213 "V.RTG.NOTHING"
+P1 = V.RTA.ACS.ACT_POS.Q ; error 900213 "V.RTA.ACS.ACT_POS.Q"
+P1 = V.RTG.PATH.SPEED ; error 900213 "V.RTG.PATH.SPEED"
+P1 = V.CHAN.A ; error 900213 "V.CHAN.A"
+P1 = V.E.NONE[V.E.NEITHER] ; error 900213 "V.E.NONE[]"; error 900213 "V.E.NEITHER"
+XV.E.NONE ; error 900213 "V.E.NONE"
+; --- families of later versions
+V.P.A = 1 ; error 900200 "V.P.A"
+P1 = V.L.B[3] ; error 900200 "V.L.B[]"
+V.S.C ; error 900200 "V.S.C"
+P1 = V.G.NP[1].V.X ; error 900200 "V.G.NP[].V.X"
+P1 = V.A.+SWE_MDS.Z ; error 900200 "V.A.+SWE_MDS.Z"
+P1 = @P1 ; error 900200 "@P"
+@P1 = 3 ; error 900200 "@P"
+#VAR ; error 900200 "#VAR"
+  V.L.A
+#ENDVAR
+; --- indices
+P1 = V.E.LIST ; error 900214 "V.E.LIST has 1 indices here, not 0"
+P1 = V.E.VALUE[1] ; error 900214 "V.E.VALUE has 0 indices here, not 1"
+V.E.LIST[1][2] = 1 ; error 900214 "V.E.LIST has 1"
+V.E.LEVEL_1_A.REAL64 = 1 ; error 900214 "V.E.LEVEL_1_A has 1"
+P1 = V.RTG.TIMER ; error 900214 "V.RTG.TIMER"
+P1 = V.E.LIST[10] ; error 50929 "V.E.LIST[] has no element 10; there are 10"
+V.E.LIST[-1] = 1 ; error 50929 "-1"
+V.E.LIST[9.6] = 1 ; error 50929 "element 10"
+V.E.LIST[9.5] = 1 ; error 50929 "element 10"
+V.E.LIST[8.5] = 1
+P1 = V.RTG.TIMER[128] ; error 50929 "128"
+V.E.LEVEL_1_A[3].LEVEL_2_A[2].LIST[4] = 1 ; error 50929 "3"; error 50929 "2"; error 50929 "4"
+P1 = V.E.LIST[V.E.LIST[10]] ; error 50929 "10"
+; --- structures and lists of values
+P1 = V.E.LEVEL_1_A[0] ; error 900215 "V.E.LEVEL_1_A[] is a structure"
+V.E.VALUE = V.E.LEVEL_1_A[0] + 1 ; error 900215 "V.E.LEVEL_1_A[]"
+V.E.LEVEL_1_A[0].REAL64 = V.E.LEVEL_1_A[0] ; error 900215 "V.E.LEVEL_1_A[]"
+V.E.LEVEL_1_A[0] = 5 ; error 900215 "V.E.LEVEL_1_A[]"
+V.CH.Level = V.E.LEVEL_1_A[0] ; error 900200 "V.CH.Level (copy of a structure)"
+V.E.LIST = [1, 2, 3] ; error 900200 "[1, 2]"
+P1 = [1, 2] ; error 900200 "[1, 2]"
+P1 = 2 + [1, 2] ; error 900200 "[1, 2]"
+; --- rights
+V.E.INPUT = 1 ; error 900216 "V.E.INPUT is READ_ONLY"
+V.E.INPUT += 1 ; error 900216 "V.E.INPUT is READ_ONLY"
+P1 = V.E.OUTPUT ; error 900217 "V.E.OUTPUT is WRITE_ONLY"
+V.E.OUTPUT += 1 ; error 900217 "V.E.OUTPUT is WRITE_ONLY"
+V.E.OUTPUT ; error 900217 "V.E.OUTPUT is WRITE_ONLY"
+V.RTG.OVERRIDE.VEL.CYCLE = 50 ; error 21993 "W access to V.RTG.OVERRIDE.VEL.CYCLE is not defined: program R, realtime cycle R/W"
+V.RTG.OVERRIDE.VEL.TOTAL = 50 ; error 21993 "program R, realtime cycle R"
+V.RTG.TIMER[1] = 0 ; error 21993 "V.RTG.TIMER[]"
+V.RTA.ACS.ACT_POS.X = 0 ; error 21993 "V.RTA.ACS.ACT_POS.X"
+$FOR V.E.INPUT = 1, 2, 1 ; error 900216 "V.E.INPUT"
+$ENDFOR
+$FOR V.E.OUTPUT = 1, 2, 1 ; error 900217 "V.E.OUTPUT"
+$ENDFOR
+; --- Vs. for the whole block
+Vs.CH.VarTest1 = V.CH.VarTest1 + 1 ; error 900228 "V.CH.VarTest1"
+V.E.ASYNC = Vs.E.ASYNC ; error 900228 "V.E.ASYNC"
+XVs.E.ASYNC YV.E.ASYNC ; error 900228 "V.E.ASYNC"
+V.E.VALUE = Vs.E.VALUE
+#MSG ["%f %f", V.E.ASYNC, Vs.E.ASYNC] ; error 900228 "V.E.ASYNC"
+; --- texts
+V.E.TEXT = 1 ; error 900200 "V.E.TEXT (variable that holds a text)"
+P1 = V.E.TEXT ; error 900200 "V.E.TEXT"
+P1 = "text" ; error 900200 "(text as a value)"
+$IF V.E.TEXT == "" ; error 900200 "V.E.TEXT"; error 900200 "text as a value"
+$ENDIF
+; --- functions and bare words
+P1 = SINE[30] ; error 900218 "SINE"
+P1 = FOO[V.E.NONE] ; error 900218 "FOO"; error 900213 "V.E.NONE"
+P1 = SIN[1, 2] ; error 900219 "SIN takes 1 arguments, not 2"
+P1 = ATAN2[1] ; error 900219 "ATAN2 takes 2 arguments, not 1"
+P1 = EXIST[V.P.A] ; error 900200 "EXIST"
+P1 = SIZEOF[V.E.LIST] ; error 900200 "SIZEOF"
+P1 = IS_STRING[P1] ; error 900200 "IS_STRING"
+P1 = SIN ; error 900221 "SIN"
+P1 = TRU ; error 900221 "TRU"
+; --- structures of control
+$GOTO N10 ; error 900200 "$GOTO"
+$GOTO [MARK] ; error 900200 "$GOTO"
+$IF P1 $GOTO N20 ; error 900200 "$GOTO"
+$BREAK ; error 900223 "$BREAK"
+$CONTINUE ; error 900223 "$CONTINUE"
+$SWITCH V.E.NONE ; error 900213 "V.E.NONE"
+$CASE V.E.NEITHER ; error 900213 "V.E.NEITHER"
+  $CONTINUE ; error 900223 "$CONTINUE"
+  G99 ; error 900200 "G99"
+N[V.E.NONE] $CASE 2 ; error 900213 "V.E.NONE"
+$ENDSWITCH
+$IF ONCE P1 > 3 ; error 900222 "$IF ONCE"
+$ELSEIF EDGE P1 > 2 ; error 900222 "$ELSEIF EDGE"
+  V.E.NONE ; error 900213 "V.E.NONE"
+$ELSE
+  V.E.NONE ; error 900213 "V.E.NONE"
+$ENDIF
+$WHILE V.E.NONE ; error 900213 "V.E.NONE"
+  G99 ; error 900200 "G99"
+$ENDWHILE
+$DO
+  G99 ; error 900200 "G99"
+$ENDDO V.E.NONE ; error 900213 "V.E.NONE"
+$REPEAT
+  $BREAK
+$UNTIL V.E.NONE ; error 900213 "V.E.NONE"
+$FOR P1 = V.E.NONE, V.E.NEITHER, V.E.NOR ; error 900213 "NONE"; error 900213 "NEITHER"; error 900213 "NOR"
+$ENDFOR
+$FOR @P1 = 1, 2, 1 ; error 900200 "@P"
+$ENDFOR
+#IF P1 > 3 ; error 900200 "#IF"
+G99
+#ENDIF
+; --- what never runs is not checked
+$IF 0
+  G99 ::
+$ELSEIF FALSE
+  G99
+$ELSE
+  G99 ; error 900200 "G99"
+$ENDIF
+$WHILE 0
+  V.E.NONE
+$ENDWHILE
+; --- # commands
+#FLUSH NOW ; error 900233 "#FLUSH"
+#TIME ; error 900233 "#TIME"
+#TIME V.E.NONE ; error 900213 "V.E.NONE"
+#MSG ; error 900233 "#MSG"
+#TIMER START [ID=1] ; error 900200 "#TIMER"
+#ERROR [ID=1 RC=0] ; error 900200 "#ERROR"
+#CHANNEL INIT [CMDPOS] ; error 900200 "#CHANNEL INIT"
+#KIN ID[9] ; error 900200 "#KIN ID"
+#TRAFO ON ; error 900200 "#TRAFO ON"
+#SLOPE [TYPE=TRAPEZ] ; error 900200 "#SLOPE"
+#MC_MovePath SYN [CH=1] ; error 900200 "#MC_MOVEPATH SYN"
+#RT WHILE ; error 900200 "#RT WHILE"
+#RT ENDWHILE ; error 900200 "#RT ENDWHILE"
+#FLUHS WAIT ; error 900202 "#FLUHS"
+#XYZ ; error 900202 "#XYZ"
+#RT CYLCE ; error 900202 "#RT CYLCE"
+; --- messages
+#MSG ["plain"]
+#MSG SAVE EXCLUSIVE ["%d %5.2f %s %%", 1, P1, "text"]
+#MSG SAVE ["%i %u %x %X %e %E %g %G %F", 1, 2, 3, 4, 5, 6, 7, 8, 9]
+#MSG ["V.RTG.TIMER[%d] = %f", P1, V.RTG.TIMER[P1]]
+#MSG ["%d"] ; error 900230 "1 values, 0 are given"
+#MSG ["text", 1] ; error 900230 "0 values, 1 are given"
+#MSG ["%d %y", 1, 2] ; error 900231 "%y"
+#MSG ["100 %"] ; error 900231 "%"
+#MSG ["%s", P1] ; error 900232 "%s"
+#MSG ["%d", "text"] ; error 900232 "%d"
+#MSG ["%f", V.E.NONE] ; error 900213 "V.E.NONE"
+#MSG ["%s", V.E.TEXT] ; error 900232 "%s"; error 900200 "V.E.TEXT"
+#MSG [V.E.TEXT] ; error 900200 "(variable that holds a text)"
+#MSG SAFE ["x"] ; error 900234 "SAFE"
+#MSG SAVE SAVE ["x"] ; error 900224 "SAVE"
+#MSG SAVE CONTINUE ["x"] ; error 900200 "#MSG CONTINUE"
+#MSG INFO ["x"] ; error 900200 "#MSG INFO"

@@ -55,7 +55,8 @@ def parse(source: Source, collector: Collector) -> Iterator[Statement]:
     structure.close_all()
     yield from structure.ready
     if empty and not collector.has_errors:
-        collector.report(900109, Span(source.file, 1, 1, 2))
+        place = Span(source.file, 1, 1, 2)
+        collector.report(900109, place, source.line_of(place))
 
 
 def parse_program(source: Source, collector: Collector) -> Program:

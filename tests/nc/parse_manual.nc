@@ -1,0 +1,175 @@
+; The forms of chapters 2 to 4 of the manual on realtime cycles: all of them are read.
+; 2.2: defined and started at once
+#RT CYCLE [SCOPE = PROG]
+; nothing yet
+#RT CYCLE END
+N10 G00 X100
+; 2.2: only defined, started later
+#RT CYCLE DEF [ID = 17 SCOPE = PROG]
+#RT CYCLE END
+#RT CYCLE START [ID = 17]
+; --- 2.3.1: for one block, twice
+#RT CYCLE DEF [ID = 17 SCOPE = BLOCK]
+#RT CYCLE END
+#RT CYCLE START [ID = 17]
+G00 X100
+#RT CYCLE START [ID = 17]
+G00 X200
+
+M30
+; --- 2.6: management of a cycle
+G00 X0
+#RT CYCLE DEF [ID = 17 SCOPE = PROG]
+
+    ; indented, with empty lines
+    $IF ONCE V.RTA.ACS.ACT_POS.X > 200
+
+    $ENDIF
+
+#RT CYCLE END
+G00 X50
+#RT CYCLE START [ID = 17]
+G00 X250
+#RT CYCLE HOLD [ID = 17]
+#RT CYCLE CONTINUE [ID = 17]
+#RT CYCLE ABORT ACTION [ID = 17]
+#RT CYCLE DELETE [ID = 17]
+M30
+; --- 2.7.1: branches without a frequency
+#RT CYCLE [SCOPE = PROG]
+$IF V.E.VALUE > 0
+    V.E.COUNT_POS += 1
+$ELSEIF V.E.VALUE < 0
+    V.E.COUNT_NEG += 1
+$ELSE
+    V.E.COUNT_NULL += 1
+$ENDIF
+#RT CYCLE END
+; --- 2.7.2: frequencies, inside each other
+#RT CYCLE [SCOPE = PROG]
+$IF ONCE V.RTA.ACS.ACT_POS.X > 200
+    M100
+$ENDIF
+$IF EDGE V.RTA.ACS.ACT_POS.X > 200
+    M100
+$ENDIF
+$IF V.E.CONDITION == 1
+    $IF ALWAYS V.E.VALUE > 100
+    $ENDIF
+$ENDIF
+#RT CYCLE END
+M30
+; --- 2.8: expressions
+#RT CYCLE [SCOPE = PROG]
+$IF SQRT[7 * 5] < 12 * SIN[30]
+$ENDIF
+V.E.VALUE1 = 12 * SIN[V.E.VALUE2] + SQRT[33]
+#RT CYCLE END
+M30
+; --- 3.1: external variables, synchronous and not
+V.E.SYNC = 47 ; synchronous
+V.E.ASYNC = 11 ; asynchronous
+#RT CYCLE [SCOPE = PROG]
+$IF ONCE 1 < 2
+    V.E.SYNC = 99
+    V.E.VALUE1 = 2 * V.E.SYNC
+    V.E.VALUE2 = 2 * V.E.ASYNC
+$ENDIF
+#RT CYCLE END
+M30
+; --- 3.2: realtime variables
+#RT CYCLE [SCOPE = PROG]
+$IF V.RTA.ACS.ACT_POS.X > 200
+    V.RTG.OVERRIDE.VEL.CYCLE = 75
+    V.RTA.OVERRIDE.VEL.CYCLE.Z = 50
+    V.RTG.LOOP.ENABLED = V.RTG.LOOP.COUNT < 5 && V.RTA.FIXED_STOP.ACS.POS.X > 0
+$ENDIF
+#RT CYCLE END
+G00 X500
+M30
+; --- 3.4: forced synchronisation, with block numbers
+N10 #RT CYCLE [ID=17 SCOPE = PROG]
+N20 $IF ONCE Vs.CH.VarTest1 < 1 ; a comment
+                                ; goes on
+N30 Vs.CH.VarTest1 = 1 ; a comment
+N40 $ENDIF
+N50 #RT CYCLE END
+N60 M30
+; --- 3.4: members of arrays of structures, read alone
+N10 #RT CYCLE [ID=17 SCOPE = GLOBAL]
+N20 $IF ONCE 1 < 2
+N30 V.E.LEVEL_1_A[0].REAL64 = V.E.LEVEL_1_A[0]
+N40 $ENDIF
+N50 #RT CYCLE END
+
+N60 Vs.E.LEVEL_1_A[0].REAL64 ; a block of its own
+N70 M30
+; --- 4.1: timers
+$FOR P1 = 0, 4, 1
+#MSG SAVE EXCLUSIVE ["V.RTG.TIMER[%d] = %f", P1, V.RTG.TIMER[P1]]
+$ENDFOR
+#RT CYCLE [ID = 17 SCOPE = PROG]
+  $IF ONCE 1 < 2
+    #TIMER START SYN [ID = 0] ; one
+    #TIMER START SYN [ID = 2] ; two
+  $ENDIF
+#RT CYCLE END
+#FLUSH WAIT
+#TIME 1.5
+#RT CYCLE [ID = 18 SCOPE = PROG]
+  $IF ONCE 1 < 2
+    #TIMER STOP SYN [ID = 0]
+    #TIMER READ SYN [ID = 0]
+    #TIMER READ SYN [ID = 2]
+    #TIMER CLEAR SYN [ID = 2]
+  $ENDIF
+#RT CYCLE END
+#FLUSH WAIT
+M30
+; --- 4.2: errors of the user
+#RT CYCLE [SCOPE = PROG]
+  $IF ONCE V.RTA.ACS.ACT_POS.X > 99
+    #ERROR [ID=666 RC=2 PM1=1 PV1=99]
+  $ENDIF
+#RT CYCLE END
+; --- 4.4: spindles
+#RT CYCLE [SCOPE = PROG]
+$IF ONCE V.E.TRIGGER == 1
+    M03 S1000
+    S2[M03 REV=1000]
+    M03 M19 S1000 S.POS314
+    S2[M03 M19 REV=1000 POS=314]
+    M05
+    S2 [M05]
+$ENDIF
+#RT CYCLE END
+M30
+; --- 4.5.1: one axis to a position, and without end
+N010 #RT CYCLE [ID=2 SCOPE=PROG]
+N020 $IF ONCE V.RTA.ACS.ACT_POS.X > 100
+N030     Z [INDP ABORTING G01 G90 FEED=500 POS=900 OFFSET=ALL]
+N035     Z [INDP DIR = POS FEED = 1000]
+N036     Z [INDP STOP]
+N040 $ENDIF
+N050 #RT CYCLE END
+N060 G90 X100
+N070 G90 X200
+N080 M30
+; --- 4.5.2, 4.5.3: position request, units
+N010 G00 X0 Y0 Z0 F500 G70
+N020 #FLUSH WAIT
+N030 #RT CYCLE [SCOPE = BLOCK END_ACTION = MOVE_ABORT]
+N040   $IF ONCE V.RTA.ACS.ACT_POS.X > 10
+N050     Z[INDP ABORTING G0 G90 POS = 137]
+N060   $ENDIF
+N070 #RT CYCLE END
+N080 G01 X100 F1000
+N090 #RT CYCLE DEF[ID = 15 SCOPE = BLOCK END_ACTION = MOVE_ABORT]
+N100 $IF ONCE V.RTA.ACS.ACT_POS.X > 10
+N110 Z[INDP ABORTING G0 G90 POS = 137 ]
+N120 $ENDIF
+N130 #RT CYCLE END
+N140 G70
+N150 #RT CYCLE START [ID = 15]
+N160 G01 X-100 F1000
+N170 M30

@@ -38,6 +38,7 @@ class Asked:
     """What the controller was asked for, and what it is to do."""
 
     machine: object = None
+    level: float = 3.0
     programs: tuple[object, ...] = ()
     options: dict[str, Any]
     behave: Callable[..., Run]
@@ -68,7 +69,8 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> Iterator[Asked]:
             noted.machine = machine
 
         def read(self, name: str) -> float:
-            return 3.0
+            assert name == "V.RTG.CYCLES.DIAG_LEVEL"
+            return noted.level
 
         def run(self, *programs: object, **options: Any) -> Run:
             noted.programs = programs
@@ -186,8 +188,11 @@ def test_quiet_leaves_errors_and_messages(asked: Asked, capsys: pytest.CaptureFi
 
 
 @pytest.mark.usefixtures("part")
-def test_diagnosis_data_are_written(asked: Asked, tmp_path: Path) -> None:
-    """RC-601: --diagnosis writes the cycles' diagnosis data, from the level on that --set gives."""
+@pytest.mark.parametrize(("level", "language", "line"), [(3, "en", ""), (4, "de", "M100 wurde")])
+def test_diagnosis_data_are_written(
+    asked: Asked, tmp_path: Path, level: int, language: str, line: str
+) -> None:
+    """RC-601: --diagnosis writes the cycles' diagnosis data, from the level on that counts."""
 
     def behave(sinks: Any, **_: Any) -> Run:
         for sink in sinks:
@@ -195,14 +200,11 @@ def test_diagnosis_data_are_written(asked: Asked, tmp_path: Path) -> None:
         return result()
 
     asked.behave = behave
-    words = ["run", "part.nc", "--diagnosis", "diag.txt"]
-    main(words)
+    asked.level = level
+    main(["run", "part.nc", "--diagnosis", "diag.txt", "--lang", language])
     text = (tmp_path / "diag.txt").read_text(encoding="utf-8")
-    assert "Realtime cycle manager was initialised" in text
-    assert "M100" not in text
-    main([*words, "--set", "V.RTG.CYCLES.DIAG_LEVEL=4", "--lang", "de"])
-    text = (tmp_path / "diag.txt").read_text(encoding="utf-8")
-    assert "4000        ACTION  Zyklus 17: M100 wurde ausgegeben" in text
+    assert len(text.splitlines()) == 7 + level
+    assert line in text
 
 
 @pytest.mark.usefixtures("part")

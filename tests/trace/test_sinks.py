@@ -200,9 +200,9 @@ def test_a_file_that_is_no_trace_is_a_diagnostic(
 def test_a_trace_that_cannot_be_written_is_a_diagnostic(
     tmp_path: Path, name: str, number: int
 ) -> None:
-    """An unknown format and an unwritable file are told before the run begins."""
+    """An unknown format and an unwritable file are told before the first tick."""
     with pytest.raises(Failure) as failure:
-        file_sink(tmp_path / name)
+        file_sink(tmp_path / name).open(HEADER)
     assert [found.id for found in failure.value.diagnostics] == [number]
 
 
@@ -250,3 +250,11 @@ def test_a_disk_that_runs_full_is_a_diagnostic(kind: type[CsvSink] | type[JsonlS
         feed(sink)
     sink.close()
     sink.close()
+
+
+def test_a_file_stays_until_the_trace_begins(tmp_path: Path) -> None:
+    """A sink that is never opened, since the run fails before, leaves an earlier trace alone."""
+    path = tmp_path / "out.csv"
+    path.write_text("of yesterday", encoding="utf-8")
+    file_sink(path).close()
+    assert path.read_text(encoding="utf-8") == "of yesterday"

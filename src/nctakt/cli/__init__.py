@@ -61,16 +61,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return EXIT_NC_ERROR
     except Exception as error:  # noqa: BLE001 - the last resort, told as an error of our own
         return _internal_error(error)
-    _flush()
     return code if isinstance(code, int) else EXIT_RAN
-
-
-def _flush() -> None:
-    """Nobody reads on at the other end of a pipe: that is no error of the run."""
-    try:
-        sys.stdout.flush()
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _never_fail_at_a_character() -> None:

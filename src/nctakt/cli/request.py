@@ -156,11 +156,3 @@ def split_names(text: str) -> tuple[str, ...]:
         else:
             names[-1] += character
     return tuple(name.strip() for name in names if name.strip())
-
-
-def initial_value(request: Request, name: str) -> float | None:
-    """The value that ``--set`` gives to a variable; case does not matter in names."""
-    for known, value in request.initial.items():
-        if known.upper() == name:
-            return value
-    return None

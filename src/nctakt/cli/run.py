@@ -11,16 +11,22 @@ from __future__ import annotations
 
 import contextlib
 import os
-import sys
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
-from nctakt.cli.request import Options, Request, initial_value, read_request
-from nctakt.cli.terminal import InterruptRequest, ProgressBar, message_line, print_diagnostics
+from nctakt.cli.request import Options, Request, read_request
+from nctakt.cli.terminal import (
+    InterruptRequest,
+    OutputFile,
+    ProgressBar,
+    message_line,
+    print_diagnostics,
+    show_at_the_end,
+)
 from nctakt.diagnostics import Severity
 from nctakt.failure import Failure
 from nctakt.messages import diagnostic
@@ -100,15 +106,16 @@ def _run(options: Options) -> int:
     controller = _start(options)
     with contextlib.ExitStack() as files:
         sinks = _open_trace(options, files)
-        messages = _open_text(options.messages, files)
-        report = _open_text(options.diagnosis, files)
-        diagnosis = None if report is None else _diagnosis(controller, request)
+        messages = _open_file(options.messages, files)
+        report = _open_file(options.diagnosis, files)
+        diagnosis = None if report is None else _diagnosis(controller)
         listeners = sinks if diagnosis is None else [*sinks, diagnosis]
         begin_s = time.perf_counter()
         run = _run_controller(options, request, controller, listeners, messages)
         wall_s = time.perf_counter() - begin_s
-        if run is not None and report is not None and diagnosis is not None:
-            _write(report, diagnosis.report.render(options.language, run.diagnostics))
+        diagnostics = () if run is None else run.diagnostics
+        if report is not None and diagnosis is not None:
+            report.write(diagnosis.report.render(options.language, diagnostics))
     return EXIT_NC_ERROR if run is None else _tell(options, run, wall_s)
 
 
@@ -143,37 +150,20 @@ def _open_trace(options: Options, files: contextlib.ExitStack) -> list[Sink]:
     return [sink]
 
 
-def _open_text(path: str | None, files: contextlib.ExitStack) -> TextIO | None:
+def _open_file(path: str | None, files: contextlib.ExitStack) -> OutputFile | None:
     """A text file to write, or ``None`` when the option was not given."""
     if path is None:
         return None
-    try:
-        file = Path(path).open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
-    except OSError as error:
-        raise _unwritable(path, error) from error
-    return files.enter_context(file)
+    file = OutputFile(path)
+    files.callback(file.close)
+    return file
 
 
-def _write(file: TextIO, text: str) -> None:
-    try:
-        file.write(text)
-        file.flush()
-    except OSError as error:
-        raise _unwritable(file.name, error) from error
-
-
-def _unwritable(path: str, error: OSError) -> Failure:
-    return Failure(diagnostic(900507, file=path, reason=error.strerror or str(error)))
-
-
-def _diagnosis(controller: Controller, request: Request) -> DiagnosisSink:
+def _diagnosis(controller: Controller) -> DiagnosisSink:
     """Gathers the diagnosis data, from the level on that counts at the first tick."""
     from nctakt.results.report import DiagnosisReport, DiagnosisSink  # noqa: PLC0415 - as above
 
-    name = "V.RTG.CYCLES.DIAG_LEVEL"
-    level = initial_value(request, name)
-    if level is None:
-        level = float(controller.read(name))
+    level = float(controller.read("V.RTG.CYCLES.DIAG_LEVEL"))
     report = DiagnosisReport()
     report.initialised(controller.tick * controller.cycle_time_us, 0, level)
     return DiagnosisSink(report, level)
@@ -184,7 +174,7 @@ def _run_controller(
     request: Request,
     controller: Controller,
     sinks: list[Sink],
-    messages: TextIO | None,
+    messages: OutputFile | None,
 ) -> Run | None:
     """The result of the run; ``None`` when the user's PLC broke it off, which has been told."""
     from nctakt.plc import PlcError  # noqa: PLC0415 - the mode is chosen before
@@ -196,7 +186,7 @@ def _run_controller(
         bar.hide()
         click.echo(line)
         if messages is not None:
-            _write(messages, f"{line}\n")
+            messages.write(f"{line}\n")
 
     def show_progress(tick: int, limit: int | None) -> None:
         interrupt.check()
@@ -204,6 +194,8 @@ def _run_controller(
 
     try:
         with InterruptRequest() as interrupt:
+            if messages is not None:
+                messages.write("")
             return controller.run(
                 *request.programs,
                 plc=request.plc,
@@ -233,6 +225,6 @@ def _tell(options: Options, run: Run, wall_s: float) -> int:
     lowest = Severity.WARNING if options.quiet else Severity.NOTE
     print_diagnostics(run.diagnostics, options.language, lowest)
     if not options.quiet:
-        print_summary(run, sys.stdout, options.language, wall_s)
+        show_at_the_end(lambda file: print_summary(run, file, options.language, wall_s))
     stopped = run.state in ("error", "interrupted")
     return EXIT_NC_ERROR if stopped or run.errors else EXIT_RAN

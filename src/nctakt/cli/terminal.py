@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a command shows while it works: diagnostics, messages of programs, progress.
+"""What a command shows and writes: diagnostics, messages of programs, progress, text files.
 
 Diagnostics and progress go to standard error, what programs say to standard output. The progress
 bar appears only on a terminal and only for work that takes a while.
@@ -7,17 +7,22 @@ bar appears only on a terminal and only for work that takes a while.
 
 from __future__ import annotations
 
+import contextlib
+import os
 import signal
 import sys
 import threading
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Self, TextIO
 
 import click
 
 from nctakt.diagnostics import Diagnostic, Language, Severity
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
 
 if TYPE_CHECKING:
     from rich.progress import Progress
@@ -47,6 +52,51 @@ def message_line(time_us: int, text: str) -> str:
     """A message of a program with its virtual time, on one line."""
     shown = "".join(character if character.isprintable() else "·" for character in text)
     return f"{time_us // 1_000_000}.{time_us % 1_000_000:06d} s  {shown}"
+
+
+def show_at_the_end(show: Callable[[TextIO], None]) -> None:
+    """Let ``show`` write to standard output; nobody reading on there is no error of the run."""
+    try:
+        show(sys.stdout)
+        sys.stdout.flush()
+    except BrokenPipeError:  # nor may it become one when Python flushes at its end
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+class OutputFile:
+    """A text file of results; it takes the place of what was there when ``write`` is first called.
+
+    So a command that fails before its run leaves the file of an earlier one alone, but one that
+    cannot write it is told before the run. Raises ``Failure`` (900507) then, and when the disk is
+    full.
+    """
+
+    def __init__(self, path: str) -> None:
+        self._path = path
+        try:
+            self._file = Path(path).open("a", encoding="utf-8", errors="backslashreplace")
+        except OSError as error:
+            raise self._unwritable(error) from error
+        self._is_new = False
+
+    def write(self, text: str) -> None:
+        """Append ``text`` to what this command has written."""
+        try:
+            if not self._is_new and self._file.seekable():
+                self._file.truncate(0)
+            self._is_new = True
+            self._file.write(text)
+            self._file.flush()
+        except OSError as error:
+            raise self._unwritable(error) from error
+
+    def close(self) -> None:
+        """Close the file; all that could be written has been."""
+        with contextlib.suppress(OSError):
+            self._file.close()
+
+    def _unwritable(self, error: OSError) -> Failure:
+        return Failure(diagnostic(900507, file=self._path, reason=error.strerror or str(error)))
 
 
 class InterruptRequest:

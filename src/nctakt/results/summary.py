@@ -86,7 +86,8 @@ def headline(run: Run, language: Language, wall_s: float | None) -> str:
         return f"{names}: {_NOT_RUN.get(language)}"
     time_s = seconds(run.virtual_time_us)
     how = _STATES[run.state].get(language)
-    ticks = Text("ticks", "Takte").get(language)
+    one, many = Text("tick", "Takt"), Text("ticks", "Takte")
+    ticks = (one if run.ticks == 1 else many).get(language)
     text = f"{names}: {how}, {run.ticks} {ticks} = {time_s}"
     if wall_s is None or wall_s <= 0.0:
         return text

@@ -4,35 +4,34 @@
 In: the header once, then for chunks of consecutive ticks first their events and then their rows
 (float64, row after row). Out: text in a file, chunk by chunk, in constant memory; what has been
 written stays readable when the run breaks off. ``nctakt.trace.reading`` reads both formats back.
-
-Both formats write each number as short as it can be written without loss. Negative zero is written
-as zero, so that equal values are equal text.
 """
 
 from __future__ import annotations
 
 import abc
-import csv
-import io
-import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol, TextIO, cast
 
-from nctakt.diagnostics import Diagnostic
 from nctakt.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.trace.events import Event
+from nctakt.trace.texts import (
+    by_tick,
+    column_texts,
+    csv_cell,
+    csv_line,
+    event_object,
+    join_events,
+    json_text,
+)
 
 FORMAT_NAME = "nctakt-trace"
 FORMAT_VERSION = 1
 
 #: Endings of file names and the formats that they choose.
 SUFFIXES = (".csv", ".jsonl")
-
-#: A column is looked at in so many places to see whether its values repeat.
-_SAMPLES = 64
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,30 +74,33 @@ class Sink(Protocol):
 def file_sink(path: Path) -> CsvSink | JsonlSink:
     """A sink that writes the file ``path``, in the format that its suffix names.
 
-    Raises ``Failure`` for another suffix (900506) and a file that cannot be written (900507).
+    Raises ``Failure`` for another suffix (900506). The file is opened with the trace.
     """
     if path.suffix.lower() not in SUFFIXES:
         raise Failure(diagnostic(900506, file=str(path), suffixes=" or ".join(SUFFIXES)))
-    try:
-        file = path.open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
-    except OSError as error:
-        raise Failure(unwritable(path, error)) from error
-    return CsvSink(file) if path.suffix.lower() == ".csv" else JsonlSink(file)
-
-
-def unwritable(path: Path, error: OSError) -> Diagnostic:
-    """The diagnostic of a file that cannot be written."""
-    return diagnostic(900507, file=str(path), reason=error.strerror or str(error))
+    return CsvSink(path) if path.suffix.lower() == ".csv" else JsonlSink(path)
 
 
 class _FileSink(abc.ABC):
-    """Writes pieces of text to a file; raises ``Failure`` (900507) when it takes no more."""
+    """Writes pieces of text to ``file``, a path or an open file.
 
-    def __init__(self, file: TextIO) -> None:
-        self._file = file
+    Raises ``Failure`` (900507) when the path cannot be opened or the file takes no more.
+    """
+
+    def __init__(self, file: Path | TextIO) -> None:
+        self._target = file
+        self._file: TextIO | None = None if isinstance(file, Path) else file
         self._cycle_time_us = 0
         self._integral: tuple[bool, ...] = ()
         self._waiting: list[Event] = []
+
+    def open(self, header: TraceHeader) -> None:
+        """Open the file, which takes the place of one that was there, and write the header."""
+        self._cycle_time_us = header.cycle_time_us
+        self._integral = tuple(signal.integral for signal in header.signals)
+        if isinstance(self._target, Path):
+            self._file = self._opened(self._target)
+        self._write(self._header_line(header))
 
     def events(self, events: Sequence[Event]) -> None:
         """Keep the events for their rows; without signals, write them."""
@@ -108,34 +110,50 @@ class _FileSink(abc.ABC):
 
     def close(self) -> None:
         """Write events behind the last row, and close the file; again: nothing."""
-        if self._file.closed:
+        if self._file is None or self._file.closed:
             return
         try:
             self._write_waiting()
         finally:
-            self._close_file()
+            self._close(self._file)
 
     def _write_waiting(self) -> None:
-        for tick, together in _by_tick(self._waiting):
+        for tick, together in by_tick(self._waiting):
             self._write(self._line_without_row(tick, together))
         self._waiting.clear()
+
+    @abc.abstractmethod
+    def _header_line(self, header: TraceHeader) -> str:
+        """The first line of the file."""
 
     @abc.abstractmethod
     def _line_without_row(self, tick: int, together: Sequence[Event]) -> str:
         """The line of events in a tick that has no row."""
 
+    def _opened(self, path: Path) -> TextIO:
+        try:
+            return path.open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
+        except OSError as error:
+            raise self._unwritable(error) from error
+
     def _write(self, text: str) -> None:
+        assert self._file is not None
         try:
             self._file.write(text)
         except OSError as error:
             self._waiting.clear()
-            raise Failure(unwritable(Path(self._file.name), error)) from error
+            raise self._unwritable(error) from error
 
-    def _close_file(self) -> None:
+    def _close(self, file: TextIO) -> None:
         try:
-            self._file.close()
+            file.close()
         except OSError as error:
-            raise Failure(unwritable(Path(self._file.name), error)) from error
+            raise self._unwritable(error) from error
+
+    def _unwritable(self, error: OSError) -> Failure:
+        name = self._target if isinstance(self._target, Path) else self._target.name
+        reason = error.strerror or str(error)
+        return Failure(diagnostic(900507, file=str(name), reason=reason))
 
 
 class CsvSink(_FileSink):
@@ -145,13 +163,6 @@ class CsvSink(_FileSink):
     from: ``fired 17 line 5 <17 part.nc:5:3>``, cycle and place, ``-`` for what is missing.
     Without signals only ticks with events have a line.
     """
-
-    def open(self, header: TraceHeader) -> None:
-        """Write the header line."""
-        self._cycle_time_us = header.cycle_time_us
-        self._integral = tuple(signal.integral for signal in header.signals)
-        names = [signal.name for signal in header.signals]
-        self._write(_csv_line(["tick", "time_us", *names, "events"]))
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
         """Write a line for each row."""
@@ -172,17 +183,21 @@ class CsvSink(_FileSink):
         """The last column of these ticks; takes their events from those that wait."""
         cells = [""] * len(ticks)
         due = 0
-        for tick, together in _by_tick(self._waiting):
+        for tick, together in by_tick(self._waiting):
             if tick >= ticks.stop:
                 break
-            cells[tick - ticks.start] = _csv_cell(join_events(together))
+            cells[tick - ticks.start] = csv_cell(join_events(together))
             due += len(together)
         del self._waiting[:due]
         return cells
 
+    def _header_line(self, header: TraceHeader) -> str:
+        names = [signal.name for signal in header.signals]
+        return csv_line(["tick", "time_us", *names, "events"])
+
     def _line_without_row(self, tick: int, together: Sequence[Event]) -> str:
         empty = [""] * len(self._integral)
-        return _csv_line([str(tick), str(together[0].time_us), *empty, join_events(together)])
+        return csv_line([str(tick), str(together[0].time_us), *empty, join_events(together)])
 
 
 class JsonlSink(_FileSink):
@@ -192,22 +207,6 @@ class JsonlSink(_FileSink):
     header's signals, ``events`` only where there are some. Without signals only ticks with events
     have a line. A value that is no number is ``null``.
     """
-
-    def open(self, header: TraceHeader) -> None:
-        """Write the header object."""
-        self._cycle_time_us = header.cycle_time_us
-        self._integral = tuple(signal.integral for signal in header.signals)
-        signals = [
-            {"name": signal.name, "unit": signal.unit, "integral": signal.integral}
-            for signal in header.signals
-        ]
-        content = {
-            "format": FORMAT_NAME,
-            "version": FORMAT_VERSION,
-            "cycle_time_us": header.cycle_time_us,
-            "signals": signals,
-        }
-        self._write(_json(content) + "\n")
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
         """Write an object for each row."""
@@ -221,123 +220,30 @@ class JsonlSink(_FileSink):
             for tick, joined in enumerate(map(", ".join, zip(*columns, strict=True)), first_tick)
         ]
         due = 0
-        for tick, together in _by_tick(self._waiting):
+        for tick, together in by_tick(self._waiting):
             if tick >= first_tick + len(lines):
                 break
-            objects = _json([event_object(event) for event in together])
+            objects = json_text([event_object(event) for event in together])
             line = lines[tick - first_tick]
             lines[tick - first_tick] = f'{line[:-1]}, "events": {objects}}}'
             due += len(together)
         del self._waiting[:due]
         self._write("\n".join(lines) + "\n")
 
+    def _header_line(self, header: TraceHeader) -> str:
+        signals = [
+            {"name": signal.name, "unit": signal.unit, "integral": signal.integral}
+            for signal in header.signals
+        ]
+        content = {
+            "format": FORMAT_NAME,
+            "version": FORMAT_VERSION,
+            "cycle_time_us": header.cycle_time_us,
+            "signals": signals,
+        }
+        return json_text(content) + "\n"
+
     def _line_without_row(self, tick: int, together: Sequence[Event]) -> str:
         objects = [event_object(event) for event in together]
         content = {"tick": tick, "time_us": together[0].time_us, "events": objects}
-        return _json(content) + "\n"
-
-
-def column_texts(
-    values: list[float], width: int, integral: Sequence[bool], missing: str = "nan"
-) -> list[list[str]]:
-    """The texts of ``values`` (row after row, ``width`` numbers each), column by column.
-
-    ``missing`` is written for what is no finite number. Columns, not rows, since most columns of a
-    trace repeat their values, or those of another column: such a number is formatted once.
-    """
-    texts: list[list[str]] = []
-    columns: list[tuple[bool, list[float]]] = []
-    for i in range(width):
-        column = (integral[i], values[i::width])
-        if column in columns:
-            texts.append(texts[columns.index(column)])
-        else:
-            texts.append(_column_text(column[1], integral[i], missing))
-        columns.append(column)
-    return texts
-
-
-def _column_text(column: list[float], integral: bool, missing: str) -> list[str]:
-    if 0.0 in column:  # equal to negative zero, which this makes a positive one
-        column = [value + 0.0 for value in column]
-    if integral:
-        memo = {value: f"{value:.0f}" for value in dict.fromkeys(column)}
-    else:
-        sample = column[:: max(1, len(column) // _SAMPLES)]
-        if 2 * len(dict.fromkeys(sample)) > len(sample) > 1:
-            return _finite(list(map(repr, column)), column, missing)
-        memo = {value: repr(value) for value in dict.fromkeys(column)}
-    return _finite(list(map(memo.__getitem__, column)), column, missing)
-
-
-def _finite(texts: list[str], column: list[float], missing: str) -> list[str]:
-    """The texts with ``missing`` for what is not finite; a sum finds out whether there is any."""
-    total = sum(column)
-    if total - total == 0.0:
-        return texts
-    return [
-        text if value - value == 0.0 else missing for text, value in zip(texts, column, strict=True)
-    ]
-
-
-def _by_tick(events: Sequence[Event]) -> Iterable[tuple[int, list[Event]]]:
-    """Consecutive events of one tick together."""
-    together: list[Event] = []
-    for event in events:
-        if together and together[0].tick != event.tick:
-            yield together[0].tick, together
-            together = []
-        together.append(event)
-    if together:
-        yield together[0].tick, together
-
-
-def join_events(events: Iterable[Event]) -> str:
-    """The events of one tick as one text; ``nctakt.trace.reading.split_events`` undoes it."""
-    return "; ".join(map(_event_text, events))
-
-
-def _event_text(event: Event) -> str:
-    text = f"{event.kind} {escape(event.text)}"
-    if event.span is None and not event.cycle:
-        return text
-    return f"{text} <{escape(event.cycle) or '-'} {escape(str(event.span or '-'))}>"
-
-
-def escape(text: str) -> str:
-    r"""Mark what divides events (``;``, ``<``), ``\`` itself and line ends with a ``\``."""
-    for plain, marked in (("\\", "\\\\"), (";", "\\;"), ("<", "\\<"), ("\n", "\\n"), ("\r", "\\r")):
-        text = text.replace(plain, marked)
-    return text
-
-
-def event_object(event: Event) -> dict[str, object]:
-    """An event as a JSON object; cycle and place only where there are some."""
-    content: dict[str, object] = {"kind": event.kind, "text": event.text}
-    if event.cycle:
-        content["cycle"] = event.cycle
-    if event.span is not None:
-        content |= {
-            "file": event.span.file,
-            "line": event.span.line,
-            "column": event.span.column,
-            "end_column": event.span.end_column,
-        }
-    return content
-
-
-def _json(content: object) -> str:
-    return json.dumps(content, ensure_ascii=False)
-
-
-def _csv_line(cells: Sequence[str]) -> str:
-    buffer = io.StringIO()
-    csv.writer(buffer, lineterminator="\n").writerow(cells)
-    return buffer.getvalue()
-
-
-def _csv_cell(text: str) -> str:
-    if '"' in text or "," in text:
-        doubled = text.replace('"', '""')
-        return f'"{doubled}"'
-    return text
+        return json_text(content) + "\n"

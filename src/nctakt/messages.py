@@ -1175,7 +1175,7 @@ _add(
     "a name is missing before '{found}'",
     "vor '{found}' fehlt ein Name",
     remedy_en="write the name of the variable, label, program or command that is meant",
-    remedy_de="den Namen der Variablen, Marke, Programm- oder Befehlsart schreiben",
+    remedy_de="den Namen schreiben: der Variablen, der Marke, des Programms, des Befehls",
     parameters=_FOUND,
 )
 _add(
@@ -1208,8 +1208,8 @@ _add(
     WARNING,
     "what stands behind the program end is no NC text from here on",
     "was hinter dem Programmende steht, ist ab hier kein NC-Text",
-    remedy_en="make it a comment, unless no jump leads there",
-    remedy_de="zum Kommentar machen, wenn ein Sprung dorthin führen kann",
+    remedy_en="make it a comment; a run that jumps there would end with an error",
+    remedy_de="zum Kommentar machen; ein Lauf, der dorthin springt, endet mit einem Fehler",
 )
 _add(
     900119,

@@ -89,9 +89,9 @@ def control_line(text: BlockText, head: Head, structure: Structure) -> None:
     found = text.match(_DOLLAR_WORD)
     assert found is not None
     word = "$" + found[1].upper()
-    handler = _CONTROLS.get(word)
+    handler = CONTROL_WORDS.get(word)
     if handler is None:
-        suggestion = get_close_matches(word, _CONTROLS, 1, 0.0)[0]
+        suggestion = get_close_matches(word, CONTROL_WORDS, 1, 0.0)[0]
         start = found.start(1) - 1
         raise BlockError(
             900107, start, found.end(), word=shown("$" + found[1]), suggestion=suggestion
@@ -342,7 +342,8 @@ def _jump(here: Here) -> None:
     here.structure.add_block(statement, here.text)
 
 
-_CONTROLS: dict[str, Callable[[Here], None]] = {
+#: What each word with ``$`` does.
+CONTROL_WORDS: dict[str, Callable[[Here], None]] = {
     "$IF": _if,
     "$ELSEIF": _else_if,
     "$ELSE": _else,

@@ -6,6 +6,7 @@ Everything that it writes counts from the next tick on (RC-002).
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from nctakt.assembly import Machine
@@ -15,19 +16,16 @@ from nctakt.assembly import Machine
 class TechnologyEntry:
     """A function that waits for its acknowledgement.
 
-    ``letter`` is M or H. ``sequence`` numbers the functions of realtime cycles within their tick,
-    0 for one of the main program. ``time_us`` is the stamp.
+    ``letter`` is M or H, ``sequence`` its number among those of the same tick and section,
+    ``time_us`` the stamp, ``is_realtime`` tells that a realtime cycle has commanded it (POS_RT).
     """
 
     letter: str
     number: int
     sequence: int
     time_us: int
+    is_realtime: bool
     slot: int
-
-
-#: The slot of the main program's function, which has a section of its own.
-PROGRAM_SLOT = -1
 
 
 class Interface:
@@ -49,22 +47,20 @@ class Interface:
 
     def functions(self) -> list[TechnologyEntry]:
         """The functions that wait, the main program's first, then in the order of commanding."""
+        return [*self._waiting(is_realtime=False), *self._waiting(is_realtime=True)]
+
+    def _waiting(self, *, is_realtime: bool) -> Iterator[TechnologyEntry]:
+        section = self._hli.realtime if is_realtime else self._hli.program
         cycle_time_us = self._machine.configuration.cycle_time_us
-        waiting = []
-        if self._hli.program_state == 1:
-            letter, number = _named(self._hli.program_function)
-            waiting.append(TechnologyEntry(letter, number, 0, self.time_us, PROGRAM_SLOT))
-        for slot, function, sequence, tick in self._hli.entries():
-            letter, number = _named(function)
-            waiting.append(TechnologyEntry(letter, number, sequence, tick * cycle_time_us, slot))
-        return waiting
+        for slot, function, sequence, tick in section.entries():
+            letter, number = ("H", -function - 1) if function < 0 else ("M", function)
+            stamp_us = tick * cycle_time_us
+            yield TechnologyEntry(letter, number, sequence, stamp_us, is_realtime, slot)
 
     def acknowledge(self, entry: TechnologyEntry) -> None:
         """The PLC has taken this function."""
-        if entry.slot == PROGRAM_SLOT:
-            self._hli.acknowledge_program()
-        else:
-            self._hli.acknowledge(entry.slot)
+        section = self._hli.realtime if entry.is_realtime else self._hli.program
+        section.acknowledge(entry.slot)
 
     def acknowledge_all(self) -> None:
         """The PLC has taken everything that waits."""
@@ -97,7 +93,3 @@ class Interface:
     @feed_hold.setter
     def feed_hold(self, value: bool) -> None:
         self._hli.feed_hold = value
-
-
-def _named(function: int) -> tuple[str, int]:
-    return ("H", -function - 1) if function < 0 else ("M", function)

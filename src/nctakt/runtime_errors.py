@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 from nctakt.assembly import Machine
 from nctakt.diagnostics import Diagnostic
 from nctakt.kernel.expressions import OPERATIONS
@@ -31,7 +33,7 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic | None:
             scalar = SCALARS[location[0].type]
             values = {"variable": name, "value": b, "low": scalar.low, "high": scalar.high}
         case 50929:
-            values = {"index": int(a), "count": int(b)}
+            values = {"variable": _array(event, machine), "index": int(a), "count": int(b)}
         case 50942 | 50943:
             function = f"H{-int(a) - 1}" if a < 0 else f"M{int(a)}"
             values = {"function": function, "slots": int(b)}
@@ -45,7 +47,13 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic | None:
             values = {}
         case _:
             return None
-    line = ""
-    if event.span is not None:
-        line = machine.files.line_at(event.span)
+    line = "" if event.span is None else machine.files.line_at(event.span)
     return diagnostic(number, event.span, line, **values)
+
+
+def _array(event: Event, machine: Machine) -> str:
+    """The array whose index stands at the place of the event."""
+    assert event.span is not None
+    before = machine.files.line_at(event.span)[: event.span.column - 1]
+    found = re.search(r"[\w.\]\[]+(?=\[\s*$)", before)
+    return found[0] if found else before.strip()

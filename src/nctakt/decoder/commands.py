@@ -79,7 +79,9 @@ class TechnologyOutput(Command):
 
 @dataclass(frozen=True, slots=True)
 class AwaitAcknowledge(Command):
-    """Goes on when the PLC has taken the last function."""
+    """Goes on when the PLC has taken this function."""
+
+    function: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,7 +155,7 @@ def pack(command: Command, place: int = 0) -> list[float]:
         case TechnologyOutput():
             return [channel.TECHNOLOGY, *head, command.function]
         case AwaitAcknowledge():
-            return [channel.AWAIT_ACKNOWLEDGE, *head]
+            return [channel.AWAIT_ACKNOWLEDGE, *head, command.function]
         case WriteVariable():
             return [channel.WRITE, *head, command.cell, command.value, command.is_told]
         case UserMessage():

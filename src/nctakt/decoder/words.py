@@ -58,7 +58,7 @@ class Words:
                 place = self._surroundings.place(span)
                 yield TechnologyOutput(place, number, function)
                 if _BEFORE[synchronisation]:
-                    yield AwaitAcknowledge(place, number)
+                    yield AwaitAcknowledge(place, number, function)
         yield from self._motion(content, source, number)
         if content.dwell_s is not None:
             yield from self.dwell(content.dwell_s, block.span, number)
@@ -67,7 +67,7 @@ class Words:
             if synchronisation == "MNS_SNS":
                 yield TechnologyOutput(place, number, function)
             if synchronisation in _AWAITED_BEHIND:
-                yield AwaitAcknowledge(place, number)
+                yield AwaitAcknowledge(place, number, function)
         return content.ends_program
 
     def _sort(self, block: syntax.Block, number: int) -> Generator[Command, Answer, _Content]:

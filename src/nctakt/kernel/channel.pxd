@@ -44,7 +44,7 @@ cdef class Channel:
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)
     cdef int take_cycle(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
     @cython.locals(function=cython.longlong)
-    cdef int take_technology(self, Py_ssize_t base) noexcept nogil
+    cdef int take_technology(self, long long tick, Py_ssize_t base) noexcept nogil
     @cython.locals(cell=Py_ssize_t)
     cdef void take_write(self, Py_ssize_t base) noexcept nogil
     cdef int take_program_end(self, long long tick, Py_ssize_t base) noexcept nogil
@@ -52,6 +52,8 @@ cdef class Channel:
     cdef void run_cycles(self) noexcept nogil
     @cython.locals(pct=double, stops=bint)
     cdef void interpolate(self) noexcept nogil
+    @cython.locals(number=double)
+    cdef void publish_block(self) noexcept nogil
     @cython.locals(position=Py_ssize_t, base=Py_ssize_t)
     cdef void go_on(self, double factor) noexcept nogil
     cdef void end_tick(self) noexcept nogil

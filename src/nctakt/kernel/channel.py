@@ -171,9 +171,9 @@ class Channel:
         if kind <= 4:
             return self.take_cycle(tick, base, kind)
         if kind == 5:
-            return self.take_technology(base)
+            return self.take_technology(tick, base)
         if kind == 6:
-            if self.hli.program_state != 0:
+            if self.hli.program.is_waiting(int(self.queue[base + 3])):
                 return 0
             self.timed_count -= 1
             return 1
@@ -222,10 +222,10 @@ class Channel:
             self.report(source, message, self.queue[base + 4])
         return 1
 
-    def take_technology(self, base: int) -> int:
-        """An M or H function of the main program; waits while the interface is busy."""
+    def take_technology(self, tick: int, base: int) -> int:
+        """An M or H function of the main program; waits while no slot is free."""
         function = int(self.queue[base + 3])
-        if not self.hli.issue_program(function):
+        if self.hli.program.issue(function, tick) <= 0:
             return 0
         self.record.technology(int(self.queue[base + 1]), function)
         return 1
@@ -268,9 +268,15 @@ class Channel:
         pct = self.hli.operator_override_pct * self.cells[self.first_cell] / 100.0
         pct = min(pct, self.max_override_pct)
         stops = self.is_stopped or self.is_resetting or self.hli.feed_hold
+        self.publish_block()
         if self.path.step(pct / 100.0, stops):
             self.go_on(pct / 100.0)
         self.cells[self.first_cell + 1] = pct
+
+    def publish_block(self) -> None:
+        """The N number of the block that is current in this tick, its last one included."""
+        number = self.path.block_number() if self.path.is_active else 0.0
+        self.cells[self.first_cell + 7] = number
 
     def go_on(self, factor: float) -> None:
         """The path passes block ends without a stop: carry the time that is left."""
@@ -281,6 +287,7 @@ class Channel:
                 self.begun = position
                 self.path.begin(base, self.queue, self.path.left_t)
                 self.manager.enter_block(self.path.serial)
+                self.publish_block()
                 if not self.path.step_carried(factor):
                     return
             elif self.queue[base] > 8.0 or self.queue[base] == 2.0 or self.queue[base] == 6.0:
@@ -297,10 +304,6 @@ class Channel:
                 self.path.abandon()
         self.hli.run_default_plc()
         self.cells[self.first_cell + 6] = self.path.speed_v
-        if self.path.is_active:
-            self.cells[self.first_cell + 7] = self.path.block_number()
-        else:
-            self.cells[self.first_cell + 7] = 0.0
         self.cells[self.first_cell + 8] = self.manager.running_count
         self.cells[self.first_cell + 9] = self.path.rest_d()
 

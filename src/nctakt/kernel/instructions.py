@@ -272,10 +272,10 @@ class IssueTechnology(Counted):
     def run(self, context: Context) -> int:
         if begin(self, context):
             return 1
-        sequence = context.hli.issue(self.function, context.tick)
+        sequence = context.hli.realtime.issue(self.function, context.tick)
         if sequence <= 0:
             number = 50942 if sequence < 0 else 50943
-            context.fail(number, self.source, self.function, context.hli.slot_count)
+            context.fail(number, self.source, self.function, context.hli.realtime.slot_count)
             return 1
         context.record.technology_rt(self.source, context.serial, self.function, sequence)
         return 0

@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import os
 import signal
+import stat
 import sys
 import threading
 import time
@@ -82,7 +83,7 @@ class OutputFile:
     def write(self, text: str) -> None:
         """Append ``text`` to what this command has written."""
         try:
-            if not self._is_new and self._file.seekable():
+            if not self._is_new and stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
                 self._file.truncate(0)
             self._is_new = True
             self._file.write(text)

@@ -48,6 +48,16 @@ def read_chunks(pattern: str) -> list[Chunk]:
     return chunks
 
 
+def expected_messages(pattern: str) -> list[tuple[str, int, str]]:
+    """Severity, number and text of everything that the chunks expect."""
+    return [
+        (severity, int(message), text)
+        for chunk in read_chunks(pattern)
+        for line in chunk.lines
+        for severity, message, text in _EXPECTATION.findall(line)
+    ]
+
+
 def compare(chunk: Chunk, diagnostics: Sequence[Diagnostic]) -> list[str]:
     """What was expected and did not come, what came and was not expected; places in the file."""
     missing = [

@@ -90,9 +90,10 @@ class Checker:
         self, source: Source, names: NameTable, channel: ChannelParameters, collector: Collector
     ) -> None:
         self._findings = Findings(source, collector)
-        self._values = ValueChecker(names, self._findings, in_cycle=False)
+        axes = tuple(axis.name for axis in channel.axes)
+        self._values = ValueChecker(names, axes, self._findings, in_cycle=False)
         self._words = WordChecker(channel, self._values, self._findings)
-        in_cycle = ValueChecker(names, self._findings, in_cycle=True)
+        in_cycle = ValueChecker(names, axes, self._findings, in_cycle=True)
         self._cycles = CycleChecker(channel, self._words, self._values, in_cycle, self._findings)
         self._loops = 0
         self._switches = 0

@@ -243,7 +243,8 @@ class CycleChecker:
             elif isinstance(word, StringWord):
                 self._findings.answer(support.form('"NAME"'), word.span)
             elif isinstance(word, BracketCommand):
-                self._words.bracket(word)
+                if not self._words.bracket(word):
+                    self._words.unknown(word)
             elif isinstance(word, Word) and self._is_spindle_word(word):
                 self._spindle(word, told)
             elif 22002 not in told:

@@ -8,6 +8,7 @@ block (RC-301), texts, structures and lists of values (RC-208), functions (RC-20
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from difflib import get_close_matches
 
 from nctakt.nc import support
@@ -38,8 +39,11 @@ _DECLARED = ("E", "CH")
 class ValueChecker:
     """Checks expressions and accesses; ``in_cycle``: those of a realtime cycle's body."""
 
-    def __init__(self, names: NameTable, findings: Findings, *, in_cycle: bool) -> None:
+    def __init__(
+        self, names: NameTable, axes: Sequence[str], findings: Findings, *, in_cycle: bool
+    ) -> None:
         self._names = names
+        self._axes = axes
         self._findings = findings
         self._in_cycle = in_cycle
 
@@ -245,13 +249,23 @@ class ValueChecker:
         report, span = self._findings.report, variable.span
         match found.reason:
             case Problem.UNKNOWN:
-                nearest = found.nearest or "–"
+                nearest = self._with_axis(variable) or found.nearest or "–"
                 report(900213, span, name=path_text(variable), nearest=nearest)
             case Problem.INDICES:
                 given = sum(1 for _ in indices_of(variable))
                 report(900214, span, name=found.name, expected=found.expected_indices, given=given)
             case Problem.STRUCTURE:
                 report(900215, span, name=found.name, member=found.nearest)
+
+    def _with_axis(self, variable: Variable) -> str:
+        """``V.RTA.ACS.ACT_POS.X`` where the axis is missing at the end; else nothing."""
+        if variable.family == "RTA":
+            parts = [(part.name, len(part.indices)) for part in variable.parts]
+            for axis in self._axes:
+                location = self._names.resolve("RTA", [*parts, (axis, 0)])
+                if isinstance(location, Location):
+                    return location.name
+        return ""
 
     def _indices_fit(self, variable: Variable, location: Location) -> bool:
         """Constant indices inside the array; those that are computed are checked when they are."""

@@ -8,6 +8,7 @@ G function of a group, F, M and H functions of the channel list with constant nu
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 
 from nctakt.lists.channel_configuration import ChannelParameters
@@ -32,6 +33,19 @@ _NUMBERED = ("G", "M", "H")
 _SUBPROGRAM_ENDS = (17, 29)
 
 
+@dataclass(slots=True)
+class _Block:
+    """What was seen of a block: names of words, the G function of each group, anything unknown.
+
+    A block that begins with an unknown word is mostly no NC text at all, so one report is enough.
+    """
+
+    in_subprogram: bool
+    names: dict[str, None] = field(default_factory=dict)
+    groups: dict[str, str] = field(default_factory=dict)
+    unknown: bool = False
+
+
 class WordChecker:
     """Checks blocks of one channel."""
 
@@ -50,33 +64,46 @@ class WordChecker:
         if _dwell(block) is not None:
             self._dwell_block(block)
             return
-        seen: dict[str, None] = {}
-        groups: dict[str, str] = {}
+        state = _Block(in_subprogram)
         for word in block.words:
             match word:
                 case AxisWord():
-                    self._axis(word, seen)
+                    self._axis(word, state)
                 case Word():
-                    self._word(word, seen, groups, in_subprogram)
+                    self._word(word, state)
                 case BracketCommand():
-                    self.bracket(word)
+                    if not self.bracket(word):
+                        self._unknown(word, state)
                 case StringWord():
                     self._findings.answer(support.form('"NAME"'), word.span)
         self._exact_stop(block)
 
     # --- axes, feed ------------------------------------------------------------------------------
 
-    def _axis(self, word: AxisWord, seen: dict[str, None]) -> None:
+    def _axis(self, word: AxisWord, state: _Block) -> None:
         if word.name not in self.axes:
-            self.unknown(word)
-        elif not self._needs_value(word):
-            return
-        elif self._once(word, word.name, seen) and word.value is not None:
+            self._unknown(word, state)
+        else:
+            self._value(word, state)
+
+    def _value(self, word: AxisWord | Word, state: _Block) -> None:
+        """The value of a word that stands once in a block."""
+        if word.value is None:
+            if not state.unknown:
+                self._needs_value(word)
+        elif word.name in state.names:
+            self._findings.report(900209, word.span, word=word.name)
+        else:
+            state.names[word.name] = None
             self._values.value(word.value)
 
-    def unknown(self, word: BlockWord) -> None:
+    def _unknown(self, word: AxisWord | Word | BracketCommand, state: _Block) -> None:
+        if not state.unknown:
+            state.unknown = True
+            self.unknown(word)
+
+    def unknown(self, word: AxisWord | Word | BracketCommand) -> None:
         """Report a word that is neither of the language nor an axis or spindle of the channel."""
-        assert isinstance(word, AxisWord | Word | BracketCommand)
         names = [*self.axes, *self.spindles, "G", "M", "H", "F", "N"]
         near = get_close_matches(word.name, names, 1)
         self._findings.report(
@@ -87,39 +114,20 @@ class WordChecker:
             nearest=near[0] if near else "–",
         )
 
-    def _needs_value(self, word: AxisWord | Word) -> bool:
-        if word.value is not None:
-            return True
+    def _needs_value(self, word: AxisWord | Word) -> None:
         self._findings.report(900208, word.span, word=word.name)
-        return False
 
-    def _once(self, word: BlockWord, name: str, seen: dict[str, None]) -> bool:
-        if name in seen:
-            self._findings.report(900209, word.span, word=name)
-            return False
-        seen[name] = None
-        return True
-
-    def _word(
-        self,
-        word: Word,
-        seen: dict[str, None],
-        groups: dict[str, str],
-        in_subprogram: bool,
-    ) -> None:
+    def _word(self, word: Word, state: _Block) -> None:
         if word.name in _NUMBERED:
-            self._numbered(word, groups, in_subprogram)
+            self._numbered(word, state)
             return
-        entry = support.answer_word(word.name)
-        if word.name in self.spindles:
-            entry = support.answer_word("S")
+        entry = support.answer_word("S" if word.name in self.spindles else word.name)
         if entry is None:
-            self.unknown(word)
+            self._unknown(word, state)
         elif entry.answer is not Answer.SIMULATED:
             self._findings.answer(entry, word.span, self._findings.written(word.span))
-        elif self._needs_value(word) and self._once(word, word.name, seen):
-            assert word.value is not None
-            self._values.value(word.value)
+        else:
+            self._value(word, state)
 
     # --- G, M, H ---------------------------------------------------------------------------------
 
@@ -137,18 +145,16 @@ class WordChecker:
             return int(value.value)
         return None
 
-    def _numbered(self, word: Word, groups: dict[str, str], in_subprogram: bool) -> None:
+    def _numbered(self, word: Word, state: _Block) -> None:
         number = self.number(word)
         if number is None:
             return
         if word.name == "G":
-            self._g(word, number, groups)
-        elif word.name == "M" and number in _SUBPROGRAM_ENDS and in_subprogram:
-            return
-        else:
+            self._g(word, number, state)
+        elif not (state.in_subprogram and word.name == "M" and number in _SUBPROGRAM_ENDS):
             self._technology(word, number)
 
-    def _g(self, word: Word, number: int, groups: dict[str, str]) -> None:
+    def _g(self, word: Word, number: int, state: _Block) -> None:
         entry = support.answer_g(number)
         if entry is None:
             self._findings.report(900204, word.span, word=f"G{number}")
@@ -159,7 +165,7 @@ class WordChecker:
         if word.additional is not None or word.arguments:
             self._findings.report(900212, word.span, word=entry.name)
         if entry.group:
-            other = groups.setdefault(entry.group, entry.name)
+            other = state.groups.setdefault(entry.group, entry.name)
             if other != entry.name:
                 self._findings.report(900210, word.span, word=entry.name, other=other)
 
@@ -184,8 +190,8 @@ class WordChecker:
 
     # --- other words -----------------------------------------------------------------------------
 
-    def bracket(self, command: BracketCommand) -> None:
-        """``X[INDP …]``, ``S2[…]``, ``M17[MAIN]``."""
+    def bracket(self, command: BracketCommand) -> bool:
+        """``X[INDP …]``, ``S2[…]``, ``M17[MAIN]``; false where nobody knows the name."""
         name = command.name
         if name in self.axes:
             single = any(isinstance(i, Keyword) and i.name == "INDP" for i in command.items)
@@ -196,9 +202,9 @@ class WordChecker:
         elif name in ("M", "M17", "M29"):
             form, shown = "M17[…]", f"{name}[…]"
         else:
-            self.unknown(command)
-            return
+            return False
         self._findings.answer(support.form(form), command.span, shown)
+        return True
 
     def _exact_stop(self, block: Block) -> None:
         stop = next((word for word in block.words if _is_g(word, 60)), None)

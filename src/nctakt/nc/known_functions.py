@@ -247,9 +247,9 @@ TECHNOLOGY = known(
 #: Words of a block and what stands in front of one.
 WORDS = known(
     ("%", "S", "name of a program", "Name eines Programms"),
-    ("/", "A", "skip level; levels are off, the block runs", "Ausblendebene; aus, der Satz läuft"),
+    ("/", "S", "skip level; levels are off, the block runs", "Ausblendebene; aus, der Satz läuft"),
     ("N", "S", "number of a block", "Satznummer"),
-    ("N20:", "A", "label", "Sprungmarke"),
+    ("N20:", "S", "label", "Sprungmarke"),
     ("X", "S", "position of an axis of the channel", "Position einer Achse des Kanals"),
     ("F", "S", "feed", "Vorschub"),
     ("G", "S", "G function", "G-Funktion"),

@@ -12,7 +12,7 @@ from __future__ import annotations
 import enum
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
+from difflib import SequenceMatcher, get_close_matches
 from types import MappingProxyType
 
 from nctakt.diagnostics import Text
@@ -165,12 +165,11 @@ def form(example: str) -> Entry:
 
 def nearest_hash(words: Sequence[str]) -> str:
     """The known ``#`` command that is most like these words, empty if none is."""
-    names = list(_COMMANDS)
-    for count in range(min(len(words), 3), 0, -1):
-        near = get_close_matches("#" + " ".join(words[:count]), names, 1)
-        if near:
-            return near[0]
-    return ""
+    written = ["#" + " ".join(words[:count]) for count in range(min(len(words), 3), 0, -1)]
+    found = [(near, one) for one in written for near in get_close_matches(one, _COMMANDS, 1)]
+    if not found:
+        return ""
+    return max(found, key=lambda pair: SequenceMatcher(None, *pair).ratio())[0]
 
 
 def nearest_family(family: str) -> str:

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""The checker beside its chunks: channel lists, suggestions, texts in both languages, any text."""
+
+from __future__ import annotations
+
+import os
+import random
+from dataclasses import replace
+from itertools import chain
+from pathlib import Path
+
+import pytest
+from check_machine import demo_channel, findings
+from nc_chunks import FOLDER, expected_messages, read_chunks
+
+from nctakt.messages import CATALOGUE
+from nctakt.text import decode_text, split_lines
+
+CORPUS = Path(os.environ.get("NCTAKT_CORPUS", FOLDER.parents[2] / "corpus"))
+
+
+def test_realtime_cycles_need_p_chan_00406() -> None:
+    """RC-114: while the parameter is off each ``#RT CYCLE`` is 21982 and names the parameter."""
+    parameters = demo_channel().parameters
+    off = replace(parameters, realtime_cycles=replace(parameters.realtime_cycles, enable=False))
+    lines = ("#RT CYCLE [ID=1]", "M100", "#RT CYCLE END", "#RT CYCLE DELETE [ID=1]")
+    found = findings(lines, off)
+    assert [(one.id, one.span and one.span.line) for one in found] == [(21982, 1), (21982, 4)]
+    assert all("P-CHAN-00406" in one.text(language) for one in found for language in ("en", "de"))
+    assert "configuration.rt_cycles.enable 1" in found[0].remedy("en")
+
+
+def test_a_tool_change_program_is_a_call() -> None:
+    """M6 with a subprogram of its own (P-CHAN-00118) is refused as a call."""
+    parameters = demo_channel().parameters
+    programs = replace(parameters.implicit_programs, m6="change.nc")
+    found = findings(("M6",), replace(parameters, implicit_programs=programs))
+    assert [one.id for one in found] == [900200]
+
+
+def test_a_channel_without_axes_knows_no_axis() -> None:
+    """Axis words are those of the channel list."""
+    found = findings(("G00 X1",), replace(demo_channel().parameters, axes=()))
+    assert [one.id for one in found] == [900203]
+
+
+@pytest.mark.parametrize(
+    ("line", "suggestion"),
+    [
+        ("#FLUHS WAIT", "#FLUSH"),
+        ("#CHANEL INIT", "#CHANNEL INIT"),
+        ("V.E.VALU = 1", "V.E.VALUE"),
+        ("V.E.LEVEL_1_A[0].REAL46 = 1", "V.E.LEVEL_1_A[].REAL64"),
+        ("V.CHN.Total = 1", "V.CH"),
+        ("P1 = V.RTG.OVERRIDE.VEL.TOTL", "V.RTG.OVERRIDE.VEL.TOTAL"),
+        ("P1 = V.RTA.ACS.ACT_POS", "V.RTA.ACS.ACT_POS.X"),
+        ("P1 = V.RTA.MCS.DIST_TO_GO", "V.RTA.MCS.DIST_TO_GO.X"),
+        ("P1 = V.RTA.ACS.AKT_POS.Y", "V.RTA.ACS.ACT_POS.Y"),
+        ("P1 = SINE[30]", "SIN"),
+        ("P1 = TRU", "TRUE"),
+        ("V.E.LEVEL_1_A[1].REAL64 = V.E.LEVEL_1_A[0]", "V.E.LEVEL_1_A[0].REAL64"),
+        ("V.E.VALUE = V.E.LEVEL_1_A[0]", "V.E.LEVEL_1_A[].BOOLEAN"),
+        ("#MSG SAFE ['x']", "SAVE"),
+        ("S22=100", "S2"),
+        ("#RT CYCLE [SCOPE=GLOBL ID=1]", "GLOBAL, BLOCK, PROG"),
+        ("Q5", "X, Y, Z, A"),
+    ],
+)
+def test_the_remedy_names_what_is_probably_meant(line: str, suggestion: str) -> None:
+    """A word that nobody knows is an error with the nearest known name (nc-programs, 12)."""
+    line = line.replace("'", '"')
+    found = findings((line, "#RT CYCLE END") if "#RT" in line else (line,))
+    assert len(found) == 1
+    for language in ("en", "de"):
+        assert suggestion in found[0].remedy(language)
+
+
+def test_the_manuals_line_that_assigns_a_parent_to_its_member_is_refused() -> None:
+    """RC-208: the remedy repairs the line, and the repaired line passes."""
+    first, last = "#RT CYCLE [ID=17 SCOPE=GLOBAL]", "#RT CYCLE END"
+    found = findings((first, "V.E.LEVEL_1_A[0].REAL64 = V.E.LEVEL_1_A[0]", last))
+    assert [one.id for one in found] == [900215]
+    assert "V.E.LEVEL_1_A[0].REAL64" in found[0].remedy("en")
+    assert findings((first, "V.E.LEVEL_1_A[0].REAL64 = V.E.LEVEL_1_A[0].REAL64", last)) == []
+
+
+def test_each_message_reads_in_both_languages() -> None:
+    """Every diagnostic of the chunks renders with its place, its source line and its remedy."""
+    for chunk in read_chunks("check_*.nc"):
+        for found in findings(chunk.lines):
+            for language in ("en", "de"):
+                text = found.render(language)
+                assert "p.nc:" in text
+                assert "^" in text
+                assert found.remedy(language)
+
+
+def test_each_message_of_the_checker_is_tested() -> None:
+    """No message from 900200 to 900299 is without a line that causes it."""
+    expected = {number for _, number, _ in expected_messages("check_*.nc")}
+    own = {message.id for message in CATALOGUE if 900200 <= message.id < 900300}
+    assert own - expected == set()
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_any_text_is_checked_without_a_fault(seed: int) -> None:
+    """Programs of lines in any order, with pieces lost and doubled, give diagnostics only."""
+    chance = random.Random(seed)
+    lines = list(chain.from_iterable(chunk.lines for chunk in read_chunks("*.nc")))
+    for _ in range(20):
+        program = []
+        for line in chance.choices(lines, k=60):
+            text = line.split("; ")[0]
+            first, last = sorted((chance.randrange(60), chance.randrange(60)))
+            cut = chance.random()
+            if cut < 0.3:
+                text = text[:first] + text[last:]
+            elif cut < 0.4:
+                text = text[first:last] * 2
+            program.append(text)
+        findings(tuple(program))
+
+
+@pytest.mark.skipif(not CORPUS.is_dir(), reason="programs of others are not at hand")
+def test_programs_of_others_are_checked_without_a_fault() -> None:
+    """Whatever the programs hold, the checker gives diagnostics and nothing else."""
+    for path in sorted(CORPUS.rglob("*")):
+        if path.is_file() and path.suffix != ".md" and path.stat().st_size < 100_000:
+            findings(tuple(split_lines(decode_text(path.read_bytes()).text)))

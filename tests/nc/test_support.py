@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""The table of what is simulated, accepted and refused, and the texts of ``#MSG``."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+from check_machine import demo_channel
+
+from nctakt.lists.technology import INTERNAL_M_FUNCTIONS, SYNCHRONISATIONS
+from nctakt.nc import support
+from nctakt.nc.formats import fill, places
+from nctakt.nc.operators import FUNCTIONS
+from nctakt.nc.support import Answer, Kind
+
+
+def test_each_name_has_one_answer_and_two_texts() -> None:
+    """The table can be printed: no name twice in its kind, a meaning in both languages."""
+    table = list(support.entries())
+    names = Counter((entry.kind, entry.name) for entry in table)
+    assert [name for name, count in names.items() if count > 1] == []
+    assert all(entry.meaning.en and entry.meaning.de for entry in table)
+    assert {entry.kind for entry in table} == set(Kind)
+
+
+def test_the_table_covers_what_the_other_tables_name() -> None:
+    """Synchronisation types, internal M functions, functions and control words have answers."""
+    known = {(entry.kind, entry.name) for entry in support.entries()}
+    for name in SYNCHRONISATIONS:
+        assert (Kind.TECHNOLOGY, name) in known
+    for number in INTERNAL_M_FUNCTIONS:
+        assert (Kind.M_FUNCTION, f"M{number:02}") in known
+    for function in FUNCTIONS:
+        assert (Kind.FUNCTION, function) in known
+    for word in ("$IF", "$FOR", "$WHILE", "$DO", "$REPEAT", "$SWITCH", "$GOTO"):
+        assert support.answer_control(word).name == word
+
+
+def test_g_functions_are_found_by_number() -> None:
+    """``G1`` and ``G01`` are one function; what is not in the table nobody knows."""
+    rapid, unknown = support.answer_g(0), support.answer_g(7)
+    assert rapid is not None
+    assert rapid.name == "G00"
+    assert rapid.answer is Answer.SIMULATED
+    assert unknown is None
+    assert support.answer_g(1.5) is None
+
+
+def test_technology_functions_are_answered_by_their_synchronisation() -> None:
+    """An M function of the channel list is simulated if its synchronisation type is."""
+    functions = demo_channel().parameters.m_functions
+    answers = {number: support.answer_m(number, functions) for number in (30, 100, 116, 200, 99)}
+    assert answers[99] is None
+    assert {number: entry.answer for number, entry in answers.items() if entry} == {
+        30: Answer.SIMULATED,
+        100: Answer.SIMULATED,
+        116: Answer.REFUSED,
+        200: Answer.REFUSED,
+    }
+
+
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [
+        (("RT", "CYCLE", "START"), "#RT CYCLE"),
+        (("RT", "WHILE"), "#RT WHILE"),
+        (("MSG", "SAVE"), "#MSG"),
+        (("MC_MOVEPATH",), "#MC_"),
+        (("RT",), None),
+        (("CHANNEL",), None),
+    ],
+)
+def test_commands_are_known_by_their_first_words(words: tuple[str, ...], name: str | None) -> None:
+    """The longest row that fits answers."""
+    entry = support.answer_hash(words)
+    assert (entry.name if entry else None) == name
+
+
+def test_places_of_a_text_take_their_values() -> None:
+    """``%d`` shows the whole part of any number, ``%%`` is the sign itself."""
+    assert fill("X%d = %f, %5.1f%% %s", [1.0, 0.5, 2.25, "up"]) == "X1 = 0.500000,   2.2% up"
+    assert fill("%d %i", [-1.9, float("inf")]) == "-1 inf"
+    assert list(places("%d %% %y %")) == [("%d", True), ("%y", False), ("%", False)]

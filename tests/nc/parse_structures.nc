@@ -82,6 +82,7 @@ $ENDIF
 $IF P1 > ; error 900101 "<EOL>"
 $ELSEIF * ; error 900101 "*"
 $ENDIF
+$IF P1 > $GOTO N20 ; error 900101 "$"
 $WHILE ; error 900101 "<EOL>"
 $ENDWHILE
 $FOR P1 = 1 ; error 900113 "','"
@@ -163,6 +164,8 @@ $ENDIF
 
     3]
   V.CYC.G[P1][P2] : STRING[P3]
+  V.L.H = "["
+  N40: V.L.I
 #ENDVAR
 ; --- mistakes inside declarations
 #VAR
@@ -198,3 +201,6 @@ M30
 M29
 %OTHER ; warning 900117 "%OTHER"
 G0 X3
+; --- a value in brackets that ends with the file
+#VAR ; error 900105 "#VAR"
+V.L.A = [1, ; error 900101 "<EOL>"

@@ -39,6 +39,8 @@ M17[JUMPS=2]
 "MACRO"
 "DRILL" = "G1 Z-10"
 P1=5 P2 = 6 X10
+G04 P1 = 3
+X[@P1 = 3]
 G0 X10 P1 += 2
 @P1 = 3
 P[P1+1] = 4

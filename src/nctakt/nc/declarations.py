@@ -21,19 +21,25 @@ from nctakt.nc.expressions import (
 from nctakt.nc.lexer import BlockError, BlockText, Lexer
 from nctakt.nc.syntax import Declaration, Expression, Head
 
+_QUOTED = re.compile(r'"[^"]*"?')
 _COLON = re.compile(r"\s*:")
 _TYPE = re.compile(r"\s*([^\W\d]\w*)")
 
 
 def whole_declaration(text: BlockText, lexer: Lexer) -> BlockText:
     """The text with the lines that its open brackets need, at the same reading position."""
-    while text.text.count("[") > text.text.count("]"):
+    while _is_open(text.text):
         longer = lexer.extend(text)
         if longer is None:
             return text
         longer.pos = text.pos
         text = longer
     return text
+
+
+def _is_open(content: str) -> bool:
+    without_texts = _QUOTED.sub("", content)
+    return without_texts.count("[") > without_texts.count("]")
 
 
 def parse_declaration(text: BlockText, head: Head) -> Declaration:

@@ -59,11 +59,9 @@ def parse_label(text: BlockText) -> str | None:
     return number_label(found[1]) if found[1] is not None else found[2].upper()
 
 
-def parse_program_start(text: BlockText) -> ProgramStart | None:
-    """``%name`` or ``%L name``; blanks inside the name belong to it."""
+def parse_program_start(text: BlockText) -> ProgramStart:
+    """The ``%name`` or ``%L name`` that stands next; blanks inside the name belong to it."""
     start = text.skip_blanks()
-    if not text.text.startswith("%", start):
-        return None
     found = text.match(_START)
     assert found is not None
     span = text.span(start, found.end())

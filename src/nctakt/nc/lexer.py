@@ -30,7 +30,8 @@ _COMMENT_BEGIN = re.compile(r"#\s*COMMENT\s+BEGIN(?!\w)", re.IGNORECASE)
 _COMMENT_END = re.compile(r"#\s*COMMENT\s+END(?!\w)", re.IGNORECASE)
 _ALONE_BEFORE = re.compile(r"\s*(?:/\d*\s*)?(?:N\s*\d+\s*)?$", re.IGNORECASE)
 _NEW_STATEMENT = re.compile(
-    r"\s*(?:N\s*\d+\s*)?(?:[#$%]|Vs?\.[\w.]+(?:\[[^\]]*\])*\s*(?:[:=]|$))", re.IGNORECASE
+    r"\s*(?:/\d*\s*)?(?:N\s*\d+\s*:?\s*)?(?:[#$%]|Vs?\.[\w.]+(?:\[[^\]]*\])*\s*(?:[:=]|$))",
+    re.IGNORECASE,
 )
 
 

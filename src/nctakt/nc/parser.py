@@ -122,7 +122,6 @@ def _is_program_end(statement: Statement) -> bool:
 
 def _program_start(text: BlockText, structure: Structure) -> None:
     start = parse_program_start(text)
-    assert start is not None
     structure.begin_program()
     structure.add(start)
 

@@ -1607,17 +1607,17 @@ _add(
     ERROR,
     "{word} is no place for a value",
     "{word} ist kein Platz für einen Wert",
-    remedy_en="write %d, %i, %u, %x, %f, %e, %g or %s, or %% for the sign itself",
-    remedy_de="%d, %i, %u, %x, %f, %e, %g oder %s schreiben, oder %% für das Zeichen selbst",
+    remedy_en="write %d, %f, %e, %g, %x or %s, or %% for the sign itself",
+    remedy_de="%d, %f, %e, %g, %x oder %s schreiben, oder %% für das Zeichen selbst",
     parameters=_WORD,
 )
 _add(
     900232,
     ERROR,
-    "{word} and this value do not fit together: %s takes a text, all others a number",
-    "{word} und dieser Wert passen nicht zusammen: %s nimmt einen Text, alle anderen eine Zahl",
-    remedy_en="change the place in the text or the value",
-    remedy_de="die Stelle im Text oder den Wert ändern",
+    "{word} takes a number, no text",
+    "{word} nimmt eine Zahl, keinen Text",
+    remedy_en="write %s in its place, or give a number",
+    remedy_de="%s an dieser Stelle schreiben oder eine Zahl angeben",
     parameters={"word": "the place in the text"},
 )
 _add(
@@ -1673,11 +1673,11 @@ _add(
 _add(
     21983,
     ERROR,
-    "a GLOBAL realtime cycle has an ID above 0, not {value}",
-    "ein GLOBAL-Echtzeit-Zyklus hat eine ID über 0, nicht {value}",
+    "a GLOBAL realtime cycle has an ID above 0, not {id}",
+    "ein GLOBAL-Echtzeit-Zyklus hat eine ID über 0, nicht {id}",
     remedy_en="give it a whole number from 1 on",
     remedy_de="eine ganze Zahl ab 1 angeben",
-    parameters={"value": "the ID as written"},
+    parameters={"id": "the ID"},
     reaction=2,
     clearing=3,
 )
@@ -1799,11 +1799,11 @@ _add(
 _add(
     50875,
     ERROR,
-    "{value} is no ID of a realtime cycle",
-    "{value} ist keine ID eines Echtzeit-Zyklus",
+    "{id} is no ID of a realtime cycle",
+    "{id} ist keine ID eines Echtzeit-Zyklus",
     remedy_en="IDs are whole numbers from 1 on",
     remedy_de="IDs sind ganze Zahlen ab 1",
-    parameters={"value": "the value of the ID"},
+    parameters={"id": "the value of the ID"},
     reaction=6,
     clearing=6,
 )

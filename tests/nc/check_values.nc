@@ -184,16 +184,18 @@ $ENDWHILE
 ; --- messages
 #MSG ["plain"]
 #MSG SAVE EXCLUSIVE ["%d %5.2f %s %%", 1, P1, "text"]
-#MSG SAVE ["%i %u %x %X %e %E %g %G %F", 1, 2, 3, 4, 5, 6, 7, 8, 9]
+#MSG SAVE ["%i %u %x %X %o %c %e %E %g %G %+08.3f", 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]
 #MSG ["V.RTG.TIMER[%d] = %f", P1, V.RTG.TIMER[P1]]
 #MSG ["%d"] ; error 900230 "1 values, 0 are given"
 #MSG ["text", 1] ; error 900230 "0 values, 1 are given"
 #MSG ["%d %y", 1, 2] ; error 900231 "%y"
 #MSG ["100 %"] ; error 900231 "%"
-#MSG ["%s", P1] ; error 900232 "%s"
+#MSG ["%s", P1]
+#MSG ["%F %#x", 1, 2] ; error 900231 "%F"
+#MSG ["%1000d", 1] ; error 900231 "%1000d"
 #MSG ["%d", "text"] ; error 900232 "%d"
 #MSG ["%f", V.E.NONE] ; error 900213 "V.E.NONE"
-#MSG ["%s", V.E.TEXT] ; error 900232 "%s"; error 900200 "V.E.TEXT"
+#MSG ["%s", V.E.TEXT] ; error 900200 "V.E.TEXT"
 #MSG [V.E.TEXT] ; error 900200 "(variable that holds a text)"
 #MSG SAFE ["x"] ; error 900234 "SAFE"
 #MSG SAVE SAVE ["x"] ; error 900224 "SAVE"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The table of what is simulated, accepted and refused, and the texts of ``#MSG``."""
+"""The table of what is simulated, accepted and refused, and the places in the texts of ``#MSG``."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from check_machine import demo_channel
 
 from nctakt.lists.technology import INTERNAL_M_FUNCTIONS, SYNCHRONISATIONS
 from nctakt.nc import support
-from nctakt.nc.formats import fill, places
+from nctakt.nc.formats import places
 from nctakt.nc.operators import FUNCTIONS
 from nctakt.nc.support import Answer, Kind
 
@@ -77,8 +77,11 @@ def test_commands_are_known_by_their_first_words(words: tuple[str, ...], name: s
     assert (entry.name if entry else None) == name
 
 
-def test_places_of_a_text_take_their_values() -> None:
-    """``%d`` shows the whole part of any number, ``%%`` is the sign itself."""
-    assert fill("X%d = %f, %5.1f%% %s", [1.0, 0.5, 2.25, "up"]) == "X1 = 0.500000,   2.2% up"
-    assert fill("%d %i", [-1.9, float("inf")]) == "-1 inf"
-    assert list(places("%d %% %y %")) == [("%d", True), ("%y", False), ("%", False)]
+def test_a_text_tells_its_places_for_values() -> None:
+    """``%%`` is the sign itself, an unknown letter is no place that can be filled."""
+    assert list(places("%d %% %5.2f %y %")) == [
+        ("%d", True),
+        ("%5.2f", True),
+        ("%y", False),
+        ("%", False),
+    ]

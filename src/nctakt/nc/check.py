@@ -236,19 +236,17 @@ class Checker:
             self._findings.answer(support.form("V.E.TEXT"), message.format.span)
             return
         found = list(places(message.format.value))
-        wrong = next((place for place, known in found if not known), None)
+        wrong = next((place for place in found if not place.known), None)
         if wrong is not None:
-            self._findings.report(900231, message.format.span, word=wrong)
+            self._findings.report(900231, message.format.span, word=wrong.text)
         elif len(found) != len(message.arguments):
             expected, given = len(found), len(message.arguments)
             self._findings.report(900230, message.format.span, expected=expected, given=given)
         for index, argument in enumerate(message.arguments):
-            is_text = isinstance(argument, StringLiteral)
-            if index < len(found) and found[index][1]:
-                if is_text != found[index][0].endswith("s"):
-                    self._findings.report(900232, argument.span, word=found[index][0])
-            if not is_text:
+            if not isinstance(argument, StringLiteral):
                 self._values.value(argument)
+            elif index < len(found) and found[index].known and not found[index].takes_text:
+                self._findings.report(900232, argument.span, word=found[index].text)
 
     def _other(self, statement: Statement) -> None:
         """Statements that this version refuses as a whole."""

@@ -142,9 +142,9 @@ class CycleChecker:
         if not isinstance(value, Number):
             return
         if is_global and value.value <= 0:
-            self._findings.report(21983, value.span, value=f"{value.value:g}")
+            self._findings.report(21983, value.span, id=f"{value.value:g}")
         elif value.value < 1 or not value.value.is_integer():
-            self._findings.report(50875, value.span, value=f"{value.value:g}")
+            self._findings.report(50875, value.span, id=f"{value.value:g}")
 
     # --- the body --------------------------------------------------------------------------------
 

@@ -1,43 +1,36 @@
 # SPDX-License-Identifier: MIT
-"""The text of a ``#MSG`` with places for values, as in ``"X = %f"``.
+"""The text of a ``#MSG`` with places for values, as in ``"X = %f"``: its places in order.
 
-In: the text. Out: its places in order, or the text with values filled in. Numbers are REAL64 where
-the program computes them, so ``%d`` takes the whole part of any number.
+Who fills them is ``decoder/texts.py``.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from math import isfinite
+from collections.abc import Iterator
+from typing import NamedTuple
 
-_PLACE = re.compile(r"%(?:%|[-+ #0]*\d{0,3}(?:\.\d{0,3})?(?P<kind>[diuxXfFeEgGs])|(?P<wrong>.?))")
+_PLACE = re.compile(
+    r"%(?:%|[-+ 0]*\d{0,3}(?:\.\d{1,3})?(?P<kind>[diuxXocfeEgGs])|(?P<wrong>[-+ 0#]*[\d.]*.?))"
+)
 
 
-def places(text: str) -> Iterator[tuple[str, bool]]:
-    """Each place as it is written and whether it is one; ``%%`` is the sign itself."""
+class Place(NamedTuple):
+    """One place as it is written; ``known`` is false where it is none that can be filled."""
+
+    text: str
+    known: bool
+
+    @property
+    def takes_text(self) -> bool:
+        """Whether a text fits, not only a number."""
+        return self.text.endswith("s")
+
+
+def places(text: str) -> Iterator[Place]:
+    """Each place in the order of the text; ``%%`` is none but the sign itself."""
     for found in _PLACE.finditer(text):
         if found["kind"] is not None:
-            yield found[0], True
+            yield Place(found[0], True)
         elif found["wrong"] is not None:
-            yield found[0], False
-
-
-def fill(text: str, values: Sequence[float | str]) -> str:
-    """The text with the values in its places; the checker has seen that they fit.
-
-    ``%d`` and its kin show the whole part of a number; one that is not finite has none and is
-    shown by its name.
-    """
-    rest = iter(values)
-
-    def shown(found: re.Match[str]) -> str:
-        kind = found["kind"]
-        if kind is None:
-            return "%"
-        value = next(rest)
-        if kind in "diuxX" and isinstance(value, float):
-            return found[0] % int(value) if isfinite(value) else str(value)
-        return found[0] % value
-
-    return _PLACE.sub(shown, text)
+            yield Place(found[0], False)

@@ -64,7 +64,9 @@ def test_a_run_tells_what_the_cycle_did(capsys: pytest.CaptureFixture[str]) -> N
     assert main(["run", "part.nc"]) == 0
     shown = capsys.readouterr().out.splitlines()
     assert shown[1] == "part.nc: ended, 726 ticks = 0.726000 s"
-    assert shown[5].split() == "17 part.nc:1 PROG part.nc:2 ONCE 1 tick 463 = 0.463000 s".split()
+    assert (
+        shown[5].split() == "17 part.nc:1 PROG 725 part.nc:2 ONCE 1 tick 463 = 0.463000 s".split()
+    )
     assert shown[6].split() == "part.nc:5 EDGE never".split()
     assert shown[10].split() == "M100 realtime cycle 1 tick 463 = 0.463000 s".split()
 

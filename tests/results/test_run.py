@@ -74,8 +74,17 @@ def test_a_definition_that_is_run_again_and_again_is_counted_once() -> None:
                 Event(number, 0, "ended", f"{name} scope", None, name),
             ]
         )
-    (cycle,) = statistics.cycles()
+    (cycle,) = statistics.cycles({"#1": 1, "#2": 1, "#3": 1})
+    assert cycle.runs is None
     assert (cycle.name, cycle.instances, cycle.reactions[0].count) == ("#1", 3, 3)
+
+
+def test_run_throughs_are_told_where_they_belong_to_one_definition() -> None:
+    """Two definitions with one ID share their number: neither is given it."""
+    other = Span("part.nc", 33, 1, 2)
+    created = [Event(9, 9000, "created", "17 PROG", place, "17") for place in (DEFINED, other)]
+    assert [cycle.runs for cycle in counted(*created).cycles({"17": 9})] == [None, None]
+    assert [cycle.runs for cycle in counted(created[0]).cycles({"17": 9})] == [9]
 
 
 def test_a_cycle_from_an_earlier_run_is_known_when_it_fires() -> None:

@@ -25,6 +25,7 @@ RUN = Run(
                 ReactionResult(Span("part.nc", 5, 3, 4), "ONCE", 1, 463, 463),
                 ReactionResult(Span("part.nc", 9, 3, 4), "", 0, None, None),
             ),
+            runs=725,
         ),
         CycleResult("#1", "BLOCK", Span("next.nc", 1, 1, 2), (), instances=3),
     ),
@@ -51,11 +52,11 @@ def test_the_plain_summary_tells_all_and_is_stable() -> None:
     assert summary(RUN) == [
         "part.nc, next.nc: ended, 726 ticks = 0.726000 s",
         "",
-        "Realtime cycle         Scope  Reaction        Fired  First",
-        "-" * 74,
-        "17 part.nc:3           PROG   part.nc:5 ONCE  1      tick 463 = 0.463000 s",
-        "                              part.nc:9       never",
-        "#1 next.nc:1, 3 times  BLOCK  no branch",
+        "Realtime cycle         Scope  Runs  Reaction        Fired  First",
+        "-" * 80,
+        "17 part.nc:3           PROG   725   part.nc:5 ONCE  1      tick 463 = 0.463000 s",
+        "                                    part.nc:9       never",
+        "#1 next.nc:1, 3 times  BLOCK        no branch",
         "",
         "Function  From            Count  First",
         "-" * 54,
@@ -98,6 +99,8 @@ def test_on_a_terminal_the_factor_is_told_and_the_tables_are_drawn() -> None:
     file = Terminal()
     print_summary(RUN, file, wall_s=0.01)
     text = file.getvalue()
-    assert "73 times as fast as the machine" in text
+    assert "in 10 ms, 73 times as fast as the machine" in text
+    print_summary(RUN, file, wall_s=2.0)
+    assert "in 2.0 s, 0.4 times as fast as the machine" in file.getvalue()
     assert "M100" in text
     assert "part.nc:5 ONCE" in text

@@ -52,7 +52,7 @@ class CycleResult:
     """A realtime cycle: ID (``#1`` without one), scope, place of its definition, reactions.
 
     ``instances`` says how often this definition was executed. ``runs`` is the number of its
-    run-throughs, ``None`` when the run did not count them.
+    run-throughs since its creation, ``None`` where they are not counted for it alone.
     """
 
     name: str
@@ -264,10 +264,18 @@ class RunStatistics:
                     for span, fired in cycle.reactions.items()
                 ),
                 cycle.instances,
-                (runs or {}).get(cycle.name),
+                self._runs(cycle, runs or {}),
             )
             for cycle in self._cycles.values()
         )
+
+    def _runs(self, cycle: _Cycle, runs: Mapping[str, int]) -> int | None:
+        """The cycle's run-throughs, if ``runs`` counts them for this definition alone."""
+        if cycle.instances > 1 and cycle.name.startswith("#"):
+            return None
+        if sum(other.name == cycle.name for other in self._cycles.values()) > 1:
+            return None
+        return runs.get(cycle.name)
 
 
 def _same_start(spans: Mapping[Span | None, _Fired], span: Span | None) -> Span | None:

@@ -28,6 +28,7 @@ _NOT_RUN = Text("not run", "nicht gelaufen")
 _CYCLE_HEADS = (
     Text("Realtime cycle", "Echtzeit-Zyklus"),
     Text("Scope", "Gültigkeit"),
+    Text("Runs", "Durchläufe"),
     Text("Reaction", "Reaktion"),
     Text("Fired", "Ausgelöst"),
     Text("First", "Zuerst"),
@@ -91,10 +92,11 @@ def headline(run: Run, language: Language, wall_s: float | None) -> str:
     text = f"{names}: {how}, {run.ticks} {ticks} = {time_s}"
     if wall_s is None or wall_s <= 0.0:
         return text
-    factor = run.virtual_time_us / 1e6 / wall_s
+    took = f"{wall_s:.1f} s" if wall_s >= 1.0 else f"{wall_s * 1000.0:.0f} ms"
+    factor = _factor(run.virtual_time_us / 1e6 / wall_s)
     faster = Text(
-        f"in {wall_s:.2f} s, {_factor(factor)} times as fast as the machine",
-        f"in {wall_s:.2f} s, {_factor(factor)} mal so schnell wie die Maschine",
+        f"in {took}, {factor} times as fast as the machine",
+        f"in {took}, {factor} mal so schnell wie die Maschine",
     )
     return f"{text}, {faster.get(language)}"
 
@@ -125,12 +127,13 @@ def _count(diagnostics: Sequence[Diagnostic], severity: Severity) -> int:
 def _cycles(run: Run, language: Language) -> Table:
     rows: list[tuple[str, ...]] = []
     for cycle in run.cycles:
-        head = (_cycle_name(cycle, language), cycle.scope)
+        runs = "" if cycle.runs is None else str(cycle.runs)
+        head = (_cycle_name(cycle, language), cycle.scope, runs)
         if not cycle.reactions:
             rows.append((*head, _NO_REACTION.get(language), "", ""))
         for reaction in cycle.reactions:
             rows.append((*head, *_reaction(run, reaction, language)))
-            head = ("", "")
+            head = ("", "", "")
     return Table(tuple(head.get(language) for head in _CYCLE_HEADS), tuple(rows))
 
 
@@ -185,7 +188,8 @@ def _print_rich(table: Table, file: TextIO) -> None:
     from rich.markup import escape  # noqa: PLC0415
     from rich.table import Table as RichTable  # noqa: PLC0415
 
-    drawn = RichTable(*table.heads, box=box.SIMPLE_HEAD, pad_edge=False)
+    drawn = RichTable(*table.heads, box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False)
     for row in table.rows:
         drawn.add_row(*map(escape, row))
+    print(file=file)
     Console(file=file, highlight=False).print(drawn)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """One channel: the queue of commands, and the phases of its tick (RC-002 … RC-007).
 
 A command is a row of float64 in a ring (``decoder/commands.py`` packs it): kind, source ID, block

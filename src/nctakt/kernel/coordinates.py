@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The coordinate systems: what lies between ACS and MCS, PCS, IPO for each axis (MO-8).
 
 A position in a system is the position in ACS less the system's offset, in mm or degrees. No command

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Statements of realtime cycles: trees of small objects, each of which runs itself.
 
 RC-201 … RC-208, RC-307, RC-403, RC-501. ``run(context)`` answers 0 when the run-through goes on and

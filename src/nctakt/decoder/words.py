@@ -23,6 +23,9 @@ from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
 from nctakt.nc import syntax
 
+#: The G function whose X, or whose own value, is a time.
+DWELL = 4
+
 #: M functions that end the main program.
 PROGRAM_ENDS = (2, 30)
 
@@ -90,14 +93,14 @@ class Words:
                 continue
             assert isinstance(word, syntax.Word), word
             if word.name == "G":
+                if word.additional is not None:
+                    content.dwell_s = yield from self._values.evaluate(word.additional, number)
                 continue
-            if word.value is None:
-                content.dwell_s = None
-                continue
+            assert word.value is not None, word
             value = yield from self._values.evaluate(word.value, number)
             self._word(word, value, content)
-        if 4 in numbers:
-            content.dwell_s = content.axes.pop()[1] if content.axes else content.dwell_s
+        if DWELL in numbers and content.axes:
+            content.dwell_s = content.axes.pop()[1]
         return content
 
     def _modal(self, function: int) -> None:

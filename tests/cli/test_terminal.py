@@ -2,13 +2,14 @@
 """The progress bar and the lines that a command shows."""
 
 import io
+import os
 from pathlib import Path
 
 import pytest
 
 from nctakt.cli import terminal
 from nctakt.cli.request import split_names
-from nctakt.cli.terminal import OutputFile, ProgressBar
+from nctakt.cli.terminal import OutputFile, ProgressBar, show_at_the_end
 from nctakt.failure import Failure
 
 
@@ -82,3 +83,13 @@ def test_a_full_disk_is_a_diagnostic() -> None:
     with pytest.raises(Failure, match="error 900507"):
         file.write("hello")
     file.close()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="pipes close in another way there")
+def test_nobody_reading_the_end_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A closed pipe swallows the summary, then and when Python flushes at its end."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    with os.fdopen(writing, "w") as file:
+        monkeypatch.setattr("sys.stdout", file)
+        show_at_the_end(lambda stream: print("summary", file=stream))

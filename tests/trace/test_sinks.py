@@ -258,3 +258,28 @@ def test_a_file_stays_until_the_trace_begins(tmp_path: Path) -> None:
     path.write_text("of yesterday", encoding="utf-8")
     file_sink(path).close()
     assert path.read_text(encoding="utf-8") == "of yesterday"
+
+
+@pytest.mark.parametrize("suffix", ["csv", "jsonl"])
+def test_events_may_come_long_before_their_rows(tmp_path: Path, suffix: str) -> None:
+    """Each event stands in the line of its tick, however the rows are cut."""
+    path = tmp_path / f"out.{suffix}"
+    sink = file_sink(path)
+    sink.open(HEADER)
+    sink.events(EVENTS)
+    for tick, row in enumerate(ROWS):
+        sink.rows(tick, memoryview(array.array("d", row)), 3)
+    sink.rows(len(ROWS), memoryview(array.array("d")), 3)
+    sink.close()
+    assert_same(read_trace(path))
+
+
+def test_a_path_that_is_full_is_told_when_it_is_closed() -> None:
+    """What the system notices only at the end is a diagnostic, too."""
+    full = Path("/dev/full")
+    if not full.exists():
+        pytest.skip("a device of Linux")
+    sink = CsvSink(full)
+    sink.open(HEADER)
+    with pytest.raises(Failure, match="900507"):
+        sink.close()

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
-from nctakt.diagnostics import Diagnostic
+from nctakt.diagnostics import Diagnostic, Severity
 from nctakt.lists.channel_configuration import ChannelParameters
-from nctakt.lists.machine import load_machine
+from nctakt.lists.machine import MachineConfiguration, load_machine
 from nctakt.lists.technology import TechnologyFunction
 from nctakt.messages import Collector
 from nctakt.nc.check import check
@@ -26,9 +27,20 @@ class Channel:
 
 
 @cache
+def _machine() -> MachineConfiguration:
+    return load_machine(None)
+
+
+def passes(lines: Sequence[str]) -> bool:
+    """Whether a program has no error on the demo machine as it is."""
+    found = findings(tuple(lines), _machine().channels[0].parameters)
+    return all(one.severity is not Severity.ERROR for one in found)
+
+
+@cache
 def demo_channel() -> Channel:
     """The demo machine's channel, with functions of axes that its list does not have."""
-    machine = load_machine(None)
+    machine = _machine()
     channel = machine.channels[0]
     axes = tuple((axis.name, axis.index) for axis in channel.axes)
     linear = frozenset(number for _, number in axes if machine.axes[number].is_linear)

@@ -8,6 +8,7 @@ block (RC-301), texts, structures and lists of values (RC-208), functions (RC-20
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from difflib import get_close_matches
 
@@ -34,6 +35,7 @@ from nctakt.nc.syntax import (
 _RIGHTS = {Access.NONE: "–", Access.READ: "R", Access.WRITE: "W", Access.BOTH: "R/W"}
 #: Families whose variables the variables list declares, with rights of their own.
 _DECLARED = ("E", "CH")
+_INDEX = re.compile(r"\[\d+\]")
 
 
 class ValueChecker:
@@ -249,7 +251,9 @@ class ValueChecker:
         report, span = self._findings.report, variable.span
         match found.reason:
             case Problem.UNKNOWN:
-                nearest = self._with_axis(variable) or found.nearest or "–"
+                nearest = (
+                    self._with_axis(variable) or self._spelled(variable) or found.nearest or "–"
+                )
                 report(900213, span, name=path_text(variable), nearest=nearest)
             case Problem.INDICES:
                 given = sum(1 for _ in indices_of(variable))
@@ -266,6 +270,16 @@ class ValueChecker:
                 if isinstance(location, Location):
                     return location.name
         return ""
+
+    def _spelled(self, variable: Variable) -> str:
+        """The variable that differs in upper and lower case only; else nothing."""
+        wanted = path_text(variable).casefold()
+        if variable.family in _DECLARED:
+            known = (_INDEX.sub("[]", name) for name, _, _ in self._names.values())
+            return next((name for name in known if name.casefold() == wanted), "")
+        parts = [(part.name.upper(), len(part.indices)) for part in variable.parts]
+        found = self._names.resolve(variable.family, parts)
+        return found.name if isinstance(found, Location) else ""
 
     def _indices_fit(self, variable: Variable, location: Location) -> bool:
         """Constant indices inside the array; those that are computed are checked when they are."""

@@ -16,11 +16,15 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Protocol
 
+from nctakt.diagnostics import Diagnostic
 from nctakt.failure import Failure
 from nctakt.messages import diagnostic
 
 if TYPE_CHECKING:
     from nctakt.interface import Interface
+
+
+_OUR_FOLDER = Path(__file__).parent
 
 
 class Plc(Protocol):
@@ -70,7 +74,7 @@ class _LoadedPlc:
         except (Exception, SystemExit) as error:  # the user's code may raise what it likes
             reason, text = _told(error, self._path)
             found = diagnostic(900523, tick=hli.tick, reason=reason, traceback=text)
-            raise PlcError(found) from error
+            raise PlcError(found, *_refused(error)) from error
 
 
 def _load_module(path: Path) -> ModuleType:
@@ -129,17 +133,24 @@ def _candidates(module: ModuleType) -> list[type[Plc]]:
 
 def _load_error(error: BaseException, path: Path) -> PlcError:
     reason, text = _told(error, path)
-    return PlcError(diagnostic(900522, reason=reason, traceback=text))
+    return PlcError(diagnostic(900522, reason=reason, traceback=text), *_refused(error))
+
+
+def _refused(error: BaseException) -> tuple[Diagnostic, ...]:
+    """What we say ourselves to something that the PLC asked for and cannot have."""
+    return error.diagnostics if isinstance(error, Failure) else ()
 
 
 def _told(error: BaseException, path: Path) -> tuple[str, str]:
-    """The exception on one line, and the way to it from the user's file on."""
-    reason = traceback.format_exception_only(error)[-1].strip()
+    """The exception on one line, and the way to it from the user's file on, without ours."""
     frames = traceback.extract_tb(error.__traceback__)
-    users = [i for i, frame in enumerate(frames) if Path(frame.filename) == path.absolute()]
-    users += [i for i, frame in enumerate(frames) if frame.filename == str(path)]
-    shown = frames[min(users) :] if users else []
+    files = (str(path), str(path.absolute()))
+    first = next((i for i, frame in enumerate(frames) if frame.filename in files), len(frames))
+    shown = [frame for frame in frames[first:] if _OUR_FOLDER not in Path(frame.filename).parents]
     lines = traceback.format_list(shown)
+    reason = traceback.format_exception_only(error)[-1].strip()
     if isinstance(error, SyntaxError):  # its place is in its text, not in a frame
         lines = traceback.format_exception_only(error)[:-1]
+    if isinstance(error, Failure):  # what it asked of us
+        reason = error.diagnostics[0].headline()
     return reason, "".join(lines).rstrip()

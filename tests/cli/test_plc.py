@@ -149,3 +149,21 @@ class Plc:
     assert found.values["tick"] == 2
     assert "AssertionError: no more" in found.text()
     assert "line 6" in found.text()
+
+
+def test_what_we_refuse_the_plc_is_told_with_its_remedy(tmp_path: Path) -> None:
+    """A wrong name in the PLC's file shows the user's line and our diagnostic, not our files."""
+    text = """
+from nctakt.stimuli import parse_time
+class Plc:
+    def cycle(self, hli):
+        parse_time("soon")
+"""
+    plc = load_plc(write(tmp_path, text))
+    with pytest.raises(PlcError) as failure:
+        plc.cycle(cast("Interface", Hli()))
+    found, ours = failure.value.diagnostics
+    assert (found.id, ours.id) == (900523, 900510)
+    assert found.text().endswith('parse_time("soon")')
+    assert "stimuli.py" not in found.text()
+    assert "'soon' is no time" in found.text()

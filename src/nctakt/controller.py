@@ -82,6 +82,11 @@ class Controller:
             return "error"
         return "ready" if self._feed is None else "running"
 
+    @property
+    def instructions_in_tick(self) -> int:
+        """Elementary instructions that the realtime cycles ran in the last tick (RC-501)."""
+        return self._channel.context.steps
+
     def read(self, name: str) -> float | bool | str:
         """The value of a V. variable, such as ``V.E.LIST[3]`` or ``V.RTA.ACS.ACT_POS.X``.
 
@@ -137,6 +142,7 @@ class Controller:
         sinks: Sequence[Sink] = (),
         signals: Sequence[str] | None = None,
         memory_trace: bool = True,
+        record_writes: bool = True,
         on_message: Callable[[int, str], None] | None = None,
         on_progress: Callable[[int, int | None], None] | None = None,
     ) -> Run:
@@ -146,7 +152,8 @@ class Controller:
         the channel goes on behind the last program. ``initial`` are values before the first tick,
         ``stimuli`` values at times of the run. ``sinks`` get the trace, which ``memory_trace``
         keeps in the result, of ``signals`` (positions of all axes, path speed, override, block
-        number, active cycles unless given). Raises ``Failure`` for a name or value that does not
+        number, active cycles unless given); ``record_writes`` has each new value that a cycle gives
+        a variable as an event in it. Raises ``Failure`` for a name or value that does not
         fit; mistakes of the programs are in the result.
         """
         first_tick = self.tick
@@ -159,7 +166,7 @@ class Controller:
         memory = MemorySink() if memory_trace else None
         statistics = RunStatistics(self._machine.registry.reactions_of)
         self._sinks = [*sinks, *((memory,) if memory else ()), statistics]
-        header = self._select(signals, records=bool(sinks) or memory_trace)
+        header = self._select(signals, bool(sinks) or memory_trace, record_writes)
         for sink in self._sinks:
             sink.open(header)
         self._plc = plc
@@ -324,7 +331,9 @@ class Controller:
                 if found is not None:
                     self.diagnostics.append(found)
 
-    def _select(self, names: Sequence[str] | None, *, records: bool) -> TraceHeader:
+    def _select(
+        self, names: Sequence[str] | None, records: bool, record_writes: bool
+    ) -> TraceHeader:
         """Choose the signals of the trace; unknown ones raise ``Failure`` with the nearest."""
         known = self._machine.signals()
         if names is None:
@@ -333,6 +342,6 @@ class Controller:
         if unknown:
             raise Failure(*(self._machine.unknown_signal(name) for name in unknown))
         self._machine.record.select([known[name][0] for name in names] if records else [])
-        self._machine.record.records_writes = records
+        self._machine.record.records_writes = records and record_writes
         signals = tuple(Signal(name, known[name][1], known[name][2]) for name in names)
         return TraceHeader(self.cycle_time_us, signals if records else ())

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: MIT
+"""The catalogue: each message that nctakt can give, once.
+
+The controller's own number is used where it is known; what the controller does not number has one
+of ours, from 900000 on. One module per stage declares them:
+
+====================  ==============================================================================
+``lists``             lists: their text, their entries, their values (900000 … 900029)
+``schedule``          the scheduling list rtconf.lis (900030 … 900059)
+``machine``           the machine folder and its parameters (900060 … 900079, 900086)
+``variables``         the variables lists: V.E and V.CH (900080 … 900085)
+``nc_text``           NC text: lexer and parser (900100 … 900199)
+``checked_blocks``    checked program: words and commands (900200 … 900212, 900229 … 900249)
+``checked_values``    checked program: variables and expressions (900213 … 900221, 900227 … 900228)
+``checked_cycles``    checked program: control statements and realtime cycles (900222 … 900226)
+``decoder``           the decoder, while it evaluates (900300 … 900399)
+``realtime``          the realtime part (900400 … 900499)
+``outside``           command line, files, PLC, stimuli (900500 … 900549, 900570 … 900599)
+``diagnosis``         the lines of the realtime cycles' diagnosis data (900550 … 900569)
+====================  ==============================================================================
+
+A number of the controller stands where the stage that reports it has its own.
+"""
+
+from __future__ import annotations
+
+from nctakt.diagnostics import Diagnostic, Severity, Span
+from nctakt.messages import (
+    checked_blocks,
+    checked_cycles,
+    checked_values,
+    decoder,
+    diagnosis,
+    lists,
+    machine,
+    nc_text,
+    outside,
+    realtime,
+    schedule,
+    variables,
+)
+from nctakt.messages.catalogue import Catalogue
+
+__all__ = ["CATALOGUE", "Catalogue", "Collector", "diagnostic"]
+
+CATALOGUE = Catalogue()
+for _stage in (
+    lists,
+    schedule,
+    machine,
+    variables,
+    nc_text,
+    checked_blocks,
+    checked_values,
+    checked_cycles,
+    decoder,
+    realtime,
+    outside,
+    diagnosis,
+):
+    CATALOGUE.include(_stage.MESSAGES)
+
+
+class Collector:
+    """Gathers diagnostics of one run over some text, in the order of their discovery."""
+
+    def __init__(self) -> None:
+        self.diagnostics: list[Diagnostic] = []
+
+    def report(
+        self, number: int, span: Span | None, source_line: str = "", **values: object
+    ) -> Diagnostic:
+        """Add the message ``number`` at ``span``."""
+        found = diagnostic(number, span, source_line, **values)
+        self.diagnostics.append(found)
+        return found
+
+    @property
+    def has_errors(self) -> bool:
+        """Whether anything worse than a warning was reported."""
+        return any(found.severity is Severity.ERROR for found in self.diagnostics)
+
+
+def diagnostic(
+    number: int, span: Span | None = None, source_line: str = "", **values: object
+) -> Diagnostic:
+    """Make the diagnostic of message ``number``; each parameter of the message needs a value."""
+    message = CATALOGUE[number]
+    assert values.keys() == message.parameters.keys(), (number, tuple(values))
+    return Diagnostic(message, span, values, source_line)

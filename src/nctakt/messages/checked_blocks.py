@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: MIT
+"""Messages of checked program: words and commands (900200 … 900212, 900229 … 900249)."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import ERROR, NOTE, Catalogue
+
+MESSAGES = Catalogue()
+_add = MESSAGES.add
+
+_KNOWN = {
+    "command": "the word or command",
+    "meaning_en": "what it does, in English",
+    "meaning_de": "what it does, in German",
+}
+_WORD = {"word": "the word as written"}
+_NEAREST = {"nearest": "the most similar known name, or –"}
+
+_add(
+    900200,
+    ERROR,
+    "{command} ({meaning_en}) is not simulated by this version",
+    "{command} ({meaning_de}) wird von dieser Version nicht simuliert",
+    remedy_en="leave it out: what it does would change positions or times",
+    remedy_de="weglassen: die Wirkung würde Positionen oder Zeiten ändern",
+    parameters=_KNOWN,
+)
+_add(
+    900201,
+    NOTE,
+    "{command} ({meaning_en}) is accepted and has no effect here",
+    "{command} ({meaning_de}) wird angenommen und wirkt hier nicht",
+    remedy_en="nothing to do; this is told once per program",
+    remedy_de="nichts zu tun; das wird einmal je Programm gemeldet",
+    parameters=_KNOWN,
+)
+_add(
+    900202,
+    ERROR,
+    "nobody knows the command {word}",
+    "den Befehl {word} kennt niemand",
+    remedy_en="most similar: {nearest}",
+    remedy_de="am ähnlichsten: {nearest}",
+    parameters={**_WORD, **_NEAREST},
+)
+_add(
+    900203,
+    ERROR,
+    "{word} is neither a word of the language nor an axis or spindle of this channel",
+    "{word} ist weder ein Wort der Sprache noch eine Achse oder Spindel dieses Kanals",
+    remedy_en="axes of the channel: {axes}; most similar: {nearest}",
+    remedy_de="Achsen des Kanals: {axes}; am ähnlichsten: {nearest}",
+    parameters={**_WORD, "axes": "names of the channel's axes", **_NEAREST},
+)
+_add(
+    900204,
+    ERROR,
+    "there is no function {word}",
+    "eine Funktion {word} gibt es nicht",
+    remedy_en="write the number of a G, M or H function, a whole one",
+    remedy_de="die Nummer einer G-, M- oder H-Funktion schreiben, eine ganze Zahl",
+    parameters=_WORD,
+)
+_add(
+    900205,
+    ERROR,
+    "the channel list does not define {word}",
+    "die Kanalliste definiert {word} nicht",
+    remedy_en="give it a synchronisation type there: {key} MOS",
+    remedy_de="dort eine Synchronisationsart angeben: {key} MOS",
+    parameters={**_WORD, "key": "the key of the channel list"},
+)
+_add(
+    900206,
+    ERROR,
+    "{word} belongs to axis {axis}; a realtime cycle outputs functions of the channel only",
+    "{word} gehört zur Achse {axis}; ein Echtzeit-Zyklus gibt nur Funktionen des Kanals aus",
+    remedy_en="use another function, or take {key} out of the channel list",
+    remedy_de="eine andere Funktion verwenden oder {key} aus der Kanalliste nehmen",
+    parameters={
+        **_WORD,
+        "axis": "the axis that the channel list names",
+        "key": "the key of the channel list",
+    },
+)
+_add(
+    900207,
+    ERROR,
+    "{word} controls programs and has no place in a realtime cycle",
+    "{word} steuert Programme und hat im Echtzeit-Zyklus keinen Platz",
+    remedy_en="output another M function and let the PLC react to it",
+    remedy_de="eine andere M-Funktion ausgeben und die SPS darauf reagieren lassen",
+    parameters=_WORD,
+)
+_add(
+    900208,
+    ERROR,
+    "a value is missing behind {word}",
+    "hinter {word} fehlt ein Wert",
+    remedy_en="write a number, a variable or an expression behind it",
+    remedy_de="eine Zahl, eine Variable oder einen Ausdruck dahinter schreiben",
+    parameters=_WORD,
+)
+_add(
+    900209,
+    ERROR,
+    "{word} stands twice in this block",
+    "{word} steht zweimal in diesem Satz",
+    remedy_en="keep the one that is meant",
+    remedy_de="das behalten, das gemeint ist",
+    parameters=_WORD,
+)
+_add(
+    900210,
+    ERROR,
+    "{word} and {other} exclude each other in one block",
+    "{word} und {other} schließen sich in einem Satz aus",
+    remedy_en="divide the block, or keep one of both",
+    remedy_de="den Satz teilen oder eines von beiden behalten",
+    parameters={**_WORD, "other": "the function that stands before it"},
+)
+_add(
+    900211,
+    ERROR,
+    "G04 stands alone in its block, with one time in seconds",
+    "G04 steht allein im Satz, mit einer Zeit in Sekunden",
+    remedy_en="write G04 X0.5 or G04 0.5",
+    remedy_de="G04 X0.5 oder G04 0.5 schreiben",
+)
+_add(
+    900212,
+    ERROR,
+    "{word} takes nothing further",
+    "zu {word} gehört nichts Weiteres",
+    remedy_en="remove what stands behind the number",
+    remedy_de="entfernen, was hinter der Nummer steht",
+    parameters=_WORD,
+)
+_add(
+    900229,
+    ERROR,
+    "this block is no NC text",
+    "dieser Satz ist kein NC-Text",
+    remedy_en="make it a comment",
+    remedy_de="zum Kommentar machen",
+)
+_add(
+    900230,
+    ERROR,
+    "the text has places for {expected} values, {given} are given",
+    "der Text hat Platz für {expected} Werte, angegeben sind {given}",
+    remedy_en="write one value for each %d, %f or %s; %% is the sign itself",
+    remedy_de="zu jedem %d, %f oder %s einen Wert schreiben; %% ist das Zeichen selbst",
+    parameters={"expected": "places in the text", "given": "values behind it"},
+)
+_add(
+    900231,
+    ERROR,
+    "{word} is no place for a value",
+    "{word} ist kein Platz für einen Wert",
+    remedy_en="write %d, %f, %e, %g, %x or %s, or %% for the sign itself",
+    remedy_de="%d, %f, %e, %g, %x oder %s schreiben, oder %% für das Zeichen selbst",
+    parameters=_WORD,
+)
+_add(
+    900232,
+    ERROR,
+    "{word} takes a number, no text",
+    "{word} nimmt eine Zahl, keinen Text",
+    remedy_en="write %s in its place, or give a number",
+    remedy_de="%s an dieser Stelle schreiben oder eine Zahl angeben",
+    parameters={"word": "the place in the text"},
+)
+_add(
+    900233,
+    ERROR,
+    "{command} does not have this form",
+    "{command} hat diese Form nicht",
+    remedy_en="write it as the manual of the language has it",
+    remedy_de="so schreiben, wie es die Programmieranleitung angibt",
+    parameters={"command": "the command"},
+)
+_add(
+    900234,
+    ERROR,
+    "{command} has no option {word}",
+    "{command} hat keine Option {word}",
+    remedy_en="one of these is possible: {names}",
+    remedy_de="möglich sind: {names}",
+    parameters={"command": "the command", **_WORD, "names": "the options that exist"},
+)
+_add(
+    20003,
+    ERROR,
+    "G60 in a block without motion",
+    "G60 in einem Satz ohne Bewegung",
+    remedy_en="write it into the block at whose end the axes shall stand",
+    remedy_de="in den Satz schreiben, an dessen Ende die Achsen stehen sollen",
+    reaction=2,
+    clearing=3,
+)

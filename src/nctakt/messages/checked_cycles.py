@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: MIT
+"""Messages of checked program: control statements and realtime cycles (900222 … 900226)."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import ERROR, Catalogue
+
+MESSAGES = Catalogue()
+_add = MESSAGES.add
+
+_WORD = {"word": "the word as written"}
+_NAME = {"name": "the variable"}
+
+_add(
+    900222,
+    ERROR,
+    "{word}: ONCE, EDGE and ALWAYS belong into a realtime cycle",
+    "{word}: ONCE, EDGE und ALWAYS gehören in einen Echtzeit-Zyklus",
+    remedy_en="leave the word out, or move the $IF into #RT CYCLE … #RT CYCLE END",
+    remedy_de="das Wort weglassen oder das $IF in #RT CYCLE … #RT CYCLE END verschieben",
+    parameters=_WORD,
+)
+_add(
+    900223,
+    ERROR,
+    "{word} stands in nothing that it could leave or repeat",
+    "{word} steht in nichts, das es verlassen oder wiederholen könnte",
+    remedy_en="put it into a loop; $BREAK also ends a $CASE",
+    remedy_de="in eine Schleife setzen; $BREAK beendet auch ein $CASE",
+    parameters=_WORD,
+)
+_add(
+    900224,
+    ERROR,
+    "the keyword {word} stands twice",
+    "das Schlüsselwort {word} steht zweimal",
+    remedy_en="keep one of both",
+    remedy_de="eines von beiden behalten",
+    parameters=_WORD,
+)
+_add(
+    900225,
+    ERROR,
+    "{word} = {value} does not exist",
+    "{word} = {value} gibt es nicht",
+    remedy_en="write one of these: {names}",
+    remedy_de="eines davon schreiben: {names}",
+    parameters={
+        **_WORD,
+        "value": "the value as written, or –",
+        "names": "what the keyword may be",
+    },
+)
+_add(
+    900226,
+    ERROR,
+    "#RT CYCLE {action} needs an ID",
+    "#RT CYCLE {action} braucht eine ID",
+    remedy_en="write #RT CYCLE {action} [ID=1] with the ID of the definition",
+    remedy_de="#RT CYCLE {action} [ID=1] mit der ID der Definition schreiben",
+    parameters={"action": "the management command"},
+)
+_add(
+    21981,
+    ERROR,
+    "{name} holds a text; realtime cycles know numbers only",
+    "{name} enthält einen Text; Echtzeit-Zyklen kennen nur Zahlen",
+    remedy_en="use a variable with a number",
+    remedy_de="eine Variable mit einer Zahl verwenden",
+    parameters=_NAME,
+    reaction=2,
+    clearing=3,
+)
+_add(
+    21982,
+    ERROR,
+    "{command}: realtime cycles are off in this channel (P-CHAN-00406)",
+    "{command}: Echtzeit-Zyklen sind in diesem Kanal ausgeschaltet (P-CHAN-00406)",
+    remedy_en="write configuration.rt_cycles.enable 1 into the channel list and start again",
+    remedy_de="configuration.rt_cycles.enable 1 in die Kanalliste schreiben und neu starten",
+    parameters={"command": "the command"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    21983,
+    ERROR,
+    "a GLOBAL realtime cycle has an ID above 0, not {id}",
+    "ein GLOBAL-Echtzeit-Zyklus hat eine ID über 0, nicht {id}",
+    remedy_en="give it a whole number from 1 on",
+    remedy_de="eine ganze Zahl ab 1 angeben",
+    parameters={"id": "the ID"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    21984,
+    ERROR,
+    "structure {name} cannot be copied in a realtime cycle",
+    "die Struktur {name} kann im Echtzeit-Zyklus nicht kopiert werden",
+    remedy_en="assign member by member: {member}",
+    remedy_de="Element für Element zuweisen: {member}",
+    parameters={**_NAME, "member": "a member of the structure"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22001,
+    ERROR,
+    "structure or array {name} cannot be given a list of values in a realtime cycle",
+    "Struktur oder Feld {name} kann im Echtzeit-Zyklus keine Werteliste zugewiesen werden",
+    remedy_en="assign member by member, or before the cycle",
+    remedy_de="Element für Element zuweisen oder vor dem Zyklus",
+    parameters=_NAME,
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22002,
+    ERROR,
+    "{command} has no meaning in a realtime cycle",
+    "{command} hat in einem Echtzeit-Zyklus keinen Sinn",
+    remedy_en="a cycle is made of $IF, assignments, M and H functions",
+    remedy_de="ein Zyklus besteht aus $IF, Zuweisungen, M- und H-Funktionen",
+    parameters={"command": "the word or command"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22003,
+    ERROR,
+    "a realtime cycle with {word} needs an ID",
+    "ein Echtzeit-Zyklus mit {word} braucht eine ID",
+    remedy_en="write ID=1 or another whole number into the brackets",
+    remedy_de="ID=1 oder eine andere ganze Zahl in die Klammern schreiben",
+    parameters={"word": "DEF or SCOPE=GLOBAL"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22004,
+    ERROR,
+    "{command} has no keyword {word} in a realtime cycle",
+    "{command} hat im Echtzeit-Zyklus kein Schlüsselwort {word}",
+    remedy_en="leave it out",
+    remedy_de="weglassen",
+    parameters={"command": "the command", **_WORD},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22006,
+    ERROR,
+    "#TIMER in a realtime cycle needs the word SYN",
+    "#TIMER braucht im Echtzeit-Zyklus das Wort SYN",
+    remedy_en="write #TIMER {action} SYN",
+    remedy_de="#TIMER {action} SYN schreiben",
+    parameters={"action": "START, STOP, READ or CLEAR"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22009,
+    ERROR,
+    "{name} is asynchronous and cannot be written in a realtime cycle",
+    "{name} ist asynchron und im Echtzeit-Zyklus nicht beschreibbar",
+    remedy_en="V.E and V.CH: synchronisation TRUE in the variables list, or Vs. for this block",
+    remedy_de="V.E und V.CH: synchronisation TRUE in der Variablenliste, oder Vs. für diesen Satz",
+    parameters=_NAME,
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22021,
+    ERROR,
+    "$ELSEIF takes no {word}",
+    "bei $ELSEIF gibt es kein {word}",
+    remedy_en="put an $IF {word} of its own into the branch",
+    remedy_de="ein eigenes $IF {word} in den Zweig schreiben",
+    parameters=_WORD,
+    reaction=2,
+    clearing=3,
+)
+_add(
+    22022,
+    ERROR,
+    "$IF {word} has neither $ELSEIF nor $ELSE",
+    "$IF {word} hat weder $ELSEIF noch $ELSE",
+    remedy_en="close it before and write a second $IF",
+    remedy_de="vorher schließen und ein zweites $IF schreiben",
+    parameters={"word": "ONCE, EDGE or ALWAYS"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    50875,
+    ERROR,
+    "{id} is no ID of a realtime cycle",
+    "{id} ist keine ID eines Echtzeit-Zyklus",
+    remedy_en="IDs are whole numbers from 1 on",
+    remedy_de="IDs sind ganze Zahlen ab 1",
+    parameters={"id": "the value of the ID"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50938,
+    ERROR,
+    "the channel list does not define M{function}",
+    "die Kanalliste definiert M{function} nicht",
+    remedy_en="give it a synchronisation type there: m_synch[{function}] MOS",
+    remedy_de="dort eine Synchronisationsart angeben: m_synch[{function}] MOS",
+    parameters={"function": "the number of the function"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50940,
+    ERROR,
+    "the channel list does not define H{function}",
+    "die Kanalliste definiert H{function} nicht",
+    remedy_en="give it a synchronisation type there: h_synch[{function}] MOS",
+    remedy_de="dort eine Synchronisationsart angeben: h_synch[{function}] MOS",
+    parameters={"function": "the number of the function"},
+    reaction=6,
+    clearing=6,
+)

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+"""Messages of checked program: variables and expressions (900213 … 900221, 900227 … 900228)."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import ERROR, WARNING, Catalogue
+
+MESSAGES = Catalogue()
+_add = MESSAGES.add
+
+_WORD = {"word": "the word as written"}
+_NAME = {"name": "the variable"}
+_NEAREST = {"nearest": "the most similar known name, or –"}
+
+_add(
+    900213,
+    ERROR,
+    "there is no variable {name}",
+    "eine Variable {name} gibt es nicht",
+    remedy_en="most similar: {nearest}; names distinguish upper and lower case",
+    remedy_de="am ähnlichsten: {nearest}; Groß- und Kleinschreibung zählt",
+    parameters={**_NAME, **_NEAREST},
+)
+_add(
+    900214,
+    ERROR,
+    "{name} has {expected} indices here, not {given}",
+    "{name} hat hier {expected} Indizes, nicht {given}",
+    remedy_en="write {expected} indices in brackets",
+    remedy_de="{expected} Indizes in Klammern schreiben",
+    parameters={**_NAME, "expected": "indices of the declaration", "given": "indices as written"},
+)
+_add(
+    900215,
+    ERROR,
+    "{name} is a structure and no value",
+    "{name} ist eine Struktur und kein Wert",
+    remedy_en="name a member: {member}",
+    remedy_de="ein Element angeben: {member}",
+    parameters={**_NAME, "member": "the member that is probably meant"},
+)
+_add(
+    900216,
+    ERROR,
+    "{name} is READ_ONLY and cannot be written",
+    "{name} ist READ_ONLY und nicht beschreibbar",
+    remedy_en="write another variable, or change access_rights in the variables list",
+    remedy_de="eine andere Variable beschreiben oder access_rights in der Variablenliste ändern",
+    parameters=_NAME,
+)
+_add(
+    900217,
+    ERROR,
+    "{name} is WRITE_ONLY and cannot be read",
+    "{name} ist WRITE_ONLY und nicht lesbar",
+    remedy_en="read another variable, or change access_rights in the variables list",
+    remedy_de="eine andere Variable lesen oder access_rights in der Variablenliste ändern",
+    parameters=_NAME,
+)
+_add(
+    900218,
+    ERROR,
+    "there is no function {word}",
+    "eine Funktion {word} gibt es nicht",
+    remedy_en="most similar: {nearest}",
+    remedy_de="am ähnlichsten: {nearest}",
+    parameters={**_WORD, **_NEAREST},
+)
+_add(
+    900219,
+    ERROR,
+    "{word} takes {expected} arguments, not {given}",
+    "{word} hat {expected} Argumente, nicht {given}",
+    remedy_en="write {expected} values in the brackets, commas between them",
+    remedy_de="{expected} Werte in die Klammern schreiben, durch Kommas getrennt",
+    parameters={
+        **_WORD,
+        "expected": "how many the function takes",
+        "given": "how many are written",
+    },
+)
+_add(
+    900220,
+    ERROR,
+    "{word} asks about names or texts and has no place in a realtime cycle",
+    "{word} fragt nach Namen oder Texten und hat im Echtzeit-Zyklus keinen Platz",
+    remedy_en="assign its value to a P parameter before, and read that one",
+    remedy_de="den Wert vorher einem P-Parameter zuweisen und diesen lesen",
+    parameters=_WORD,
+)
+_add(
+    900221,
+    ERROR,
+    "{word} is no value",
+    "{word} ist kein Wert",
+    remedy_en="most similar: {nearest}; variables begin with V., functions have brackets",
+    remedy_de="am ähnlichsten: {nearest}; Variablen beginnen mit V., Funktionen haben Klammern",
+    parameters={**_WORD, **_NEAREST},
+)
+_add(
+    900227,
+    WARNING,
+    "{name} is asynchronous: its index is read once, too, when the cycle is defined",
+    "{name} ist asynchron: auch der Index wird nur einmal gelesen, beim Definieren des Zyklus",
+    remedy_en="write Vs. in front of it, to read it in each tick",
+    remedy_de="Vs. davor schreiben, damit in jedem Takt gelesen wird",
+    parameters=_NAME,
+)
+_add(
+    900228,
+    ERROR,
+    "{name} is accessed with Vs. and without in one block",
+    "{name} wird in einem Satz mit und ohne Vs. angesprochen",
+    remedy_en="write Vs. here, too: it is synchronous for the whole block",
+    remedy_de="auch hier Vs. schreiben: sie ist für den ganzen Satz synchron",
+    parameters=_NAME,
+)
+_add(
+    21993,
+    ERROR,
+    "{access} access to {name} is not defined: program {decoder}, realtime cycle {cycle}",
+    "{access}-Zugriff auf {name} ist nicht definiert: Programm {decoder}, Echtzeit-Zyklus {cycle}",
+    remedy_en="R is reading, W writing, – neither; move the access to where it is defined",
+    remedy_de="R ist Lesen, W Schreiben, – keines; den Zugriff dorthin verlegen, wo es ihn gibt",
+    parameters={
+        **_NAME,
+        "access": "R for reading, W for writing",
+        "decoder": "what programs may do",
+        "cycle": "what realtime cycles may do",
+    },
+    reaction=2,
+    clearing=3,
+)
+_add(
+    50929,
+    ERROR,
+    "{variable} has no element {index}; there are {count}, counted from 0",
+    "{variable} hat kein Element {index}; es gibt {count}, gezählt ab 0",
+    remedy_en="keep the index within the array, or enlarge it in the variables list",
+    remedy_de="den Index im Feld halten oder das Feld in der Variablenliste vergrößern",
+    parameters={
+        "variable": "the array",
+        "index": "the index",
+        "count": "elements of the array",
+    },
+    reaction=6,
+    clearing=6,
+)

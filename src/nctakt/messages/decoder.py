@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""Messages of the decoder, while it evaluates (900300 … 900399)."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import ERROR, WARNING, Catalogue
+
+MESSAGES = Catalogue()
+_add = MESSAGES.add
+
+_add(
+    20008,
+    ERROR,
+    "no feed is active for this feed motion",
+    "für diese Vorschubbewegung ist kein Vorschub aktiv",
+    remedy_en="program F with a value above 0, or give P-CHAN-00099 a start value",
+    remedy_de="F mit einem Wert über 0 programmieren oder P-CHAN-00099 einen Startwert geben",
+    reaction=2,
+    clearing=3,
+)
+_add(
+    21241,
+    ERROR,
+    "the argument of {operation} is outside its range",
+    "das Argument von {operation} liegt außerhalb seines Bereichs",
+    remedy_en="test the argument before, for example with $IF",
+    remedy_de="das Argument vorher prüfen, zum Beispiel mit $IF",
+    parameters={"operation": "the function"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900300,
+    ERROR,
+    "the operation {operation} has no result for these operands",
+    "die Operation {operation} hat für diese Operanden kein Ergebnis",
+    remedy_en="test the operands before: a divisor of 0, a negative base or too large bit patterns",
+    remedy_de="die Operanden vorher prüfen: Divisor 0, negative Basis oder zu große Bitmuster",
+    parameters={"operation": "the operator"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900301,
+    ERROR,
+    "the result of this expression is too large for a number",
+    "das Ergebnis dieses Ausdrucks ist zu groß für eine Zahl",
+    remedy_en="keep intermediate results below 1.8e308",
+    remedy_de="Zwischenergebnisse unter 1,8e308 halten",
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900302,
+    WARNING,
+    "the step of this $FOR is 0: it never ends by itself",
+    "die Schrittweite dieses $FOR ist 0: es endet nicht von selbst",
+    remedy_en="give a step other than 0, or leave the loop with $BREAK",
+    remedy_de="eine Schrittweite ungleich 0 angeben oder die Schleife mit $BREAK verlassen",
+)
+_add(
+    900303,
+    ERROR,
+    "{count} blocks in a row without one that takes time: a loop that never moves?",
+    "{count} Sätze hintereinander ohne einen, der Zeit braucht: eine Schleife ohne Bewegung?",
+    remedy_en="give the loop an end, or let it move, dwell (#TIME) or wait (#FLUSH WAIT)",
+    remedy_de="die Schleife beenden oder in ihr fahren, verweilen (#TIME), warten (#FLUSH WAIT)",
+    parameters={"count": "the most blocks that are decoded so"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900304,
+    ERROR,
+    "format and values of this #MSG do not fit together at '{found}'",
+    "Format und Werte dieses #MSG passen bei '{found}' nicht zusammen",
+    remedy_en="give one value for each %d, %f, %s … of the format",
+    remedy_de="zu jedem %d, %f, %s … des Formats einen Wert angeben",
+    parameters={"found": "the place in the format, or the value, that is too much"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900305,
+    ERROR,
+    "a dwell of {seconds} s is not possible",
+    "eine Verweilzeit von {seconds} s ist nicht möglich",
+    remedy_en="program a time of 0 s or more",
+    remedy_de="eine Zeit von 0 s oder mehr programmieren",
+    parameters={"seconds": "the time"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900306,
+    ERROR,
+    "the target {position} of axis {axis} is outside its software limits {low} … {high}",
+    "das Ziel {position} der Achse {axis} liegt außerhalb der Software-Endschalter {low} … {high}",
+    remedy_en="program a position between the limits (P-AXIS-00177, P-AXIS-00178)",
+    remedy_de="eine Position zwischen den Grenzen programmieren (P-AXIS-00177, P-AXIS-00178)",
+    parameters={
+        "axis": "name of the axis",
+        "position": "target in mm or degrees",
+        "low": "lower limit",
+        "high": "upper limit",
+    },
+    reaction=2,
+    clearing=3,
+)

@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: MIT
+"""Messages of command line, files, PLC, stimuli (900500 … 900549, 900570 … 900599)."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import ERROR, NOTE, Catalogue
+
+MESSAGES = Catalogue()
+_add = MESSAGES.add
+
+_add(
+    900500,
+    ERROR,
+    "{file} does not exist",
+    "{file} gibt es nicht",
+    remedy_en="Check the path; it is relative to the folder in which nctakt runs.",
+    remedy_de="Den Pfad prüfen; er gilt ab dem Ordner, in dem nctakt läuft.",
+    parameters={"file": "the path as it was given"},
+)
+_add(
+    900501,
+    ERROR,
+    "{file} is a folder; a file is needed here",
+    "{file} ist ein Ordner; hier wird eine Datei gebraucht",
+    remedy_en="Name a file in the folder.",
+    remedy_de="Eine Datei aus dem Ordner nennen.",
+    parameters={"file": "the path as it was given"},
+)
+_add(
+    900502,
+    ERROR,
+    "{folder} is no folder",
+    "{folder} ist kein Ordner",
+    remedy_en="Name the folder that holds the machine's lists.",
+    remedy_de="Den Ordner mit den Listen der Maschine nennen.",
+    parameters={"folder": "the path as it was given"},
+)
+_add(
+    900503,
+    ERROR,
+    "{file} cannot be read: {reason}",
+    "{file} kann nicht gelesen werden: {reason}",
+    remedy_en="Check the rights of the file, and whether it is complete.",
+    remedy_de="Die Rechte der Datei prüfen, und ob sie vollständig ist.",
+    parameters={"file": "the path as it was given", "reason": "what the system says"},
+)
+_add(
+    900504,
+    ERROR,
+    "standard input ('-') is named more than once",
+    "die Standardeingabe ('-') ist mehrfach genannt",
+    remedy_en="Name '-' once; further programs need files.",
+    remedy_de="'-' einmal nennen; weitere Programme brauchen Dateien.",
+)
+_add(
+    900506,
+    ERROR,
+    "{file}: the end of the name says no trace format",
+    "{file}: die Endung nennt kein Format für Aufzeichnungen",
+    remedy_en="Give the file the suffix {suffixes}.",
+    remedy_de="Der Datei eine dieser Endungen geben: {suffixes}.",
+    parameters={"file": "the path as it was given", "suffixes": "the suffixes that are known"},
+)
+_add(
+    900507,
+    ERROR,
+    "{file} cannot be written: {reason}",
+    "{file} kann nicht geschrieben werden: {reason}",
+    remedy_en="Choose a folder that exists, with the right to write and room on the disk.",
+    remedy_de="Einen vorhandenen Ordner mit Schreibrecht und freiem Platz wählen.",
+    parameters={"file": "the path as it was given", "reason": "what the system says"},
+)
+_add(
+    900508,
+    ERROR,
+    "{file} is no trace that nctakt has written",
+    "{file} ist keine Aufzeichnung von nctakt",
+    remedy_en="Name a file that nctakt run --trace made.",
+    remedy_de="Eine Datei nennen, die nctakt run --trace geschrieben hat.",
+    parameters={"file": "the path as it was given"},
+)
+_add(
+    900510,
+    ERROR,
+    "'{text}' is no time",
+    "'{text}' ist keine Zeit",
+    remedy_en="Write a number from 0 on with us, ms, s or min, such as 1500us or 1.5ms; "
+    "a number alone means seconds.",
+    remedy_de="Eine Zahl ab 0 mit us, ms, s oder min schreiben, etwa 1500us oder 1.5ms; "
+    "eine Zahl allein bedeutet Sekunden.",
+    parameters={"text": "the time as it was given"},
+)
+_add(
+    900511,
+    ERROR,
+    "'{text}' does not give a value to a variable",
+    "'{text}' gibt keiner Variablen einen Wert",
+    remedy_en="Write NAME=VALUE, such as V.E.VALUE=5.",
+    remedy_de="NAME=WERT schreiben, etwa V.E.VALUE=5.",
+    parameters={"text": "what was given"},
+)
+_add(
+    900512,
+    ERROR,
+    "{name}: '{value}' is no value",
+    "{name}: '{value}' ist kein Wert",
+    remedy_en="Write a number, TRUE or FALSE.",
+    remedy_de="Eine Zahl, TRUE oder FALSE schreiben.",
+    parameters={"name": "the variable", "value": "the value as it was given"},
+)
+_add(
+    900520,
+    ERROR,
+    "{file} has no class with a method cycle(self, hli)",
+    "{file} hat keine Klasse mit einer Methode cycle(self, hli)",
+    remedy_en="Define one class whose method cycle is called after each tick.",
+    remedy_de="Eine Klasse definieren, deren Methode cycle nach jedem Takt aufgerufen wird.",
+    parameters={"file": "the PLC's file"},
+)
+_add(
+    900521,
+    ERROR,
+    "{file} has several classes with a method cycle: {names}",
+    "{file} hat mehrere Klassen mit einer Methode cycle: {names}",
+    remedy_en="Keep one; put an underscore in front of the names of the others.",
+    remedy_de="Eine behalten; den Namen der anderen einen Unterstrich voranstellen.",
+    parameters={"file": "the PLC's file", "names": "the classes"},
+)
+_add(
+    900522,
+    ERROR,
+    "the PLC's file fails while it is loaded: {reason}\n{traceback}",
+    "die Datei der SPS scheitert beim Laden: {reason}\n{traceback}",
+    remedy_en="Correct the file at the line that stands last.",
+    remedy_de="Die Datei an der zuletzt genannten Zeile berichtigen.",
+    parameters={"reason": "the exception", "traceback": "the way to it, in the user's files"},
+)
+_add(
+    900523,
+    ERROR,
+    "the PLC fails after tick {tick}: {reason}\n{traceback}",
+    "die SPS scheitert nach Takt {tick}: {reason}\n{traceback}",
+    remedy_en="Correct the PLC's file at the line that stands last.",
+    remedy_de="Die Datei der SPS an der zuletzt genannten Zeile berichtigen.",
+    parameters={
+        "tick": "the tick that had just been run",
+        "reason": "the exception",
+        "traceback": "the way to it, in the user's files",
+    },
+)
+_add(
+    900530,
+    ERROR,
+    "the realtime part is not compiled here, so --compiled cannot be had",
+    "der Echtzeit-Teil ist hier nicht übersetzt, --compiled ist nicht möglich",
+    remedy_en="Install nctakt where a C compiler is present, or leave --compiled out.",
+    remedy_de="nctakt mit einem C-Compiler installieren oder --compiled weglassen.",
+)
+_add(
+    900531,
+    NOTE,
+    "the realtime part is not compiled here; the results are the same, it takes longer",
+    "der Echtzeit-Teil ist hier nicht übersetzt; die Ergebnisse sind gleich, es dauert länger",
+    remedy_en="Install nctakt where a C compiler is present.",
+    remedy_de="nctakt mit einem C-Compiler installieren.",
+)
+_add(
+    900540,
+    ERROR,
+    "there is no variable {name}",
+    "es gibt keine Variable {name}",
+    remedy_en="see the machine's variables list for the names",
+    remedy_de="die Namen stehen in der Variablenliste der Maschine",
+    parameters={"name": "the name"},
+)
+_add(
+    900541,
+    ERROR,
+    "there is no variable {name}",
+    "es gibt keine Variable {name}",
+    remedy_en="did you mean {nearest}?",
+    remedy_de="war {nearest} gemeint?",
+    parameters={"name": "the name", "nearest": "the nearest known name"},
+)
+_add(
+    900542,
+    ERROR,
+    "{name} belongs to the controller and cannot be set from outside",
+    "{name} gehört der Steuerung und kann nicht von außen gesetzt werden",
+    remedy_en="set V.E or V.CH variables; write V.RT* variables in a program or a realtime cycle",
+    remedy_de="V.E- oder V.CH-Variablen setzen; V.RT* in Programm oder Echtzeit-Zyklus schreiben",
+    parameters={"name": "the name"},
+)
+_add(
+    900543,
+    ERROR,
+    "{name} of type {type} does not take the value {value}",
+    "{name} vom Typ {type} nimmt den Wert {value} nicht",
+    remedy_en="give a number to a number, a text to a text",
+    remedy_de="einer Zahl eine Zahl geben, einem Text einen Text",
+    parameters={"name": "the variable", "type": "its type", "value": "the value"},
+)
+_add(
+    900544,
+    ERROR,
+    "there is no signal {name}",
+    "es gibt kein Signal {name}",
+    remedy_en="signals are X.ACS.ACT_POS and its kin, PATH.SPEED, BLOCK, V.E and V.CH variables",
+    remedy_de="Signale sind X.ACS.ACT_POS und andere, PATH.SPEED, BLOCK, V.E- und V.CH-Variablen",
+    parameters={"name": "the name"},
+)
+_add(
+    900545,
+    ERROR,
+    "there is no signal {name}",
+    "es gibt kein Signal {name}",
+    remedy_en="did you mean {nearest}?",
+    remedy_de="war {nearest} gemeint?",
+    parameters={"name": "the name", "nearest": "the nearest known name"},
+)

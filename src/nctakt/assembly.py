@@ -7,7 +7,6 @@ knows the names behind the numbers of events.
 
 from __future__ import annotations
 
-import difflib
 import math
 from collections.abc import Callable, Sequence
 
@@ -19,7 +18,7 @@ from nctakt.failure import Failure
 from nctakt.kernel import arithmetic
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.channel import Channel
-from nctakt.kernel.cycles import CycleManager
+from nctakt.kernel.cycles import CycleManager, RealtimeCycle
 from nctakt.kernel.hli import Hli
 from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.path import Path as KernelPath
@@ -32,6 +31,7 @@ from nctakt.nc.names import ChannelNames, Layout, Location, NotFound
 from nctakt.nc.source import Source
 from nctakt.results.run import Reaction
 from nctakt.sources import SourceFiles, pack
+from nctakt.text import nearest
 
 #: What an elementary instruction is taken to cost in virtual time, in ns (RC-503).
 INSTRUCTION_COST_NS = 10
@@ -54,7 +54,8 @@ class Registry:
         self._texts: list[str] = []
         self._programs: list[str] = []
         self._latest: dict[str, CycleDefinition] = {}
-        self._definitions: list[CycleDefinition] = []
+        self._living: dict[int, CycleDefinition] = {}
+        self._past_runs: dict[str, int] = {}
 
     # --- what events ask ------------------------------------------------------------------------
 
@@ -94,7 +95,16 @@ class Registry:
         self._cycle_names.append(name)
         self._probes += definition.cycle.probes
         self._latest[name] = definition
-        self._definitions.append(definition)
+        self._living[definition.serial] = definition
+
+    def forget(self, cycles: Sequence[RealtimeCycle]) -> None:
+        """Cycles have ended for good: only their run-throughs are kept."""
+        for cycle in cycles:
+            del self._living[cycle.serial]
+            name = self._cycle_names[cycle.serial]
+            self._past_runs[name] = self._past_runs.get(name, 0) + cycle.runs
+            if name.startswith("#"):
+                del self._latest[name]
 
     def add_text(self, text: str) -> int:
         """The number of a message's text."""
@@ -115,8 +125,8 @@ class Registry:
 
     def runs(self) -> dict[str, int]:
         """Run-throughs of all cycles by name."""
-        runs: dict[str, int] = {}
-        for definition in self._definitions:
+        runs = dict(self._past_runs)
+        for definition in self._living.values():
             name = self._cycle_names[definition.serial]
             runs[name] = runs.get(name, 0) + definition.cycle.runs
         return runs
@@ -187,6 +197,11 @@ class Machine:
         """Room in the record for a tick of the present load."""
         self.kernel.reserve()
 
+    def positions(self) -> list[float]:
+        """The command positions of the channel's axes, in the order of its list."""
+        positions = self.axes.positions()
+        return [positions[i] for i in self.members]
+
     def path_stands(self) -> bool:
         """Whether nothing moves on the channel's path."""
         return bool(self.channels[0].path.has_stopped())
@@ -214,15 +229,14 @@ class Machine:
     def _find(self, name: str) -> tuple[Location, int]:
         found = self.names.resolve_text(name)
         if isinstance(found, NotFound):
-            nearest = found.nearest or self._nearest(name)
-            if nearest:
-                raise Failure(diagnostic(900541, name=name, nearest=nearest))
+            near = found.nearest or self._nearest(name)
+            if near:
+                raise Failure(diagnostic(900541, name=name, nearest=near))
             raise Failure(diagnostic(900540, name=name))
         return found
 
     def _nearest(self, name: str) -> str:
-        near = difflib.get_close_matches(name, [one for one, _, _ in self.names.values()], n=1)
-        return near[0] if near else ""
+        return nearest(name, (known for known, _, _ in self.names.values()))
 
     def read(self, name: str) -> float | bool | str:
         """The value of a variable; a value that waits for the next tick is read already."""
@@ -307,5 +321,7 @@ class Machine:
 
     def unknown_signal(self, name: str) -> Diagnostic:
         """The diagnostic of a signal that is none."""
-        near = difflib.get_close_matches(name, self.signals(), n=1)
-        return diagnostic(900544, name=name, nearest=near[0] if near else "BLOCK")
+        near = nearest(name, self.signals())
+        return (
+            diagnostic(900545, name=name, nearest=near) if near else diagnostic(900544, name=name)
+        )

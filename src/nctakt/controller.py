@@ -13,11 +13,9 @@ from pathlib import Path
 
 from nctakt import loading
 from nctakt.assembly import Machine
-from nctakt.decoder.feed import Feed
-from nctakt.decoder.program import ProgramDecoder
-from nctakt.decoder.state import state_at_program_start
 from nctakt.diagnostics import Diagnostic
 from nctakt.failure import Failure
+from nctakt.feed import Feed
 from nctakt.interface import Interface
 from nctakt.kernel import kernel as reasons
 from nctakt.lists.machine import MachineConfiguration, MachineError, load_machine
@@ -225,44 +223,35 @@ class Controller:
                 if self.tick >= end:
                     return "limit"
                 self._advance(min(end, self.tick + PROGRESS_TICKS))
-                if on_progress is not None:
-                    on_progress(self.tick, end)
+                self._tell_progress(on_progress, end)
             if self._channel.is_stopped:
                 while self.tick < end and not self._machine.path_stands():
                     self._advance(self.tick + 1)
                 return "error"
         stop = self.tick - (-after_us // self.cycle_time_us)
         while self.tick < min(stop, end):
-            self._advance(min(stop, end))
+            self._advance(min(stop, end, self.tick + PROGRESS_TICKS))
+            self._tell_progress(on_progress, min(stop, end))
+            if self._channel.is_stopped:
+                return "error"
         return "limit" if self.tick < stop else "ended"
+
+    def _tell_progress(
+        self, on_progress: Callable[[int, int | None], None] | None, end: int
+    ) -> None:
+        if on_progress is not None:
+            on_progress(self.tick, end)
 
     # --- the loop decoder <-> kernel ------------------------------------------------------------
 
     def _begin(self, program: Program) -> None:
-        """Put a checked program at the start of the channel."""
-        if self._channel.is_stopped:
+        """Put a checked program at the start of the channel.
+
+        What an error or a limit of an earlier run has left is reset first.
+        """
+        if self._channel.is_stopped or self._feed is not None:
             self.reset()
-        machine = self._machine
-        positions = [machine.axes.positions()[i] for i in machine.members]
-        start = machine.parameters.program_start
-        surroundings = machine.surroundings(program.source, self.diagnostics.append)
-        decoder = ProgramDecoder(
-            surroundings,
-            state_at_program_start(start, positions),
-            machine.registry.next_cycle,
-            machine.registry.keep,
-        )
-        self._feed = Feed(
-            self._channel,
-            machine.axes,
-            machine.members,
-            machine.registry.add_program(program.source.file),
-            decoder.decode(program),
-            machine.registry.add_text,
-            decoder.took_time,
-            self.diagnostics.append,
-            lambda found: 0 if found.span is None else surroundings.place(found.span),
-        )
+        self._feed = Feed(self._machine, program, self.diagnostics.append)
 
     def _advance(self, end: int) -> None:
         """Run up to tick ``end``, at most until something of Python's is due."""

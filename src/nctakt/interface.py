@@ -82,7 +82,8 @@ class Interface:
 
     @override_pct.setter
     def override_pct(self, value: float) -> None:
-        assert value >= 0.0, value
+        if not 0.0 <= value < float("inf"):
+            raise ValueError(f"an override of {value} % is not possible")
         self._hli.operator_override_pct = float(value)
 
     @property

@@ -10,7 +10,7 @@ from nctakt.diagnostics import Diagnostic
 from nctakt.kernel.expressions import OPERATIONS
 from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
-from nctakt.trace.events import Event
+from nctakt.trace.events import Event, number_text
 
 
 def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic | None:
@@ -31,7 +31,12 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic | None:
             location = machine.names.resolve_text(name)
             assert isinstance(location, tuple)
             scalar = SCALARS[location[0].type]
-            values = {"variable": name, "value": b, "low": scalar.low, "high": scalar.high}
+            values = {
+                "variable": name,
+                "value": number_text(b),
+                "low": scalar.low,
+                "high": scalar.high,
+            }
         case 50929:
             values = {"variable": _array(event, machine), "index": int(a), "count": int(b)}
         case 50942 | 50943:

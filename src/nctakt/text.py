@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""Bytes of a list or an NC program -> text -> lines, tolerantly.
+"""Bytes of a list or an NC program -> text -> lines, tolerantly; and misspelt names.
 
 In: the bytes of a file. Out: its text, which encoding was taken and whether that was a guess; then
 its lines. Nothing here fails: each byte sequence has a reading. The rules are those of the ASCII
 lists, and NC programs share them: a byte order mark decides; else UTF-8 if it fits; else
 Windows-1252, in which each byte is a character. Lines end at CR LF, LF or CR and nowhere else.
+``nearest`` finds the known name that a misspelt one may have meant.
 """
 
 from __future__ import annotations
 
+import difflib
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 _UTF8_MARK = b"\xef\xbb\xbf"
@@ -58,3 +61,10 @@ def split_lines(text: str) -> list[str]:
     if not lines[-1]:
         lines.pop()
     return lines
+
+
+def nearest(wanted: str, known: Iterable[str]) -> str:
+    """The known name that ``wanted`` is nearest to, in whatever letter case; empty if none is."""
+    by_fold = {name.casefold(): name for name in known}
+    found = difflib.get_close_matches(wanted.casefold(), by_fold, n=1)
+    return by_fold[found[0]] if found else ""

@@ -7,7 +7,7 @@ through the channel: a read waits until the path stands, a write travels in the 
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator
+from collections.abc import Generator
 
 from nctakt.decoder.commands import Answer, Command, Flush, ReadRealtime, WriteVariable
 from nctakt.decoder.expressions import Built, ExpressionBuilder, constant
@@ -23,7 +23,7 @@ from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.nc import syntax
 from nctakt.nc.names import Location
-from nctakt.nc.resolution import resolve
+from nctakt.nc.resolution import resolve, variables_in
 
 Decoding = Generator[Command, Answer, float]
 
@@ -59,7 +59,7 @@ class Values:
 
     def evaluate_now(self, expression: syntax.Expression) -> float:
         """The value with what every variable holds at this moment, synchronous ones too."""
-        for variable in _variables(expression):
+        for variable in variables_in(expression):
             self._fetched[id(variable)] = self._read_now(variable)
         value = self._compute(expression)
         self._fetched.clear()
@@ -79,7 +79,7 @@ class Values:
 
     def _fetch(self, expression: syntax.Expression, number: int) -> Generator[Command, Answer]:
         """Get the values of all variables of an expression, innermost indices first."""
-        for variable in _variables(expression):
+        for variable in variables_in(expression):
             location = self.locate(variable)
             if not (location.synchronous or variable.synchronous):
                 self._fetched[id(variable)] = self._read_now(variable)
@@ -188,23 +188,3 @@ class Values:
     def fail(self, id_: int, span: Span, **values: object) -> None:
         """Give the program up."""
         raise DecodeError(diagnostic(id_, span, self.surroundings.line(span), **values))
-
-
-def _variables(expression: syntax.Expression) -> Iterator[syntax.Variable]:
-    """All variables in an expression, those in an index before the one that it is the index of."""
-    match expression:
-        case syntax.Variable():
-            for part in expression.parts:
-                for index in part.indices:
-                    yield from _variables(index)
-            yield expression
-        case syntax.Parameter():
-            yield from _variables(expression.index)
-        case syntax.Unary():
-            yield from _variables(expression.operand)
-        case syntax.Binary():
-            yield from _variables(expression.left)
-            yield from _variables(expression.right)
-        case syntax.Call():
-            for argument in expression.arguments:
-                yield from _variables(argument)

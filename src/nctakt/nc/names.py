@@ -9,13 +9,13 @@ tables of 3.2 (RC-303, RC-304); V.E and V.CH: RC-301, RC-310.
 
 from __future__ import annotations
 
-import difflib
 import enum
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from nctakt.lists.variable_tree import AccessRights, Node, Variable, VariableScope
+from nctakt.text import nearest
 
 
 class Access(enum.Flag):
@@ -370,8 +370,7 @@ def _offsets(rows: Sequence[RealtimeVariable]) -> dict[str, tuple[RealtimeVariab
 
 def _nearest(wanted: str, prefix: str, known: Iterable[str]) -> str:
     names = [f"{prefix}.{name}" if prefix else name for name in known]
-    near = difflib.get_close_matches(wanted, names, n=1)
-    return near[0] if near else ""
+    return nearest(wanted, names)
 
 
 _PART = re.compile(r"([A-Za-z_][A-Za-z0-9_]*)((?:\[\s*\d+\s*\])*)")

@@ -7,10 +7,10 @@ come; arrays and events are made when they are first asked for, and numpy is loa
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from nctakt.text import nearest
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import Signal, TraceHeader
 
@@ -48,8 +48,8 @@ class Trace(Mapping[str, "Values"]):
     def __getitem__(self, name: str) -> Values:
         column = self._columns.get(name)
         if column is None:
-            near = difflib.get_close_matches(name, self._columns, n=1)
-            hint = f"; did you mean {near[0]}?" if near else ""
+            near = nearest(name, self._columns)
+            hint = f"; did you mean {near}?" if near else ""
             raise KeyError(f"{name} is not recorded{hint}")
         return self._table()[:, column]
 

@@ -9,67 +9,62 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator
 
+from nctakt.assembly import Machine
 from nctakt.decoder import commands
 from nctakt.decoder.commands import Answer, Command
+from nctakt.decoder.program import ProgramDecoder
+from nctakt.decoder.state import state_at_program_start
 from nctakt.decoder.surroundings import DecodeError
 from nctakt.diagnostics import Diagnostic
-from nctakt.kernel.axis import Axes
-from nctakt.kernel.channel import LOW_WATER, TIMED_KINDS, Channel
+from nctakt.kernel.channel import LOW_WATER, TIMED_KINDS
+from nctakt.nc.syntax import Program
 
 #: Commands that take time, up to which the queue is filled.
 HIGH_WATER = 64
 
 
 class Feed:
-    """One program on its way into one channel.
-
-    ``keep_text`` numbers the texts of messages, ``took_time`` tells the decoder that a command
-    takes time, ``report`` takes what stops the program.
-    """
+    """One program on its way into the machine's channel; ``report`` takes what stops it."""
 
     def __init__(
         self,
-        channel: Channel,
-        axes: Axes,
-        members: list[int],
-        program: int,
-        decoded: Generator[Command, Answer],
-        keep_text: Callable[[str], int],
-        took_time: Callable[[], None],
+        machine: Machine,
+        program: Program,
         report: Callable[[Diagnostic], None],
-        place: Callable[[Diagnostic], int],
     ) -> None:
         assert LOW_WATER < HIGH_WATER
-        self._channel = channel
-        self._axes = axes
-        self._members = members
-        self._program = program
-        self._decoded = decoded
-        self._keep_text = keep_text
-        self._took_time = took_time
+        self._machine = machine
+        self._channel = machine.channels[0]
         self._report = report
-        self._place = place
+        self._number = machine.registry.add_program(program.source.file)
+        self._surroundings = machine.surroundings(program.source, report)
+        state = state_at_program_start(machine.parameters.program_start, machine.positions())
+        registry = machine.registry
+        self._decoder = ProgramDecoder(
+            self._surroundings, state, registry.next_cycle, registry.keep
+        )
+        self._decoded: Generator[Command, Answer] = self._decoder.decode(program)
         self._waiting: Command | None = None
         self._pending: commands.LoadCycle | None = None
-        self._is_done = False
-        channel.decoder_open = True
+        self._channel.decoder_open = True
 
     def refill(self) -> None:
         """Decode until enough commands that take time wait, or the decoder itself has to wait."""
         channel = self._channel
-        channel.manager.free_dead()
+        self._machine.registry.forget(channel.manager.free_dead())
         if self._pending is not None and not self._load(self._pending):
             return
         while channel.decoder_open and channel.timed_count < HIGH_WATER:
             self._next(None)
+            if self._pending is not None:
+                return
 
     def answer(self) -> None:
         """The realtime part has answered: the decoder goes on."""
         value = self._channel.take_answer()
         answer: Answer = value
         if isinstance(self._waiting, commands.PositionRequest):
-            positions = self._axes.positions()
-            answer = tuple(positions[i] for i in self._members)
+            answer = tuple(self._machine.positions())
         self._waiting = None
         self._channel.decoder_open = True
         self._next(answer)
@@ -79,22 +74,24 @@ class Feed:
         """The program is given up: nothing more is decoded."""
         self._decoded.close()
         self._channel.decoder_open = False
-        self._is_done = True
 
     def _next(self, answer: Answer) -> None:
         try:
             command = next(self._decoded) if answer is None else self._decoded.send(answer)
         except StopIteration:
             self._channel.decoder_open = False
-            self._is_done = True
             return
         except DecodeError as error:
-            self._report(error.diagnostic)
-            self._put(commands.GiveUp(self._place(error.diagnostic), 0, error.diagnostic.id), 0)
-            self._channel.decoder_open = False
-            self._is_done = True
+            self._give_up(error.diagnostic)
             return
         self._take(command)
+
+    def _give_up(self, found: Diagnostic) -> None:
+        """A mistake that only values show: the channel stops behind what was prepared."""
+        self._report(found)
+        source = 0 if found.span is None else self._surroundings.place(found.span)
+        self._put(commands.GiveUp(source, 0, found.id), 0)
+        self._channel.decoder_open = False
 
     def _take(self, command: Command) -> None:
         if isinstance(command, commands.LoadCycle):
@@ -102,9 +99,9 @@ class Feed:
             return
         place = 0
         if isinstance(command, commands.UserMessage):
-            place = self._keep_text(command.text)
+            place = self._machine.registry.add_text(command.text)
         if isinstance(command, commands.ProgramEnd):
-            place = self._program
+            place = self._number
         self._put(command, place)
         if commands.waits(command):
             self._waiting = command
@@ -115,12 +112,12 @@ class Feed:
         slot = self._channel.manager.load(
             command.cycle, command.identity, command.scope, command.source
         )
-        if slot < 0 and self._channel.timed_count:
+        if slot < 0 and self._channel.can_free_slots():
             self._pending = command
-            self._channel.low_water = 1
+            self._channel.wants_slot = True
             return False
         self._pending = None
-        self._channel.low_water = LOW_WATER
+        self._channel.wants_slot = False
         if slot < 0:
             self._put(commands.GiveUp(command.source, command.number, 50877), 0)
             self.stop()
@@ -132,4 +129,4 @@ class Feed:
         row = commands.pack(command, place)
         self._channel.put(row)
         if row[0] in TIMED_KINDS:
-            self._took_time()
+            self._decoder.took_time()

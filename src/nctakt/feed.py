@@ -47,6 +47,7 @@ class Feed:
         self._waiting: Command | None = None
         self._pending: commands.LoadCycle | None = None
         self._channel.decoder_open = True
+        self._channel.wants_slot = False
 
     def refill(self) -> None:
         """Decode until enough commands that take time wait, or the decoder itself has to wait."""

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of channel.py.
 cimport cython
+from nctakt.kernel cimport arithmetic
 from nctakt.kernel.cycles cimport CycleManager
 from nctakt.kernel.hli cimport Hli
 from nctakt.kernel.memory cimport Context
@@ -24,6 +25,7 @@ cdef class Channel:
     cdef readonly Py_ssize_t timed_count
     cdef public Py_ssize_t low_water
     cdef public bint decoder_open
+    cdef public bint wants_slot
     cdef Py_ssize_t begun
     cdef int waiting
     cdef double answer
@@ -33,13 +35,16 @@ cdef class Channel:
     cdef readonly double error_detail
     cdef readonly bint is_stopped
     cdef readonly bint is_resetting
+    cdef bint is_reset_due
 
     cdef Py_ssize_t event_bound(self) noexcept nogil
     cdef int needs_python(self) noexcept nogil
+    cdef int is_idle(self) noexcept nogil
     cdef void begin_tick(self, long long tick) noexcept nogil
     cdef void take_commands(self, long long tick) noexcept nogil
     @cython.locals(kind=int)
     cdef int take(self, long long tick, Py_ssize_t base) noexcept nogil
+    @cython.locals(is_current=bint)
     cdef int take_block(self, Py_ssize_t base) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)
     cdef int take_cycle(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
@@ -55,7 +60,8 @@ cdef class Channel:
     @cython.locals(number=double)
     cdef void publish_block(self) noexcept nogil
     @cython.locals(position=Py_ssize_t, base=Py_ssize_t)
-    cdef void go_on(self, double factor) noexcept nogil
+    cdef void go_on(self, double factor, int stops) noexcept nogil
     cdef void end_tick(self) noexcept nogil
+    cdef void end_reset(self) noexcept nogil
     @cython.locals(base=Py_ssize_t, cell=Py_ssize_t)
     cdef void answer_waiting(self) noexcept nogil

@@ -13,6 +13,7 @@ cells stand from ``first_cell`` on in the order of ``nc/names.py`` (``CHANNEL_VA
 
 from __future__ import annotations
 
+from nctakt.kernel import arithmetic
 from nctakt.kernel.cycles import CycleManager
 from nctakt.kernel.hli import Hli
 from nctakt.kernel.memory import Context
@@ -69,6 +70,7 @@ class Channel:
         self.timed_count = 0
         self.low_water = LOW_WATER
         self.decoder_open = False
+        self.wants_slot = False
         self.begun = -1
         self.waiting = 0
         self.answer = 0.0
@@ -78,6 +80,7 @@ class Channel:
         self.error_detail = 0.0
         self.is_stopped = False
         self.is_resetting = False
+        self.is_reset_due = False
 
     # --- Python's side, between two runs --------------------------------------------------------
 
@@ -120,12 +123,12 @@ class Channel:
         self.answer_ready = False
         return self.answer
 
-    def clear_queue(self) -> None:
-        """Give up what was decoded ahead."""
-        self.head = self.tail
-        self.timed_count = 0
-        self.waiting = 0
-        self.begun = -1
+    def can_free_slots(self) -> bool:
+        """Whether realtime cycles may still end by themselves: for the decoder that needs a slot.
+
+        Their blocks are on their way, or what comes before the next definition is not taken yet.
+        """
+        return not self.is_idle()
 
     def event_bound(self) -> int:
         """The most events that one tick can record: a few for each command, cycle and slot."""
@@ -141,14 +144,26 @@ class Channel:
             return 3
         if self.answer_ready:
             return 2
+        if self.decoder_open and self.wants_slot:
+            return 1 if self.manager.dead_count > 0 or self.is_idle() else 0
         if self.decoder_open and self.timed_count < self.low_water:
             return 1
         return 0
 
+    def is_idle(self) -> int:
+        """Whether nothing is queued or current, and no cycle waits for its block's end."""
+        if self.head < self.tail or self.path.is_active:
+            return 0
+        return 1 if self.manager.in_block_count == 0 else 0
+
     def begin_tick(self, tick: int) -> None:
-        """Latch the PLC's answers; the CYCLE override is 100 % again (RC-305)."""
+        """Latch the PLC's answers and a reset; the CYCLE override is 100 % again (RC-305)."""
         self.context.begin(tick)
         self.hli.latch()
+        if self.is_reset_due:
+            self.is_reset_due = False
+            self.hli.clear()
+            self.manager.reset()
         self.cells[self.first_cell] = 100.0
 
     def take_commands(self, tick: int) -> None:
@@ -193,10 +208,16 @@ class Channel:
         return 0
 
     def take_block(self, base: int) -> int:
-        """A segment or dwell: current from now on."""
+        """A segment or dwell: current from now on, unless the path has passed its start already.
+
+        BLOCK cycles that stood before it run with it, or once where it is over by now (RC-105).
+        """
         self.timed_count -= 1
-        if self.head == self.begun:
-            self.begun = -1
+        if self.head <= self.begun:
+            is_current = self.head == self.begun and self.path.is_active
+            self.manager.enter_block(self.path.serial if is_current else -1)
+            if self.head == self.begun:
+                self.begun = -1
             return 1
         if self.queue[base] == 1.0 and not self.path.starts_where_axes_stand(base, self.queue):
             self.report(int(self.queue[base + 1]), 900420, 0.0)
@@ -270,25 +291,27 @@ class Channel:
         stops = self.is_stopped or self.is_resetting or self.hli.feed_hold
         self.publish_block()
         if self.path.step(pct / 100.0, stops):
-            self.go_on(pct / 100.0)
-        self.cells[self.first_cell + 1] = pct
+            self.go_on(pct / 100.0, stops)
+        self.cells[self.first_cell + 1] = arithmetic.round_half_even(pct)
 
     def publish_block(self) -> None:
         """The N number of the block that is current in this tick, its last one included."""
         number = self.path.block_number() if self.path.is_active else 0.0
         self.cells[self.first_cell + 7] = number
 
-    def go_on(self, factor: float) -> None:
-        """The path passes block ends without a stop: carry the time that is left."""
-        position = self.head
+    def go_on(self, factor: float, stops: int) -> None:
+        """The path passes block ends without a stop: carry the time that is left.
+
+        The commands between the blocks are taken in the next tick (RC-003).
+        """
+        position = max(self.head, self.begun + 1)
         while position < self.tail:
             base = position % self.capacity * self.width
-            if self.queue[base] == 1.0 and position != self.begun:
+            if self.queue[base] == 1.0:
                 self.begun = position
                 self.path.begin(base, self.queue, self.path.left_t)
-                self.manager.enter_block(self.path.serial)
                 self.publish_block()
-                if not self.path.step_carried(factor):
+                if not self.path.step_carried(factor, stops):
                     return
             elif self.queue[base] > 8.0 or self.queue[base] == 2.0 or self.queue[base] == 6.0:
                 return
@@ -300,8 +323,7 @@ class Channel:
             if self.waiting in (9, 10):
                 self.answer_waiting()
             if self.is_resetting:
-                self.is_resetting = False
-                self.path.abandon()
+                self.end_reset()
         self.hli.run_default_plc()
         self.cells[self.first_cell + 6] = self.path.speed_v
         self.cells[self.first_cell + 8] = self.manager.running_count
@@ -320,15 +342,21 @@ class Channel:
         self.head += 1
         self.timed_count -= 1
 
+    def end_reset(self) -> None:
+        """Everything stands: give up what was decoded ahead; the path braked on it until now."""
+        self.is_resetting = False
+        self.path.abandon()
+        self.head = self.tail
+        self.timed_count = 0
+        self.begun = -1
+
     def request_reset(self) -> None:
         """Latch a reset: from the next tick until the path stands, at least one tick (RC-007)."""
         self.is_resetting = True
+        self.is_reset_due = True
         self.is_stopped = False
         self.error_pending = False
         self.waiting = 0
-        self.clear_queue()
-        self.hli.clear()
-        self.manager.reset()
 
     def clear_error(self) -> None:
         """Python has read the error; the channel stays stopped until a reset."""

@@ -41,7 +41,8 @@ cdef class CycleManager:
     cdef readonly long long latest_start
     cdef readonly long long running_count
     cdef readonly long long armed_count
-    cdef long long in_block_count
+    cdef readonly long long in_block_count
+    cdef readonly long long dead_count
     cdef readonly Py_ssize_t events_bound
     cdef readonly Py_ssize_t probes_bound
 

@@ -107,6 +107,7 @@ class CycleManager:
         self.running_count = 0
         self.armed_count = 0
         self.in_block_count = 0
+        self.dead_count = 0
         self.events_bound = 0
         self.probes_bound = 0
 
@@ -139,6 +140,7 @@ class CycleManager:
 
     def free_dead(self) -> list[RealtimeCycle]:
         """Empty the slots of ended cycles and give the cycles back."""
+        self.dead_count = 0
         dead = [cycle for cycle in self.loaded if self.state[cycle.slot] == DEAD]
         if dead:
             self.loaded = [cycle for cycle in self.loaded if self.state[cycle.slot] != DEAD]
@@ -191,6 +193,8 @@ class CycleManager:
             self.running_count += 1
         if state == 3:
             self.armed_count += 1
+        if state == 6:
+            self.dead_count += 1
 
     def define(self, slot: int, starts: int, tick: int) -> int:
         """The definition is taken: 0, or the message that refuses it (RC-102, RC-108)."""

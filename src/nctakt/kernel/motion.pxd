@@ -14,11 +14,12 @@ cdef class Profile:
     cdef double last_a
     cdef readonly double duration_t
     cdef readonly double length_d
-    cdef double end_v
+    cdef readonly double end_v
     cdef readonly bint is_endless
 
-    @cython.locals(brake_d=double, peak2=double, last_t=double)
+    @cython.locals(brake_d=double, peak2=double, last_t=double, start2=double, rest2=double, highest_v=double)
     cdef void plan(self, double length_d, double start_v, double end_v, double limit_v, double limit_a) noexcept nogil
+    cdef void pass_at_once(self) noexcept nogil
     @cython.locals(middle_v=double)
     cdef void brake_only(self) noexcept nogil
     @cython.locals(since=double)

@@ -40,21 +40,30 @@ class Profile:
     ) -> None:
         """Plan ``length_d`` from speed ``start_v`` to ``end_v``, nowhere above ``limit_v``.
 
-        A start speed above the limit is first brought down to it. Where ``length_d`` is too short
-        to brake with ``limit_a`` (by a rounding of the caller's), the braking is what it takes.
+        A start speed above the limit is first brought down to it. The end speed is lower where the
+        limit is, or where ``length_d`` is too short to gain it, and higher than the limit where
+        ``length_d`` is too short to brake. Only where not even ``end_v`` can be reached (by
+        a rounding of the caller's) the braking is what it takes.
         """
         self.length_d = length_d
         self.start_v = start_v
-        self.end_v = min(end_v, max(limit_v, start_v))
         self.is_endless = False
-        brake_d = (start_v * start_v - self.end_v * self.end_v) / (2.0 * limit_a)
-        if brake_d >= length_d and start_v > 0.0:
+        start2 = start_v * start_v
+        if length_d <= 0.0:
+            self.end_v = min(end_v, start_v)
+            self.pass_at_once()
+            return
+        highest_v = math.sqrt(start2 + 2.0 * limit_a * length_d)
+        self.end_v = min(end_v, limit_v, highest_v)
+        brake_d = (start2 - self.end_v * self.end_v) / (2.0 * limit_a)
+        if brake_d >= length_d:
+            rest2 = max(start2 - 2.0 * limit_a * length_d, 0.0)
+            self.end_v = min(end_v, math.sqrt(rest2))
             self.brake_only()
             return
         if start_v > limit_v:
             self.first_a = 0.0 - limit_a
             self.cruise_v = limit_v
-            self.end_v = min(self.end_v, limit_v)
         else:
             peak2 = limit_a * length_d + 0.5 * (start_v * start_v + self.end_v * self.end_v)
             self.first_a = limit_a
@@ -73,6 +82,17 @@ class Profile:
             self.cruise_t = 0.0
             self.duration_t = self.first_t
             self.is_endless = True
+
+    def pass_at_once(self) -> None:
+        """No way is left: the end is reached in no time."""
+        self.first_t = 0.0
+        self.first_a = 0.0
+        self.first_d = 0.0
+        self.cruise_t = 0.0
+        self.cruise_d = 0.0
+        self.cruise_v = self.end_v
+        self.last_a = 0.0
+        self.duration_t = 0.0
 
     def brake_only(self) -> None:
         """Brake from the first moment so that the end speed is reached at the end."""

@@ -34,7 +34,8 @@ cdef class Path:
     cdef int starts_where_axes_stand(self, Py_ssize_t queue_base, double[::1] queue) noexcept nogil
     @cython.locals(limit_v=double)
     cdef int step(self, double factor, int is_stopping) noexcept nogil
-    cdef int step_carried(self, double factor) noexcept nogil
+    cdef int step_carried(self, double factor, int is_stopping) noexcept nogil
+    cdef double highest_speed(self, double factor, int is_stopping) noexcept nogil
     @cython.locals(rest_d=double)
     cdef void replan(self, double limit_v) noexcept nogil
     @cython.locals(now_t=double, over_t=double, i=Py_ssize_t)

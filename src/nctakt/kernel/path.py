@@ -90,25 +90,28 @@ class Path:
             if self.dwell_ticks <= 0:
                 self.is_active = False
             return 0
-        limit_v = 0.0
-        if not is_stopping:
-            limit_v = min(self.ring[self.base + 4] * factor, self.ring[self.base + 5])
+        limit_v = self.highest_speed(factor, is_stopping)
         if limit_v != self.limit_v:
+            self.offset_t = 0.0
             self.replan(limit_v)
         self.ticks += 1
         return self.advance()
 
-    def step_carried(self, factor: float) -> int:
+    def step_carried(self, factor: float, is_stopping: int) -> int:
         """The rest of a tick in the segment that has just begun: 1 when that has ended, too."""
-        self.replan(min(self.ring[self.base + 4] * factor, self.ring[self.base + 5]))
+        self.replan(self.highest_speed(factor, is_stopping))
         return self.advance()
+
+    def highest_speed(self, factor: float, is_stopping: int) -> float:
+        """The speed limit on the current segment in this tick."""
+        if is_stopping:
+            return 0.0
+        return min(self.ring[self.base + 4] * factor, self.ring[self.base + 5])
 
     def replan(self, limit_v: float) -> None:
         """Plan what is left of the segment from the present speed."""
         self.limit_v = limit_v
         self.plan_d = self.covered_d
-        if self.ticks > 0:
-            self.offset_t = 0.0
         self.ticks = 0
         rest_d = self.ring[self.base + 3] - self.covered_d
         self.profile.plan(
@@ -124,7 +127,7 @@ class Path:
             self.speed_v = self.profile.speed(now_t)
             self.move_axes(self.covered_d / self.ring[self.base + 3])
             return 0
-        self.speed_v = self.ring[self.base + 7]
+        self.speed_v = self.profile.end_v
         self.is_active = False
         self.left_t = max(over_t, 0.0)
         for i in range(self.count):

@@ -292,9 +292,7 @@ class Machine:
     def _name_of_cell(self, cell: int) -> str:
         if not self._cell_names:
             self._cell_names = {place: name for name, place, _ in self.names.values()}
-            for name, place, row in self.names.signals():
-                if row.decoder or row.cycle:
-                    self._cell_names[place] = f"V.RTG.{name}"
+            self._cell_names.update((place, name) for name, place in self.names.realtime())
         return self._cell_names[cell]
 
     # --- signals --------------------------------------------------------------------------------

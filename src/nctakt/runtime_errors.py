@@ -38,7 +38,7 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic | None:
                 "high": scalar.high,
             }
         case 50929:
-            values = {"variable": _array(event, machine), "index": int(a), "count": int(b)}
+            values = {"variable": _array(event, machine), "index": number_text(a), "count": int(b)}
         case 50942 | 50943:
             function = f"H{-int(a) - 1}" if a < 0 else f"M{int(a)}"
             values = {"function": function, "slots": int(b)}

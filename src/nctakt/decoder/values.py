@@ -98,9 +98,11 @@ class Values:
     def _parameter(self, node: syntax.Parameter) -> int:
         if isinstance(node.index, syntax.Number):
             return int(node.index.value)
-        return int(
-            arithmetic.round_half_even(self._builder.build(node.index).node.measure(self._context))
-        )
+        return int(self._index(node.index))
+
+    def _index(self, index: syntax.Expression) -> float:
+        """The number of an element; a fault in its expression gives the program up."""
+        return arithmetic.round_half_even(self._compute(index))
 
     def _read_now(self, variable: syntax.Variable) -> float:
         location = self.locate(variable)
@@ -120,9 +122,7 @@ class Values:
         cell = location.cell
         indices = [index for part in variable.parts for index in part.indices]
         for index, dimension in zip(indices, location.dimensions, strict=True):
-            number = arithmetic.round_half_even(
-                self._builder.build(index).node.measure(self._context)
-            )
+            number = self._index(index)
             if not 0 <= number < dimension.count:
                 self.fail(
                     50929,

@@ -75,7 +75,7 @@ class CellComparison(Condition):
 
 
 class IsTrue(Condition):
-    """Any other expression: true from a magnitude of 0.5 on."""
+    """Any other expression: true from a magnitude of 0.5 on; not finite is 50879 (RC-207)."""
 
     def __init__(self, operand: Expression) -> None:
         super().__init__()
@@ -83,6 +83,9 @@ class IsTrue(Condition):
 
     def decide(self, context: Context) -> int:
         value = self.operand.value(context)
+        if value - value != 0.0:
+            context.fail(50879, 0, 0.0, value)
+            return 0
         truth = 1 if arithmetic.is_true(value) else 0
         note(self, context, truth, value, 0.5)
         return truth

@@ -50,7 +50,8 @@ class Load(Expression):
 class Index(Expression):
     """The part of an array access that is not fixed: ``next + stride * index`` (RC-307).
 
-    An index outside 0 … count-1 notes 50929; ``further`` is the next dimension's part.
+    An index outside 0 … count-1 notes 50929, one that is no number 50879; ``further`` is the next
+    dimension's part.
     """
 
     def __init__(
@@ -64,6 +65,9 @@ class Index(Expression):
 
     def value(self, context: Context) -> float:
         number = arithmetic.round_half_even(self.index.value(context))
+        if number - number != 0.0:
+            context.fail(50879, self.source, 0.0, number)
+            return 0.0
         if not 0.0 <= number < self.count:
             context.fail(50929, self.source, number, self.count)
             return 0.0

@@ -304,6 +304,18 @@ class NameTable:
             if row.count == 0:
                 yield row.path, self._layout.channel_cell(self._index) + offset, row
 
+    def realtime(self) -> Iterator[tuple[str, int]]:
+        """Every V.RTG and V.RTA value that programs know: its name, its cell."""
+        for axis, number in self._axes.items():
+            for row, offset in self._rta.values():
+                yield f"V.RTA.{row.path}.{axis}", self._layout.axis_cell(number) + offset
+        for row, offset in self._rtg.values():
+            if row.decoder or row.cycle:
+                for index in range(max(1, row.count)):
+                    element = f"[{index}]" if row.count else ""
+                    cell = self._layout.channel_cell(self._index) + offset + index
+                    yield f"V.RTG.{row.path}{element}", cell
+
     def values(self) -> Iterator[tuple[str, int, str]]:
         """Every number of V.E and V.CH: its name, its cell, its type."""
         for family, known in self._variables.items():

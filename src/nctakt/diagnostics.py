@@ -73,7 +73,8 @@ class Message:
     ``id`` is its identity: the controller's own number, or one of ours from 900000 on. ``text`` and
     ``remedy`` are format strings over the names in ``parameters``, whose values say what each one
     means. ``reaction`` and ``clearing`` are the controller's classes for what an error does and
-    what clears it (0: nothing).
+    what clears it (0: it has none; ``messages/classes.py`` says what they mean). ``cause`` tells,
+    for explanation, what text and remedy do not; ``known_as`` are other numbers that it has.
     """
 
     id: int
@@ -83,6 +84,8 @@ class Message:
     parameters: Mapping[str, str] = field(default_factory=dict)
     reaction: int = 0
     clearing: int = 0
+    cause: Text = field(default_factory=lambda: Text("", ""))
+    known_as: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,6 +17,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``realtime``          the realtime part (900400 … 900499)
 ``outside``           command line, files, PLC, stimuli (900500 … 900549, 900570 … 900599)
 ``diagnosis``         the lines of the realtime cycles' diagnosis data (900550 … 900569)
+``unreached``         numbers of the controller that no program of nctakt reaches
 ====================  ==============================================================================
 
 A number of the controller stands where the stage that reports it has its own.
@@ -37,6 +38,7 @@ from nctakt.messages import (
     outside,
     realtime,
     schedule,
+    unreached,
     variables,
 )
 from nctakt.messages.catalogue import Catalogue
@@ -57,6 +59,7 @@ for _stage in (
     realtime,
     outside,
     diagnosis,
+    unreached,
 ):
     CATALOGUE.include(_stage.MESSAGES)
 

@@ -38,11 +38,17 @@ class Catalogue:
         *,
         remedy_en: str,
         remedy_de: str,
+        cause_en: str = "",
+        cause_de: str = "",
         parameters: dict[str, str] | None = None,
         reaction: int = 0,
         clearing: int = 0,
+        known_as: tuple[int, ...] = (),
     ) -> None:
-        """Declare one message; ``parameters`` says what each name in the texts means."""
+        """Declare one message; ``parameters`` says what each name in the texts means.
+
+        ``known_as`` are other numbers under which sources know the same message.
+        """
         assert number not in self._messages, number
         self._messages[number] = Message(
             number,
@@ -52,6 +58,8 @@ class Catalogue:
             parameters or {},
             reaction,
             clearing,
+            Text(cause_en, cause_de),
+            known_as,
         )
 
     def include(self, other: Catalogue) -> None:

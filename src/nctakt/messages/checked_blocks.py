@@ -90,6 +90,8 @@ _add(
     "{word} steuert Programme und hat im Echtzeit-Zyklus keinen Platz",
     remedy_en="output another M function and let the PLC react to it",
     remedy_de="eine andere M-Funktion ausgeben und die SPS darauf reagieren lassen",
+    cause_en="Such functions end programs or call them, which only the decoder can do.",
+    cause_de="Solche Funktionen beenden Programme oder rufen sie auf; das kann nur der Dekoder.",
     parameters=_WORD,
 )
 _add(

@@ -67,6 +67,9 @@ _add(
     "{name} enthält einen Text; Echtzeit-Zyklen kennen nur Zahlen",
     remedy_en="use a variable with a number",
     remedy_de="eine Variable mit einer Zahl verwenden",
+    cause_en="What runs in each tick computes with numbers of fixed size; texts belong to the "
+    "decoder.",
+    cause_de="Was in jedem Takt läuft, rechnet mit Zahlen fester Größe; Texte gehören dem Dekoder.",
     parameters=_NAME,
     reaction=2,
     clearing=3,
@@ -78,6 +81,10 @@ _add(
     "{command}: Echtzeit-Zyklen sind in diesem Kanal ausgeschaltet (P-CHAN-00406)",
     remedy_en="write configuration.rt_cycles.enable 1 into the channel list and start again",
     remedy_de="configuration.rt_cycles.enable 1 in die Kanalliste schreiben und neu starten",
+    cause_en="Without an entry in the channel list they are off; a change of it counts from the "
+    "next start.",
+    cause_de="Ohne Eintrag in der Kanalliste sind sie aus; eine Änderung gilt ab dem nächsten "
+    "Start.",
     parameters={"command": "the command"},
     reaction=2,
     clearing=3,
@@ -89,6 +96,10 @@ _add(
     "ein GLOBAL-Echtzeit-Zyklus hat eine ID über 0, nicht {id}",
     remedy_en="give it a whole number from 1 on",
     remedy_de="eine ganze Zahl ab 1 angeben",
+    cause_en="A GLOBAL cycle outlives its program; only its ID reaches it later, to hold or delete"
+    " it.",
+    cause_de="Ein GLOBAL-Zyklus überlebt sein Programm; später erreicht ihn nur seine ID, um ihn "
+    "zu halten oder zu löschen.",
     parameters={"id": "the ID"},
     reaction=2,
     clearing=3,
@@ -100,6 +111,9 @@ _add(
     "die Struktur {name} kann im Echtzeit-Zyklus nicht kopiert werden",
     remedy_en="assign member by member: {member}",
     remedy_de="Element für Element zuweisen: {member}",
+    cause_en="One assignment stores one number in a tick, so that the time of a cycle is known.",
+    cause_de="Eine Zuweisung speichert im Takt eine Zahl, damit die Dauer eines Zyklus bekannt "
+    "ist.",
     parameters={**_NAME, "member": "a member of the structure"},
     reaction=2,
     clearing=3,
@@ -111,6 +125,9 @@ _add(
     "Struktur oder Feld {name} kann im Echtzeit-Zyklus keine Werteliste zugewiesen werden",
     remedy_en="assign member by member, or before the cycle",
     remedy_de="Element für Element zuweisen oder vor dem Zyklus",
+    cause_en="One assignment stores one number in a tick, so that the time of a cycle is known.",
+    cause_de="Eine Zuweisung speichert im Takt eine Zahl, damit die Dauer eines Zyklus bekannt "
+    "ist.",
     parameters=_NAME,
     reaction=2,
     clearing=3,
@@ -122,6 +139,10 @@ _add(
     "{command} hat in einem Echtzeit-Zyklus keinen Sinn",
     remedy_en="a cycle is made of $IF, assignments, M and H functions",
     remedy_de="ein Zyklus besteht aus $IF, Zuweisungen, M- und H-Funktionen",
+    cause_en="A realtime cycle is run to its end in every tick: nothing in it can jump, wait, or "
+    "move the path.",
+    cause_de="Ein Echtzeit-Zyklus läuft in jedem Takt bis zu seinem Ende: nichts darin kann "
+    "springen, warten oder die Bahn bewegen.",
     parameters={"command": "the word or command"},
     reaction=2,
     clearing=3,
@@ -133,6 +154,8 @@ _add(
     "ein Echtzeit-Zyklus mit {word} braucht eine ID",
     remedy_en="write ID=1 or another whole number into the brackets",
     remedy_de="ID=1 oder eine andere ganze Zahl in die Klammern schreiben",
+    cause_en="Without an ID nothing could start such a cycle later, or end it.",
+    cause_de="Ohne ID könnte nichts einen solchen Zyklus später starten oder beenden.",
     parameters={"word": "DEF or SCOPE=GLOBAL"},
     reaction=2,
     clearing=3,
@@ -144,6 +167,9 @@ _add(
     "{command} hat im Echtzeit-Zyklus kein Schlüsselwort {word}",
     remedy_en="leave it out",
     remedy_de="weglassen",
+    cause_en="The command is known in realtime cycles, but this part of it needs the decoder.",
+    cause_de="Der Befehl ist im Echtzeit-Zyklus bekannt, aber dieser Teil davon braucht den "
+    "Dekoder.",
     parameters={"command": "the command", **_WORD},
     reaction=2,
     clearing=3,
@@ -155,6 +181,10 @@ _add(
     "#TIMER braucht im Echtzeit-Zyklus das Wort SYN",
     remedy_en="write #TIMER {action} SYN",
     remedy_de="#TIMER {action} SYN schreiben",
+    cause_en="The decoder's timers run when blocks are decoded, ahead of the motion; those of "
+    "cycles run with the ticks.",
+    cause_de="Die Zeiten des Dekoders laufen beim Dekodieren, der Bewegung voraus; die der Zyklen "
+    "laufen mit den Takten.",
     parameters={"action": "START, STOP, READ or CLEAR"},
     reaction=2,
     clearing=3,
@@ -166,6 +196,10 @@ _add(
     "{name} ist asynchron und im Echtzeit-Zyklus nicht beschreibbar",
     remedy_en="V.E and V.CH: synchronisation TRUE in the variables list, or Vs. for this block",
     remedy_de="V.E und V.CH: synchronisation TRUE in der Variablenliste, oder Vs. für diesen Satz",
+    cause_en="An asynchronous variable is read once, when the definition is decoded, and is a "
+    "constant in the cycle from then on.",
+    cause_de="Eine asynchrone Variable wird einmal gelesen, wenn die Definition dekodiert wird, "
+    "und ist dann im Zyklus eine Konstante.",
     parameters=_NAME,
     reaction=2,
     clearing=3,
@@ -177,6 +211,10 @@ _add(
     "bei $ELSEIF gibt es kein {word}",
     remedy_en="put an $IF {word} of its own into the branch",
     remedy_de="ein eigenes $IF {word} in den Zweig schreiben",
+    cause_en="ONCE, EDGE and ALWAYS keep a state for their own $IF; a further branch would have "
+    "none.",
+    cause_de="ONCE, EDGE und ALWAYS halten einen Zustand für ihr eigenes $IF; ein weiterer Zweig "
+    "hätte keinen.",
     parameters=_WORD,
     reaction=2,
     clearing=3,
@@ -188,6 +226,10 @@ _add(
     "$IF {word} hat weder $ELSEIF noch $ELSE",
     remedy_en="close it before and write a second $IF",
     remedy_de="vorher schließen und ein zweites $IF schreiben",
+    cause_en="While an ALWAYS is latched or a ONCE is done its condition is not evaluated: nothing"
+    " would decide about the other branch.",
+    cause_de="Solange ALWAYS eingerastet oder ONCE erledigt ist, wird die Bedingung nicht "
+    "ausgewertet: nichts entschiede über den anderen Zweig.",
     parameters={"word": "ONCE, EDGE or ALWAYS"},
     reaction=2,
     clearing=3,
@@ -199,6 +241,10 @@ _add(
     "{id} ist keine ID eines Echtzeit-Zyklus",
     remedy_en="IDs are whole numbers from 1 on",
     remedy_de="IDs sind ganze Zahlen ab 1",
+    cause_en="An ID is a whole number from 1 on; expressions in it are computed when the block is "
+    "decoded.",
+    cause_de="Eine ID ist eine ganze Zahl ab 1; Ausdrücke darin werden beim Dekodieren des Satzes "
+    "berechnet.",
     parameters={"id": "the value of the ID"},
     reaction=6,
     clearing=6,
@@ -210,6 +256,10 @@ _add(
     "die Kanalliste definiert M{function} nicht",
     remedy_en="give it a synchronisation type there: m_synch[{function}] MOS",
     remedy_de="dort eine Synchronisationsart angeben: m_synch[{function}] MOS",
+    cause_en="A cycle hands functions to the PLC without waiting; only those of the channel list "
+    "have a number there.",
+    cause_de="Ein Zyklus übergibt der SPS Funktionen, ohne zu warten; dort haben nur die der "
+    "Kanalliste eine Nummer.",
     parameters={"function": "the number of the function"},
     reaction=6,
     clearing=6,
@@ -221,6 +271,10 @@ _add(
     "die Kanalliste definiert H{function} nicht",
     remedy_en="give it a synchronisation type there: h_synch[{function}] MOS",
     remedy_de="dort eine Synchronisationsart angeben: h_synch[{function}] MOS",
+    cause_en="A cycle hands functions to the PLC without waiting; only those of the channel list "
+    "have a number there.",
+    cause_de="Ein Zyklus übergibt der SPS Funktionen, ohne zu warten; dort haben nur die der "
+    "Kanalliste eine Nummer.",
     parameters={"function": "the number of the function"},
     reaction=6,
     clearing=6,

@@ -104,6 +104,10 @@ _add(
     "{name} ist asynchron: auch der Index wird nur einmal gelesen, beim Definieren des Zyklus",
     remedy_en="write Vs. in front of it, to read it in each tick",
     remedy_de="Vs. davor schreiben, damit in jedem Takt gelesen wird",
+    cause_en="The value that the variable had when the definition was decoded stands in the cycle "
+    "as a constant.",
+    cause_de="Im Zyklus steht als Konstante der Wert, den die Variable beim Dekodieren der "
+    "Definition hatte.",
     parameters=_NAME,
 )
 _add(
@@ -122,6 +126,10 @@ _add(
     "{access}-Zugriff auf {name} ist nicht definiert: Programm {decoder}, Echtzeit-Zyklus {cycle}",
     remedy_en="R is reading, W writing, – neither; move the access to where it is defined",
     remedy_de="R ist Lesen, W Schreiben, – keines; den Zugriff dorthin verlegen, wo es ihn gibt",
+    cause_en="Each V.RTG and V.RTA variable has its rights apart for programs and for realtime "
+    "cycles; nctakt explain shows them.",
+    cause_de="Jede V.RTG- und V.RTA-Variable hat eigene Rechte für Programme und für Echtzeit-"
+    "Zyklen; nctakt explain zeigt sie.",
     parameters={
         **_NAME,
         "access": "R for reading, W for writing",
@@ -138,6 +146,8 @@ _add(
     "{variable} hat kein Element {index}; es gibt {count}, gezählt ab 0",
     remedy_en="keep the index within the array, or enlarge it in the variables list",
     remedy_de="den Index im Feld halten oder das Feld in der Variablenliste vergrößern",
+    cause_en="Indices count from 0 and are rounded to the nearest whole number.",
+    cause_de="Indizes zählen ab 0 und werden auf die nächste ganze Zahl gerundet.",
     parameters={
         "variable": "the array",
         "index": "the index",
@@ -145,4 +155,5 @@ _add(
     },
     reaction=6,
     clearing=6,
+    known_as=(50895,),
 )

@@ -15,6 +15,9 @@ _add(
     "für diese Vorschubbewegung ist kein Vorschub aktiv",
     remedy_en="program F with a value above 0, or give P-CHAN-00099 a start value",
     remedy_de="F mit einem Wert über 0 programmieren oder P-CHAN-00099 einen Startwert geben",
+    cause_en="A block with G01 moves at the feed F, and no F has been given since the program's "
+    "start.",
+    cause_de="Ein Satz mit G01 fährt mit dem Vorschub F; seit Programmstart ist keiner angegeben.",
     reaction=2,
     clearing=3,
 )
@@ -25,6 +28,10 @@ _add(
     "das Argument von {operation} liegt außerhalb seines Bereichs",
     remedy_en="test the argument before, for example with $IF",
     remedy_de="das Argument vorher prüfen, zum Beispiel mit $IF",
+    cause_en="Angles are in degrees. Roots need 0 or more, logarithms more than 0, ASIN and ACOS "
+    "−1 … 1; TAN and COT have poles.",
+    cause_de="Winkel sind in Grad. Wurzeln brauchen Werte ab 0, Logarithmen über 0, ASIN und ACOS "
+    "−1 … 1; TAN und COT haben Pole.",
     parameters={"operation": "the function"},
     reaction=2,
     clearing=3,
@@ -65,6 +72,8 @@ _add(
     "{count} Sätze hintereinander ohne einen, der Zeit braucht: eine Schleife ohne Bewegung?",
     remedy_en="give the loop an end, or let it move, dwell (#TIME) or wait (#FLUSH WAIT)",
     remedy_de="die Schleife beenden oder in ihr fahren, verweilen (#TIME), warten (#FLUSH WAIT)",
+    cause_en="Such a loop would be decoded for ever, and no tick would come.",
+    cause_de="Eine solche Schleife würde endlos dekodiert, und kein Takt käme.",
     parameters={"count": "the most blocks that are decoded so"},
     reaction=2,
     clearing=3,

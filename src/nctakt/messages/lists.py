@@ -183,10 +183,8 @@ _add(
 _add(
     900018,
     WARNING,
-    "{key}: the text has characters with a special meaning and no quotation marks; "
-    "it is taken up to '(' or the end of the line",
-    "{key}: der Text enthält Zeichen mit besonderer Bedeutung und steht nicht in "
-    "Anführungszeichen; er gilt bis '(' oder zum Zeilenende",
+    "{key}: the text has special characters but no quotation marks; it is taken up to '('",
+    "{key}: der Text hat Sonderzeichen, aber keine Anführungszeichen; er gilt bis '('",
     remedy_en="Put the text in quotation marks; open a comment with '('.",
     remedy_de="Den Text in Anführungszeichen setzen; einen Kommentar mit '(' beginnen.",
     parameters={"key": "the entry's name"},
@@ -303,6 +301,10 @@ _add(
     remedy_en="Use the constants of P-CHAN-00041, joined by '|', or their hexadecimal value.",
     remedy_de="Die Konstanten von P-CHAN-00041, durch '|' verbunden, oder ihren hexadezimalen "
     "Wert verwenden.",
+    cause_en="A function without a valid synchronisation must not be lost, so the safest one is "
+    "taken: the path waits for the PLC.",
+    cause_de="Eine Funktion ohne gültige Synchronisationsart darf nicht verlorengehen; darum gilt "
+    "die sicherste: die Bahn wartet auf die SPS.",
     parameters={
         "key": "the entry's name",
         "value": "the value as it stands in the list",

@@ -236,6 +236,9 @@ _add(
     "#RT CYCLE hat kein Schlüsselwort {keyword}",
     remedy_en="DEF, END, START, HOLD, CONTINUE, ABORT ACTION, DELETE; ID, SCOPE, END_ACTION",
     remedy_de="DEF, END, START, HOLD, CONTINUE, ABORT ACTION, DELETE; ID, SCOPE, END_ACTION",
+    cause_en="The brackets of #RT CYCLE hold ID, SCOPE and END_ACTION, each once and in any order.",
+    cause_de="In den Klammern von #RT CYCLE stehen ID, SCOPE und END_ACTION, jedes einmal und in "
+    "beliebiger Folge.",
     parameters={"keyword": "the word as written"},
     reaction=2,
     clearing=3,
@@ -247,6 +250,9 @@ _add(
     "Beginn und Ende der Echtzeit-Zyklen passen bei diesem {found} nicht zusammen",
     remedy_en="close each #RT CYCLE with #RT CYCLE END before the next one begins",
     remedy_de="jedes #RT CYCLE mit #RT CYCLE END schließen, bevor das nächste beginnt",
+    cause_en="Definitions do not nest: each begins with #RT CYCLE and ends with #RT CYCLE END.",
+    cause_de="Definitionen lassen sich nicht schachteln: jede beginnt mit #RT CYCLE und endet mit "
+    "#RT CYCLE END.",
     parameters={"found": "the command at that place"},
     reaction=2,
     clearing=3,
@@ -258,6 +264,9 @@ _add(
     "der Ausdruck ist tiefer als {limit} Ebenen geschachtelt",
     remedy_en="assign a part of it to a variable first",
     remedy_de="einen Teil davon vorher einer Variablen zuweisen",
+    cause_en="Evaluation must need little memory in the realtime part, so the depth has a limit.",
+    cause_de="Die Auswertung darf im Echtzeit-Teil wenig Speicher brauchen; darum ist die Tiefe "
+    "begrenzt.",
     parameters={"limit": "levels allowed"},
     reaction=6,
     clearing=6,

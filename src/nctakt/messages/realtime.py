@@ -15,7 +15,33 @@ _add(
     "die Echtzeit-Zyklen brauchen {steps} Elementar-Anweisungen im Takt, erlaubt sind {limit}",
     remedy_en="shorten cycle {cycle} or another one, or raise rt_cycles.max_steps (P-CHAN-00427)",
     remedy_de="Zyklus {cycle} oder andere kürzen oder rt_cycles.max_steps (P-CHAN-00427) erhöhen",
+    cause_en="Each operator, function, variable, assignment, condition and action counts one; "
+    "nctakt list shows the counts.",
+    cause_de="Operator, Funktion, Variable, Zuweisung, Bedingung und Aktion zählen je eins; nctakt"
+    " list zeigt die Zahlen.",
     parameters={"cycle": "cycle at fault", "steps": "instructions so far", "limit": "the limit"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50855,
+    ERROR,
+    "no memory for another realtime cycle: {needed} bytes needed, {free} are free",
+    "kein Speicher für einen weiteren Echtzeit-Zyklus: {needed} Byte nötig, {free} frei",
+    remedy_en="delete cycles that are done, or raise configuration.rt_cycles.memory (P-CHAN-00407)",
+    remedy_de="erledigte Zyklen löschen oder configuration.rt_cycles.memory (P-CHAN-00407) erhöhen",
+    parameters={"needed": "bytes of the cycle", "free": "bytes that are left"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50857,
+    ERROR,
+    "this realtime cycle needs {needed} bytes, more than the whole memory; {free} are free",
+    "dieser Echtzeit-Zyklus braucht {needed} Byte, mehr als der ganze Speicher; {free} sind frei",
+    remedy_en="shorten the cycle, or raise configuration.rt_cycles.memory (P-CHAN-00407)",
+    remedy_de="den Zyklus kürzen oder configuration.rt_cycles.memory (P-CHAN-00407) erhöhen",
+    parameters={"needed": "bytes of the cycle", "free": "bytes that are left"},
     reaction=6,
     clearing=6,
 )
@@ -26,6 +52,10 @@ _add(
     "kein Echtzeit-Zyklus hat die ID {id}",
     remedy_en="define the cycle before, and mind its scope: it may have ended already",
     remedy_de="den Zyklus vorher definieren; seine Gültigkeit beachten: er kann schon beendet sein",
+    cause_en="PROG cycles end with the main program, BLOCK cycles with their block. A GLOBAL one "
+    "lives until DELETE.",
+    cause_de="PROG-Zyklen enden mit dem Hauptprogramm, BLOCK-Zyklen mit ihrem Satz. Ein GLOBAL-"
+    "Zyklus lebt bis DELETE.",
     parameters={"id": "the ID"},
     reaction=6,
     clearing=6,
@@ -37,6 +67,9 @@ _add(
     "mehr als {count} Echtzeit-Zyklen zugleich",
     remedy_en="delete cycles that are no longer needed with #RT CYCLE DELETE",
     remedy_de="nicht mehr gebrauchte Zyklen mit #RT CYCLE DELETE löschen",
+    cause_en="Cycles without an ID count, too, and definitions in a loop make a new one each time.",
+    cause_de="Auch Zyklen ohne ID zählen, und eine Definition in einer Schleife legt jedes Mal "
+    "einen neuen an.",
     parameters={"count": "the most cycles of a channel"},
     reaction=6,
     clearing=6,
@@ -48,6 +81,10 @@ _add(
     "'{operation}' im Echtzeit-Zyklus {cycle} hat kein brauchbares Ergebnis",
     remedy_en="test the operands with $IF before; '=' stands for a result that is too large",
     remedy_de="die Operanden vorher mit $IF prüfen; '=' steht für ein zu großes Ergebnis",
+    cause_en="Division by zero, root or logarithm out of range, or a result beyond all numbers. "
+    "The statement assigns nothing.",
+    cause_de="Division durch null, Wurzel oder Logarithmus außerhalb des Bereichs oder ein zu "
+    "großes Ergebnis. Zugewiesen wird nichts.",
     parameters={"cycle": "cycle at fault", "operation": "operator or function"},
     reaction=6,
     clearing=6,
@@ -59,6 +96,10 @@ _add(
     "{value} liegt außerhalb des Bereichs {low} … {high} von {variable}",
     remedy_en="limit the value, or give the variable a larger type",
     remedy_de="den Wert begrenzen oder der Variablen einen größeren Typ geben",
+    cause_en="An integer variable takes the nearest whole number (half to even) inside its type's "
+    "range; nothing is stored here.",
+    cause_de="Eine ganzzahlige Variable nimmt die nächste ganze Zahl (halbe zur geraden) im "
+    "Bereich ihres Typs; hier wird nichts gespeichert.",
     parameters={
         "variable": "the variable",
         "value": "the value, rounded",
@@ -75,6 +116,8 @@ _add(
     "{value} ist keine endliche Zahl und kann {name} nicht zugewiesen werden",
     remedy_en="give a finite number",
     remedy_de="eine endliche Zahl angeben",
+    cause_en="Variables hold finite numbers only.",
+    cause_de="Variablen halten nur endliche Zahlen.",
     parameters={"name": "the variable", "value": "the value"},
     reaction=6,
     clearing=6,
@@ -86,6 +129,10 @@ _add(
     "die ID {id} gehört schon einem anderen Echtzeit-Zyklus",
     remedy_en="choose another ID, or delete the other cycle before with #RT CYCLE DELETE",
     remedy_de="eine andere ID wählen oder den anderen Zyklus vorher mit #RT CYCLE DELETE löschen",
+    cause_en="A cycle keeps its ID until its scope ends: PROG until the main program's end, GLOBAL"
+    " until DELETE, in later programs too.",
+    cause_de="Ein Zyklus behält seine ID, bis seine Gültigkeit endet: PROG bis zum "
+    "Hauptprogrammende, GLOBAL bis DELETE, auch in späteren Programmen.",
     parameters={"id": "the ID"},
     reaction=6,
     clearing=6,
@@ -97,6 +144,10 @@ _add(
     "die Echtzeit-Zyklen dauern zu lange: {steps} Elementar-Anweisungen, Zeit ist für {limit}",
     remedy_en="shorten cycle {cycle} or others, or raise rt_cycles.max_duration (P-CHAN-00425)",
     remedy_de="Zyklus {cycle} oder andere kürzen, rt_cycles.max_duration (P-CHAN-00425) erhöhen",
+    cause_en="All cycles of a tick share the time. In virtual time each elementary instruction is "
+    "taken to cost 10 ns.",
+    cause_de="Alle Zyklen eines Takts teilen sich die Zeit. In virtueller Zeit gilt jede "
+    "Elementar-Anweisung als 10 ns.",
     parameters={
         "cycle": "cycle at fault",
         "steps": "instructions so far",
@@ -104,6 +155,7 @@ _add(
     },
     reaction=6,
     clearing=6,
+    known_as=(50930,),
 )
 _add(
     50942,
@@ -112,6 +164,10 @@ _add(
     "{function} kann der SPS nicht übergeben werden: alle {slots} Plätze der Schnittstelle belegt",
     remedy_en="let the PLC acknowledge in every tick, or output fewer functions",
     remedy_de="die SPS in jedem Takt quittieren lassen oder weniger Funktionen ausgeben",
+    cause_en="A cycle does not wait: a function that finds no place would be lost, so this is an "
+    "error.",
+    cause_de="Ein Zyklus wartet nicht: eine Funktion ohne Platz ginge verloren; darum ist es ein "
+    "Fehler.",
     parameters={"function": "the function", "slots": "places of the realtime section"},
     reaction=6,
     clearing=6,
@@ -123,6 +179,10 @@ _add(
     "{function} ist in diesem Takt eine Funktion zu viel: die Schnittstelle fasst {slots}",
     remedy_en="spread the functions over several ticks",
     remedy_de="die Funktionen auf mehrere Takte verteilen",
+    cause_en="What is put out in one tick stands in the interface at the same time; the PLC frees "
+    "places only behind the tick.",
+    cause_de="Was in einem Takt ausgegeben wird, steht gleichzeitig in der Schnittstelle; die SPS "
+    "gibt Plätze erst nach dem Takt frei.",
     parameters={"function": "the function", "slots": "places of the realtime section"},
     reaction=6,
     clearing=6,
@@ -134,6 +194,10 @@ _add(
     "es gibt keinen Echtzeit-Zyklus mit dieser ID: nichts zu löschen",
     remedy_en="",
     remedy_de="",
+    cause_en="The first line of many programs deletes a cycle that an earlier one may have left; "
+    "that is harmless.",
+    cause_de="Die erste Zeile vieler Programme löscht einen Zyklus, den ein früheres hinterlassen "
+    "haben kann; das ist harmlos.",
 )
 _add(
     900411,
@@ -142,6 +206,8 @@ _add(
     "der Echtzeit-Zyklus läuft nicht: HOLD bewirkt nichts",
     remedy_en="",
     remedy_de="",
+    cause_en="HOLD stops a running cycle only; it is held already, or was not started.",
+    cause_de="HOLD hält nur einen laufenden Zyklus an; er steht schon oder wurde nicht gestartet.",
 )
 _add(
     900412,
@@ -150,6 +216,8 @@ _add(
     "der Echtzeit-Zyklus ist nicht angehalten: CONTINUE bewirkt nichts",
     remedy_en="",
     remedy_de="",
+    cause_en="CONTINUE lets a held cycle go on only.",
+    cause_de="CONTINUE setzt nur einen angehaltenen Zyklus fort.",
 )
 _add(
     900413,
@@ -158,6 +226,8 @@ _add(
     "ein Echtzeit-Zyklus mit Gültigkeit BLOCK endete mit dem Programm, ohne gelaufen zu sein",
     remedy_en="",
     remedy_de="",
+    cause_en="A BLOCK cycle waits for the next block that takes time, and none came.",
+    cause_de="Ein BLOCK-Zyklus wartet auf den nächsten Satz, der Zeit braucht, und es kam keiner.",
 )
 _add(
     900420,
@@ -166,6 +236,10 @@ _add(
     "der Satz beginnt nicht dort, wo die Achsen stehen",
     remedy_en="let the decoder read the positions anew before, with #FLUSH WAIT or #CHANNEL INIT",
     remedy_de="den Dekoder die Positionen vorher neu lesen lassen: #FLUSH WAIT, #CHANNEL INIT",
+    cause_en="Something other than the path has moved an axis since the block was decoded; the "
+    "path never jumps.",
+    cause_de="Etwas anderes als die Bahn hat eine Achse bewegt, seit der Satz dekodiert wurde; die"
+    " Bahn springt nie.",
     reaction=6,
     clearing=6,
 )

@@ -13,10 +13,10 @@ _add(
     ERROR,
     "interrupt_source is not configured; the timer starts the NC cycles",
     "interrupt_source ist nicht konfiguriert; der Timer löst die NC-Takte aus",
-    remedy_en="Set interrupt_source to 1 (hardware interrupt), 2 (timer) or 3 (semaphore); "
-    "external scheduling (4) leaves nothing to simulate.",
-    remedy_de="interrupt_source auf 1 (Hardware-Interrupt), 2 (Timer) oder 3 (Semaphor) setzen; "
-    "bei externem Scheduling (4) gibt es nichts zu simulieren.",
+    remedy_en="Set interrupt_source to 1 (hardware interrupt), 2 (timer) or 3 (semaphore).",
+    remedy_de="interrupt_source auf 1 (Hardware-Interrupt), 2 (Timer) oder 3 (Semaphor) setzen.",
+    cause_en="With external scheduling (4) there is nothing that nctakt could simulate.",
+    cause_de="Bei externem Scheduling (4) gibt es nichts, was nctakt simulieren könnte.",
 )
 _add(
     900031,
@@ -87,6 +87,8 @@ _add(
     "cycle_time: {value} µs ist kein Vielfaches von time_slice; es gelten {effective} µs",
     remedy_en="Write a multiple of time_slice.",
     remedy_de="Ein Vielfaches von time_slice schreiben.",
+    cause_en="An NC cycle is made of whole time slices.",
+    cause_de="Ein NC-Takt besteht aus ganzen Zeitscheiben.",
     parameters={
         "value": "the time as written, in µs",
         "effective": "the time that is used, in µs",

@@ -26,6 +26,10 @@ _add(
     "{key}: '{value}' ist kein Gültigkeitsbereich; es gilt {default}",
     remedy_en="Use GLOBAL or CHANNEL.",
     remedy_de="GLOBAL oder CHANNEL verwenden.",
+    cause_en="Only GLOBAL variables are shared by all channels, so a scope that cannot be read "
+    "stays in its channel.",
+    cause_de="Nur GLOBAL-Variablen gelten für alle Kanäle; ein unlesbarer Gültigkeitsbereich "
+    "bleibt darum im Kanal.",
     parameters={
         "key": "the entry's name",
         "value": "the value as it stands in the list",
@@ -43,6 +47,10 @@ _add(
     "keine davon",
     remedy_en="Set configuration.decoder.v_ch_memory to at least {needed}.",
     remedy_de="configuration.decoder.v_ch_memory auf mindestens {needed} setzen.",
+    cause_en="Each variable takes its data and some bytes of management; what does not fit cannot "
+    "exist in part.",
+    cause_de="Jede Variable braucht ihre Daten und einige Byte Verwaltung; was nicht hineinpasst, "
+    "kann es nicht zum Teil geben.",
     parameters={
         "needed": "bytes of data and management",
         "available": "P-CHAN-00424",

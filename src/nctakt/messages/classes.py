@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+"""What the classes of the controller's errors mean: what an error does, and what clears it.
+
+In: ``Message.reaction`` and ``Message.clearing``, which the controller's diagnosis pages print as
+two numbers (``2/3``). Out: their meaning. Class 0 is ours: the message has no class.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from nctakt.diagnostics import Text
+
+#: What an error does.
+REACTIONS: Mapping[int, Text] = MappingProxyType(
+    {
+        1: Text("nothing: it is a warning", "nichts: es ist eine Warnung"),
+        2: Text(
+            "the program is given up; what is prepared is still finished; error state",
+            "das Programm wird abgebrochen; Vorbereitetes wird noch beendet; Fehlerzustand",
+        ),
+        3: Text(
+            "the job is given up; the controller goes on as usual",
+            "der Auftrag wird abgebrochen; die Steuerung arbeitet normal weiter",
+        ),
+        4: Text(
+            "the axes of the channel brake as for a feed hold; error state",
+            "die Achsen des Kanals bremsen wie bei Vorschub-Halt; Fehlerzustand",
+        ),
+        5: Text(
+            "the axis at fault stops at once, the others brake as for a feed hold",
+            "die fehlerhafte Achse hält sofort an, die anderen bremsen wie bei Vorschub-Halt",
+        ),
+        6: Text("all axes stop; error state", "alle Achsen halten an; Fehlerzustand"),
+    }
+)
+
+#: What clears it.
+CLEARINGS: Mapping[int, Text] = MappingProxyType(
+    {
+        1: Text("nothing to clear", "nichts zu löschen"),
+        3: Text("a reset of the channel", "ein Reset des Kanals"),
+        6: Text("a reset of the channel", "ein Reset des Kanals"),
+        7: Text("a restart of the controller", "ein Neustart der Steuerung"),
+        8: Text("a restart of controller and computer", "ein Neustart von Steuerung und Rechner"),
+    }
+)

@@ -186,6 +186,7 @@ class Machine:
         context.max_steps = limits.max_steps
         context.cont_steps = limits.cont_steps
         budget_ns = 10 * self.configuration.cycle_time_us * limits.max_duration_pct
+        channel.manager.memory_limit = limits.memory_bytes
         context.budget_steps = budget_ns // INSTRUCTION_COST_NS
         self.cells[first] = self.cells[first + 1] = 100.0
         self.cells[first + _DIAGNOSIS_LEVEL_CELL] = DEFAULT_DIAGNOSIS_LEVEL

@@ -46,6 +46,10 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic | None:
             values = {"cycle": cycle, "steps": int(a), "limit": int(b)}
         case 50858 | 50900:
             values = {"id": int(machine.channels[0].error_detail)}
+        case 50855 | 50857:
+            manager = machine.channels[0].manager
+            free = manager.memory_limit - manager.memory_used
+            values = {"needed": int(machine.channels[0].error_detail), "free": free}
         case 50877:
             values = {"count": machine.channels[0].manager.capacity}
         case 900420:

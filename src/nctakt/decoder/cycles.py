@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from nctakt.decoder.expressions import Built, ExpressionBuilder, constant, load
+from nctakt.decoder.memory import memory_bytes
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
 from nctakt.kernel import expressions, instructions
@@ -83,7 +84,9 @@ class CycleBuilder:
         """The cycle of a definition."""
         body = self._sequence(statement.body)
         events = self._statements + _OWN_EVENTS
-        cycle = RealtimeCycle(body, serial, events, self._conditions)
+        places = self._values.surroundings.parameters.realtime_cycles.buffers
+        size = memory_bytes(statement, places)
+        cycle = RealtimeCycle(body, serial, events, self._conditions, size)
         return CycleDefinition(
             serial, identity, scope, statement.span, cycle, self._reactions, self._frozen
         )

@@ -8,6 +8,7 @@ through the channel: a read waits until the path stands, a write travels in the 
 from __future__ import annotations
 
 from collections.abc import Generator
+from typing import NoReturn
 
 from nctakt.decoder.commands import Answer, Command, Flush, ReadRealtime, WriteVariable
 from nctakt.decoder.expressions import Built, ExpressionBuilder, constant
@@ -29,7 +30,7 @@ Decoding = Generator[Command, Answer, float]
 
 #: Operations whose fault is a wrong argument of a function (21241).
 _FUNCTIONS = frozenset(
-    ("SQRT", "EXP", "DEXP", "LN", "LOG", "SIN", "COS", "TAN", "COT", "ASIN", "ACOS", "INV")
+    ("SQRT", "EXP", "DEXP", "LN", "LOG", "SIN", "COS", "TAN", "COT", "ASIN", "ACOS", "ATAN2", "INV")
 )
 
 
@@ -185,6 +186,6 @@ class Values:
             )
         return value
 
-    def fail(self, id_: int, span: Span, **values: object) -> None:
+    def fail(self, id_: int, span: Span, **values: object) -> NoReturn:
         """Give the program up."""
         raise DecodeError(diagnostic(id_, span, self.surroundings.line(span), **values))

@@ -46,7 +46,7 @@ cdef class Channel:
     cdef int take(self, long long tick, Py_ssize_t base) noexcept nogil
     @cython.locals(is_current=bint)
     cdef int take_block(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)
+    @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int, detail=double)
     cdef int take_cycle(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
     @cython.locals(function=cython.longlong)
     cdef int take_technology(self, long long tick, Py_ssize_t base) noexcept nogil

@@ -240,7 +240,10 @@ class Channel:
                 return 0
             message = self.manager.control(action, identity, tick, source)
         if message != 0:
-            self.report(source, message, self.queue[base + 4])
+            detail = self.queue[base + 4]
+            if kind == 3:
+                detail = self.manager.wanted(int(self.queue[base + 3]), message)
+            self.report(source, message, detail)
         return 1
 
     def take_technology(self, tick: int, base: int) -> int:

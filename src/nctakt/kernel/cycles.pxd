@@ -20,8 +20,11 @@ cdef class RealtimeCycle(RunThrough):
     cdef readonly long long serial
     cdef readonly Py_ssize_t events
     cdef readonly Py_ssize_t probes
+    cdef readonly long long size
+    cdef public long long probe
     cdef public Py_ssize_t slot
     cdef readonly long long runs
+    cdef readonly long long next_tick
     cdef int run_through(self, CycleManager manager, Context context) noexcept nogil
 
 cdef class CycleManager:
@@ -36,6 +39,9 @@ cdef class CycleManager:
     cdef long long[::1] restarts
     cdef long long[::1] started_tick
     cdef long long[::1] block
+    cdef long long[::1] size
+    cdef public long long memory_limit
+    cdef readonly long long memory_used
     cdef readonly list loaded
     cdef RunThrough root
     cdef readonly long long latest_start
@@ -48,8 +54,10 @@ cdef class CycleManager:
 
     @cython.locals(slot=Py_ssize_t)
     cdef Py_ssize_t find(self, long long identity) noexcept nogil
+    @cython.locals(before=cython.longlong)
     cdef void enter(self, Py_ssize_t slot, int state) noexcept nogil
     cdef int define(self, Py_ssize_t slot, int starts, long long tick) noexcept nogil
+    cdef long long wanted(self, Py_ssize_t slot, int message) noexcept nogil
     cdef void start(self, Py_ssize_t slot, long long tick, long long source) noexcept nogil
     @cython.locals(slot=Py_ssize_t)
     cdef int is_fresh(self, long long identity, long long tick) noexcept nogil

@@ -61,15 +61,22 @@ class RealtimeCycle(RunThrough):
     """A loaded realtime cycle.
 
     ``serial`` names it in events; ``events`` and ``probes`` bound what one run-through can record.
+    ``probe`` is its number in the probe rows, ``next_tick`` the tick behind its last run-through.
+    ``size`` is what it takes of the memory of P-CHAN-00407, in bytes.
     """
 
-    def __init__(self, body: Statement, serial: int, events: int, probes: int) -> None:
+    def __init__(
+        self, body: Statement, serial: int, events: int, probes: int, size: int = 0
+    ) -> None:
         self.body = body
+        self.size = size
         self.serial = serial
         self.events = events
         self.probes = probes
+        self.probe = 0
         self.slot = -1
         self.runs = 0
+        self.next_tick = -1
 
     def run_through(self, manager: CycleManager, context: Context) -> int:
         if manager.state[self.slot] != 4:
@@ -77,6 +84,9 @@ class RealtimeCycle(RunThrough):
         if manager.restarts[self.slot]:
             manager.restarts[self.slot] = 0
             self.body.restart()
+        if self.next_tick != context.tick:
+            context.record.series(self.probe, 0, self.next_tick)
+        self.next_tick = context.tick + 1
         self.runs += 1
         context.serial = self.serial
         context.run = self.runs
@@ -101,6 +111,9 @@ class CycleManager:
         self.restarts = memoryview(bytearray(8 * capacity)).cast("q")
         self.started_tick = memoryview(bytearray(8 * capacity)).cast("q")
         self.block = memoryview(bytearray(8 * capacity)).cast("q")
+        self.size = memoryview(bytearray(8 * capacity)).cast("q")
+        self.memory_limit = 1 << 62
+        self.memory_used = 0
         self.loaded: list[RealtimeCycle] = []
         self.root = RunThrough()
         self.latest_start = -1
@@ -130,6 +143,7 @@ class CycleManager:
         self.scope[slot] = scope
         self.source[slot] = source
         self.serial[slot] = cycle.serial
+        self.size[slot] = cycle.size
         self.reusable[slot] = 0
         self.restarts[slot] = 0
         self.started_tick[slot] = -1
@@ -181,9 +195,10 @@ class CycleManager:
 
     def enter(self, slot: int, state: int) -> None:
         """Change a slot's state and keep the counts."""
-        if self.state[slot] == 4:
+        before = self.state[slot]
+        if before == 4:
             self.running_count -= 1
-        if self.state[slot] == 3:
+        if before == 3:
             self.armed_count -= 1
         self.state[slot] = state
         if self.block[slot] != 0 and state not in (4, 5):
@@ -195,18 +210,28 @@ class CycleManager:
             self.armed_count += 1
         if state == 6:
             self.dead_count += 1
+            if before != 1:
+                self.memory_used -= self.size[slot]
 
     def define(self, slot: int, starts: int, tick: int) -> int:
-        """The definition is taken: 0, or the message that refuses it (RC-102, RC-108)."""
+        """The definition is taken: 0, or the message that refuses it (RC-102, RC-108, RC-504)."""
         if self.identity[slot] > 0 and self.find(self.identity[slot]) >= 0:
             self.enter(slot, 6)
             return 50900
+        if self.memory_used + self.size[slot] > self.memory_limit:
+            self.enter(slot, 6)
+            return 50857 if self.size[slot] > self.memory_limit else 50855
+        self.memory_used += self.size[slot]
         self.record.created(self.source[slot], self.serial[slot], self.scope[slot])
         self.enter(slot, 2)
         self.reusable[slot] = 0 if starts else 1
         if starts:
             self.start(slot, tick, self.source[slot])
         return 0
+
+    def wanted(self, slot: int, message: int) -> int:
+        """What a refused definition asked for: its ID, or its bytes of memory."""
+        return self.identity[slot] if message == 50900 else self.size[slot]
 
     def start(self, slot: int, tick: int, source: int) -> None:
         """Run from now on; a cycle with scope BLOCK waits for the next block (RC-105, RC-111)."""

@@ -8,6 +8,7 @@ from nctakt.kernel.memory cimport Context
 cdef class Condition:
     cdef public long long probe
     cdef readonly int truth
+    cdef readonly long long next_tick
     cdef readonly bint was_ever_true
     cdef readonly double nearest
     cdef readonly double nearest_left

@@ -3,9 +3,10 @@
 # cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Conditions of ``$IF`` in realtime cycles, each with its probe (RC-202).
 
-A condition keeps its last truth and records a probe row (``record.py``) when its truth changes.
-While it has never been true it keeps the nearest miss: the smallest distance between its two sides,
-and when that was. A condition that is no comparison compares its value with 0.5.
+A condition keeps its last truth and records a probe row (``record.py``) when its truth changes, and
+where asked for one when a series of evaluations in consecutive ticks begins. While it has never
+been true it keeps the nearest miss: the smallest distance between its two sides, and when that was.
+A condition that is no comparison compares its value with 0.5. What a fault leaves is not recorded.
 """
 
 from __future__ import annotations
@@ -21,12 +22,14 @@ UNKNOWN = -1
 class Condition:
     """Base, and null object: always true, nothing recorded.
 
-    ``probe`` is its number in the probe rows; ``truth`` the last one (-1: not evaluated yet).
+    ``probe`` is its number in the probe rows; ``truth`` the last one (-1: not evaluated since its
+    cycle's last START). ``next_tick`` is the tick behind its last evaluation, -1 before the first.
     """
 
     def __init__(self) -> None:
         self.probe = 0
         self.truth = -1
+        self.next_tick = -1
         self.was_ever_true = False
         self.nearest = 1.7976931348623157e308
         self.nearest_left = 0.0
@@ -40,7 +43,12 @@ class Condition:
 
 def note(condition: Condition, context: Context, truth: int, left: float, right: float) -> None:
     """Record a change of truth; while never true, keep the nearest miss."""
+    if context.tick != condition.next_tick:
+        context.record.series(condition.probe, 0, condition.next_tick)
+    condition.next_tick = context.tick + 1
     if truth != condition.truth:
+        if context.fault:
+            return
         condition.truth = truth
         if truth == 1:
             condition.was_ever_true = True
@@ -49,7 +57,7 @@ def note(condition: Condition, context: Context, truth: int, left: float, right:
         distance = left - right
         if distance < 0.0:
             distance = 0.0 - distance
-        if distance < condition.nearest:
+        if distance < condition.nearest and context.fault == 0:
             condition.nearest = distance
             condition.nearest_left = left
             condition.nearest_right = right

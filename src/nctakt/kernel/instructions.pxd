@@ -82,6 +82,7 @@ cdef class Reaction(Counted):
     cdef Statement body
     cdef readonly long long count
     cdef readonly long long first_tick
+    cdef readonly long long next_tick
     cdef readonly long long last_run
     cdef void restart(self) noexcept nogil
 

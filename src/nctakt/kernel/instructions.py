@@ -285,6 +285,7 @@ class Reaction(Counted):
     """Base of what runs a body under a condition.
 
     Counts the body's run-throughs and tells the first of each series of consecutive ones.
+    ``next_tick`` is the tick behind the last of them, -1 before the first.
     """
 
     def __init__(self, condition: Condition, body: Statement, source: int, cost: int) -> None:
@@ -293,10 +294,12 @@ class Reaction(Counted):
         self.body = body
         self.count = 0
         self.first_tick = -1
+        self.next_tick = -1
         self.last_run = -2
 
     def restart(self) -> None:
         self.last_run = -2
+        self.condition.truth = -1
         self.body.restart()
 
 
@@ -317,6 +320,9 @@ def react(reaction: Reaction, context: Context) -> int:
         if reaction.count == 0:
             reaction.first_tick = context.tick
         context.record.fired(reaction.source, context.serial)
+    if reaction.next_tick != context.tick:
+        context.record.series(reaction.condition.probe, 1, reaction.next_tick)
+    reaction.next_tick = context.tick + 1
     reaction.count += 1
     reaction.last_run = context.run
     return reaction.body.run(context)
@@ -410,6 +416,7 @@ class IfOnce(Reaction):
     def restart(self) -> None:
         self.is_done = False
         self.last_run = -2
+        self.condition.truth = -1
         self.body.restart()
 
 
@@ -431,6 +438,7 @@ class IfEdge(Reaction):
     def restart(self) -> None:
         self.was_true = 0
         self.last_run = -2
+        self.condition.truth = -1
         self.body.restart()
 
 
@@ -452,4 +460,5 @@ class IfAlways(Reaction):
     def restart(self) -> None:
         self.is_latched = False
         self.last_run = -2
+        self.condition.truth = -1
         self.body.restart()

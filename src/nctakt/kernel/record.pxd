@@ -17,6 +17,7 @@ cdef class Record:
     cdef readonly Py_ssize_t probe_count
     cdef public long long tick
     cdef public bint records_writes
+    cdef public bint records_series
 
     @cython.locals(i=Py_ssize_t, base=Py_ssize_t)
     cdef void take_row(self) noexcept nogil
@@ -38,4 +39,6 @@ cdef class Record:
     cdef void notice(self, long long source, long long serial, int message) noexcept nogil
     @cython.locals(base=Py_ssize_t)
     cdef void probe(self, long long number, int truth, double left, double right) noexcept nogil
+    @cython.locals(base=Py_ssize_t)
+    cdef void series(self, long long number, int kind, long long next_tick) noexcept nogil
     cdef int has_room(self, Py_ssize_t events, Py_ssize_t probes) noexcept nogil

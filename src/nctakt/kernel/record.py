@@ -9,7 +9,10 @@ calls of ``Kernel.run``. Before a tick there must be room for all that it can re
 a row is a copy of the chosen cells.
 
 Event row, ``EVENT_WIDTH`` floats: tick, kind, source ID, subject, a, b. Probe row, ``PROBE_WIDTH``
-floats: tick, 2 * probe number + truth, left operand, right operand.
+floats: tick, 2 * probe number + truth, left operand, right operand. Where series are recorded there
+are rows in which a series of evaluations (``kind`` 0) or of run-throughs of a body (1) begins, after
+a tick without: tick, -1 - (2 * probe number + kind), the tick behind the last one of the series
+before (-1: none), 0.
 """
 
 from __future__ import annotations
@@ -64,6 +67,7 @@ class Record:
         self.probe_count = 0
         self.tick = 0
         self.records_writes = False
+        self.records_series = False
 
     def select(self, signals: list[int]) -> None:
         """The cells that a row holds from now on; rows that were not taken are dropped."""
@@ -160,6 +164,16 @@ class Record:
         self.probes[base + 2] = left
         self.probes[base + 3] = right
         self.probe_count += 1
+
+    def series(self, number: int, kind: int, next_tick: int) -> None:
+        """Append the begin of a series of evaluations or run-throughs, where that is asked for."""
+        if self.records_series:
+            base = self.probe_count * 4
+            self.probes[base] = self.tick
+            self.probes[base + 1] = -1 - (2 * number + kind)
+            self.probes[base + 2] = next_tick
+            self.probes[base + 3] = 0.0
+            self.probe_count += 1
 
     def has_room(self, events: int, probes: int) -> int:
         """Whether a tick that records at most so many events and probes fits."""

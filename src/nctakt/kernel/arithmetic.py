@@ -215,7 +215,9 @@ def arc_tangent(value: float) -> float:
 
 
 def arc_tangent_2(ordinate: float, abscissa: float) -> float:
-    """ATAN2[y, x] in degrees, -180 … 180."""
+    """ATAN2[y, x] in degrees, -180 … 180; NaN where both are zero."""
+    if ordinate == 0.0 and abscissa == 0.0:
+        return NAN
     return math.atan2(ordinate, abscissa) / 0.017453292519943295
 
 

@@ -184,6 +184,7 @@ cdef class Invert(Unary):
     cdef double value(self, Context context) noexcept nogil
 
 cdef class ArcTangent2(Binary):
+    @cython.locals(result=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class CellConstant(Expression):

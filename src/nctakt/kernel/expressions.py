@@ -486,7 +486,11 @@ class ArcTangent2(Binary):
     """``ATAN2[y, x]``."""
 
     def value(self, context: Context) -> float:
-        return arithmetic.arc_tangent_2(self.left.value(context), self.right.value(context))
+        result = arithmetic.arc_tangent_2(self.left.value(context), self.right.value(context))
+        if result != result:
+            context.fail(50879, 0, 19.0, 0.0)
+            return 0.0
+        return result
 
 
 # --- Fused -------------------------------------------------------------------------------------
@@ -635,4 +639,5 @@ OPERATIONS = {
     16: "ASIN",
     17: "ACOS",
     18: "INV",
+    19: "ATAN2",
 }

@@ -42,7 +42,7 @@ class Function:
 
 
 ANY = Text("any values", "beliebige Werte")
-WHOLE = Text("whole numbers of the range of SGN64", "ganze Zahlen im Bereich von SGN64")
+WHOLE = Text("rounded; whole numbers below 2^53", "gerundet; ganze Zahlen unter 2^53")
 DIVISOR = Text("the right operand is not 0", "der rechte Operand ist nicht 0")
 POWER = Text(
     "a negative base has a whole exponent, base 0 none below 0",

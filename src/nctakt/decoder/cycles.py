@@ -61,12 +61,20 @@ class CycleDefinition:
     scope: str
     span: Span
     cycle: RealtimeCycle
+    statement: syntax.RealtimeCycle
     reactions: list[BuiltReaction] = field(default_factory=list)
     frozen: list[Frozen] = field(default_factory=list)
 
 
+#: Probe rows that a condition can record in a tick: a change, and the begins of two series.
+_PROBES_OF_A_CONDITION = 3
+
+
 class CycleBuilder:
-    """Builds one cycle; ``first_probe`` is the number of its first condition."""
+    """Builds one cycle; ``first_probe`` is its number in the probe rows.
+
+    Its conditions have the numbers behind it, ``$ELSE`` among them.
+    """
 
     def __init__(self, values: Values, first_probe: int) -> None:
         self._values = values
@@ -86,9 +94,18 @@ class CycleBuilder:
         events = self._statements + _OWN_EVENTS
         places = self._values.surroundings.parameters.realtime_cycles.buffers
         size = memory_bytes(statement, places)
-        cycle = RealtimeCycle(body, serial, events, self._conditions, size)
+        probes = 1 + _PROBES_OF_A_CONDITION * self._conditions
+        cycle = RealtimeCycle(body, serial, events, probes, size)
+        cycle.probe = self._first_probe
         return CycleDefinition(
-            serial, identity, scope, statement.span, cycle, self._reactions, self._frozen
+            serial,
+            identity,
+            scope,
+            statement.span,
+            cycle,
+            statement,
+            sorted(self._reactions, key=lambda one: one.span),
+            self._frozen,
         )
 
     # --- statements -----------------------------------------------------------------------------
@@ -158,14 +175,15 @@ class CycleBuilder:
         assert statement.else_body is not None
         assert statement.else_span is not None
         body = self._sequence(statement.else_body)
-        made = Branch(Condition(), body, self._place(statement.else_span), 0)
+        condition = self._condition(Condition())
+        made = Branch(condition, body, self._place(statement.else_span), 0)
         self._reactions.append(BuiltReaction(statement.else_span, "", made))
         self._statements += 1
         return made
 
     def _condition(self, node: Condition) -> Condition:
-        node.probe = self._first_probe + self._conditions
         self._conditions += 1
+        node.probe = self._first_probe + self._conditions
         return node
 
     def _assignment(self, statement: syntax.Assignment) -> Statement:

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""The branches of a realtime cycle as a list: what stands in what, and where (RC-201, RC-203).
+
+In: the tree of a program. Out: its realtime cycles wherever they stand, and for each of them its
+branches in the order of their places, with the branch around each one and the ones before it in the
+same ``$IF``. A branch is found again in the realtime part by its span.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from nctakt.diagnostics import Span
+from nctakt.nc import syntax
+
+BranchWord = Literal["$IF", "$ELSEIF", "$ELSE"]
+
+
+@dataclass(frozen=True, slots=True)
+class BranchPlace:
+    """One branch: ``outer`` and ``earlier`` are positions in the list of the cycle's branches.
+
+    ``frequency`` is ``ONCE``, ``EDGE``, ``ALWAYS`` or empty; ``condition`` is ``None`` for
+    ``$ELSE``. ``lines`` are those of the branch itself and of the statements in its body that stand
+    in no further branch.
+    """
+
+    span: Span
+    word: BranchWord
+    frequency: str
+    condition: syntax.Expression | None
+    outer: int | None
+    earlier: tuple[int, ...]
+    lines: tuple[int, ...]
+
+
+def branch_places(statement: syntax.RealtimeCycle) -> list[BranchPlace]:
+    """The branches of a cycle in the order of their places."""
+    found: list[BranchPlace] = []
+    _walk(statement.body, None, found)
+    return found
+
+
+def lines_without_branch(statement: syntax.RealtimeCycle) -> list[int]:
+    """The lines of the definition and of its statements that stand in no branch."""
+    return [statement.span.line, *_own_lines(statement.body)]
+
+
+def _own_lines(body: Sequence[syntax.Statement]) -> list[int]:
+    return [one.span.line for one in body if not isinstance(one, syntax.If)]
+
+
+def _walk(body: Sequence[syntax.Statement], outer: int | None, found: list[BranchPlace]) -> None:
+    for statement in body:
+        if isinstance(statement, syntax.If):
+            _branches(statement, outer, found)
+
+
+def _branches(statement: syntax.If, outer: int | None, found: list[BranchPlace]) -> None:
+    """The branches of one ``$IF``, each with what stands in its body."""
+    earlier: list[int] = []
+
+    def add(
+        span: Span,
+        word: BranchWord,
+        condition: syntax.Expression | None,
+        body: Sequence[syntax.Statement],
+    ) -> None:
+        frequency = (statement.frequency or "") if word == "$IF" else ""
+        lines = (span.line, *_own_lines(body))
+        place = len(found)
+        found.append(BranchPlace(span, word, frequency, condition, outer, tuple(earlier), lines))
+        earlier.append(place)
+        _walk(body, place, found)
+
+    add(statement.span, "$IF", statement.condition, statement.body)
+    for elseif in statement.elseifs:
+        add(elseif.span, "$ELSEIF", elseif.condition, elseif.body)
+    if statement.else_body is not None and statement.else_span is not None:
+        add(statement.else_span, "$ELSE", None, statement.else_body)
+
+
+def realtime_cycles(program: syntax.Program) -> Iterator[syntax.RealtimeCycle]:
+    """The definitions of realtime cycles in a program and its local subprograms, in order."""
+    yield from _cycles(program.statements)
+    for subprogram in program.subprograms:
+        yield from _cycles(subprogram.statements)
+
+
+def _cycles(statements: Sequence[syntax.Statement]) -> Iterator[syntax.RealtimeCycle]:
+    for statement in statements:
+        match statement:
+            case syntax.RealtimeCycle():
+                yield statement
+            case syntax.If():
+                yield from _cycles(statement.body)
+                for elseif in statement.elseifs:
+                    yield from _cycles(elseif.body)
+                yield from _cycles(statement.else_body or ())
+            case syntax.For() | syntax.While() | syntax.Do() | syntax.Repeat():
+                yield from _cycles(statement.body)
+            case syntax.Switch():
+                for case in statement.cases:
+                    yield from _cycles(case.body)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 
+from nctakt.decoder.commands import UserMessage
 from nctakt.decoder.cycles import CycleDefinition
 from nctakt.decoder.preparation import axis_limits
 from nctakt.decoder.surroundings import Surroundings
@@ -51,7 +52,7 @@ class Registry:
         self._cycle_names: list[str] = [""]
         self._anonymous = 0
         self._probes = 0
-        self._texts: list[str] = []
+        self._messages: list[UserMessage] = []
         self._programs: list[str] = []
         self._latest: dict[str, CycleDefinition] = {}
         self._living: dict[int, CycleDefinition] = {}
@@ -69,7 +70,12 @@ class Registry:
 
     def message(self, number: int) -> str:
         """The text of a message."""
-        return self._texts[number]
+        return self._messages[number].text
+
+    def message_style(self, number: int) -> tuple[bool, bool]:
+        """Whether a message stands in the message file without time stamp, without line end."""
+        message = self._messages[number]
+        return message.exclusive, message.unbroken
 
     def program(self, number: int) -> str:
         """The file name of a program."""
@@ -106,10 +112,10 @@ class Registry:
             if name.startswith("#"):
                 del self._latest[name]
 
-    def add_text(self, text: str) -> int:
-        """The number of a message's text."""
-        self._texts.append(text)
-        return len(self._texts) - 1
+    def add_message(self, message: UserMessage) -> int:
+        """The number of a message."""
+        self._messages.append(message)
+        return len(self._messages) - 1
 
     def add_program(self, name: str) -> int:
         """The number of a program."""

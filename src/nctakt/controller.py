@@ -22,7 +22,7 @@ from nctakt.lists.machine import MachineConfiguration, MachineError, load_machin
 from nctakt.loading import NcText
 from nctakt.nc.syntax import Program
 from nctakt.plc import Plc
-from nctakt.results.run import Run, RunState, RunStatistics
+from nctakt.results.run import Run, RunState, RunStatistics, SaidMessage
 from nctakt.runtime_errors import realtime_diagnostic
 from nctakt.stimuli import Stimulus
 from nctakt.trace.events import EventChunk, EventDecoder
@@ -64,7 +64,7 @@ class Controller:
         self._stimuli: list[Stimulus] = []
         self._stimuli_from = 0
         self._plc: Plc | None = None
-        self._on_message: Callable[[int, str], None] | None = None
+        self._on_message: Callable[[SaidMessage], None] | None = None
 
     # --- state and variables --------------------------------------------------------------------
 
@@ -141,7 +141,7 @@ class Controller:
         signals: Sequence[str] | None = None,
         memory_trace: bool = True,
         record_writes: bool = True,
-        on_message: Callable[[int, str], None] | None = None,
+        on_message: Callable[[SaidMessage], None] | None = None,
         on_progress: Callable[[int, int | None], None] | None = None,
     ) -> Run:
         """Run programs one after another; their GLOBAL cycles, V.E and V.S variables live on.
@@ -312,9 +312,10 @@ class Controller:
 
     def _watch(self, events: EventChunk) -> None:
         """Messages are said as they come; errors of the realtime part become diagnostics."""
-        for event in events:
+        for event, subject in zip(events, events.subjects(), strict=True):
             if event.kind == "message" and self._on_message is not None:
-                self._on_message(event.time_us, event.text)
+                style = self._machine.registry.message_style(subject)
+                self._on_message(SaidMessage(event.time_us, event.text, *style))
             elif event.kind in ("error", "warning"):
                 found = realtime_diagnostic(event, self._machine)
                 if found is not None:

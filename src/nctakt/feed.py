@@ -100,7 +100,7 @@ class Feed:
             return
         place = 0
         if isinstance(command, commands.UserMessage):
-            place = self._machine.registry.add_text(command.text)
+            place = self._machine.registry.add_message(command)
         if isinstance(command, commands.ProgramEnd):
             place = self._number
         self._put(command, place)

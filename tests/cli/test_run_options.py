@@ -21,7 +21,7 @@ from nctakt.cli import main
 from nctakt.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.plc import PlcError
-from nctakt.results.run import Run
+from nctakt.results.run import Run, SaidMessage
 from nctakt.stimuli import Stimulus
 from nctakt.trace import Event, Signal, TraceHeader
 
@@ -156,8 +156,10 @@ def test_messages_and_summary_go_out_and_diagnostics_to_stderr(
 ) -> None:
     """What programs say is printed with its time, without control characters, and kept."""
 
-    def behave(on_message: Callable[[int, str], None], **_: Any) -> Run:
-        on_message(463_000, "half way\x1b[2J")
+    def behave(on_message: Callable[[SaidMessage], None], **_: Any) -> Run:
+        on_message(SaidMessage(463_000, "half way\x1b[2J"))
+        on_message(SaidMessage(464_000, "no stamp, ", exclusive=True, unbroken=True))
+        on_message(SaidMessage(465_000, "one line", exclusive=True))
         return result(diagnostics=(diagnostic(900531), diagnostic(900504)))
 
     asked.behave = behave
@@ -168,15 +170,15 @@ def test_messages_and_summary_go_out_and_diagnostics_to_stderr(
     assert "note 900531" in shown.err
     assert "error 900504" in shown.err
     said = (tmp_path / "said.txt").read_text(encoding="utf-8")
-    assert said == "0.463000 s  half way·[2J\n"
+    assert said == "0.463000 s  half way·[2J\nno stamp, one line\n"
 
 
 @pytest.mark.usefixtures("part")
 def test_quiet_leaves_errors_and_messages(asked: Asked, capsys: pytest.CaptureFixture[str]) -> None:
     """With --quiet there is neither summary nor note."""
 
-    def behave(on_message: Callable[[int, str], None], **_: Any) -> Run:
-        on_message(0, "hello")
+    def behave(on_message: Callable[[SaidMessage], None], **_: Any) -> Run:
+        on_message(SaidMessage(0, "hello"))
         return result(diagnostics=(diagnostic(900531), diagnostic(900504)))
 
     asked.behave = behave

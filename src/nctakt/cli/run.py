@@ -25,6 +25,7 @@ from nctakt.cli.terminal import (
     ProgressBar,
     message_line,
     print_diagnostics,
+    saved_message,
     show_at_the_end,
 )
 from nctakt.diagnostics import Severity
@@ -34,7 +35,7 @@ from nctakt.messages import diagnostic
 if TYPE_CHECKING:
     from nctakt.controller import Controller
     from nctakt.results.report import DiagnosisSink
-    from nctakt.results.run import Run
+    from nctakt.results.run import Run, SaidMessage
     from nctakt.trace.sinks import Sink
 
 _EPILOG = """\b
@@ -181,12 +182,11 @@ def _run_controller(
 
     bar = ProgressBar()
 
-    def show_message(time_us: int, text: str) -> None:
-        line = message_line(time_us, text)
+    def show_message(said: SaidMessage) -> None:
         bar.hide()
-        click.echo(line)
+        click.echo(message_line(said.time_us, said.text))
         if messages is not None:
-            messages.write(f"{line}\n")
+            messages.write(saved_message(said))
 
     def show_progress(tick: int, limit: int | None) -> None:
         interrupt.check()

@@ -28,6 +28,8 @@ from nctakt.messages import diagnostic
 if TYPE_CHECKING:
     from rich.progress import Progress
 
+    from nctakt.results.run import SaidMessage
+
 #: Seconds of wall-clock time after which the progress bar appears.
 PATIENCE_S = 1.0
 
@@ -51,8 +53,21 @@ def print_diagnostics(
 
 def message_line(time_us: int, text: str) -> str:
     """A message of a program with its virtual time, on one line."""
-    shown = "".join(character if character.isprintable() else "·" for character in text)
-    return f"{time_us // 1_000_000}.{time_us % 1_000_000:06d} s  {shown}"
+    return f"{_seconds(time_us)}  {_printable(text)}"
+
+
+def saved_message(said: SaidMessage) -> str:
+    """What the message file gets: time stamp and line end unless the message forbids them."""
+    stamp = "" if said.exclusive else f"{_seconds(said.time_us)}  "
+    return f"{stamp}{_printable(said.text)}" + ("" if said.unbroken else "\n")
+
+
+def _seconds(time_us: int) -> str:
+    return f"{time_us // 1_000_000}.{time_us % 1_000_000:06d} s"
+
+
+def _printable(text: str) -> str:
+    return "".join(character if character.isprintable() else "·" for character in text)
 
 
 def show_at_the_end(show: Callable[[TextIO], None]) -> None:

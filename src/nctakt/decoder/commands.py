@@ -98,9 +98,14 @@ class WriteVariable(Command):
 
 @dataclass(frozen=True, slots=True)
 class UserMessage(Command):
-    """A ``#MSG`` text, already formatted."""
+    """A ``#MSG`` text, already formatted.
+
+    For the message file: ``exclusive`` leaves out its time stamp, ``unbroken`` its line end.
+    """
 
     text: str
+    exclusive: bool = False
+    unbroken: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -286,7 +286,8 @@ class ProgramDecoder:
             text = format_text(statement.format.value, values)
         except FormatError as error:
             self._values.fail(900304, statement.format.span, found=str(error))
-        yield UserMessage(source, number, text)
+        options = [option.name for option in statement.options]
+        yield UserMessage(source, number, text, "EXCLUSIVE" in options, "CONTINUE" in options)
 
 
 def _keyword(

@@ -25,6 +25,19 @@ NO_FREQUENCY = ""
 
 
 @dataclass(frozen=True, slots=True)
+class SaidMessage:
+    """A ``#MSG`` as it comes; ``exclusive`` and ``unbroken`` are for the message file.
+
+    There it stands without its time stamp if it is exclusive, without line end if unbroken.
+    """
+
+    time_us: int
+    text: str
+    exclusive: bool = False
+    unbroken: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Reaction:
     """A branch of a realtime cycle: its place and ``ONCE``, ``EDGE``, ``ALWAYS`` or nothing."""
 

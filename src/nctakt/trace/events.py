@@ -194,6 +194,10 @@ class EventChunk(Sequence[Event]):
     def __getitem__(self, index: int | slice) -> Event | Sequence[Event]:
         return self._decoded()[index]
 
+    def subjects(self) -> Iterator[int]:
+        """The number that each event is about: of a cycle, a message or a program."""
+        return (int(row[3]) for row in _ROW.iter_unpack(self._data))
+
     def _decoded(self) -> list[Event]:
         if self._events is None:
             self._events = self._decoder.decode(self._data)

@@ -187,7 +187,7 @@ def _apply(text: BlockText, operator: _Pending, operands: list[Sized]) -> None:
         operand = right.node
         if operator.symbol == "-" and isinstance(operand, Number):
             span = text.span(operator.start, text.pos)
-            operands.append(Sized(Number(span, -operand.value), 1))
+            operands.append(Sized(Number(span, 0.0 - operand.value), 1))
             return
         height = right.height + 1
         node: Expression = Unary(text.span(operator.start, text.pos), operator.symbol, operand)

@@ -25,7 +25,10 @@ EXIT_USAGE = 2
 EXIT_INTERNAL = 3
 
 #: Subcommands and the modules that hold them as ``command``.
-_COMMANDS = {"run": "nctakt.cli.run"}
+_COMMANDS = {
+    "run": "nctakt.cli.run",
+    "explain": "nctakt.cli.explain",
+}
 
 
 class _LazyGroup(click.Group):

@@ -218,3 +218,21 @@ _add(
     remedy_de="war {nearest} gemeint?",
     parameters={"name": "the name", "nearest": "the nearest known name"},
 )
+_add(
+    900570,
+    ERROR,
+    "'{word}' is known to nobody here",
+    "'{word}' kennt hier niemand",
+    remedy_en="nctakt explain without a word lists what can be asked for",
+    remedy_de="nctakt explain ohne Wort zeigt, wonach gefragt werden kann",
+    parameters={"word": "the word as it was given"},
+)
+_add(
+    900571,
+    ERROR,
+    "'{word}' is known to nobody here",
+    "'{word}' kennt hier niemand",
+    remedy_en="did you mean {nearest}?",
+    remedy_de="ist {nearest} gemeint?",
+    parameters={"word": "the word as it was given", "nearest": "the nearest known word"},
+)

@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: MIT
+"""Articles about the language: words, commands, functions, operators, keywords of cycles."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from nctakt.diagnostics import Text
+from nctakt.nc import support
+from nctakt.nc.keywords import KEYWORDS, KeywordMeaning
+from nctakt.nc.operators import CONSTANTS, FUNCTIONS, INFIX, PREFIX, Function, Operator
+from nctakt.nc.support import Answer, Entry, Kind
+from nctakt.reference.article import Article, Fact, Topic, fact
+
+KINDS = {
+    Kind.G_FUNCTION: Text("G function", "G-Funktion"),
+    Kind.M_FUNCTION: Text("M function", "M-Funktion"),
+    Kind.TECHNOLOGY: Text(
+        "synchronisation of M and H functions", "Synchronisation von M- und H-Funktionen"
+    ),
+    Kind.WORD: Text("word", "Wort"),
+    Kind.CONTROL: Text("control word", "Steuerwort"),
+    Kind.COMMAND: Text("# command", "#-Befehl"),
+    Kind.VARIABLE: Text("variables", "Variablen"),
+    Kind.FUNCTION: Text("function of expressions", "Funktion in Ausdrücken"),
+    Kind.FORM: Text("form", "Form"),
+}
+ANSWERS = {
+    Answer.SIMULATED: Text("simulated", "simuliert"),
+    Answer.ACCEPTED: Text(
+        "accepted: checked, changes no position here",
+        "angenommen: wird geprüft, ändert hier keine Position",
+    ),
+    Answer.REFUSED: Text(
+        "refused: an error by name before the program runs",
+        "abgewiesen: ein Fehler mit Namen, bevor das Programm läuft",
+    ),
+}
+_CONSTANTS = {
+    "TRUE": Text("the value 1", "der Wert 1"),
+    "FALSE": Text("the value 0", "der Wert 0"),
+    "PI": Text("3.141592653589793", "3.141592653589793"),
+}
+_KEYWORD = Text("keyword of realtime cycles", "Schlüsselwort der Echtzeit-Zyklen")
+_PREFIX = Text("operator in front of a value", "Operator vor einem Wert")
+_INFIX = Text("operator between two values", "Operator zwischen zwei Werten")
+_CONSTANT = Text("constant of expressions", "Konstante in Ausdrücken")
+_COUNTS = Text("one elementary instruction", "eine Elementar-Anweisung")
+
+_NUMBERED = re.compile(r"([GMH])0*(\d+)")
+_PARAMETER = re.compile(r"P\d+|P\[.*\]")
+_FAMILY = re.compile(r"(V)S?(\.[A-Z_]+)(\..*)?")
+
+
+# --- words, commands -----------------------------------------------------------------------------
+
+
+def entry_article(entry: Entry) -> Article:
+    """The article of a row of the support table."""
+    facts = [fact("In nctakt", "In nctakt", ANSWERS[entry.answer])]
+    if entry.group:
+        others = ", ".join(
+            other.name
+            for other in support.entries()
+            if other.group == entry.group and other.name != entry.name
+        )
+        facts.append(fact("Not together with", "Nicht zusammen mit", others))
+    return Article(entry.name, KINDS[entry.kind], entry.meaning, tuple(facts))
+
+
+def _entries() -> Iterator[Entry]:
+    return (entry for entry in support.entries() if entry.kind is not Kind.FUNCTION)
+
+
+def _all_words() -> Iterator[Article]:
+    return (entry_article(entry) for entry in _entries())
+
+
+def _find_word(word: str) -> tuple[Article, ...]:
+    known = {entry.name.upper(): entry for entry in _entries()}
+    for candidate in _spellings(word):
+        if candidate in known:
+            return (entry_article(known[candidate]),)
+    return ()
+
+
+def _spellings(word: str) -> Iterator[str]:
+    """The word as the table may have it, from the nearest reading to the widest."""
+    text = " ".join(word.upper().split())
+    yield text
+    numbered = _NUMBERED.fullmatch(text)
+    if numbered is not None:
+        letter, number = numbered[1], int(numbered[2])
+        yield f"{letter}{number:02}"
+        yield f"{letter}{number}"
+        if letter != "G":
+            yield letter
+    if text.startswith("#"):
+        words = text.split()
+        for count in range(len(words) - 1, 0, -1):
+            yield " ".join(words[:count])
+    elif text.startswith("$"):
+        yield {"$ELSEIF": "$IF", "$ELSE": "$IF", "$UNTIL": "$REPEAT"}.get(text, text)
+        yield text.replace("$END", "$")
+        yield {"$CASE": "$SWITCH", "$DEFAULT": "$SWITCH"}.get(text, text)
+    elif _PARAMETER.fullmatch(text):
+        yield "P"
+    family = _FAMILY.fullmatch(text)
+    if family is not None and family[2] not in (".RTA", ".RTG"):
+        yield family[1] + family[2]
+
+
+def _word_names() -> Iterator[str]:
+    return (entry.name for entry in _entries())
+
+
+WORDS = Topic(
+    "words",
+    Text("Words and commands of NC programs", "Wörter und Befehle der NC-Programme"),
+    ("G01", "M30", '"#RT CYCLE"', "'$IF'"),
+    _all_words,
+    _find_word,
+    _word_names,
+)
+
+
+# --- expressions ---------------------------------------------------------------------------------
+
+
+def operator_article(operator: Operator, *, is_prefix: bool) -> Article:
+    """The article of an operator."""
+    side = Text("left to right", "von links nach rechts")
+    if operator.right_associative:
+        side = Text("right to left", "von rechts nach links")
+    facts = [
+        fact("Values", "Werte", operator.domain),
+        fact("Precedence", "Rang", operator.precedence),
+    ]
+    if not is_prefix:
+        facts.append(fact("Grouped", "Reihenfolge", side))
+    facts.append(fact("Counts", "Zählt", _COUNTS))
+    kind = _PREFIX if is_prefix else _INFIX
+    return Article(operator.symbol, kind, operator.meaning, tuple(facts))
+
+
+def function_article(function: Function) -> Article:
+    """The article of a function."""
+    letters = ", ".join("ab"[: function.maximum])
+    facts = [
+        fact("Written", "Schreibweise", f"{function.name}[{letters}]"),
+        fact("Values", "Werte", function.domain),
+    ]
+    entry = support.answer_function(function.name)
+    assert entry is not None
+    if function.decoder_only:
+        place = Text("not in realtime cycles", "nicht in Echtzeit-Zyklen")
+        facts.append(fact("Place", "Ort", place))
+    else:
+        facts.append(fact("Counts", "Zählt", _COUNTS))
+    facts.append(fact("In nctakt", "In nctakt", ANSWERS[entry.answer]))
+    return Article(function.name, KINDS[Kind.FUNCTION], function.meaning, tuple(facts))
+
+
+def _constant_article(name: str) -> Article:
+    return Article(name, _CONSTANT, _CONSTANTS[name], (fact("Counts", "Zählt", "0"),))
+
+
+def _all_expressions() -> Iterator[Article]:
+    yield from (operator_article(one, is_prefix=True) for one in PREFIX.values())
+    yield from (operator_article(one, is_prefix=False) for one in INFIX.values())
+    yield from map(function_article, FUNCTIONS.values())
+    yield from map(_constant_article, CONSTANTS)
+
+
+def _find_expression(word: str) -> tuple[Article, ...]:
+    name = word.upper().split("[", maxsplit=1)[0].strip()
+    return tuple(article for article in _all_expressions() if article.name == name)
+
+
+def _expression_names() -> Iterator[str]:
+    return iter((*PREFIX, *INFIX, *FUNCTIONS, *CONSTANTS))
+
+
+EXPRESSIONS = Topic(
+    "expressions",
+    Text("Operators, functions, constants", "Operatoren, Funktionen, Konstanten"),
+    ("SQRT", "MOD", "'**'"),
+    _all_expressions,
+    _find_expression,
+    _expression_names,
+)
+
+
+# --- keywords ------------------------------------------------------------------------------------
+
+
+def _keyword_article(keyword: KeywordMeaning) -> Article:
+    facts: tuple[Fact, ...] = (fact("Example", "Beispiel", keyword.example),)
+    return Article(keyword.name, _KEYWORD, keyword.meaning, facts)
+
+
+def _find_keyword(word: str) -> tuple[Article, ...]:
+    name = word.upper().removeprefix("#RT CYCLE ").strip()
+    return tuple(_keyword_article(one) for one in KEYWORDS.values() if one.name.upper() == name)
+
+
+KEYWORDS_TOPIC = Topic(
+    "keywords",
+    Text("Keywords of realtime cycles", "Schlüsselwörter der Echtzeit-Zyklen"),
+    ("ONCE", "SCOPE", "MOVE_CONT"),
+    lambda: map(_keyword_article, KEYWORDS.values()),
+    _find_keyword,
+    lambda: iter(KEYWORDS),
+)

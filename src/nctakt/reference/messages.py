@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""Articles about messages, from the catalogue (RC-602)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from nctakt.diagnostics import Message, Severity, Text
+from nctakt.messages import CATALOGUE
+from nctakt.messages.classes import CLEARINGS, REACTIONS
+from nctakt.messages.meanings import german
+from nctakt.reference.article import Article, Fact, Topic, fact, same
+
+FIRST_OWN, LAST_OWN = 900_000, 999_999
+
+_KINDS = {
+    Severity.ERROR: Text("error", "Fehler"),
+    Severity.WARNING: Text("warning", "Warnung"),
+    Severity.NOTE: Text("note", "Hinweis"),
+}
+
+
+def is_own(message: Message) -> bool:
+    """Whether the number is one of nctakt's, not of the controller."""
+    return FIRST_OWN <= message.id <= LAST_OWN
+
+
+def article(message: Message) -> Article:
+    """The article of one message."""
+    level = _KINDS[message.severity]
+    whose = Text("of nctakt", "von nctakt")
+    if not is_own(message):
+        whose = Text("of the controller", "der Steuerung")
+    kind = Text(f"{level.en} {whose.en}", f"{level.de} {whose.de}")
+    return Article(str(message.id), kind, message.text, tuple(_facts(message)))
+
+
+def _facts(message: Message) -> Iterator[Fact]:
+    if message.cause.en:
+        yield fact("Cause", "Ursache", message.cause)
+    if message.remedy.en:
+        yield fact("Remedy", "Abhilfe", message.remedy)
+    for name, meaning in message.parameters.items():
+        yield Fact(same(f"{{{name}}}"), Text(meaning, german(meaning)))
+    if message.reaction:
+        yield fact("Effect", "Wirkung", _class(message.reaction, REACTIONS[message.reaction]))
+        yield fact(
+            "Cleared by", "Gelöscht durch", _class(message.clearing, CLEARINGS[message.clearing])
+        )
+    if message.known_as:
+        yield fact("Also known as", "Auch bekannt als", ", ".join(map(str, message.known_as)))
+
+
+def _class(number: int, meaning: Text) -> Text:
+    return Text(f"{meaning.en} (class {number})", f"{meaning.de} (Klasse {number})")
+
+
+def _all() -> Iterator[Article]:
+    for message in sorted(CATALOGUE, key=lambda one: one.id):
+        yield article(message)
+
+
+def _find(word: str) -> tuple[Article, ...]:
+    if not (word.isascii() and word.isdigit()):
+        return ()
+    number = int(word)
+    if number in CATALOGUE:
+        return (article(CATALOGUE[number]),)
+    return tuple(article(message) for message in CATALOGUE if number in message.known_as)
+
+
+def _names() -> Iterator[str]:
+    return (str(message.id) for message in CATALOGUE)
+
+
+MESSAGES = Topic(
+    "messages",
+    Text("Messages by their number", "Meldungen nach ihrer Nummer"),
+    ("22009", "50879", "900213"),
+    _all,
+    _find,
+    _names,
+)

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt explain`` as a user meets it."""
+
+from __future__ import annotations
+
+import pytest
+
+from nctakt.cli import main
+from nctakt.reference.article import Topic
+from nctakt.reference.layout import WIDTH
+from nctakt.reference.topics import TOPICS
+
+Captured = pytest.CaptureFixture[str]
+
+
+def test_message(capsys: Captured) -> None:
+    """RC-602: text, cause, remedy, parameters and classes of a message."""
+    assert main(["explain", "22009"]) == 0
+    assert capsys.readouterr().out == (
+        "22009: error of the controller\n"
+        "  {name} is asynchronous and cannot be written in a realtime cycle\n"
+        "    Cause       An asynchronous variable is read once, when the definition is decoded, and"
+        " is a\n"
+        "                constant in the cycle from then on.\n"
+        "    Remedy      V.E and V.CH: synchronisation TRUE in the variables list, or Vs. for this"
+        " block\n"
+        "    {name}      the variable\n"
+        "    Effect      the program is given up; what is prepared is still finished; error state"
+        " (class 2)\n"
+        "    Cleared by  a reset of the channel (class 3)\n"
+    )
+
+
+def test_parameter_in_german(capsys: Captured) -> None:
+    """RC-5xx: ID, name, range, unit and default of a parameter, in the language asked for."""
+    assert main(["explain", "P-CHAN-00425", "--lang", "de"]) == 0
+    assert capsys.readouterr().out == (
+        "P-CHAN-00425 rt_cycles.max_duration: Parameter, Kanalliste\n"
+        "  Anteil am CNC-Takt, den alle Echtzeit-Zyklen zusammen nutzen dürfen\n"
+        "    Typ           UNS16\n"
+        "    Bereich       1 … 65534\n"
+        "    Einheit       %\n"
+        "    Standardwert  75\n"
+        "    In nctakt     wirkt\n"
+    )
+
+
+def test_several_words(capsys: Captured) -> None:
+    """Several words are explained one after another, the same thing once."""
+    assert main(["explain", "ONCE", "EDGE", "once"]) == 0
+    heads = [line for line in capsys.readouterr().out.split("\n") if line and line[0] != " "]
+    assert heads == ["ONCE: keyword of realtime cycles", "EDGE: keyword of realtime cycles"]
+
+
+def test_command_of_two_words(capsys: Captured) -> None:
+    """A # command may be given as one argument or as its words."""
+    assert main(["explain", "#RT CYCLE"]) == 0
+    together = capsys.readouterr().out
+    assert main(["explain", "#RT", "CYCLE"]) == 0
+    assert capsys.readouterr().out == together
+
+
+def test_misspelt(capsys: Captured) -> None:
+    """An unknown word suggests the nearest; the known ones are explained all the same."""
+    assert main(["explain", "SQRTT", "MOD"]) == 2
+    captured = capsys.readouterr()
+    assert captured.out.startswith("MOD: operator between two values\n")
+    assert "error 900571: 'SQRTT'" in captured.err
+    assert "did you mean SQRT?" in captured.err
+
+
+def test_unknown(capsys: Captured) -> None:
+    """A word like nothing that is known says how to find out what is."""
+    assert main(["explain", "@@@", "--lang", "de"]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("Fehler 900570: '@@@'")
+
+
+def test_topics(capsys: Captured) -> None:
+    """Without words the topics are listed, each with examples that can be explained."""
+    assert main(["explain"]) == 0
+    told = capsys.readouterr().out
+    for topic in TOPICS:
+        assert f"  {topic.word} " in told
+        for example in topic.examples:
+            assert main(["explain", example.strip("'\"")]) == 0
+
+
+@pytest.mark.parametrize("topic", TOPICS, ids=lambda topic: topic.word)
+def test_topic_lists_its_words(topic: Topic, capsys: Captured) -> None:
+    """The name of a topic lists all that it knows, one line each."""
+    word = topic.word
+    assert main(["explain", word]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == len(list(topic.articles()))
+
+
+def test_lines_are_short(capsys: Captured) -> None:
+    """No line is wider than a terminal of 100 columns unless a word is."""
+    numbers = [article.name for article in TOPICS[0].articles()]
+    assert main(["explain", *numbers]) == 0
+    assert all(len(line) <= WIDTH for line in capsys.readouterr().out.splitlines())

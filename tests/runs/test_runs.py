@@ -3,16 +3,22 @@
 
 Each folder beside this file is a test: programs, ``run.toml`` with values and limits where needed,
 and ``expected.trace``. Its README derives the trace from the rules. Lines of ``expected.trace``:
-``value <tick> <signal> <number>`` and ``event <tick> <kind> <text>``; all events are listed.
+``value <tick> <signal> <number>``; ``event <tick> <kind> <text>``, where all events are listed, and
+all notices if there is one; ``diagnostic <number> <line> <words>``, where all errors are listed if
+there is one. Without ``exit = 1`` in ``run.toml`` a run has no errors.
 """
 
 from __future__ import annotations
 
+import shutil
 import tomllib
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+import nctakt
 from nctakt.controller import Controller
 from nctakt.plc import load_plc
 from nctakt.results.run import Run
@@ -20,14 +26,35 @@ from nctakt.stimuli import Stimulus
 
 HERE = Path(__file__).parent
 FOLDERS = sorted(folder.parent.name for folder in HERE.glob("*/expected.trace"))
+DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
 
 
-def perform(folder: Path, names: set[str]) -> Run:
+def settings(folder: Path) -> dict[str, Any]:
+    """What ``run.toml`` says."""
+    file = folder / "run.toml"
+    return tomllib.loads(file.read_text("utf-8")) if file.exists() else {}
+
+
+def changed_machine(changes: Mapping[str, Sequence[str]], target: Path) -> Path:
+    """The demo machine with other lines for the same entries of its lists, or further ones."""
+    shutil.copytree(DEMO, target)
+    for name, lines in changes.items():
+        entries = {line.split()[0]: line for line in lines}
+        kept = [
+            line
+            for line in (target / name).read_text("utf-8").splitlines()
+            if not line.split() or line.split()[0] not in entries
+        ]
+        (target / name).write_text("\n".join([*entries.values(), *kept, ""]), "utf-8")
+    return target
+
+
+def perform(folder: Path, names: set[str], work: Path) -> Run:
     """Run the programs of a folder and record the signals ``names``."""
-    settings = folder / "run.toml"
-    given = tomllib.loads(settings.read_text("utf-8")) if settings.exists() else {}
+    given = settings(folder)
+    machine = given.get("machine")
     plc = given.get("plc")
-    return Controller().run(
+    return Controller(None if machine is None else changed_machine(machine, work / "machine")).run(
         *sorted(folder.glob("*.nc")),
         plc=None if plc is None else load_plc(folder / plc),
         initial=given.get("set", {}),
@@ -38,30 +65,55 @@ def perform(folder: Path, names: set[str]) -> Run:
     )
 
 
-def expectations(folder: Path) -> tuple[list[tuple[int, str, float]], list[str]]:
-    """The expected values and the expected events, as ``<tick> <kind> <text>``."""
+def expectations(folder: Path) -> tuple[list[tuple[int, str, float]], list[str], list[str]]:
+    """The expected values, the expected events as ``<tick> <kind> <text>``, the diagnostics."""
     values: list[tuple[int, str, float]] = []
     events: list[str] = []
+    diagnostics: list[str] = []
     for line in (folder / "expected.trace").read_text("utf-8").splitlines():
         words = line.split()
         if not words or words[0].startswith("#"):
             continue
         if words[0] == "value":
             values.append((int(words[1]), words[2], float(words[3])))
+        elif words[0] == "diagnostic":
+            diagnostics.append(line.removeprefix("diagnostic ").strip())
         else:
             assert words[0] == "event", line
             events.append(line.removeprefix("event ").strip())
-    return values, events
+    return values, events, diagnostics
+
+
+def settled(event: str) -> str:
+    """An event whose value, where it has one, is rounded to a millionth of a thousandth."""
+    tick, kind, text = event.split(" ", 2)
+    if kind != "written":
+        return event
+    name, value = text.rsplit(" ", 1)
+    return f"{tick} {kind} {name} {round(float(value), 9) + 0.0:g}"
 
 
 @pytest.mark.parametrize("name", FOLDERS)
-def test_run_has_the_trace_that_was_worked_out_by_hand(name: str) -> None:
+def test_run_has_the_trace_that_was_worked_out_by_hand(name: str, tmp_path: Path) -> None:
     """Every event and every listed value of the run is as the folder's README derives it."""
     folder = HERE / name
-    values, events = expectations(folder)
-    run = perform(folder, {signal for _, signal, _ in values})
-    found = [f"{event.tick} {event}" for event in run.events if event.kind != "notice"]
-    assert found == events
+    values, events, diagnostics = expectations(folder)
+    run = perform(folder, {signal for _, signal, _ in values}, tmp_path)
+    with_notices = any(event.split()[1] == "notice" for event in events)
+    found = [
+        settled(f"{event.tick} {event}")
+        for event in run.events
+        if with_notices or event.kind != "notice"
+    ]
+    assert found == [settled(event) for event in events]
     assert run.trace is not None
     for tick, signal, number in values:
         assert run.trace.at(tick, signal) == pytest.approx(number, abs=1e-9), (tick, signal)
+    assert bool(run.errors) == bool(settings(folder).get("exit", 0))
+    if diagnostics:
+        assert len(run.errors) == len(diagnostics)
+    for error, expected in zip(run.errors, diagnostics, strict=False):
+        number, line, words = expected.split(" ", 2)
+        assert error.span is not None
+        assert (error.id, error.span.line) == (int(number), int(line))
+        assert words in error.text("en"), expected

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: MIT
+"""What rtconf.lis means beyond its list: the schedule simulated, analysed and drawn.
+
+In: the effective configuration (``lists.rtconf``) and a load, the threads' execution times. Out:
+response times, overflows, suspensions, Windows' share; pictures and traces. All times inside are
+integer nanoseconds; same inputs give the same results.
+"""

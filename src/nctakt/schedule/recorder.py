@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""Keeps all that happens in the first cycles of a simulation, for pictures and traces.
+
+In: what the simulation tells. Out: ``Record``. Pieces of one job that follow each other without a
+gap are one segment.
+"""
+
+from __future__ import annotations
+
+from nctakt.schedule.results import Event, EventKind, Job, Record, Segment
+
+
+class Recorder:
+    """Records ``cycles`` cycles, then it is closed."""
+
+    def __init__(self, cycles: int) -> None:
+        self.cycles = cycles
+        self.is_open = cycles > 0
+        self._begin: int | None = None
+        self._end = 0
+        self._segments: list[Segment] = []
+        self._events: list[Event] = []
+        self._jobs: list[Job] = []
+        self._numbers: dict[int, int] = {}
+        self._newest: dict[int, int] = {}
+        self._suspended: dict[int, int] = {}
+
+    def interrupt(self, now: int, cycle: int) -> None:
+        """The NC interrupt that opens ``cycle``."""
+        if self._begin is None:
+            self._begin = now
+        self.event(Event(now, EventKind.INTERRUPT, -1, cycle))
+        for task, left in self._suspended.items():
+            self.event(Event(now, EventKind.RESUME, task, left))
+        self._suspended.clear()
+
+    def suspend(self, now: int, task: int, left: int) -> None:
+        """``task`` is stopped up to the next NC interrupt, with ``left`` ns of work."""
+        self._suspended[task] = left
+        self.event(Event(now, EventKind.SUSPEND, task, left))
+
+    def event(self, event: Event) -> None:
+        """Something happens."""
+        self._events.append(event)
+
+    def job(self, task: int, due: int, now: int, times: tuple[int, ...]) -> None:
+        """A job of ``task`` is there from ``now`` on; it was due at ``due``."""
+        number = self._numbers.get(task, 0)
+        self._numbers[task] = number + 1
+        self._jobs.append(Job(task, number, due, times))
+        self.event(Event(now, EventKind.RELEASE, task, number))
+
+    def segment(self, cpu: int, begin: int, end: int, task: int, overhead: int) -> None:
+        """``task`` has a processor for a while."""
+        job = self._numbers[task] - 1
+        place = self._newest.get(cpu)
+        if place is not None and not overhead:
+            last = self._segments[place]
+            if (last.end, last.task, last.job) == (begin, task, job):
+                self._segments[place] = Segment(cpu, last.begin, end, task, job, last.overhead)
+                return
+        self._newest[cpu] = len(self._segments)
+        self._segments.append(Segment(cpu, begin, end, task, job, overhead))
+
+    def close(self, now: int) -> None:
+        """The last cycle that is recorded has ended."""
+        self.is_open = False
+        self._end = now
+
+    def result(self) -> Record:
+        """All of it, in the order of time."""
+        events = sorted(self._events, key=lambda event: event.time)
+        segments = sorted(self._segments, key=lambda one: (one.begin, one.cpu))
+        begin = 0 if self._begin is None else self._begin
+        return Record(begin, self._end, tuple(segments), tuple(events), tuple(self._jobs))

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""Finds out that a schedule repeats itself, and counts the rest of it.
+
+In: the state at the start of each hyperperiod. Out: how many cycles need no simulation, their
+numbers added. Only for models without chance, where equal states have equal futures. One state is
+kept, a newer one after 1, 2, 4, 8 … hyperperiods (Brent), so that memory is constant.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from nctakt.schedule.simulate import SchedulerState
+
+
+class Repetition:
+    """Looks for a state of the schedule that was there before."""
+
+    def __init__(self) -> None:
+        #: After how many cycles the schedule repeats, once that is known.
+        self.period: int | None = None
+        self._kept: tuple[object, ...] | None = None
+        self._cycle = 0
+        self._numbers: list[list[int]] = []
+        self._patience = 1
+        self._seen = 0
+
+    def cycles_to_skip(self, state: SchedulerState, cycle: int, cycles: int, now: int) -> int:
+        """How many of the remaining cycles are whole repetitions; they are counted already."""
+        if self.period is not None or cycle % state.hyperperiod:
+            return 0
+        key = state.key(now)
+        if key == self._kept:
+            self.period = cycle - self._cycle
+            times = (cycles - cycle) // self.period
+            state.counters.repeat(self._numbers, times)
+            skipped = times * self.period
+            state.shift(skipped * state.model.train.distance)
+            return skipped
+        self._seen += 1
+        if self._kept is None or self._seen == self._patience:
+            self._kept, self._cycle = key, cycle
+            self._numbers = state.counters.snapshot()
+            self._patience, self._seen = 2 * self._patience, 0
+        return 0

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: MIT
+"""What a simulation gives back: numbers per task and of Windows, and a record for pictures.
+
+All times in integer nanoseconds. Numbers cover whole NC cycles, from the first interrupt on.
+"""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+
+from nctakt.schedule.model import Model
+
+
+@dataclass(frozen=True, slots=True)
+class TaskNumbers:
+    """One task over a simulation; responses count from the moment when the job was due.
+
+    ``due``: activations. ``completed``: jobs that ended. ``lost``: activations that never became
+    a job. ``suspensions``: cycles in which it was stopped for Windows with work left.
+    ``response_*`` are ``None`` without a completed job; ``unfinished_since``: when the job that
+    is still busy at the end was due.
+    """
+
+    due: int
+    completed: int
+    overflows: int
+    lost: int
+    suspensions: int
+    busy: int
+    response_min: int | None
+    response_sum: int
+    response_max: int | None
+    unfinished_since: int | None
+    first_overflow: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class WindowsNumbers:
+    """Windows on one processor (``cpu`` 0: their sum) over a simulation.
+
+    ``violated``: cycles in which it got less than guaranteed; ``culprits``: in how many of them
+    each task ran within its time, in the order of the tasks; ``late``: in how many the
+    suspension came too late.
+    """
+
+    cpu: int
+    total: int
+    least: int
+    most: int
+    violated: int
+    culprits: tuple[int, ...]
+    late: int
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """A task has a processor from ``begin`` to ``end``; ``job`` counts the task's jobs.
+
+    ``overhead``: how much of it scheduling added when the task got the processor.
+    """
+
+    cpu: int
+    begin: int
+    end: int
+    task: int
+    job: int
+    overhead: int = 0
+
+
+class EventKind(enum.Enum):
+    """What happens at a moment."""
+
+    INTERRUPT = "NC"
+    RELEASE = "RELEASE"
+    OVERFLOW = "OVERFLOW"
+    SUSPEND = "SUSPEND"
+    RESUME = "RESUME"
+    END = "END"
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """``value``: the cycle of an interrupt, the work left at overflow and suspension, the
+    response at an end, the number of the job at a release."""
+
+    time: int
+    kind: EventKind
+    task: int
+    value: int
+
+
+@dataclass(frozen=True, slots=True)
+class Job:
+    """One activation: its calls' execution times in their order, in ns."""
+
+    task: int
+    number: int
+    due: int
+    times: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """All that happened in the first cycles, from ``begin`` to ``end``."""
+
+    begin: int
+    end: int
+    segments: tuple[Segment, ...]
+    events: tuple[Event, ...]
+    jobs: tuple[Job, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Simulation:
+    """A simulated schedule.
+
+    ``repeats_after``: the schedule was seen to repeat exactly with that many cycles, and the rest
+    was counted, not simulated; ``None``: each cycle was simulated. ``missed_suspensions``: cycles
+    that were over before their point of suspension.
+    """
+
+    model: Model
+    cycles: int
+    begin: int
+    end: int
+    tasks: tuple[TaskNumbers, ...]
+    windows: tuple[WindowsNumbers, ...]
+    missed_suspensions: int
+    suspended_cycles: int
+    repeats_after: int | None
+    record: Record
+
+    @property
+    def duration(self) -> int:
+        """From the first interrupt to the end, in ns."""
+        return self.end - self.begin
+
+    @property
+    def jobs(self) -> int:
+        """Completed jobs of all tasks."""
+        return sum(task.completed for task in self.tasks)

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""Several processors on which some tasks may run anywhere.
+
+In: the state of the scheduler, one cycle. Out: the time without work of each processor. A task
+that the operating system places stays where it runs; newly dispatched it takes the free processor
+with the lowest number, else the one with the least urgent task. It can be suspended only while
+Windows' processors are all that there is for it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from nctakt.schedule.model import ANY_CPU, Model
+
+if TYPE_CHECKING:
+    from nctakt.schedule.simulate import SchedulerState
+
+_NOWHERE = 0
+
+
+class Places:
+    """Which task runs where."""
+
+    def __init__(self, model: Model) -> None:
+        self._model = model
+        self._cpus = range(1, model.cpus + 1)
+        self._where = [_NOWHERE] * len(model.tasks)
+        self._at_stop = [_NOWHERE] * len(model.tasks)
+
+    @property
+    def state(self) -> tuple[int, ...]:
+        """The processor of each task, 0 for none."""
+        return tuple(self._where)
+
+    def cpu_at_stop(self, i: int) -> int:
+        """Where task ``i`` was when the cycle's point of suspension came."""
+        return self._at_stop[i]
+
+    def run(
+        self, state: SchedulerState, order: list[int], begin: int, stop: int, end: int
+    ) -> list[int]:
+        """One cycle; how long each processor (from 1) has no work. ``order``: by urgency."""
+        idle = [0] * (self._model.cpus + 1)
+        now = begin
+        is_stopped = now >= stop
+        self._at_stop = self._where[:]
+        while now < end:
+            self._assign(state, order, is_stopped=is_stopped)
+            running = [(i, cpu) for i, cpu in enumerate(self._where) if cpu != _NOWHERE]
+            until = end if is_stopped else stop
+            for i, cpu in running:
+                until = min(until, now + state.left[i] + state.switch(i, cpu))
+            free = [True] * len(idle)
+            for i, cpu in running:
+                free[cpu] = False
+                state.advance(i, cpu, now, until)
+                if until > stop and cpu in self._model.windows_cpus:
+                    state.counters.runs_late(cpu, i)
+            for cpu in self._cpus:
+                idle[cpu] += (until - now) * free[cpu]
+            now = until
+            if now >= stop and not is_stopped:
+                is_stopped = True
+                self._at_stop = self._where[:]
+        return idle
+
+    def _assign(self, state: SchedulerState, order: list[int], *, is_stopped: bool) -> None:
+        """Give the processors to the most urgent tasks."""
+        ready = [i for i in order if state.left[i] >= 0]
+        before = self._where
+        runner = {before[i]: i for i in ready if before[i] != _NOWHERE}
+        self._where = [_NOWHERE] * len(before)
+        taken: list[int] = []
+        for i in ready:
+            cpus = self._allowed(state, i, is_stopped=is_stopped)
+            open_cpus = [cpu for cpu in cpus if cpu not in taken]
+            if not open_cpus:
+                continue
+            if before[i] in open_cpus:
+                cpu = before[i]
+            else:
+                urgency = self._model.tasks
+                cpu = min(
+                    open_cpus,
+                    key=lambda one: (
+                        (one in runner, urgency[runner[one]].urgency, one)
+                        if one in runner
+                        else (False, 0, one)
+                    ),
+                )
+            taken.append(cpu)
+            self._where[i] = cpu
+
+    def _allowed(self, state: SchedulerState, i: int, *, is_stopped: bool) -> list[int]:
+        own = self._model.tasks[i].cpu
+        cpus = list(self._cpus) if own == ANY_CPU else [own]
+        if is_stopped and state.suspendable[i]:
+            return [cpu for cpu in cpus if cpu not in self._model.windows_cpus]
+        return cpus

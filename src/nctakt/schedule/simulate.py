@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: MIT
+"""A model -> its schedule in virtual time.
+
+In: ``Model``, the number of NC cycles. Out: ``Simulation``. Everything is released at NC
+interrupts, so within one cycle nothing is preempted: each processor works off its tasks in the
+order of their urgency, suspendable ones up to the point of suspension, the others up to the next
+interrupt, and what is left of the cycle is Windows'. At equal instants the order is: a job ends,
+a timer interrupt suspends, the NC interrupt releases, processors are given.
+
+When nothing is random, the state at the start of a cycle decides all that follows; once it comes
+back the rest is counted in whole repetitions, not simulated.
+"""
+
+from __future__ import annotations
+
+import random
+from collections import deque
+from math import lcm
+
+from nctakt.schedule.counters import Counters
+from nctakt.schedule.model import ANY_CPU, Model, TaskClass, suspension_point
+from nctakt.schedule.recorder import Recorder
+from nctakt.schedule.repetition import Repetition
+from nctakt.schedule.results import Event, EventKind, Simulation
+from nctakt.schedule.shared import Places
+from nctakt.schedule.work import Work
+
+#: No job: the work left of a task that waits.
+IDLE = -1
+#: Up to so many cycles of a hyperperiod the tasks due are looked up, not computed.
+_LONGEST_TABLE = 10_000
+
+
+def hyperperiod(model: Model) -> int:
+    """After how many NC cycles the same tasks are due again."""
+    return lcm(1, *(task.every for task in model.tasks))
+
+
+def simulate(
+    model: Model, cycles: int, *, record: int | None = None, repeat: bool = True
+) -> Simulation:
+    """Simulate ``cycles`` NC cycles (at least one).
+
+    ``record``: how many of the first cycles are recorded in full, by default one hyperperiod.
+    ``repeat``: count repetitions instead of simulating them, where that is exact.
+    """
+    assert cycles > 0
+    wanted = hyperperiod(model) if record is None else record
+    state = SchedulerState(model, min(cycles, wanted))
+    search = Repetition() if repeat and state.can_repeat else None
+    start = begin = state.interrupt(0)
+    cycle = 0
+    while cycle < cycles:
+        end = state.interrupt(cycle + 1)
+        state.run_cycle(cycle, begin, end)
+        begin = end
+        cycle += 1
+        if cycle == state.recorder.cycles:
+            state.recorder.close(begin)
+        if search is not None and cycle >= state.recorder.cycles:
+            skipped = search.cycles_to_skip(state, cycle, cycles, begin)
+            cycle += skipped
+            begin += skipped * model.train.distance
+    return state.result(cycles, start, begin, None if search is None else search.period)
+
+
+class SchedulerState:
+    """All that a cycle leaves to the next one."""
+
+    def __init__(self, model: Model, recorded: int) -> None:
+        tasks = model.tasks
+        self.model = model
+        self.hyperperiod = hyperperiod(model)
+        self.counters = Counters(model)
+        self.recorder = Recorder(recorded)
+        #: The work left of each task's job, when that job was due, its place in the queue.
+        self.left = [IDLE] * len(tasks)
+        self._due = [0] * len(tasks)
+        self._sequence = [0] * len(tasks)
+        self._next_sequence = 0
+        #: When the activations that are remembered behind that job were due.
+        self._waiting: list[deque[int]] = [deque() for _ in tasks]
+        self.suspendable = [task.kind is TaskClass.ASYNCHRONOUS for task in tasks]
+        self._chance = random.Random(model.seed)
+        extra = model.overheads.activation
+        self._work = [Work(task, extra, self._chance) for task in tasks]
+        #: What each processor (from 1) ran last.
+        self._last = [IDLE] * (model.cpus + 1)
+        self._place_tasks()
+        self._due_table = self._make_due_table()
+
+    def _place_tasks(self) -> None:
+        """The tasks of each processor, the most urgent first."""
+        tasks, cpus = self.model.tasks, range(1, self.model.cpus + 1)
+        is_free = self.model.cpus > 1 and any(task.cpu == ANY_CPU for task in tasks)
+        self._places = Places(self.model) if is_free else None
+        order = sorted(range(len(tasks)), key=lambda i: (-tasks[i].urgency, i))
+        self._order = [[i for i in order if tasks[i].cpu in (cpu, ANY_CPU)] for cpu in cpus]
+        self._has_ties = [
+            len({tasks[i].urgency for i in own}) < len(own) for own in (*self._order, order)
+        ]
+        self._in_order = order
+
+    def _make_due_table(self) -> list[list[int]]:
+        if self.hyperperiod > _LONGEST_TABLE:
+            return []
+        return [self._due_in(cycle) for cycle in range(self.hyperperiod)]
+
+    def _due_in(self, cycle: int) -> list[int]:
+        tasks = enumerate(self.model.tasks)
+        return [i for i, task in tasks if task.calls and cycle % task.every == 0]
+
+    @property
+    def can_repeat(self) -> bool:
+        """Whether nothing in the model is random."""
+        return not self.model.train.jitter and not any(work.is_random for work in self._work)
+
+    def key(self, now: int) -> tuple[object, ...]:
+        """All that decides the future, as it stands at the start of a cycle at ``now``."""
+        busy = [i for i, left in enumerate(self.left) if left != IDLE]
+        busy.sort(key=self._sequence.__getitem__)
+        return (
+            tuple(self.left),
+            tuple((i, now - self._due[i]) for i in busy),
+            tuple(tuple(now - due for due in waiting) for waiting in self._waiting),
+            tuple(work.state for work in self._work),
+            tuple(self._last),
+            None if self._places is None else self._places.state,
+            0 if self.model.is_synchronous else now % self.model.slice,
+        )
+
+    def shift(self, by: int) -> None:
+        """Go on ``by`` ns later in the same state."""
+        self._due = [due + by for due in self._due]
+        self._waiting = [deque(due + by for due in waiting) for waiting in self._waiting]
+
+    def interrupt(self, cycle: int) -> int:
+        """The moment of the NC interrupt that opens ``cycle``."""
+        train = self.model.train
+        moment = train.phase + cycle * train.distance
+        if train.jitter:
+            moment += self._chance.randint(-train.jitter, train.jitter)
+        return moment
+
+    def run_cycle(self, cycle: int, begin: int, end: int) -> None:
+        """One NC cycle, from its interrupt up to the next one."""
+        self._release(cycle, begin)
+        point = suspension_point(self.model, begin)
+        stop = end if point is None or point > end else point
+        if self._places is not None:
+            idle = self._places.run(self, self._by_urgency(self._in_order, -1), begin, stop, end)
+        else:
+            idle = [0]
+            for cpu in range(1, self.model.cpus + 1):
+                on_windows = cpu in self.model.windows_cpus
+                idle.append(self._run_cpu(cpu, begin, stop if on_windows else end, end))
+        suspends = point is not None and point <= end
+        self.counters.end_cycle(
+            idle,
+            point,
+            end,
+            is_missed=point is not None and not suspends,
+            suspended=suspends and self._suspend(stop),
+        )
+
+    def _release(self, cycle: int, begin: int) -> None:
+        recorder = self.recorder
+        if recorder.is_open:
+            recorder.interrupt(begin, cycle)
+        table = self._due_table
+        for i in table[cycle % self.hyperperiod] if table else self._due_in(cycle):
+            self.counters.due[i] += 1
+            if self.left[i] != IDLE:
+                self._overflow(i, begin)
+                continue
+            self._due[i] = begin
+            self._sequence[i] = self._next_sequence
+            self._next_sequence += 1
+            work = self._work[i]
+            self.left[i] = work.draw() if work.constant is None else work.constant
+            if recorder.is_open:
+                recorder.job(i, begin, begin, work.times)
+
+    def _overflow(self, i: int, begin: int) -> None:
+        """An activation finds its task busy."""
+        self.counters.overflow(i, begin)
+        if self.recorder.is_open:
+            self.recorder.event(Event(begin, EventKind.OVERFLOW, i, self.left[i]))
+        external = self.model.tasks[i].kind is TaskClass.EXTERNAL
+        policy = "queue" if external else self.model.rules.overflow
+        if policy == "queue" or (policy == "pend" and not self._waiting[i]):
+            self._waiting[i].append(begin)
+        else:
+            self.counters.lost[i] += 1
+
+    def _by_urgency(self, order: list[int], place: int) -> list[int]:
+        """``order``, in which equally urgent tasks stand in the order of their release."""
+        if not self._has_ties[place]:
+            return order
+        tasks, sequence = self.model.tasks, self._sequence
+        return sorted(order, key=lambda i: (-tasks[i].urgency, sequence[i]))
+
+    def _run_cpu(self, cpu: int, begin: int, stop: int, end: int) -> int:
+        """One processor's cycle; how long it has no work."""
+        now = begin
+        left = self.left
+        for i in self._by_urgency(self._order[cpu - 1], cpu - 1):
+            if left[i] == IDLE:
+                continue
+            got, limit = now, stop if self.suspendable[i] else end
+            while left[i] != IDLE and now < limit:
+                now = self.advance(i, cpu, now, min(now + left[i] + self.switch(i, cpu), limit))
+            if now > max(got, stop):
+                self.counters.runs_late(cpu, i)
+        return end - now
+
+    def switch(self, i: int, cpu: int) -> int:
+        """What it costs to give ``cpu`` to task ``i``."""
+        return 0 if self._last[cpu] == i else self.model.overheads.switch
+
+    def advance(self, i: int, cpu: int, now: int, until: int) -> int:
+        """Task ``i`` has the processor from ``now`` to ``until``, which is returned."""
+        overhead = self.switch(i, cpu)
+        self._last[cpu] = i
+        if self.recorder.is_open:
+            self.recorder.segment(cpu, now, until, i, overhead)
+        self.counters.busy[i] += until - now
+        left = self.left[i] + overhead - (until - now)
+        self.left[i] = left
+        if left == 0:
+            self._finish(i, until)
+        return until
+
+    def _finish(self, i: int, now: int) -> None:
+        """The job of task ``i`` ends; a remembered activation begins at once."""
+        response = now - self._due[i]
+        self.counters.finish(i, response)
+        recorder = self.recorder
+        if recorder.is_open:
+            recorder.event(Event(now, EventKind.END, i, response))
+        if not self._waiting[i]:
+            self.left[i] = IDLE
+            return
+        self._due[i] = self._waiting[i].popleft()
+        self.left[i] = self._work[i].draw()
+        if recorder.is_open:
+            recorder.job(i, self._due[i], now, self._work[i].times)
+
+    def _suspend(self, moment: int) -> bool:
+        """Stop what can be stopped on Windows' processors; whether there was anything."""
+        found = False
+        for i, suspendable in enumerate(self.suspendable):
+            if not suspendable or self.left[i] == IDLE:
+                continue
+            cpu = self.model.tasks[i].cpu
+            if cpu == ANY_CPU and self._places is not None:
+                cpu = self._places.cpu_at_stop(i)
+            if cpu == ANY_CPU or cpu in self.model.windows_cpus:
+                found = True
+                self.counters.suspensions[i] += 1
+                if self.recorder.is_open:
+                    self.recorder.suspend(moment, i, self.left[i])
+        return found
+
+    def result(self, cycles: int, begin: int, end: int, repeats: int | None) -> Simulation:
+        """What the simulation gives back."""
+        unfinished = [self._due[i] if left != IDLE else None for i, left in enumerate(self.left)]
+        return Simulation(
+            self.model,
+            cycles,
+            begin,
+            end,
+            self.counters.task_numbers(unfinished),
+            self.counters.windows_numbers(),
+            self.counters.missed,
+            self.counters.suspended_cycles,
+            repeats,
+            self.recorder.result(),
+        )

@@ -10,12 +10,14 @@ of ours, from 900000 on. One module per stage declares them:
 ``machine``           the machine folder and its parameters (900060 … 900079, 900086)
 ``variables``         the variables lists: V.E and V.CH (900080 … 900085)
 ``nc_text``           NC text: lexer and parser (900100 … 900199)
-``checked_blocks``    checked program: words and commands (900200 … 900212, 900229 … 900249)
+``checked_blocks``    checked program: words and commands (900200 … 900212, 900229 … 900234)
 ``checked_values``    checked program: variables and expressions (900213 … 900221, 900227 … 900228)
 ``checked_cycles``    checked program: control statements and realtime cycles (900222 … 900226)
+``lints``             checked program: what is likely meant otherwise (900235 … 900259)
 ``decoder``           the decoder, while it evaluates (900300 … 900399)
 ``realtime``          the realtime part (900400 … 900499)
-``outside``           command line, files, PLC, stimuli (900500 … 900549, 900570 … 900599)
+``outside``           command line, files, PLC, stimuli (900500 … 900549, 900570 … 900579)
+``checking``          the command ``nctakt check`` (900580 … 900599)
 ``diagnosis``         the lines of the realtime cycles' diagnosis data (900550 … 900569)
 ``unreached``         numbers of the controller that no program of nctakt reaches
 ====================  ==============================================================================
@@ -30,8 +32,10 @@ from nctakt.messages import (
     checked_blocks,
     checked_cycles,
     checked_values,
+    checking,
     decoder,
     diagnosis,
+    lints,
     lists,
     machine,
     nc_text,
@@ -55,9 +59,11 @@ for _stage in (
     checked_blocks,
     checked_values,
     checked_cycles,
+    lints,
     decoder,
     realtime,
     outside,
+    checking,
     diagnosis,
     unreached,
 ):

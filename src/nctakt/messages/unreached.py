@@ -33,17 +33,6 @@ def _add(
 
 
 _add(
-    20651,
-    "the command empties the channel: not while tool radius compensation is active",
-    "der Befehl leert den Kanal: nicht bei aktiver Werkzeugradiuskorrektur",
-    "A contour with compensation needs the blocks behind it. nctakt refuses G41 and G42 by name, "
-    "so the compensation is never active.",
-    "Eine Kontur mit Korrektur braucht die Sätze dahinter. nctakt weist G41 und G42 namentlich ab, "
-    "die Korrektur ist also nie aktiv.",
-    2,
-    3,
-)
-_add(
     22017,
     "the list of the V.CH variables cannot be read",
     "die Liste der V.CH-Variablen kann nicht gelesen werden",

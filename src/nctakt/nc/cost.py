@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""What a realtime cycle can cost in one tick, known before it runs (RC-501).
+
+In: nodes of a cycle's body. Out: elementary instructions: each operator, function, access to a
+variable, assignment, condition and action counts one, constants are free. They are the counts that
+the realtime part adds up; of the branches of an ``$IF`` at most one is taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.nc.names import Location, NameTable
+from nctakt.nc.resolution import indices_of, resolve
+from nctakt.nc.syntax import (
+    Assignment,
+    Binary,
+    Block,
+    Call,
+    Expression,
+    If,
+    Parameter,
+    Statement,
+    Unary,
+    Variable,
+    VariableBlock,
+)
+
+
+def most_steps(statements: Sequence[Statement], names: NameTable) -> int:
+    """The most that one run through these statements can cost."""
+    return sum(_statement(statement, names) for statement in statements)
+
+
+def _statement(statement: Statement, names: NameTable) -> int:
+    match statement:
+        case Assignment():
+            return _assignment(statement, names)
+        case If():
+            return _if(statement, names)
+        case Block():
+            return len(statement.words)
+        case VariableBlock():
+            return expression_steps(statement.variable, names)
+    return 1
+
+
+def _assignment(statement: Assignment, names: NameTable) -> int:
+    access = expression_steps(statement.target, names)
+    value = expression_steps(statement.value, names)
+    # A compound one reads its target, and computes, before it stores.
+    return access + value if statement.operator == "=" else 2 * access + value + 1
+
+
+def _if(statement: If, names: NameTable) -> int:
+    """All conditions up to the branch whose way costs most, and its body."""
+    asked = _condition(statement.condition, names)
+    ways = [asked + most_steps(statement.body, names)]
+    for branch in statement.elseifs:
+        asked += _condition(branch.condition, names)
+        ways.append(asked + most_steps(branch.body, names))
+    ways.append(asked + most_steps(statement.else_body or (), names))
+    return max(ways)
+
+
+def _condition(condition: Expression, names: NameTable) -> int:
+    return expression_steps(condition, names) + 1
+
+
+def expression_steps(expression: Expression, names: NameTable) -> int:
+    """The cost of an expression; an asynchronous variable is one access whatever its indices."""
+    match expression:
+        case Unary():
+            return 1 + expression_steps(expression.operand, names)
+        case Binary():
+            sides = (expression.left, expression.right)
+            return 1 + sum(expression_steps(side, names) for side in sides)
+        case Call():
+            return 1 + sum(expression_steps(argument, names) for argument in expression.arguments)
+        case Parameter():
+            return 1
+        case Variable() if is_live(expression, names):
+            return 1 + sum(expression_steps(index, names) for index in indices_of(expression))
+        case Variable():
+            return 1
+    return 0
+
+
+def is_live(variable: Variable, names: NameTable) -> bool:
+    """Whether a realtime cycle reads this variable in each tick (RC-302)."""
+    found = resolve(variable, names)
+    return isinstance(found, Location) and (found.synchronous or variable.synchronous)

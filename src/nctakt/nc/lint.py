@@ -1,0 +1,380 @@
+# SPDX-License-Identifier: MIT
+"""Tree -> findings beyond errors: programs that run, and do not do what is likely meant.
+
+In: a program, the variables of its channel, what fits into a tick. Out: warnings and notes in the
+order of the text, and what the program does with GLOBAL realtime cycles, since only a set of
+programs tells whether one of them ends a cycle. ``nctakt check`` asks for this, a run does not. One
+finding is an error: what empties the channel between G41 and G40 (RC-308).
+
+Nothing is guessed: a finding that depends on the way through the program is given only where every
+way leads to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from math import isfinite
+
+from nctakt.diagnostics import Diagnostic, Span
+from nctakt.messages import Collector
+from nctakt.nc.check import PROGRAM_ENDS, SUBPROGRAM_ENDS, ends
+from nctakt.nc.findings import Findings
+from nctakt.nc.frames import is_false
+from nctakt.nc.lint_cycle import Budget, CycleLinter, Known, whole
+from nctakt.nc.names import Location, NameTable
+from nctakt.nc.resolution import indices_of, path_text, resolve, variables_in
+from nctakt.nc.syntax import (
+    Assignment,
+    Block,
+    BracketCommand,
+    CycleControl,
+    Do,
+    Expression,
+    Flush,
+    For,
+    If,
+    Keyword,
+    Name,
+    Number,
+    Parameter,
+    Program,
+    RealtimeCycle,
+    Repeat,
+    Statement,
+    SubprogramCall,
+    Switch,
+    Time,
+    UserMessage,
+    Variable,
+    VariableBlock,
+    While,
+    Word,
+)
+
+_COMPENSATION = (41, 42)
+
+
+@dataclass(frozen=True, slots=True)
+class GlobalCycle:
+    """A GLOBAL cycle that a program defines."""
+
+    identity: int
+    span: Span
+    line: str
+
+
+@dataclass(frozen=True, slots=True)
+class GlobalCycles:
+    """What one program does with them; ``deletes_any``: it deletes by an ID that it computes."""
+
+    defined: tuple[GlobalCycle, ...] = ()
+    deleted: tuple[int, ...] = ()
+    deletes_any: bool = False
+
+
+def lint(program: Program, names: NameTable, budget: Budget, collector: Collector) -> GlobalCycles:
+    """All findings of one program, local subprograms included, in the order of the text."""
+    found = Collector()
+    walk = _Walk(program, names, budget, found)
+    walk.program()
+    found.diagnostics.sort(key=_place)
+    collector.diagnostics += found.diagnostics
+    return GlobalCycles(tuple(walk.defined), tuple(walk.deleted), walk.deletes_any)
+
+
+def never_deleted(programs: Sequence[GlobalCycles], collector: Collector) -> None:
+    """Report the GLOBAL cycles that none of these programs deletes."""
+    if any(one.deletes_any for one in programs):
+        return
+    deleted = {identity for one in programs for identity in one.deleted}
+    for one in programs:
+        for cycle in one.defined:
+            if cycle.identity not in deleted:
+                collector.report(900245, cycle.span, cycle.line, id=cycle.identity)
+
+
+def _place(diagnostic: Diagnostic) -> tuple[int, int]:
+    span = diagnostic.span
+    return (span.line, span.column) if span is not None else (0, 0)
+
+
+@dataclass(slots=True)
+class _State:
+    """What is certain at a place: active compensation (``G41``, ``G42``), values of parameters."""
+
+    compensation: str = ""
+    known: dict[int, Known] = field(default_factory=dict)
+
+    def copy(self) -> _State:
+        return _State(self.compensation, dict(self.known))
+
+    def join(self, *others: _State) -> None:
+        """Two ways meet here: certain is what is so on both."""
+        for other in others:
+            if not other.compensation:
+                self.compensation = ""
+            self.known = {
+                number: known
+                for number, known in self.known.items()
+                if other.known.get(number) == known
+            }
+
+
+@dataclass(frozen=True, slots=True)
+class _Writer:
+    """A cycle that writes a variable."""
+
+    line: int
+    scope: str
+    identity: int | None
+
+
+class _Walk:
+    """Goes through a program as it would run, each statement once."""
+
+    def __init__(
+        self, program: Program, names: NameTable, budget: Budget, collector: Collector
+    ) -> None:
+        self._program = program
+        self._names = names
+        self._findings = Findings(program.source, collector)
+        self._cycles = CycleLinter(names, self._findings, budget)
+        self._state = _State()
+        self._writers: dict[str, _Writer] = {}
+        self.defined: list[GlobalCycle] = []
+        self.deleted: list[int] = []
+        self.deletes_any = False
+
+    def program(self) -> None:
+        """Main program and local subprograms, each up to its end."""
+        self._until(self._program.statements, PROGRAM_ENDS)
+        for subprogram in self._program.subprograms:
+            self._state = _State()
+            self._until(subprogram.statements, SUBPROGRAM_ENDS)
+
+    def _until(self, statements: Sequence[Statement], numbers: Sequence[int]) -> None:
+        for statement in statements:
+            self._statement(statement)
+            if ends(statement, numbers):
+                return
+
+    def _all(self, statements: Sequence[Statement]) -> None:
+        for statement in statements:
+            self._statement(statement)
+
+    def _statement(self, statement: Statement) -> None:
+        if self._state.compensation:
+            self._accesses(statement)
+        match statement:
+            case Block():
+                self._block(statement)
+            case Assignment():
+                self._assignment(statement)
+            case RealtimeCycle():
+                self._definition(statement)
+            case CycleControl():
+                self._control(statement)
+            case If():
+                self._if(statement)
+            case Switch():
+                self._switch(statement)
+            case For() | While() | Do() | Repeat():
+                self._loop(statement)
+            case SubprogramCall():
+                self._state.known.clear()
+
+    # --- ways through the program ----------------------------------------------------------------
+
+    def _if(self, statement: If) -> None:
+        if statement.preprocessor:
+            return
+        before = self._state
+        ways: list[_State] = []
+        bodies = [(statement.condition, statement.body)]
+        bodies += [(branch.condition, branch.body) for branch in statement.elseifs]
+        for condition, body in bodies:
+            if not is_false(condition):
+                ways.append(self._way(before, body))
+        ways.append(self._way(before, statement.else_body or ()))
+        self._state = ways[0]
+        self._state.join(*ways[1:])
+
+    def _switch(self, switch: Switch) -> None:
+        before = self._state
+        ways = [self._way(before, case.body) for case in switch.cases]
+        self._state = before.copy()
+        self._state.join(*ways)
+
+    def _way(self, before: _State, body: Sequence[Statement]) -> _State:
+        self._state = before.copy()
+        self._all(body)
+        return self._state
+
+    def _loop(self, loop: For | While | Do | Repeat) -> None:
+        """Parameters may have changed in a round before; the body may not run at all."""
+        if isinstance(loop, While) and is_false(loop.condition):
+            return
+        self._state.known.clear()
+        before = self._state.copy()
+        self._all(loop.body)
+        self._state.known.clear()
+        if isinstance(loop, For | While):
+            self._state.join(before)
+
+    # --- parameters ------------------------------------------------------------------------------
+
+    def _assignment(self, statement: Assignment) -> None:
+        target, known = statement.target, self._state.known
+        if not isinstance(target, Parameter) or target.call:
+            return
+        if not isinstance(target.index, Number):
+            known.clear()
+            return
+        number = whole(target.index)
+        if number is None:
+            return
+        known.pop(number, None)
+        if isinstance(statement.value, Number) and statement.operator == "=":
+            known[number] = Known(statement.value.value, statement.span.line)
+
+    # --- realtime cycles -------------------------------------------------------------------------
+
+    def _definition(self, cycle: RealtimeCycle) -> None:
+        keywords = {item.name: item.value for item in cycle.keywords if isinstance(item, Keyword)}
+        identity = self._identity(keywords.get("ID"))
+        scope = keywords.get("SCOPE")
+        name = scope.name if isinstance(scope, Name) else "PROG"
+        writes = self._cycles.cycle(cycle, self._state.known)
+        self._writes(writes, _Writer(cycle.span.line, name, identity))
+        if name == "GLOBAL" and identity is not None:
+            line = self._program.source.line_of(cycle.span)
+            self.defined.append(GlobalCycle(identity, cycle.span, line))
+
+    def _writes(self, writes: dict[str, Variable], writer: _Writer) -> None:
+        """Two cycles that can live at the same time and write the same."""
+        for name, target in writes.items():
+            first = self._writers.setdefault(name, writer)
+            if first is writer or (first.identity and first.identity == writer.identity):
+                continue
+            if first.scope == writer.scope == "BLOCK":
+                continue
+            self._findings.report(900244, target.span, name=name, line=first.line)
+
+    def _control(self, control: CycleControl) -> None:
+        if control.action != "DELETE":
+            return
+        values = [item.value for item in control.keywords if isinstance(item, Keyword)]
+        identity = self._identity(values[0]) if values else 0
+        if identity is None:
+            self.deletes_any = True
+        else:
+            self.deleted.append(identity)
+
+    def _identity(self, value: Expression | None) -> int | None:
+        """The value of an ID where it is known; ``None`` for one that is not, or not given."""
+        if isinstance(value, Parameter):
+            known = self._state.known.get(whole(value.index) or 0)
+            return None if known is None or not isfinite(known.value) else int(known.value)
+        return whole(value)
+
+    # --- tool radius compensation ----------------------------------------------------------------
+
+    def _block(self, block: Block) -> None:
+        for word in block.words:
+            if isinstance(word, Word) and word.name == "G" and isinstance(word.value, Number):
+                if word.value.value in _COMPENSATION:
+                    self._state.compensation = f"G{word.value.value:g}"
+                elif word.value.value == 40:
+                    self._state.compensation = ""
+
+    def _accesses(self, statement: Statement) -> None:
+        """What empties the channel: RC-308 for variables, ``#FLUSH`` in all its forms."""
+        active = self._state.compensation
+        if isinstance(statement, Flush):
+            command = self._findings.written(statement.span)
+            self._findings.report(20651, statement.span, command=command, word=active)
+            return
+        if isinstance(statement, Block) and _ends_compensation(statement):
+            return
+        if isinstance(statement, Assignment) and isinstance(statement.target, Variable):
+            # Writing V.E and V.CH goes through the queue like a command.
+            if statement.target.family in ("RTG", "RTA") or statement.operator != "=":
+                self._access(statement.target)
+        for expression in _expressions(statement):
+            for variable in variables_in(expression):
+                self._access(variable)
+
+    def _access(self, variable: Variable) -> None:
+        found = resolve(variable, self._names)
+        if isinstance(found, Location) and (found.synchronous or variable.synchronous):
+            self._findings.report(
+                20651,
+                variable.span,
+                command=path_text(variable),
+                word=self._state.compensation,
+            )
+
+
+def _ends_compensation(block: Block) -> bool:
+    return any(
+        isinstance(word, Word)
+        and word.name == "G"
+        and isinstance(word.value, Number)
+        and word.value.value == 40
+        for word in block.words
+    )
+
+
+def _expressions(statement: Statement) -> Iterator[Expression]:
+    """What the decoder evaluates for this statement; not what stands inside a structure."""
+    if statement.head.number is not None:
+        yield statement.head.number
+    match statement:
+        case Block():
+            for word in statement.words:
+                if isinstance(word, BracketCommand):
+                    yield from _values(word.items)
+                else:
+                    yield from (one for one in _word_values(word) if one is not None)
+        case Assignment():
+            if isinstance(statement.target, Variable):
+                yield from indices_of(statement.target)
+            else:
+                yield statement.target
+            yield statement.value
+        case VariableBlock():
+            yield statement.variable
+        case Time():
+            yield statement.seconds
+        case UserMessage():
+            yield from statement.arguments
+        case RealtimeCycle() | CycleControl():
+            yield from _values(statement.keywords)
+        case If():
+            yield statement.condition
+            yield from (branch.condition for branch in statement.elseifs)
+        case For():
+            yield from (statement.start, statement.end, statement.step)
+        case While() | Do() | Repeat():
+            yield statement.condition
+        case Switch():
+            yield statement.subject
+            yield from (case.value for case in statement.cases if case.value is not None)
+
+
+def _word_values(word: object) -> Iterator[Expression | None]:
+    if isinstance(word, Word):
+        yield from (word.value, word.additional, *word.arguments)
+    else:
+        yield getattr(word, "value", None)
+
+
+def _values(items: Sequence[Keyword | Expression]) -> Iterator[Expression]:
+    for item in items:
+        if not isinstance(item, Keyword):
+            yield item
+            continue
+        if item.value is not None:
+            yield item.value
+        yield from _values(item.arguments)

@@ -1,0 +1,383 @@
+# SPDX-License-Identifier: MIT
+"""One realtime cycle -> what in it is likely meant otherwise.
+
+In: a definition, what is known of the parameters in front of it. Out: warnings and notes, and what
+the cycle writes. Nothing here is an error: each of these cycles runs. Frozen values (RC-302),
+frequencies and nesting (RC-203, RC-204), overrides (RC-305), M and H functions (RC-403), limits
+(RC-502, RC-503).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import isfinite
+
+from nctakt.lists.variables import SCALARS
+from nctakt.nc.cost import is_live, most_steps
+from nctakt.nc.findings import Findings
+from nctakt.nc.names import Location, NameTable
+from nctakt.nc.resolution import indices_of, path_text, resolve
+from nctakt.nc.syntax import (
+    Assignment,
+    Binary,
+    Block,
+    Call,
+    Constant,
+    Expression,
+    If,
+    Number,
+    Parameter,
+    RealtimeCycle,
+    Statement,
+    Unary,
+    Variable,
+    VariableBlock,
+    Word,
+)
+
+_COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
+_MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
+_DECLARED = ("E", "CH")
+_THEN_EN = "the value that it has when the cycle is defined"
+_THEN_DE = "den Wert, den sie bei der Definition des Zyklus hat"
+_THOSE_EN = "the values that they have when the cycle is defined"
+_THOSE_DE = "die Werte, die sie bei der Definition des Zyklus haben"
+
+
+@dataclass(frozen=True, slots=True)
+class Budget:
+    """Elementary instructions that fit into a tick: by P-CHAN-00427, by P-CHAN-00425."""
+
+    max_steps: int
+    duration_steps: int
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """The value of a parameter, and the line that has set it."""
+
+    value: float
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Around:
+    """What stands around a statement of a cycle.
+
+    ``single``: ONCE or EDGE where that makes the statement run in single ticks. ``skipped``: the
+    nearest ``$IF`` is one that does not come by in each tick. ``resets``: a plain branch around it
+    changes its own condition.
+    """
+
+    single: str = ""
+    once: bool = False
+    skipped: bool = False
+    resets: bool = False
+
+
+class CycleLinter:
+    """Looks at the cycles of one program, one by one."""
+
+    def __init__(self, names: NameTable, findings: Findings, budget: Budget) -> None:
+        self._names = names
+        self._findings = findings
+        self._budget = budget
+        self._known: Mapping[int, Known] = {}
+        self._told: dict[str, None] = {}
+
+    def cycle(self, cycle: RealtimeCycle, known: Mapping[int, Known]) -> dict[str, Variable]:
+        """Report; the variables that the cycle writes, by their text."""
+        self._known = known
+        self._told = {}
+        self._limits(cycle)
+        self._all(cycle.body, _Around())
+        return {
+            element_text(target): target
+            for target in _targets(cycle.body)
+            if isinstance(target, Variable)
+        }
+
+    def _limits(self, cycle: RealtimeCycle) -> None:
+        steps = most_steps(cycle.body, self._names)
+        for number, limit in (
+            (900246, self._budget.max_steps),
+            (900247, self._budget.duration_steps),
+        ):
+            if steps > limit:
+                self._findings.report(number, cycle.span, steps=steps, limit=limit)
+
+    # --- statements ------------------------------------------------------------------------------
+
+    def _all(self, statements: Sequence[Statement], around: _Around) -> None:
+        for statement in statements:
+            match statement:
+                case If() if not statement.preprocessor:
+                    self._if(statement, around)
+                case Assignment():
+                    self._assignment(statement, around)
+                case VariableBlock():
+                    self._frozen(statement.variable)
+                case Block():
+                    self._block(statement, around)
+
+    def _if(self, statement: If, around: _Around) -> None:
+        self._condition(statement.condition, statement.frequency or "")
+        if statement.frequency is not None:
+            self._nesting(statement, around)
+            self._all(statement.body, _inside(statement.frequency, around))
+            return
+        asked = [statement.condition]
+        self._branch(statement.body, asked, around)
+        for branch in statement.elseifs:
+            self._condition(branch.condition, "")
+            asked.append(branch.condition)
+            self._branch(branch.body, asked, around)
+        self._branch(statement.else_body or (), asked, around)
+
+    def _branch(
+        self, body: Sequence[Statement], asked: Sequence[Expression], around: _Around
+    ) -> None:
+        """A plain branch: does it change what it was taken for?"""
+        written = {element_text(one) for one in _targets(body) if isinstance(one, Variable)}
+        read = {
+            element_text(one)
+            for condition in asked
+            for one in _operands(condition, self._names)
+            if isinstance(one, Variable)
+        }
+        resets = around.resets or not written.isdisjoint(read)
+        self._all(body, replace(around, skipped=True, resets=resets))
+
+    def _nesting(self, statement: If, around: _Around) -> None:
+        if around.once:
+            self._findings.report(900241, statement.span, word="ONCE")
+        elif around.skipped:
+            self._findings.report(900240, statement.span, word=statement.frequency)
+
+    def _assignment(self, statement: Assignment, around: _Around) -> None:
+        target = statement.target
+        if isinstance(target, Variable):
+            for index in indices_of(target):
+                self._frozen(index)
+            if around.single and _is_override(target):
+                name = path_text(target)
+                self._findings.report(900242, target.span, name=name, word=around.single)
+        self._frozen(statement.value)
+
+    def _block(self, block: Block, around: _Around) -> None:
+        if around.single or around.resets:
+            return
+        for word in block.words:
+            if isinstance(word, Word) and word.name in ("M", "H"):
+                written = self._findings.written(word.span)
+                self._findings.report(900243, word.span, word=written)
+
+    # --- conditions ------------------------------------------------------------------------------
+
+    def _condition(self, condition: Expression, frequency: str) -> None:
+        operands = list(_operands(condition, self._names))
+        frozen = [one for one in operands if self._is_frozen(one)]
+        if len(frozen) < len(operands) or (frozen and frequency == "ONCE"):
+            for operand in frozen:
+                self._report_frozen(operand, in_condition=True)
+        elif frequency == "ONCE":
+            return
+        elif frozen:
+            self._never_changes(condition, frozen)
+        else:
+            self._findings.report(900237, condition.span)
+        for comparison in _comparisons(condition):
+            self._compare(comparison)
+
+    def _never_changes(self, condition: Expression, frozen: Sequence[Expression]) -> None:
+        names = list(dict.fromkeys(self._name(one) for one in frozen))
+        meaning_en, meaning_de = self._value(frozen[0])
+        if len(names) > 1:
+            meaning_en, meaning_de = _THOSE_EN, _THOSE_DE
+        self._findings.report(
+            900238,
+            condition.span,
+            names=", ".join(names),
+            meaning_en=meaning_en,
+            meaning_de=meaning_de,
+        )
+
+    def _compare(self, comparison: Binary) -> None:
+        left, right, operator = comparison.left, comparison.right, comparison.operator
+        if isinstance(left, Number):
+            left, right, operator = right, left, _MIRRORED.get(operator, operator)
+        if isinstance(left, Variable) and isinstance(right, Number):
+            self._range(comparison, left, operator, right.value)
+        if operator == "==":
+            self._exact(left, right)
+
+    def _range(self, comparison: Binary, variable: Variable, operator: str, value: float) -> None:
+        """A whole number that its type lets never, or always, fulfil the comparison."""
+        found = resolve(variable, self._names)
+        if not isinstance(found, Location) or not is_live(variable, self._names):
+            return
+        scalar = SCALARS[found.type]
+        if not scalar.is_integer:
+            return
+        always = _always(operator, value, scalar.low, scalar.high)
+        if always is None:
+            return
+        self._findings.report(
+            900239,
+            comparison.span,
+            name=found.name,
+            type=found.type,
+            meaning_en="always true" if always else "never true",
+            meaning_de="immer wahr" if always else "nie wahr",
+            low=int(scalar.low),
+            high=int(scalar.high),
+        )
+
+    def _exact(self, left: Expression, right: Expression) -> None:
+        """A position that changes in motion, compared with anything but the target position."""
+        for one, other in ((left, right), (right, left)):
+            if _is_position(one, "ACT_POS", "CUR_POS") and not _is_position(other, "CMD_POS"):
+                assert isinstance(one, Variable)
+                self._findings.report(900248, one.span, name=path_text(one))
+                return
+
+    # --- frozen values ---------------------------------------------------------------------------
+
+    def _frozen(self, expression: Expression) -> None:
+        for operand in _operands(expression, self._names):
+            if self._is_frozen(operand):
+                self._report_frozen(operand, in_condition=False)
+
+    def _is_frozen(self, operand: Expression) -> bool:
+        if isinstance(operand, Parameter):
+            return not operand.call
+        if not isinstance(operand, Variable) or operand.family not in _DECLARED:
+            return False
+        found = resolve(operand, self._names)
+        return isinstance(found, Location) and not is_live(operand, self._names)
+
+    def _report_frozen(self, operand: Expression, *, in_condition: bool) -> None:
+        """Each once in a cycle."""
+        name = self._name(operand)
+        if name in self._told:
+            return
+        self._told[name] = None
+        meaning_en, meaning_de = self._value(operand)
+        number = 900235 if in_condition and isinstance(operand, Variable) else 900236
+        self._findings.report(
+            number, operand.span, name=name, meaning_en=meaning_en, meaning_de=meaning_de
+        )
+
+    def _name(self, operand: Expression) -> str:
+        return " ".join(self._findings.written(operand.span).split())
+
+    def _value(self, operand: Expression) -> tuple[str, str]:
+        """With which value it is read, where that can be told, in both languages."""
+        number = whole(operand.index) if isinstance(operand, Parameter) else None
+        if number is not None:
+            known = self._known.get(number)
+            if known is not None:
+                value = f"{known.value:.15g}"
+                return f"{value} of line {known.line}", f"{value} aus Zeile {known.line}"
+        return _THEN_EN, _THEN_DE
+
+
+def whole(expression: Expression | None) -> int | None:
+    """The value of a constant as a whole number; ``None`` for anything else."""
+    if not isinstance(expression, Number) or not isfinite(expression.value):
+        return None
+    return int(expression.value)
+
+
+def element_text(variable: Variable) -> str:
+    """The variable with its constant indices: what is written by two names is not found."""
+    parts = []
+    for part in variable.parts:
+        indices = (
+            f"[{index.value:g}]" if isinstance(index, Number) else "[]" for index in part.indices
+        )
+        parts.append(part.name + "".join(indices))
+    return ".".join((f"V.{variable.family}", *parts))
+
+
+def _inside(frequency: str, around: _Around) -> _Around:
+    if frequency == "ALWAYS":
+        return replace(around, skipped=False)
+    single = around.single or frequency
+    return replace(around, single=single, once=around.once or frequency == "ONCE", skipped=True)
+
+
+def _targets(statements: Sequence[Statement]) -> Iterator[Variable | Parameter]:
+    """What these statements and those inside them write."""
+    for statement in statements:
+        if isinstance(statement, Assignment):
+            yield statement.target
+        elif isinstance(statement, If):
+            yield from _targets(statement.body)
+            for branch in statement.elseifs:
+                yield from _targets(branch.body)
+            yield from _targets(statement.else_body or ())
+
+
+def _operands(expression: Expression, names: NameTable) -> Iterator[Expression]:
+    """What decides about the value: all but constants; the indices of live variables, too."""
+    match expression:
+        case Number() | Constant():
+            return
+        case Unary():
+            yield from _operands(expression.operand, names)
+        case Binary():
+            yield from _operands(expression.left, names)
+            yield from _operands(expression.right, names)
+        case Call():
+            for argument in expression.arguments:
+                yield from _operands(argument, names)
+        case Variable() if is_live(expression, names):
+            for index in indices_of(expression):
+                yield from _operands(index, names)
+            yield expression
+        case _:
+            yield expression
+
+
+def _comparisons(expression: Expression) -> Iterator[Binary]:
+    match expression:
+        case Unary():
+            yield from _comparisons(expression.operand)
+        case Binary():
+            if expression.operator in _COMPARISONS:
+                yield expression
+            yield from _comparisons(expression.left)
+            yield from _comparisons(expression.right)
+        case Call():
+            for argument in expression.arguments:
+                yield from _comparisons(argument)
+
+
+def _always(operator: str, value: float, low: float, high: float) -> bool | None:
+    """Whether all whole numbers from ``low`` to ``high``, or none of them, fulfil it."""
+    if operator in ("==", "!="):
+        possible = low <= value <= high and value == int(value)
+        return None if possible else operator == "!="
+    fulfilled = {
+        "<": (low < value, high < value),
+        "<=": (low <= value, high <= value),
+        ">": (low > value, high > value),
+        ">=": (low >= value, high >= value),
+    }[operator]
+    return fulfilled[0] if fulfilled[0] == fulfilled[1] else None
+
+
+def _is_override(variable: Variable) -> bool:
+    names = [part.name for part in variable.parts]
+    return variable.family in ("RTG", "RTA") and names[:3] == ["OVERRIDE", "VEL", "CYCLE"]
+
+
+def _is_position(expression: Expression, *kinds: str) -> bool:
+    return (
+        isinstance(expression, Variable)
+        and expression.family == "RTA"
+        and len(expression.parts) == 3
+        and expression.parts[1].name in kinds
+    )

@@ -1,0 +1,162 @@
+; What is meant as it stands: nothing is found
+#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF ONCE V.RTA.ACS.ACT_POS.X > 200
+    M100
+  $ENDIF
+  $IF ONCE 1
+    V.E.COUNT = 0
+  $ENDIF
+  $IF EDGE V.E.TRIGGER == 1
+    M101 H100
+  $ENDIF
+  $IF V.E.VALUE > 5
+    V.RTG.OVERRIDE.VEL.CYCLE = 75
+    V.E.COUNT = V.E.COUNT + 1
+    V.E.TIME += 0.001
+  $ENDIF
+  $IF ALWAYS V.E.VALUE > 7
+    V.RTA.OVERRIDE.VEL.CYCLE.X = 50
+    $IF EDGE V.E.TRIGGER
+      M102
+    $ENDIF
+  $ENDIF
+  $IF V.E.CONDITION == 1
+    M103
+    V.E.CONDITION = 0
+  $ENDIF
+#RT CYCLE END
+M30
+; --- asynchronous variables (RC-302)
+P1 = 5
+P2 = V.E.VALUE
+#RT CYCLE
+  $IF V.E.ASYNC == V.E.VALUE ; warning 900235 "V.E.ASYNC is asynchronous: this condition sees the value"
+    V.E.COUNT = V.E.ASYNC
+  $ENDIF
+  $IF V.E.VALUE > P1 ; note 900236 "P1 is read once: the realtime cycle sees 5 of line 1 in"
+    V.E.COUNT = P2 ; note 900236 "P2 is read once: the realtime cycle sees the value that it has"
+    V.E.COUNT = P2 + P1
+  $ENDIF
+  $IF ONCE V.CH.VarTest1 == 3 ; warning 900235 "V.CH.VarTest1 is asynchronous"
+    Vs.CH.VarTest1 = 1
+  $ENDIF
+  $IF Vs.E.ASYNC == 1
+    V.E.COUNT = 2
+  $ENDIF
+  V.E.LIST[P1] = V.E.LEVEL_1_A[1].FROZEN ; note 900236 "V.E.LEVEL_1_A[1].FROZEN"
+#RT CYCLE END
+#RT CYCLE
+  $IF V.E.VALUE > P1 ; note 900236 "5 of line 1"
+    V.E.COUNT = 2 ; note 900244 "V.E.COUNT is written by the realtime cycle of line 3"
+  $ENDIF
+#RT CYCLE END
+; --- conditions that can never change
+P1 = 5
+P2 = 7
+P[P1] = 3
+#RT CYCLE
+  $IF 1 ; warning 900237 "constant"
+    V.E.COUNT += 1
+  $ELSEIF SIN[30] > PI / 4 ; warning 900237 "constant"
+    V.E.COUNT += 2
+  $ENDIF
+  $IF EDGE TRUE ; warning 900237 "constant"
+  $ENDIF
+  $IF ALWAYS P1 == 4 ; warning 900238 "of P1 it sees the value that it has"
+  $ENDIF
+  $IF P1 == 4 && V.E.ASYNC ; warning 900238 "of P1, V.E.ASYNC it sees the values that they have"
+  $ENDIF
+  $IF ONCE 0
+  $ENDIF
+  $IF ONCE P1 ; note 900236 "P1"
+  $ENDIF
+#RT CYCLE END
+; --- types that decide a comparison
+#RT CYCLE
+  $IF V.E.FLAG == 2 ; warning 900239 "V.E.FLAG is of type BOOLEAN: this comparison is never true"
+  $ENDIF
+  $IF V.E.COUNT_POS >= 2147483648 ; warning 900239 "never true"
+  $ENDIF
+  $IF -2147483649 < V.E.COUNT_POS ; warning 900239 "always true"
+  $ENDIF
+  $IF V.E.COUNT_POS != 1.5 ; warning 900239 "always true"
+  $ENDIF
+  $IF V.E.COUNT_POS == -2147483648 || V.E.FLAG >= 1 || V.E.VALUE == 1.5
+  $ENDIF
+  $IF NOT[V.RTG.OVERRIDE.VEL.CYCLE < 0] ; warning 900239 "V.RTG.OVERRIDE.VEL.CYCLE is of type UNS16"
+  $ENDIF
+#RT CYCLE END
+; --- positions compared exactly (RC-304)
+#RT CYCLE
+  $IF EDGE V.RTA.ACS.ACT_POS.X == 100 ; note 900248 "V.RTA.ACS.ACT_POS.X is compared exactly"
+  $ENDIF
+  $IF EDGE V.E.VALUE == V.RTA.ACS.CUR_POS.Y ; note 900248 "V.RTA.ACS.CUR_POS.Y"
+  $ENDIF
+  $IF EDGE V.RTA.ACS.ACT_POS.X == V.RTA.ACS.CMD_POS.X && V.RTA.PCS.DIST_TO_GO.X == 0
+  $ENDIF
+#RT CYCLE END
+; --- one inside the other (RC-204)
+#RT CYCLE
+  $IF V.E.VALUE > 5
+    $IF ONCE V.E.TRIGGER ; note 900240 "$IF ONCE inside $IF"
+      $IF EDGE V.E.CONDITION ; warning 900241 "$IF ONCE"
+      $ENDIF
+      $IF V.E.CONDITION
+        $IF ALWAYS V.E.COUNT ; warning 900241 "$IF ONCE"
+        $ENDIF
+      $ENDIF
+    $ENDIF
+  $ELSE
+    $IF ALWAYS V.E.TRIGGER ; note 900240 "$IF ALWAYS"
+      $IF EDGE V.E.CONDITION
+        $IF ONCE V.E.COUNT ; note 900240 "$IF ONCE"
+        $ENDIF
+      $ENDIF
+    $ENDIF
+  $ENDIF
+#RT CYCLE END
+; --- overrides of one tick (RC-305)
+#RT CYCLE
+  $IF ONCE V.E.TRIGGER
+    V.RTG.OVERRIDE.VEL.CYCLE = 75 ; warning 900242 "V.RTG.OVERRIDE.VEL.CYCLE is written under $IF ONCE"
+    $IF V.E.COUNT
+      V.RTA.OVERRIDE.VEL.CYCLE.X = 75 ; warning 900242 "V.RTA.OVERRIDE.VEL.CYCLE.X is written under $IF ONCE"
+    $ENDIF
+  $ENDIF
+  $IF EDGE V.E.TRIGGER
+    V.RTG.OVERRIDE.VEL.CYCLE = 75 ; warning 900242 "$IF EDGE"
+    V.E.COUNT = 1
+  $ENDIF
+#RT CYCLE END
+; --- M and H functions in each tick (RC-403)
+#RT CYCLE
+  M100 H101 ; warning 900243 "M100" ; warning 900243 "H101"
+  $IF V.E.TRIGGER
+    M101 ; warning 900243 "M101"
+    V.E.COUNT = 1
+  $ELSEIF V.E.COUNT == 1
+    M102
+    V.E.COUNT = 2
+  $ELSE
+    M103 ; warning 900243 "M103"
+  $ENDIF
+  $IF ALWAYS V.E.TRIGGER
+    M104 ; warning 900243 "M104"
+    $IF V.E.LIST[2] > 0
+      M105
+      V.E.LIST[2] = 0
+    $ENDIF
+    $IF V.E.LIST[2] > 0
+      M106 ; warning 900243 "M106"
+      V.E.LIST[1] = 0
+    $ENDIF
+  $ENDIF
+#RT CYCLE END
+; --- more than fits into a tick (RC-502, RC-503)
+#RT CYCLE ; warning 900246 "can need 250 elementary instructions; P-CHAN-00427 allows 201" ; warning 900247 "time for 200"
+  V.E.VALUE = V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE
+  V.E.VALUE = V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE
+  V.E.VALUE = V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE
+  V.E.VALUE = V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE
+  V.E.VALUE = V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE
+#RT CYCLE END

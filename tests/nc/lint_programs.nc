@@ -1,0 +1,153 @@
+; Cycles that write the same (RC-305)
+#RT CYCLE [ID=1]
+  V.E.COUNT = 1
+  V.E.LIST[1] = 1
+  V.RTG.OVERRIDE.VEL.CYCLE = 50
+#RT CYCLE END
+#RT CYCLE [SCOPE=BLOCK]
+  V.E.COUNT = 2 ; note 900244 "V.E.COUNT is written by the realtime cycle of line 2"
+  V.E.LIST[2] = 1
+  V.E.VALUE = 1
+#RT CYCLE END
+#RT CYCLE [SCOPE=BLOCK]
+  V.E.VALUE = 1
+  V.RTG.OVERRIDE.VEL.CYCLE = 40 ; note 900244 "V.RTG.OVERRIDE.VEL.CYCLE"
+#RT CYCLE END
+#RT CYCLE DELETE [ID=1]
+#RT CYCLE [ID=1]
+  V.E.LIST[1] = 1
+#RT CYCLE END
+M30
+#RT CYCLE
+  $IF 1
+  $ENDIF
+#RT CYCLE END
+; --- GLOBAL cycles that stay (RC-107)
+#RT CYCLE DELETE [ID=1]
+#RT CYCLE [ID=1 SCOPE=GLOBAL]
+#RT CYCLE END
+#RT CYCLE [ID=2 SCOPE=GLOBAL] ; note 900245 "GLOBAL realtime cycle 2"
+#RT CYCLE END
+P1 = 3
+#RT CYCLE DEF [ID=P1 SCOPE=GLOBAL] ; note 900245 "GLOBAL realtime cycle 3"
+#RT CYCLE END
+#RT CYCLE [ID=4]
+#RT CYCLE END
+P1 = P1 + 1
+#RT CYCLE [ID=P1 SCOPE=GLOBAL]
+#RT CYCLE END
+#RT CYCLE [SCOPE=GLOBAL]
+#RT CYCLE END
+; --- an ID that is not known deletes any
+#RT CYCLE [ID=2 SCOPE=GLOBAL]
+#RT CYCLE END
+#RT CYCLE DELETE [ID=P1]
+#RT CYCLE DELETE
+; --- in a subprogram
+#RT CYCLE [ID=2 SCOPE=GLOBAL]
+#RT CYCLE END
+M30
+%L END_IT
+#RT CYCLE DELETE [ID=2]
+M17
+; --- parameters: only what is certain
+P1 = 1
+P2 = 2
+P3 = 3
+P4 = 4
+$IF V.E.VALUE
+  P1 = 1
+$ELSE
+  P2 = 3
+$ENDIF
+$SWITCH V.E.COUNT
+$CASE 1
+  P4 = 1
+$ENDSWITCH
+#RT CYCLE
+  V.E.VALUE = P1 ; note 900236 "P1 is read once: the realtime cycle sees the value"
+  V.E.VALUE = P2 ; note 900236 "P2 is read once: the realtime cycle sees the value"
+  V.E.VALUE = P3 ; note 900236 "sees 3 of line 3"
+  V.E.VALUE = P4 ; note 900236 "P4 is read once: the realtime cycle sees the value"
+  V.E.VALUE = P9 ; note 900236 "P9"
+#RT CYCLE END
+$FOR P5 = 1, 3, 1
+  #RT CYCLE [SCOPE=BLOCK]
+    V.E.COUNT = P3 ; note 900236 "the value"
+    V.E.COUNT = P5 ; note 900236 "the value"
+  #RT CYCLE END
+  P3 = 4
+$ENDFOR
+P3 = 5
+$IF 0
+  P3 = 6
+$ENDIF
+$WHILE 0
+  P3 = 6
+$ENDWHILE
+#RT CYCLE [SCOPE=BLOCK]
+  V.E.TIME = P3 ; note 900236 "sees 5 of line"
+#RT CYCLE END
+P3 += 1
+#RT CYCLE [SCOPE=BLOCK]
+  V.E.TIME = P3 ; note 900236 "the value"
+#RT CYCLE END
+L "other.nc"
+; --- what empties the channel between G41 and G40 (RC-308)
+P1 = V.RTA.ACS.ACT_POS.X
+G41 X10
+P1 = V.RTA.ACS.ACT_POS.X ; error 20651 "V.RTA.ACS.ACT_POS.X empties the channel, which cannot be while G41"
+P1 = V.E.VALUE + Vs.E.ASYNC ; error 20651 "V.E.VALUE" ; error 20651 "V.E.ASYNC"
+P1 = V.E.ASYNC
+V.E.VALUE = P1
+V.E.VALUE += P1 ; error 20651 "V.E.VALUE"
+V.RTG.LOOP.COUNT = 1 ; error 20651 "V.RTG.LOOP.COUNT"
+P[V.E.COUNT] = 1 ; error 20651 "V.E.COUNT"
+V.E.LIST[V.E.COUNT] = 1 ; error 20651 "V.E.COUNT"
+V.E.VALUE ; error 20651 "V.E.VALUE"
+#FLUSH ; error 20651 "#FLUSH empties"
+#FLUSH CONTINUE ; error 20651 "#FLUSH CONTINUE"
+#TIME V.E.VALUE ; error 20651 "V.E.VALUE"
+#MSG ["%f", V.E.VALUE] ; error 20651 "V.E.VALUE"
+N=V.E.COUNT X[V.E.VALUE] ; error 20651 "V.E.COUNT" ; error 20651 "V.E.VALUE"
+X[INDP POS=V.E.VALUE G805[V.E.COUNT]] G130[V.E.WORD] ; error 20651 "V.E.VALUE" ; error 20651 "V.E.COUNT" ; error 20651 "V.E.WORD"
+$IF V.E.VALUE ; error 20651 "V.E.VALUE"
+$ELSEIF V.E.COUNT ; error 20651 "V.E.COUNT"
+$ENDIF
+$FOR P1 = 1, V.E.COUNT, 1 ; error 20651 "V.E.COUNT"
+$ENDFOR
+$SWITCH V.E.COUNT ; error 20651 "V.E.COUNT"
+$CASE V.E.VALUE ; error 20651 "V.E.VALUE"
+$ENDSWITCH
+$WHILE V.E.COUNT ; error 20651 "V.E.COUNT"
+$ENDWHILE
+#RT CYCLE [ID=V.E.COUNT] ; error 20651 "V.E.COUNT"
+  V.E.VALUE = V.RTA.ACS.ACT_POS.X
+#RT CYCLE END
+#RT CYCLE DELETE [ID=3]
+G40 X[V.E.VALUE]
+P1 = V.E.VALUE
+$IF P1
+  G42
+  P1 = V.E.VALUE ; error 20651 "G42"
+$ENDIF
+P1 = V.E.VALUE
+$IF P1
+  G41
+$ELSE
+  G42
+$ENDIF
+P1 = V.E.VALUE ; error 20651 "while G41"
+$REPEAT
+  G40
+$UNTIL P1
+P1 = V.E.VALUE
+$WHILE P1
+  G41
+$ENDWHILE
+P1 = V.E.VALUE
+G41
+M30
+%L SUB
+P1 = V.E.VALUE
+M17

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: MIT
+"""Findings beyond errors, written beside the lines that cause them (``lint_*.nc``)."""
+
+from __future__ import annotations
+
+import random
+import shutil
+from itertools import chain
+from pathlib import Path
+
+import pytest
+from check_machine import demo_channel
+from nc_chunks import Chunk, compare, read_chunks
+
+from nctakt import machines
+from nctakt.controller import Controller, NcText
+from nctakt.diagnostics import Diagnostic
+from nctakt.messages import Collector
+from nctakt.nc.lint import Budget, lint, never_deleted
+from nctakt.nc.parser import parse_program
+from nctakt.nc.source import Source
+
+DEMO = Path(machines.__path__[0]) / "demo"
+BUDGET = Budget(201, 200)
+
+
+def lints(*programs: tuple[str, ...], budget: Budget = BUDGET) -> list[Diagnostic]:
+    """The findings of a set of programs, those of the whole set at the end."""
+    collector = Collector()
+    uses = [
+        lint(
+            parse_program(Source(f"{number}.nc", lines), Collector()),
+            demo_channel().names,
+            budget,
+            collector,
+        )
+        for number, lines in enumerate(programs, start=1)
+    ]
+    never_deleted(uses, collector)
+    return collector.diagnostics
+
+
+@pytest.mark.parametrize("chunk", read_chunks("lint_*.nc"), ids=str)
+def test_lint_finds_what_each_line_says_and_nothing_else(chunk: Chunk) -> None:
+    """Each finding of a chunk comes once, at its line; what runs as meant gives none."""
+    assert compare(chunk, lints(chunk.lines)) == []
+
+
+# --- limits --------------------------------------------------------------------------------------
+
+FIVE_WAYS = """\
+#RT CYCLE
+  $IF V.E.VALUE > 1            ; load, comparison, condition: 3
+    V.E.COUNT = V.E.COUNT + 1  ; load, sum, store: 3
+    M100 H100                  ; 2
+  $ELSEIF V.E.VALUE > SIN[30]  ; load, sine, comparison, condition: 4
+    V.E.COUNT += V.E.ASYNC     ; load, frozen, sum, store: 4
+    V.E.LIST[V.E.COUNT] *= 2   ; (index, load), product, (index, store): 5
+  $ELSE
+    V.E.LIST[2] = 1            ; store: 1
+  $ENDIF
+  $IF EDGE NOT[V.E.ASYNC]      ; frozen, negation, condition: 3
+    V.E.LIST[P1 + V.E.COUNT]   ; frozen, load, sum, load: 4
+  $ENDIF
+#RT CYCLE END
+"""
+#: The way over $ELSEIF costs most: 3 + 4 + 4 + 5, then 3 + 4.
+STEPS = 23
+
+
+@pytest.mark.parametrize(
+    ("limit", "found"), [(STEPS - 1, True), (STEPS, False), (STEPS + 1, False)]
+)
+def test_a_cycle_that_can_cost_more_than_a_tick_allows_is_found(limit: int, *, found: bool) -> None:
+    """RC-501, RC-502, RC-503: the dearest way through the branches counts, limit by limit."""
+    lines = tuple(FIVE_WAYS.splitlines())
+    for number, budget in ((900246, Budget(limit, 1000)), (900247, Budget(1000, limit))):
+        told = [one for one in lints(lines, budget=budget) if one.id in (900246, 900247)]
+        assert [(one.id, one.values) for one in told] == (
+            [(number, {"steps": STEPS, "limit": limit})] if found else []
+        )
+
+
+def test_the_count_is_that_of_the_realtime_part(tmp_path: Path) -> None:
+    """RC-501: at P-CHAN-00427 equal to the count of the lint a cycle runs, below it ends."""
+    body = FIVE_WAYS.split("\n", 1)[1]
+    program = f"V.E.VALUE = 0.9\nP1 = 0\n#RT CYCLE\n{body}#TIME 0.003\nM30\n"
+    for limit, errors in ((STEPS, []), (STEPS - 1, [50854])):
+        folder = tmp_path / str(limit)
+        shutil.copytree(DEMO, folder)
+        with (folder / "sda_mds1.lis").open("r+", encoding="utf-8") as file:
+            text = file.read().replace("Ende", f"rt_cycles.max_steps {limit}\nEnde")
+            file.seek(0)
+            file.write(text)
+        run = Controller(folder).run(NcText("p.nc", program))
+        assert [one.id for one in run.errors] == errors
+
+
+# --- sets of programs ----------------------------------------------------------------------------
+
+
+def test_a_global_cycle_may_be_deleted_by_another_program() -> None:
+    """RC-107: only where no program of the set deletes it the cycle is told."""
+    defines = ("#RT CYCLE [ID=3 SCOPE=GLOBAL]", "#RT CYCLE END")
+    assert [str(one.span) for one in lints(defines, ("M30",))] == ["1.nc:1:1"]
+    assert lints(defines, ("#RT CYCLE DELETE [ID=3]",)) == []
+    assert lints(("#RT CYCLE DELETE [ID=3]",), defines) == []
+    assert [one.id for one in lints(defines, ("#RT CYCLE DELETE [ID=4]",))] == [900245]
+
+
+def test_each_finding_reads_in_both_languages() -> None:
+    """Every finding of the chunks renders with its place, its source line and its remedy."""
+    for chunk in read_chunks("lint_*.nc"):
+        for found in lints(chunk.lines):
+            for language in ("en", "de"):
+                text = found.render(language)
+                assert text.startswith("1.nc:")
+                assert "^" in text
+                assert found.remedy(language)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_any_program_is_looked_at_without_a_fault(seed: int) -> None:
+    """Programs of lines in any order, right and wrong ones, give findings only."""
+    chance = random.Random(seed)
+    lines = list(chain.from_iterable(chunk.lines for chunk in read_chunks("*.nc")))
+    for _ in range(20):
+        lints(tuple(line.split("; ")[0] for line in chance.choices(lines, k=60)))

@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: MIT
+"""Decisions on programs: when mistakes are told, technology functions, limits of work."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from decided import machine, numbers, perform, told
+
+from nctakt.assembly import INSTRUCTION_COST_NS
+from nctakt.controller import Controller, NcText
+from nctakt.interface import Interface
+
+
+def test_a_program_with_a_static_mistake_does_not_begin() -> None:
+    """All programs of a run are read and checked before its first tick; all mistakes are told."""
+    good, bad = NcText("good.nc", "G00 X1\nM30"), NcText("bad.nc", "G99\nV.E.NONE = 1\nM30")
+    run = Controller().run(good, bad)
+    assert (run.state, run.ticks, numbers(run)) == ("error", 0, [900200, 900213])
+
+
+def test_a_mistake_that_only_values_show_stops_behind_what_is_prepared() -> None:
+    """Class 2: the motion before it is finished, then the channel is in error state."""
+    controller = Controller()
+    run = perform("P1 = 0\nG00 X5\nP2 = 1 / P1\nG00 X9\nM30", controller)
+    assert (run.state, numbers(run)) == ("error", [900300])
+    assert controller.read("V.RTA.ACS.ACT_POS.X") == 5.0
+
+
+def test_wrong_arguments_of_functions_have_the_controllers_number() -> None:
+    """RC-207: 21241 in the main program; what is not finite otherwise is 900301."""
+    assert numbers(perform("P1 = SQRT[P2 - 1]\nM30")) == [21241]
+    assert numbers(perform("P1 = EXP[P2 + 1000]\nM30")) == [900301]
+
+
+def test_an_accepted_word_is_told_once() -> None:
+    """900201 is one note for each word and program, however often it stands there."""
+    assert numbers(perform("G17\nG17 G40\nG17\nM30")) == [900201, 900201]
+
+
+def test_a_loop_that_never_moves_is_ended() -> None:
+    """900303 after 100,000 blocks without one that takes time; $FOR with step 0 is 900302."""
+    run = perform("$WHILE 1\nP1 = P1 + 1\n$ENDWHILE\nM30")
+    assert (run.state, numbers(run)) == ("error", [900303])
+    run = perform("$FOR P1 = 0, 1, 0\n#TIME 0.001\n$ENDFOR\nM30", ticks=20)
+    assert (run.state, numbers(run)) == ("limit", [900302])
+
+
+class _Late:
+    """Acknowledges each function after so many ticks."""
+
+    def __init__(self, ticks: int) -> None:
+        self.ticks = ticks
+
+    def cycle(self, hli: Interface) -> None:
+        for function in hli.functions():
+            if hli.tick - function.time_us // 1000 >= self.ticks:
+                hli.acknowledge(function)
+
+
+def test_functions_of_the_program_wait_as_their_synchronisation_says() -> None:
+    """P-CHAN-00041: MOS waits never, MVS_SVS before the motion, MVS_SNS and MNS_SNS behind it.
+
+    The motion takes 32 ticks; the PLC acknowledges ten ticks after the output.
+    """
+    expected = {
+        "M100": (0, 32),  # output with the motion, nobody waits
+        "M111": (0, 43),  # acknowledged at the end of tick 10, the motion begins in tick 11
+        "M112": (0, 32),  # acknowledged long before the motion's end
+        "M113": (32, 43),  # output behind the motion, then waited for
+        "M117": (None, 32),  # never output
+    }
+    for function, (output, end) in expected.items():
+        run = perform(f"G00 X1 {function}\nM30", plc=_Late(10))
+        number = function.removeprefix("M")
+        outputs = [] if output is None else [f"{output} output m {number}"]
+        assert told(run) == [*outputs, f"{end} end part.nc"], function
+
+
+class _Deaf:
+    """Acknowledges nothing."""
+
+    def cycle(self, hli: Interface) -> None:
+        del hli
+
+
+def test_the_realtime_section_has_20_slots_and_never_waits() -> None:
+    """RC-403: the 21st function that waits is 50942, the 21st of one tick 50943."""
+    one = "#RT CYCLE [ID=1 SCOPE=PROG]\nM100\n#RT CYCLE END\n#TIME 1\nM30"
+    run = perform(one, plc=_Deaf())
+    assert numbers(run) == [50942]
+    assert told(run, "error") == ["20 error 50942"]
+    many = "#RT CYCLE [ID=1 SCOPE=PROG]\n" + "M100\n" * 21 + "#RT CYCLE END\nM30"
+    assert numbers(perform(many)) == [50943]
+    assert numbers(perform(many.replace("M100\n", "", 1))) == []
+
+
+def test_the_programs_functions_wait_for_a_slot() -> None:
+    """20 functions stand in the section; the 21st is put out when the PLC has taken one."""
+    run = perform("M100\n" * 21 + "M30", plc=_Late(5))
+    assert told(run, "output").count("0 output m 100") == 20
+    assert told(run)[-2:] == ["6 output m 100", "6 end part.nc"]
+
+
+def test_a_slot_is_free_in_the_tick_behind_the_acknowledgement() -> None:
+    """RC-403: 20 functions in each tick go on forever with the default PLC."""
+    body = "M100\n" * 20
+    run = perform(f"#RT CYCLE [SCOPE=PROG]\n{body}#RT CYCLE END\n#TIME 0.01\nM30")
+    assert (run.state, run.outputs[0].count) == ("ended", 200)
+
+
+THREE = "V.E.VALUE = V.E.VALUE1 + 1\n"  # elementary instructions
+
+
+def body(count: int) -> str:
+    """A cycle of so many statements with three instructions each, and a tick for it."""
+    return f"#RT CYCLE [ID=1 SCOPE=PROG]\n{THREE * count}#RT CYCLE END\n#TIME 0.001\nM30"
+
+
+def test_the_limit_of_instructions_is_exact() -> None:
+    """RC-502: P-CHAN-00427 instructions of all cycles in one tick may be, one more is 50854."""
+    limited = machine(max_steps=9)
+    assert numbers(perform(body(3), Controller(limited))) == []
+    more = body(3).replace(THREE, THREE + "M100\n", 1)
+    assert numbers(perform(more, Controller(limited))) == [50854]
+    two = body(2).replace("M30", "").replace("#TIME 0.001\n", "")
+    both = two + body(2).replace("ID=1", "ID=2")
+    run = perform(both, Controller(limited))
+    assert told(run, "error", "ended") == ["0 error 50854", "0 ended 2 error"]
+
+
+def test_the_limit_of_time_counts_ten_nanoseconds_each() -> None:
+    """RC-503: 1 % of 1 ms are 1000 instructions; looked at after each 100 (P-CHAN-00426).
+
+    339 statements are 1017 instructions and end before the next look, 340 do not.
+    """
+    limited = machine(max_duration_pct=1, cont_steps=100)
+    assert numbers(perform(body(339), Controller(limited))) == []
+    assert numbers(perform(body(340), Controller(limited))) == [50939]
+    assert 75_000 * INSTRUCTION_COST_NS == 0.75 * 1_000_000
+
+
+def test_a_run_without_limits_ends_after_ten_minutes_of_the_machine() -> None:
+    """600 s of virtual time; a tick of one second makes that 600 ticks."""
+    run = Controller(replace(machine(), cycle_time_us=1_000_000)).run(
+        NcText("a.nc", "#TIME 999\nM30")
+    )
+    assert (run.state, run.ticks) == ("limit", 600)
+
+
+LOOP = """
+#RT CYCLE [ID=1 SCOPE=GLOBAL]
+  V.E.COUNT += 1
+  $IF EDGE V.RTA.ACS.ACT_POS.X > 5
+    M100 M101
+  $ENDIF
+#RT CYCLE END
+$FOR P1 = 1, 60, 1
+  V.E.ASYNC = P1 * 10
+  #RT CYCLE [SCOPE=BLOCK]
+    V.E.VALUE = V.E.ASYNC + V.E.COUNT
+  #RT CYCLE END
+  G00 X[P1 MOD 13] Y[P1] M111
+  #MSG ["%d %f", P1, V.E.COUNT]
+$ENDFOR
+M30
+"""
+
+
+class _Prompt:
+    """Acknowledges all, and so stops the kernel in each tick."""
+
+    def cycle(self, hli: Interface) -> None:
+        hli.acknowledge_all()
+
+
+def test_a_run_that_is_cut_into_ticks_is_the_same_run() -> None:
+    """Where the kernel returns to Python changes nothing: decode moments, frozen values, events."""
+    names = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS", "V.E.VALUE", "V.E.COUNT", "BLOCK"]
+    whole, cut = perform(LOOP, signals=names), perform(LOOP, signals=names, plc=_Prompt())
+    assert whole.state == "ended"
+    assert told(whole) == told(cut)
+    assert whole.trace is not None
+    assert cut.trace is not None
+    assert all((whole.trace[name] == cut.trace[name]).all() for name in names)
+
+
+def trace_of(folder: Path, *words: str, **environment: str) -> bytes | None:
+    """The CSV trace of the program above in a process of its own; ``None`` where it is refused."""
+    program, trace = folder / "loop.nc", folder / "loop.csv"
+    program.write_text(LOOP, "utf-8")
+    command = [sys.executable, "-m", "nctakt", "run", str(program), "--trace", str(trace), *words]
+    kept = {key: value for key, value in os.environ.items() if key != "NCTAKT_PLAIN"}
+    done = subprocess.run(command, env={**kept, **environment}, check=False, capture_output=True)
+    return trace.read_bytes() if done.returncode == 0 else None
+
+
+def test_the_same_inputs_give_the_same_bytes(tmp_path: Path) -> None:
+    """Whatever the hash seed of the process."""
+    traces = [trace_of(tmp_path, "--plain", PYTHONHASHSEED=seed) for seed in ("1", "2")]
+    assert traces[0] is not None
+    assert traces[0] == traces[1]
+
+
+def test_compiled_and_plain_give_the_same_bytes(tmp_path: Path) -> None:
+    """The two forms of the realtime part have the same results, bit for bit."""
+    compiled = trace_of(tmp_path, "--compiled")
+    if compiled is None:
+        pytest.skip("not compiled")
+    assert compiled == trace_of(tmp_path, "--plain")

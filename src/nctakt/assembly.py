@@ -24,6 +24,7 @@ from nctakt.kernel.hli import Hli
 from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.path import Path as KernelPath
 from nctakt.kernel.record import Record
+from nctakt.kernel.timers import Timers
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.lists.machine import MachineConfiguration
 from nctakt.lists.variables import SCALARS
@@ -84,6 +85,14 @@ class Registry:
     def place(self, source: int) -> Span | None:
         """The place of a source number."""
         return self._files.place(source)
+
+    def line_at(self, span: Span) -> str:
+        """The source line of a span."""
+        return self._files.line_at(span)
+
+    def definition(self, serial: int) -> CycleDefinition:
+        """The definition of a cycle that has not been forgotten."""
+        return self._living[serial]
 
     # --- what fills it --------------------------------------------------------------------------
 
@@ -178,6 +187,8 @@ class Machine:
         parameters = configuration.parameters
         members = [axis.index for axis in configuration.axes]
         first = layout.channel_cell(index)
+        timers = layout.tables[index].resolve("RTG", (("TIMER", 1),))
+        assert isinstance(timers, Location)
         channel = Channel(
             self.memory,
             first,
@@ -185,6 +196,7 @@ class Machine:
             Hli(),
             CycleManager(self.record),
             KernelPath(self.axes, members, self.configuration.cycle_time_us),
+            Timers(self.memory, timers.cell, self.configuration.cycle_time_us),
             parameters.max_override_pct,
         )
         limits = parameters.realtime_cycles

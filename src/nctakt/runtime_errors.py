@@ -52,6 +52,8 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic | None:
             values = {"needed": int(machine.channels[0].error_detail), "free": free}
         case 50877:
             values = {"count": machine.channels[0].manager.capacity}
+        case 900421:
+            values = {"timer": int(a)}
         case 900420:
             values = {}
         case _:

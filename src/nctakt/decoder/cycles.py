@@ -24,6 +24,9 @@ from nctakt.nc.names import Location
 
 SCOPES = {"BLOCK": BLOCK, "PROG": PROG, "GLOBAL": GLOBAL}
 
+#: What ``kernel/timers.py`` calls the actions of ``#TIMER``.
+TIMER_ACTIONS = {"START": 1, "STOP": 2, "READ": 3, "CLEAR": 4}
+
 #: Events that a cycle can record in a tick beside those of its statements.
 _OWN_EVENTS = 3
 
@@ -125,6 +128,8 @@ class CycleBuilder:
                 return [self._if(statement)]
             case syntax.Block():
                 return self._technology(statement)
+            case syntax.Timer():
+                return [self._timer(statement)]
             case syntax.VariableBlock():
                 built = self._builder.build(statement.variable)
                 source = self._place(statement.span)
@@ -142,6 +147,18 @@ class CycleBuilder:
             built.append(instructions.IssueTechnology(function, self._place(word.span), 1))
         self._statements += len(built)
         return built
+
+    def _timer(self, timer: syntax.Timer) -> Statement:
+        """``#TIMER`` of a cycle; timer 0 without ID (RC-401)."""
+        identity: syntax.Expression = syntax.Number(timer.span, 0.0)
+        for keyword in timer.keywords:
+            assert isinstance(keyword, syntax.Keyword)
+            assert keyword.value is not None
+            identity = keyword.value
+        built = self._builder.build(identity)
+        source = self._place(timer.span)
+        action = TIMER_ACTIONS[timer.action]
+        return instructions.CommandTimer(action, built.node, source, built.cost + 1)
 
     def _if(self, statement: syntax.If) -> Statement:
         frequency = statement.frequency

@@ -14,9 +14,7 @@ from dataclasses import dataclass
 from nctakt.kernel import conditions, expressions
 from nctakt.kernel.conditions import Condition
 from nctakt.kernel.expressions import Expression
-from nctakt.kernel.hli import Hli
-from nctakt.kernel.memory import Context
-from nctakt.kernel.record import Record
+from nctakt.kernel.memory import empty_context
 from nctakt.nc import syntax
 
 _BINARY: dict[str, type[expressions.Binary]] = {
@@ -146,7 +144,7 @@ class ExpressionBuilder:
 
     def __init__(self, leaf: Callable[[syntax.Variable | syntax.Parameter], Built]) -> None:
         self._leaf = leaf
-        self._context = Context(bytearray(8), Record(bytearray(8)), Hli())
+        self._context = empty_context()
 
     def build(self, expression: syntax.Expression) -> Built:
         """The node of an expression that the checker has let pass."""

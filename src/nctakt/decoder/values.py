@@ -17,9 +17,7 @@ from nctakt.decoder.surroundings import DecodeError, Surroundings
 from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
 from nctakt.kernel.expressions import OPERATIONS
-from nctakt.kernel.hli import Hli
-from nctakt.kernel.memory import Context
-from nctakt.kernel.record import Record
+from nctakt.kernel.memory import empty_context
 from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.nc import syntax
@@ -42,7 +40,7 @@ class Values:
         self.state = state
         self._fetched: dict[int, float] = {}
         self._builder = ExpressionBuilder(self._leaf)
-        self._context = Context(bytearray(8), Record(bytearray(8)), Hli())
+        self._context = empty_context()
 
     # --- reading --------------------------------------------------------------------------------
 

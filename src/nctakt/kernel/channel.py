@@ -19,6 +19,7 @@ from nctakt.kernel.hli import Hli
 from nctakt.kernel.memory import Context
 from nctakt.kernel.path import Path
 from nctakt.kernel.record import Record
+from nctakt.kernel.timers import Timers
 
 # Kinds of commands.
 SEGMENT = 1
@@ -52,6 +53,7 @@ class Channel:
         hli: Hli,
         manager: CycleManager,
         path: Path,
+        timers: Timers,
         max_override_pct: float,
     ) -> None:
         self.cells = memoryview(memory).cast("d")
@@ -61,7 +63,7 @@ class Channel:
         self.manager = manager
         self.path = path
         self.max_override_pct = max_override_pct
-        self.context = Context(memory, record, hli)
+        self.context = Context(memory, record, hli, timers)
         self.width = path.width
         self.capacity = 256
         self.queue = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")

@@ -77,6 +77,12 @@ cdef class IssueTechnology(Counted):
     @cython.locals(sequence=cython.longlong, number=int)
     cdef int run(self, Context context) noexcept nogil
 
+cdef class CommandTimer(Counted):
+    cdef int action
+    cdef Expression timer
+    @cython.locals(value=double)
+    cdef int run(self, Context context) noexcept nogil
+
 cdef class Reaction(Counted):
     cdef readonly Condition condition
     cdef Statement body

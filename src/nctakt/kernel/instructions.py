@@ -281,6 +281,26 @@ class IssueTechnology(Counted):
         return 0
 
 
+class CommandTimer(Counted):
+    """``#TIMER START|STOP|READ|CLEAR SYN [ID=i]`` (RC-401); an ID that is none is 900421."""
+
+    def __init__(self, action: int, timer: Expression, source: int, cost: int) -> None:
+        super().__init__(source, cost)
+        self.action = action
+        self.timer = timer
+
+    def run(self, context: Context) -> int:
+        value = evaluate(self, self.timer, context)
+        if context.fault:
+            return 1
+        value = arithmetic.round_half_even(value)
+        if not 0.0 <= value <= 127.0:
+            context.fail(900421, self.source, value, 127.0)
+            return 1
+        context.timers.command(self.action, int(value), context.tick)
+        return 0
+
+
 class Reaction(Counted):
     """Base of what runs a body under a condition.
 

@@ -2,11 +2,13 @@
 # C types of memory.py.
 from nctakt.kernel.hli cimport Hli
 from nctakt.kernel.record cimport Record
+from nctakt.kernel.timers cimport Timers
 
 cdef class Context:
     cdef double[::1] cells
     cdef Record record
     cdef Hli hli
+    cdef Timers timers
     cdef public long long tick
     cdef public long long serial
     cdef public long long run

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from nctakt.kernel.hli import Hli
 from nctakt.kernel.record import Record
+from nctakt.kernel.timers import Timers
 
 
 class Context:
@@ -23,10 +24,11 @@ class Context:
     which values.
     """
 
-    def __init__(self, memory: bytearray, record: Record, hli: Hli) -> None:
+    def __init__(self, memory: bytearray, record: Record, hli: Hli, timers: Timers) -> None:
         self.cells = memoryview(memory).cast("d")
         self.record = record
         self.hli = hli
+        self.timers = timers
         self.tick = 0
         self.serial = 0
         self.run = 0
@@ -69,3 +71,9 @@ class Context:
             self.fault_source = source
             self.fault_a = a
             self.fault_b = b
+
+
+def empty_context() -> Context:
+    """A context without variables, for expressions whose operands are all known."""
+    memory = bytearray(8)
+    return Context(memory, Record(memory), Hli(), Timers(memory, 0, 1000))

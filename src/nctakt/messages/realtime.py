@@ -230,6 +230,17 @@ _add(
     cause_de="Ein BLOCK-Zyklus wartet auf den nächsten Satz, der Zeit braucht, und es kam keiner.",
 )
 _add(
+    900421,
+    ERROR,
+    "there is no timer {timer}: timers are numbered 0 … 127",
+    "es gibt keinen Timer {timer}: Timer haben die Nummern 0 … 127",
+    remedy_en="give #TIMER an ID from 0 to 127",
+    remedy_de="#TIMER eine ID von 0 bis 127 geben",
+    parameters={"timer": "the ID"},
+    reaction=6,
+    clearing=6,
+)
+_add(
     900420,
     ERROR,
     "the block does not begin where the axes stand",

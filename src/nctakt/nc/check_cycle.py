@@ -197,7 +197,7 @@ class CycleChecker:
         self._statements(statement.else_body or ())
 
     def _timer(self, timer: Timer) -> None:
-        """Checked by the rules; then refused, as this version has no timers."""
+        """``#TIMER`` with SYN and at most an ID (RC-401)."""
         for option in timer.options:
             if option.name != "SYN":
                 self._findings.report(22004, option.span, command="#TIMER", word=option.text)
@@ -209,8 +209,9 @@ class CycleChecker:
             self._findings.report(22004, timer.span, command="#TIMER", word=timer.action)
         elif not any(option.name == "SYN" for option in timer.options):
             self._findings.report(22006, timer.span, action=timer.action)
-        else:
-            self._refuse(timer, "TIMER")
+        for item in timer.keywords:
+            if isinstance(item, Keyword) and item.value is not None:
+                self._values.block(item.value)
 
     def _user_error(self, error: UserError) -> None:
         for item in error.keywords:

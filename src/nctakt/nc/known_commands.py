@@ -23,6 +23,7 @@ CONTROLS = known(
 
 COMMANDS = known(
     ("#RT CYCLE", "S", "realtime cycle", "Echtzeit-Zyklus"),
+    ("#TIMER SYN", "S", "timer, in realtime cycles", "Zeitmessung, in Echtzeit-Zyklen"),
     ("#COMMENT", "S", "comment over several lines", "Kommentar über mehrere Zeilen"),
     ("#FLUSH", "S", "wait for the prepared blocks", "auf die vorbereiteten Sätze warten"),
     ("#MSG", "S", "message of the program", "Meldung des Programms"),
@@ -133,7 +134,7 @@ COMMANDS = known(
     ("#SUPPRESS OFFSETS", "R", "offsets off for one block", "Verschiebungen für einen Satz aus"),
     ("#TANGFEED", "R", "feed on curves", "Vorschub auf Bögen"),
     ("#TGC", "R", "tool grinding correction", "Schleifkorrektur"),
-    ("#TIMER", "R", "timer", "Zeitmessung"),
+    ("#TIMER", "R", "timer of the decoder", "Zeitmessung des Dekoders"),
     ("#TLAX", "R", "axis of the tool", "Achse des Werkzeugs"),
     ("#TLC", "R", "tool length compensation", "Werkzeuglängenkorrektur"),
     ("#TOOL", "R", "tools", "Werkzeuge"),

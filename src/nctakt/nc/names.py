@@ -300,9 +300,12 @@ class NameTable:
         for axis, number in self._axes.items():
             for row, offset in self._rta.values():
                 yield f"{axis}.{row.path}", self._layout.axis_cell(number) + offset, row
+        first = self._layout.channel_cell(self._index)
         for row, offset in self._rtg.values():
             if row.count == 0:
-                yield row.path, self._layout.channel_cell(self._index) + offset, row
+                yield row.path, first + offset, row
+            for index in range(row.count):
+                yield f"V.RTG.{row.path}[{index}]", first + offset + index, row
 
     def realtime(self) -> Iterator[tuple[str, int]]:
         """Every V.RTG and V.RTA value that programs know: its name, its cell."""

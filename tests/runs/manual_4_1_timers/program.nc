@@ -1,0 +1,29 @@
+; the latched values before: all zero
+$FOR P1 = 0, 4, 1
+  #MSG SAVE EXCLUSIVE ["V.RTG.TIMER[%d] = %f", P1, V.RTG.TIMER[P1]]
+$ENDFOR
+
+#RT CYCLE [ID = 17 SCOPE = PROG]
+  $IF ONCE 1 < 2
+    #TIMER START SYN [ID = 0]
+    #TIMER START SYN [ID = 2]
+  $ENDIF
+#RT CYCLE END
+#FLUSH WAIT
+
+#TIME 1.5
+
+#RT CYCLE [ID = 18 SCOPE = PROG]
+  $IF ONCE 1 < 2
+    #TIMER STOP SYN [ID = 0]
+    #TIMER READ SYN [ID = 0]
+    #TIMER READ SYN [ID = 2]
+  $ENDIF
+#RT CYCLE END
+#FLUSH WAIT
+
+$FOR P1 = 0, 4, 1
+  #MSG SAVE EXCLUSIVE ["V.RTG.TIMER[%d] = %f", P1, V.RTG.TIMER[P1]]
+$ENDFOR
+
+M30

@@ -1,0 +1,25 @@
+; stop, go on, clear, read while running; a timer that was never started
+#RT CYCLE DEF [ID = 1 SCOPE = PROG]
+  $IF V.E.COUNT == 0
+    #TIMER START SYN
+    #TIMER START SYN [ID = 127]
+  $ELSEIF V.E.COUNT == 3
+    #TIMER START SYN
+    #TIMER READ SYN [ID = 0]
+    #TIMER STOP SYN [ID = 127]
+  $ELSEIF V.E.COUNT == 5
+    #TIMER STOP SYN
+    #TIMER START SYN [ID = 127]
+    #TIMER READ SYN [ID = 5]
+  $ELSEIF V.E.COUNT == 8
+    #TIMER READ SYN
+    #TIMER READ SYN [ID = 127]
+    #TIMER CLEAR SYN
+  $ELSEIF V.E.COUNT == 9
+    #TIMER READ SYN [ID = 0 * V.E.COUNT]
+  $ENDIF
+  V.E.COUNT += 1
+#RT CYCLE END
+#RT CYCLE START [ID = 1]
+#TIME 0.012
+M30

@@ -10,7 +10,7 @@ a row is a copy of the chosen cells.
 
 Event row, ``EVENT_WIDTH`` floats: tick, kind, source ID, subject, a, b. Probe row, ``PROBE_WIDTH``
 floats: tick, 2 * probe number + truth, left operand, right operand. Where series are recorded there
-are rows in which a series of evaluations (``kind`` 0) or of run-throughs of a body (1) begins, after
+are rows in which a series of evaluations (``kind`` 0) or of run-throughs of a body (1) begins after
 a tick without: tick, -1 - (2 * probe number + kind), the tick behind the last one of the series
 before (-1: none), 0.
 """

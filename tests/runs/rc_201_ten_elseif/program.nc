@@ -1,0 +1,29 @@
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  $IF V.E.VALUE == 1
+    V.E.COUNT = 1
+  $ELSEIF V.E.VALUE == 2
+    V.E.COUNT = 2
+  $ELSEIF V.E.VALUE == 3
+    V.E.COUNT = 3
+  $ELSEIF V.E.VALUE == 4
+    V.E.COUNT = 4
+  $ELSEIF V.E.VALUE == 5
+    V.E.COUNT = 5
+  $ELSEIF V.E.VALUE == 6
+    V.E.COUNT = 6
+  $ELSEIF V.E.VALUE == 7
+    V.E.COUNT = 7
+  $ELSEIF V.E.VALUE == 8
+    V.E.COUNT = 8
+  $ELSEIF V.E.VALUE == 9
+    V.E.COUNT = 9
+  $ELSEIF V.E.VALUE == 10
+    V.E.COUNT = 10
+  $ELSEIF V.E.VALUE > 4
+    V.E.COUNT = 11
+  $ELSE
+    V.E.COUNT = 99
+  $ENDIF
+#RT CYCLE END
+#TIME 0.014
+M30

@@ -1,0 +1,10 @@
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  $IF EXP[V.E.VALUE + 1000] > 5
+    V.E.COUNT_POS += 1
+  $ENDIF
+  $IF -EXP[V.E.VALUE + 1000] > 5
+  $ELSE
+    V.E.COUNT_NEG += 1
+  $ENDIF
+#RT CYCLE END
+M30

@@ -20,7 +20,9 @@ from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
 from nctakt.kernel.instructions import Branch, Reaction, Statement
 from nctakt.lists.variables import SCALARS
 from nctakt.nc import syntax
+from nctakt.nc.cost import condition_steps, most_steps
 from nctakt.nc.names import Location
+from nctakt.nc.printer import format_expression
 
 SCOPES = {"BLOCK": BLOCK, "PROG": PROG, "GLOBAL": GLOBAL}
 
@@ -82,6 +84,7 @@ class CycleBuilder:
     def __init__(self, values: Values, first_probe: int) -> None:
         self._values = values
         self._place = values.surroundings.place
+        self._names = values.surroundings.names
         self._builder = ExpressionBuilder(self._leaf)
         self._conditions = 0
         self._statements = 0
@@ -133,7 +136,7 @@ class CycleBuilder:
             case syntax.VariableBlock():
                 built = self._builder.build(statement.variable)
                 source = self._place(statement.span)
-                return [instructions.Read(built.node, source, built.cost)]
+                return [instructions.Read(built.node, source, self._cost(statement))]
         raise AssertionError(statement)
 
     def _technology(self, block: syntax.Block) -> list[Statement]:
@@ -158,16 +161,19 @@ class CycleBuilder:
         built = self._builder.build(identity)
         source = self._place(timer.span)
         action = TIMER_ACTIONS[timer.action]
-        return instructions.CommandTimer(action, built.node, source, built.cost + 1)
+        return instructions.CommandTimer(action, built.node, source, self._cost(timer))
+
+    def _cost(self, statement: syntax.Statement) -> int:
+        return most_steps((statement,), self._names)
 
     def _if(self, statement: syntax.If) -> Statement:
         frequency = statement.frequency
         if frequency is not None:
-            condition = self._builder.condition(statement.condition)
-            node = self._condition(condition.node)
+            node = self._condition(self._builder.condition(statement.condition))
+            cost = condition_steps(statement.condition, self._names)
             body = self._sequence(statement.body)
             source = self._place(statement.span)
-            made = _REACTIONS[frequency](node, body, source, condition.cost)
+            made = _REACTIONS[frequency](node, body, source, cost)
             self._reactions.append(BuiltReaction(statement.span, frequency, made))
             return made
         alternatives = [self._branch(statement.span, statement.condition, statement.body)]
@@ -180,9 +186,9 @@ class CycleBuilder:
     def _branch(
         self, span: Span, condition: syntax.Expression, body: Sequence[syntax.Statement]
     ) -> Branch:
-        built = self._builder.condition(condition)
-        node = self._condition(built.node)
-        made = Branch(node, self._sequence(body), self._place(span), built.cost)
+        node = self._condition(self._builder.condition(condition))
+        cost = condition_steps(condition, self._names)
+        made = Branch(node, self._sequence(body), self._place(span), cost)
         self._reactions.append(BuiltReaction(span, "", made))
         self._statements += 1
         return made
@@ -210,14 +216,14 @@ class CycleBuilder:
         if statement.operator != "=":
             target = self._builder.build(statement.target)
             value = self._builder.combine(statement.operator[0], target, value)
-        return self._store(statement.target, location, value, self._place(statement.span))
+        source, cost = self._place(statement.span), self._cost(statement)
+        return self._store(statement.target, location, value, source, cost)
 
     def _store(
-        self, target: syntax.Variable, location: Location, value: Built, source: int
+        self, target: syntax.Variable, location: Location, value: Built, source: int, cost: int
     ) -> Statement:
         scalar = SCALARS[location.type]
-        cell, index, index_cost = self._index(target, location)
-        cost = value.cost + 1 + index_cost
+        cell, index = self._index(target, location)
         kind: type[instructions.Assignment]
         if location.name.startswith(("V.RTG.OVERRIDE", "V.RTA.OVERRIDE")):
             kind = instructions.AssignOverride
@@ -236,36 +242,34 @@ class CycleBuilder:
 
     def _leaf(self, node: syntax.Variable | syntax.Parameter) -> Built:
         if isinstance(node, syntax.Parameter):
-            return self._freeze(node, _parameter_name(node))
+            return self._freeze(node)
         location = self._values.locate(node)
         if not (location.synchronous or node.synchronous):
-            return self._freeze(node, location.name)
-        cell, index, cost = self._index(node, location)
+            return self._freeze(node)
+        cell, index = self._index(node, location)
         built = load(cell)
         if index is not None:
-            built = Built(expressions.LoadElement(cell, index), 1 + cost)
+            built = Built(expressions.LoadElement(cell, index))
         unit = self._values.state.length_unit_mm
         if location.is_length and unit != 1.0:
-            return Built(expressions.DivideExpressionConstant(built.node, unit), built.cost)
+            return Built(expressions.DivideExpressionConstant(built.node, unit))
         return built
 
-    def _freeze(self, node: syntax.Variable | syntax.Parameter, name: str) -> Built:
-        """An asynchronous value: that of now, a constant from now on; its access still counts."""
+    def _freeze(self, node: syntax.Variable | syntax.Parameter) -> Built:
+        """An asynchronous value: that of now, a constant from now on."""
         value = self._values.evaluate_now(node)
-        self._frozen.append(Frozen(name, value, node.span))
-        return constant(value, 1)
+        self._frozen.append(Frozen(format_expression(node), value, node.span))
+        return constant(value)
 
     def _index(
         self, variable: syntax.Variable, location: Location
-    ) -> tuple[int, expressions.Expression | None, int]:
-        """Cell, computed part and cost of an array access; constant indices are in the cell."""
+    ) -> tuple[int, expressions.Expression | None]:
+        """Cell and computed part of an array access; constant indices are in the cell."""
         cell = location.cell
         further: expressions.Expression | None = None
-        cost = 0
         indices = [index for part in variable.parts for index in part.indices]
         for index, dimension in reversed(list(zip(indices, location.dimensions, strict=True))):
             built = self._builder.build(index)
-            cost += built.cost
             if built.constant is not None and 0 <= round(built.constant) < dimension.count:
                 cell += round(built.constant) * dimension.stride
                 continue
@@ -276,10 +280,4 @@ class CycleBuilder:
                 further or expressions.Constant(0.0),
                 self._place(index.span),
             )
-        return cell, further, cost
-
-
-def _parameter_name(node: syntax.Parameter) -> str:
-    if isinstance(node.index, syntax.Number):
-        return f"P{int(node.index.value)}"
-    return "P[…]"
+        return cell, further

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Expression of the tree -> expression of the realtime part, with its cost (RC-206, RC-501).
+"""Expression of the tree -> expression of the realtime part, (RC-206).
 
 The one meaning of operators and functions for decoder and cycles: in a cycle a variable becomes a
 load, in the decoder the value that it has now, and the tree is evaluated at once. Nodes with simple
-operands are fused; a fused node costs what the nodes cost that it stands for.
+operands are fused; what they cost is counted on the tree (``nc/cost.py``) and does not change.
 """
 
 from __future__ import annotations
@@ -110,33 +110,24 @@ _CONSTANTS = {"TRUE": 1.0, "FALSE": 0.0, "PI": 3.141592653589793}
 
 @dataclass(frozen=True, slots=True)
 class Built:
-    """A node with its cost in elementary instructions.
+    """A node.
 
     ``constant`` is its value where that is known, ``cell`` the variable that it only loads.
     """
 
     node: Expression
-    cost: int
     constant: float | None = None
     cell: int | None = None
 
 
-def constant(value: float, cost: int = 0) -> Built:
+def constant(value: float) -> Built:
     """A known number."""
-    return Built(expressions.Constant(value), cost, value)
+    return Built(expressions.Constant(value), value)
 
 
 def load(cell: int) -> Built:
     """A variable of the memory."""
-    return Built(expressions.Load(cell), 1, cell=cell)
-
-
-@dataclass(frozen=True, slots=True)
-class BuiltCondition:
-    """The condition of an ``$IF`` with its cost, its own instruction included."""
-
-    node: Condition
-    cost: int
+    return Built(expressions.Load(cell), cell=cell)
 
 
 class ExpressionBuilder:
@@ -164,33 +155,31 @@ class ExpressionBuilder:
                 return self._call(expression)
         raise AssertionError(expression)
 
-    def condition(self, expression: syntax.Expression) -> BuiltCondition:
+    def condition(self, expression: syntax.Expression) -> Condition:
         """The condition of an ``$IF``."""
         if not isinstance(expression, syntax.Binary) or expression.operator not in _COMPARISONS:
             built = self.build(expression)
-            return BuiltCondition(conditions.IsTrue(built.node), built.cost + 1)
+            return conditions.IsTrue(built.node)
         operator = expression.operator
         left, right = self.build(expression.left), self.build(expression.right)
-        cost = left.cost + right.cost + 2
         general, fused, mirrored = _COMPARISONS[operator]
         if left.cell is not None and right.constant is not None:
-            return BuiltCondition(fused(left.cell, right.constant), cost)
+            return fused(left.cell, right.constant)
         if left.constant is not None and right.cell is not None:
-            return BuiltCondition(_COMPARISONS[mirrored][1](right.cell, left.constant), cost)
-        return BuiltCondition(general(left.node, right.node), cost)
+            return _COMPARISONS[mirrored][1](right.cell, left.constant)
+        return general(left.node, right.node)
 
     def combine(self, operator: str, left: Built, right: Built) -> Built:
         """``left operator right``."""
-        cost = left.cost + right.cost + 1
         if left.constant is not None and right.constant is not None:
-            return self._folded(_BINARY[operator](left.node, right.node), cost)
+            return self._folded(_BINARY[operator](left.node, right.node))
         if operator in _FUSED:
             fused = self._fused(operator, left, right)
             if fused is not None:
-                return Built(fused, cost)
+                return Built(fused)
         if operator == "/" and right.constant:
-            return Built(expressions.DivideExpressionConstant(left.node, right.constant), cost)
-        return Built(_BINARY[operator](left.node, right.node), cost)
+            return Built(expressions.DivideExpressionConstant(left.node, right.constant))
+        return Built(_BINARY[operator](left.node, right.node))
 
     def _fused(self, operator: str, left: Built, right: Built) -> Expression | None:
         cell_constant, cell_cell, expression_constant, expression_cell = _FUSED[operator]
@@ -212,23 +201,22 @@ class ExpressionBuilder:
         built = self.build(operand)
         node = _UNARY[operator](built.node)
         if built.constant is not None:
-            return self._folded(node, built.cost + 1)
-        return Built(node, built.cost + 1)
+            return self._folded(node)
+        return Built(node)
 
     def _call(self, call: syntax.Call) -> Built:
         if call.function == "ATAN2":
             left, right = (self.build(argument) for argument in call.arguments)
             node = expressions.ArcTangent2(left.node, right.node)
-            cost = left.cost + right.cost + 1
             if left.constant is not None and right.constant is not None:
-                return self._folded(node, cost)
-            return Built(node, cost)
+                return self._folded(node)
+            return Built(node)
         return self._unary(call.function, call.arguments[0])
 
-    def _folded(self, node: Expression, cost: int) -> Built:
+    def _folded(self, node: Expression) -> Built:
         """A node of known operands: its value, unless it is a fault that the run has to tell."""
         self._context.fault = 0
         value = node.measure(self._context)
         if self._context.fault or value - value != 0.0:
-            return Built(node, cost)
-        return constant(value, cost)
+            return Built(node)
+        return constant(value)

@@ -19,8 +19,10 @@ from nctakt.nc.syntax import (
     Call,
     Expression,
     If,
+    Keyword,
     Parameter,
     Statement,
+    Timer,
     Unary,
     Variable,
     VariableBlock,
@@ -42,6 +44,12 @@ def _statement(statement: Statement, names: NameTable) -> int:
             return len(statement.words)
         case VariableBlock():
             return expression_steps(statement.variable, names)
+        case Timer():
+            return 1 + sum(
+                expression_steps(keyword.value, names)
+                for keyword in statement.keywords
+                if isinstance(keyword, Keyword) and keyword.value is not None
+            )
     return 1
 
 
@@ -54,16 +62,17 @@ def _assignment(statement: Assignment, names: NameTable) -> int:
 
 def _if(statement: If, names: NameTable) -> int:
     """All conditions up to the branch whose way costs most, and its body."""
-    asked = _condition(statement.condition, names)
+    asked = condition_steps(statement.condition, names)
     ways = [asked + most_steps(statement.body, names)]
     for branch in statement.elseifs:
-        asked += _condition(branch.condition, names)
+        asked += condition_steps(branch.condition, names)
         ways.append(asked + most_steps(branch.body, names))
     ways.append(asked + most_steps(statement.else_body or (), names))
     return max(ways)
 
 
-def _condition(condition: Expression, names: NameTable) -> int:
+def condition_steps(condition: Expression, names: NameTable) -> int:
+    """The cost of evaluating the condition of an ``$IF``, its own instruction included."""
     return expression_steps(condition, names) + 1
 
 

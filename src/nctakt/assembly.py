@@ -31,7 +31,8 @@ from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.nc.names import ChannelNames, Layout, Location, NotFound
 from nctakt.nc.source import Source
-from nctakt.results.run import Reaction
+from nctakt.results.instruction_tree import distinct
+from nctakt.results.run import FrozenValue, Reaction
 from nctakt.sources import SourceFiles, pack
 from nctakt.text import nearest
 
@@ -58,6 +59,7 @@ class Registry:
         self._latest: dict[str, CycleDefinition] = {}
         self._living: dict[int, CycleDefinition] = {}
         self._past_runs: dict[str, int] = {}
+        self.on_cycle: Callable[[str, CycleDefinition], None] | None = None
 
     # --- what events ask ------------------------------------------------------------------------
 
@@ -111,6 +113,8 @@ class Registry:
         self._probes += definition.cycle.probes
         self._latest[name] = definition
         self._living[definition.serial] = definition
+        if self.on_cycle is not None:
+            self.on_cycle(name, definition)
 
     def forget(self, cycles: Sequence[RealtimeCycle]) -> None:
         """Cycles have ended for good: only their run-throughs are kept."""
@@ -138,6 +142,14 @@ class Registry:
         definition = self._latest[name]
         return [Reaction(one.span, one.frequency) for one in definition.reactions]
 
+    def frozen_in(self, name: str, span: Span | None) -> Sequence[FrozenValue]:
+        """What was frozen into the latest living cycle of this name and place (RC-302)."""
+        for serial, definition in reversed(self._living.items()):
+            if self._cycle_names[serial] == name and _begins_at(definition.span, span):
+                frozen = distinct(definition.frozen)
+                return [FrozenValue(one.name, one.value, one.span) for one in frozen]
+        return ()
+
     def runs(self) -> dict[str, int]:
         """Run-throughs of all cycles by name."""
         runs = dict(self._past_runs)
@@ -145,6 +157,13 @@ class Registry:
             name = self._cycle_names[definition.serial]
             runs[name] = runs.get(name, 0) + definition.cycle.runs
         return runs
+
+
+def _begins_at(span: Span, place: Span | None) -> bool:
+    """Whether a span begins at the place that an event knows."""
+    if place is None:
+        return False
+    return (span.file, span.line, span.column) == (place.file, place.line, place.column)
 
 
 class Machine:

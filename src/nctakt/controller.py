@@ -13,6 +13,7 @@ from pathlib import Path
 
 from nctakt import loading
 from nctakt.assembly import Machine
+from nctakt.decoder.cycles import CycleDefinition
 from nctakt.diagnostics import Diagnostic
 from nctakt.failure import Failure
 from nctakt.feed import Feed
@@ -143,6 +144,7 @@ class Controller:
         record_writes: bool = True,
         on_message: Callable[[SaidMessage], None] | None = None,
         on_progress: Callable[[int, int | None], None] | None = None,
+        on_cycle: Callable[[str, CycleDefinition], None] | None = None,
     ) -> Run:
         """Run programs one after another; their GLOBAL cycles, V.E and V.S variables live on.
 
@@ -152,7 +154,8 @@ class Controller:
         keeps in the result, of ``signals`` (positions of all axes, path speed, override, block
         number, active cycles unless given); ``record_writes`` has each new value that a cycle gives
         a variable as an event in it. Raises ``Failure`` for a name or value that does not
-        fit; mistakes of the programs are in the result.
+        fit; mistakes of the programs are in the result. ``on_cycle`` is told the name and the
+        definition of each realtime cycle when it is decoded.
         """
         first_tick = self.tick
         for name, value in (initial or {}).items():
@@ -162,7 +165,9 @@ class Controller:
             self._machine.check(stimulus.name, stimulus.value)
         begun = len(self.diagnostics) if first_tick else 0
         memory = MemorySink() if memory_trace else None
-        statistics = RunStatistics(self._machine.registry.reactions_of)
+        registry = self._machine.registry
+        registry.on_cycle = on_cycle
+        statistics = RunStatistics(registry.reactions_of, registry.frozen_in)
         self._sinks = [*sinks, *((memory,) if memory else ()), statistics]
         header = self._select(signals, bool(sinks) or memory_trace, record_writes)
         for sink in self._sinks:
@@ -182,6 +187,7 @@ class Controller:
             for sink in self._sinks:
                 sink.close()
             self._sinks = []
+            registry.on_cycle = None
         return Run(
             programs=tuple(loading.name_of(program) for program in programs),
             cycle_time_us=self.cycle_time_us,

@@ -28,6 +28,7 @@ EXIT_INTERNAL = 3
 _COMMANDS = {
     "run": "nctakt.cli.run",
     "explain": "nctakt.cli.explain",
+    "list": "nctakt.cli.listing",
 }
 
 

@@ -228,6 +228,7 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the kind of list": "die Art der Liste",
         "the kinds of lists": "die Arten von Listen",
         "a machine's folder": "der Ordner einer Maschine",
+        "the ticks that were run": "die gelaufenen Takte",
     }
 )
 

@@ -236,3 +236,20 @@ _add(
     remedy_de="ist {nearest} gemeint?",
     parameters={"word": "the word as it was given", "nearest": "the nearest known word"},
 )
+_add(
+    900590,
+    NOTE,
+    "the listing ends at the limit of the run, tick {ticks}; what is decoded later is missing",
+    "die Auflistung endet an der Grenze des Laufs, Takt {ticks}; später Dekodiertes fehlt",
+    remedy_en="give another limit with --until or --ticks",
+    remedy_de="mit --until oder --ticks eine andere Grenze setzen",
+    parameters={"ticks": "the ticks that were run"},
+)
+_add(
+    900591,
+    NOTE,
+    "no realtime cycle was defined",
+    "kein Echtzeit-Zyklus wurde definiert",
+    remedy_en="branches that were not taken are not decoded: --set gives variables other values",
+    remedy_de="nicht genommene Zweige werden nicht dekodiert: --set gibt Variablen andere Werte",
+)

@@ -46,6 +46,18 @@ class Reaction:
 
 
 @dataclass(frozen=True, slots=True)
+class FrozenValue:
+    """An asynchronous variable of a realtime cycle: its name, its place in the cycle, its value.
+
+    That is the one which it had when the definition was decoded (RC-302); the cycle sees no other.
+    """
+
+    name: str
+    value: float
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class ReactionResult:
     """How often a branch fired: ``count`` series of run-throughs in which its body ran.
 
@@ -65,7 +77,8 @@ class CycleResult:
     """A realtime cycle: ID (``#1`` without one), scope, place of its definition, reactions.
 
     ``instances`` says how often this definition was executed. ``runs`` is the number of its
-    run-throughs since its creation, ``None`` where they are not counted for it alone.
+    run-throughs since its creation, ``None`` where they are not counted for it alone. ``frozen``
+    are the asynchronous values in it, those of its latest instance.
     """
 
     name: str
@@ -74,6 +87,7 @@ class CycleResult:
     reactions: tuple[ReactionResult, ...]
     instances: int = 1
     runs: int | None = None
+    frozen: tuple[FrozenValue, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,6 +193,7 @@ class _Cycle:
     span: Span | None
     instances: int = 0
     reactions: dict[Span | None, _Fired] = field(default_factory=dict)
+    frozen: tuple[FrozenValue, ...] = ()
 
 
 @dataclass(slots=True)
@@ -192,11 +207,17 @@ class RunStatistics:
 
     ``reactions`` gives the branches of a cycle by its name, in the order of their places, so that
     a branch that never fires is told too; without it only those that fire are known. Cycles that
-    one definition made again and again are counted together.
+    one definition made again and again are counted together. ``frozen`` gives what was frozen into
+    the cycle of a name and a place.
     """
 
-    def __init__(self, reactions: Callable[[str], Sequence[Reaction]] | None = None) -> None:
+    def __init__(
+        self,
+        reactions: Callable[[str], Sequence[Reaction]] | None = None,
+        frozen: Callable[[str, Span | None], Sequence[FrozenValue]] | None = None,
+    ) -> None:
         self._reactions = reactions
+        self._frozen = frozen
         self._cycles: dict[tuple[str, str, Span | None], _Cycle] = {}
         self._living: dict[str, _Cycle] = {}
         self._outputs: dict[tuple[str, int, bool], _Output] = {}
@@ -235,6 +256,8 @@ class RunStatistics:
                 made.reactions[reaction.span] = _Fired(reaction.frequency)
             self._cycles[key] = made
         self._cycles[key].instances += 1
+        if self._frozen is not None:
+            self._cycles[key].frozen = tuple(self._frozen(event.cycle, event.span))
         self._living[event.cycle] = self._cycles[key]
 
     def _fired(self, event: Event) -> None:
@@ -278,6 +301,7 @@ class RunStatistics:
                 ),
                 cycle.instances,
                 self._runs(cycle, runs or {}),
+                cycle.frozen,
             )
             for cycle in self._cycles.values()
         )

@@ -14,6 +14,7 @@ from typing import TextIO
 
 from nctakt.diagnostics import Diagnostic, Language, Severity, Span, Text
 from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run
+from nctakt.trace.events import number_text
 
 _STATES = {
     "ended": Text("ended", "beendet"),
@@ -41,6 +42,9 @@ _OUTPUT_HEADS = (
 )
 _FROM_CYCLE = Text("realtime cycle", "Echtzeit-Zyklus")
 _FROM_PROGRAM = Text("program", "Programm")
+_FROZEN = Text("Frozen in cycle {name}: {values}", "Eingefroren in Zyklus {name}: {values}")
+_FROZEN_VALUE = Text("{name} = {value} (line {line})", "{name} = {value} (Zeile {line})")
+_FURTHER = Text("… {count} further", "… {count} weitere")
 _NEVER = Text("never", "nie")
 _NO_REACTION = Text("no branch", "kein Zweig")
 _TIMES = Text("{count} times", "{count} mal")
@@ -51,6 +55,10 @@ _COUNTS = (
     (Text("warning", "Warnung"), Text("warnings", "Warnungen")),
     (Text("note", "Hinweis"), Text("notes", "Hinweise")),
 )
+
+
+#: Frozen values of a cycle that the summary tells; nctakt list tells all.
+MOST_FROZEN = 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,13 +78,19 @@ def print_summary(
     """
     terminal = file.isatty()
     lines = headline(run, language, wall_s if terminal else None)
-    tables = [table for table in (_cycles(run, language), _outputs(run, language)) if table.rows]
     print(lines, file=file)
-    for table in tables:
+    for table, notes in (
+        (_cycles(run, language), frozen_lines(run, language)),
+        (_outputs(run, language), []),
+    ):
+        if not table.rows:
+            continue
         if terminal:
             _print_rich(table, file)
         else:
             print("", *plain_table(table), sep="\n", file=file)
+        if notes:
+            print("", *notes, sep="\n", file=file)
     print("", counts(run, language), sep="\n", file=file)
 
 
@@ -135,6 +149,23 @@ def _cycles(run: Run, language: Language) -> Table:
             rows.append((*head, *_reaction(run, reaction, language)))
             head = ("", "", "")
     return Table(tuple(head.get(language) for head in _CYCLE_HEADS), tuple(rows))
+
+
+def frozen_lines(run: Run, language: Language) -> list[str]:
+    """For each cycle with asynchronous variables a line: the values that it sees (RC-302)."""
+    value_text, further = _FROZEN_VALUE.get(language), _FURTHER.get(language)
+    lines: list[str] = []
+    for cycle in run.cycles:
+        values = [
+            value_text.format(name=one.name, value=number_text(one.value), line=one.span.line)
+            for one in cycle.frozen
+        ]
+        if len(values) > MOST_FROZEN:
+            values[MOST_FROZEN:] = [further.format(count=len(values) - MOST_FROZEN)]
+        if values:
+            text = _FROZEN.get(language)
+            lines.append(text.format(name=cycle.name, values=", ".join(values)))
+    return lines
 
 
 def _cycle_name(cycle: CycleResult, language: Language) -> str:

@@ -1,0 +1,20 @@
+; Of the branches of an $IF at most one runs; qualified conditions nest (RC-201, RC-203, RC-204).
+#RT CYCLE [ID=17 SCOPE=GLOBAL END_ACTION=MOVE_CONT]
+  $IF V.RTA.ACS.ACT_POS.X > 200
+    M100
+    $IF ONCE V.E.COUNT
+      V.E.COUNT = 0
+    $ENDIF
+  $ELSEIF V.RTA.ACS.ACT_POS.X > 100 && NOT[V.E.COUNT]
+    V.E.COUNT = 1
+    V.E.VALUE1 = V.RTA.ACS.ACT_POS.X - 100
+  $ELSE
+  $ENDIF
+  $IF EDGE V.RTG.TIMER[3] > 500
+  $ENDIF
+  N100 $IF ALWAYS 1
+    V.RTG.OVERRIDE.VEL.CYCLE = 50
+  $ENDIF
+#RT CYCLE END
+#RT CYCLE DELETE [ID=17]
+M30

@@ -19,11 +19,14 @@ from nctakt.failure import Failure
 from nctakt.feed import Feed
 from nctakt.interface import Interface
 from nctakt.kernel import kernel as reasons
+from nctakt.kernel.cycles import DEFINED, HELD
 from nctakt.lists.machine import MachineConfiguration, MachineError, load_machine
 from nctakt.loading import NcText
 from nctakt.nc.syntax import Program
 from nctakt.plc import Plc
+from nctakt.results.probe_log import ProbeLog
 from nctakt.results.run import Run, RunState, RunStatistics, SaidMessage
+from nctakt.results.why import WhyReport
 from nctakt.runtime_errors import realtime_diagnostic
 from nctakt.stimuli import Stimulus
 from nctakt.trace.events import EventChunk, EventDecoder
@@ -66,6 +69,8 @@ class Controller:
         self._stimuli_from = 0
         self._plc: Plc | None = None
         self._on_message: Callable[[SaidMessage], None] | None = None
+        self._probes: ProbeLog | None = None
+        self._loaded: list[Program] = []
 
     # --- state and variables --------------------------------------------------------------------
 
@@ -142,6 +147,7 @@ class Controller:
         signals: Sequence[str] | None = None,
         memory_trace: bool = True,
         record_writes: bool = True,
+        why: bool = False,
         on_message: Callable[[SaidMessage], None] | None = None,
         on_progress: Callable[[int, int | None], None] | None = None,
         on_cycle: Callable[[str, CycleDefinition], None] | None = None,
@@ -153,7 +159,8 @@ class Controller:
         ``stimuli`` values at times of the run. ``sinks`` get the trace, which ``memory_trace``
         keeps in the result, of ``signals`` (positions of all axes, path speed, override, block
         number, active cycles unless given); ``record_writes`` has each new value that a cycle gives
-        a variable as an event in it. Raises ``Failure`` for a name or value that does not
+        a variable as an event in it. ``why`` keeps what each condition of the realtime cycles saw
+        and did. Raises ``Failure`` for a name or value that does not
         fit; mistakes of the programs are in the result. ``on_cycle`` is told the name and the
         definition of each realtime cycle when it is decoded.
         """
@@ -172,6 +179,8 @@ class Controller:
         header = self._select(signals, bool(sinks) or memory_trace, record_writes)
         for sink in self._sinks:
             sink.open(header)
+        self._probes = self._probe_log() if why else None
+        self._machine.record.records_series = why
         self._plc = plc
         self._channel.hli.acknowledges_itself = plc is None
         self._on_message = on_message
@@ -199,7 +208,29 @@ class Controller:
             messages=statistics.messages,
             cycles=statistics.cycles(self._machine.registry.runs()),
             outputs=statistics.outputs(),
+            why=self._why(first_tick),
         )
+
+    def _probe_log(self) -> ProbeLog:
+        """What gathers the histories of conditions, those of living cycles from now on."""
+        machine, manager = self._machine, self._channel.manager
+        living = [
+            (machine.registry.definition(cycle.serial), manager.state_of(cycle.slot))
+            for cycle in manager.loaded
+            if DEFINED <= manager.state_of(cycle.slot) <= HELD
+        ]
+        return ProbeLog(machine.registry, self.tick, living)
+
+    def _why(self, first_tick: int) -> WhyReport | None:
+        """What was gathered, if it was asked for."""
+        log = self._probes
+        if log is None:
+            return None
+        self._probes = None
+        self._machine.record.records_series = False
+        histories = log.histories(self._loaded)
+        ticks = self.tick - first_tick
+        return WhyReport(self.cycle_time_us, first_tick, ticks, histories, log.left_out)
 
     def _limit(self, until_us: int | None, ticks: int | None) -> int:
         """The most ticks of a run."""
@@ -215,7 +246,7 @@ class Controller:
         after_us: int,
         on_progress: Callable[[int, int | None], None] | None,
     ) -> RunState:
-        loaded: list[Program] = []
+        loaded = self._loaded = []
         for program in programs:
             try:
                 loaded.append(loading.load(program, self._machine, self.diagnostics))
@@ -305,8 +336,10 @@ class Controller:
         """Hand on what the kernel has recorded."""
         record = self._machine.record
         rows_count, first_tick = record.row_count, self._kernel.tick - record.row_count
-        record.take_probes()
-        events = EventChunk(self._events, record.take_events())
+        probes, event_rows = record.take_probes(), record.take_events()
+        if self._probes is not None:
+            self._probes.add(probes, event_rows)
+        events = EventChunk(self._events, event_rows)
         rows = memoryview(record.take_rows()).cast("d")
         if len(events):
             self._watch(events)

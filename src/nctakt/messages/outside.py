@@ -237,6 +237,51 @@ _add(
     parameters={"word": "the word as it was given", "nearest": "the nearest known word"},
 )
 _add(
+    900574,
+    ERROR,
+    "there is no realtime cycle {cycle} in this run",
+    "es gibt in diesem Lauf keinen Echtzeit-Zyklus {cycle}",
+    remedy_en="name one of: {known}",
+    remedy_de="einen von diesen nennen: {known}",
+    parameters={"cycle": "the ID that was given", "known": "the IDs of the run's cycles"},
+)
+_add(
+    900575,
+    ERROR,
+    "line {line} belongs to no realtime cycle",
+    "Zeile {line} gehört zu keinem Echtzeit-Zyklus",
+    remedy_en="the nearest line that does is {nearest}",
+    remedy_de="die nächste Zeile, die zu einem gehört, ist {nearest}",
+    parameters={"line": "the line that was given", "nearest": "the nearest line of a cycle"},
+)
+_add(
+    900576,
+    ERROR,
+    "tick {tick} is not in the run, which went from tick {first} to tick {last}",
+    "Takt {tick} liegt nicht im Lauf, der von Takt {first} bis Takt {last} ging",
+    remedy_en="give a time within the run",
+    remedy_de="eine Zeit innerhalb des Laufs angeben",
+    parameters={"tick": "the tick", "first": "the run's first tick", "last": "its last tick"},
+)
+_add(
+    900577,
+    ERROR,
+    "there is no realtime cycle {cycle}: this run has defined none",
+    "es gibt keinen Echtzeit-Zyklus {cycle}: dieser Lauf hat keinen angelegt",
+    remedy_en="ask without a cycle to see which definitions were not reached",
+    remedy_de="ohne Zyklus fragen, um zu sehen, welche Definitionen nicht erreicht wurden",
+    parameters={"cycle": "the ID that was given"},
+)
+_add(
+    900578,
+    ERROR,
+    "line {line} belongs to no realtime cycle: the programs have none",
+    "Zeile {line} gehört zu keinem Echtzeit-Zyklus: die Programme haben keinen",
+    remedy_en="name a program that defines realtime cycles",
+    remedy_de="ein Programm nennen, das Echtzeit-Zyklen definiert",
+    parameters={"line": "the line that was given"},
+)
+_add(
     900590,
     NOTE,
     "the listing ends at the limit of the run, tick {ticks}; what is decoded later is missing",

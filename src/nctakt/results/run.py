@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from nctakt.diagnostics import Diagnostic, Severity, Span
+from nctakt.results.why import WhyReport
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
 from nctakt.trace.sinks import TraceHeader
@@ -124,7 +125,8 @@ class Run:
 
     ``ticks`` were run, from tick ``first_tick`` of the controller on. ``trace`` and ``events`` are
     there when the trace was kept in memory (else ``None`` and empty); counts are always there.
-    ``messages`` are the times in microseconds and texts of what programs said.
+    ``messages`` are the times in microseconds and texts of what programs said. ``why`` tells what
+    each condition saw and did, where the run was asked to.
     """
 
     programs: tuple[str, ...]
@@ -137,6 +139,7 @@ class Run:
     messages: tuple[tuple[int, str], ...] = ()
     cycles: tuple[CycleResult, ...] = ()
     outputs: tuple[OutputCount, ...] = ()
+    why: WhyReport | None = None
 
     @property
     def virtual_time_us(self) -> int:

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: MIT
+"""What realtime cycles and their conditions did in a run, as data.
+
+Made by ``probe_log.py`` from what the realtime part recorded, read by ``reasons.py`` and
+``why_text.py``. Ticks count from the controller's start (RC-001). Bounds keep memory constant over
+a long run: where one was reached, ``left_out`` says how much older was dropped.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from nctakt.diagnostics import Span
+from nctakt.nc.branches import BranchWord
+
+#: Why a branch's body, or a cycle, did not run.
+#:
+#: Of a cycle: ``undefined`` its definition was not taken; ``unstarted`` no START; ``waiting`` for
+#: the block of scope BLOCK; ``held``; ``ended``; ``stopped`` by the fault of another cycle in this
+#: tick; ``reset`` while the channel was reset.
+#:
+#: Of a branch: ``cycle`` its cycle did not run; ``outer`` the branch around it did not run;
+#: ``earlier`` a branch before it in the same ``$IF`` ran; ``false`` its condition was false;
+#: ``no rise`` an EDGE whose condition was true before already; ``done`` a ONCE that has run;
+#: ``fault`` its cycle was ended by an error before; ``forgotten`` too long ago to be known.
+ReasonKind = Literal[
+    "undefined",
+    "unstarted",
+    "waiting",
+    "held",
+    "ended",
+    "stopped",
+    "reset",
+    "cycle",
+    "outer",
+    "earlier",
+    "false",
+    "no rise",
+    "done",
+    "fault",
+    "forgotten",
+]
+
+LifeKind = Literal["living", "created", "started", "held", "continued", "ended"]
+EndedBy = Literal["", "scope", "program", "delete", "reset", "error"]
+
+
+@dataclass(frozen=True, slots=True)
+class Series:
+    """Consecutive ticks, both ends included."""
+
+    first_tick: int
+    last_tick: int
+
+
+@dataclass(frozen=True, slots=True)
+class Times:
+    """In which ticks something happened: series in their order, the newest ``SERIES_KEPT``.
+
+    ``ticks`` is the number of all ticks, those of the ``left_out`` older series included.
+    """
+
+    series: tuple[Series, ...] = ()
+    ticks: int = 0
+    left_out: int = 0
+
+    def holds(self, tick: int) -> bool | None:
+        """Whether it happened in that tick; ``None`` where that was dropped."""
+        if self.left_out and tick < self.series[0].first_tick:
+            return None
+        return any(one.first_tick <= tick <= one.last_tick for one in self.series)
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """A condition became true or false, or was evaluated for the first time (since START).
+
+    ``left`` and ``right`` are what it compared; a condition that compares nothing has its value and
+    0.5 (RC-202).
+    """
+
+    tick: int
+    truth: bool
+    left: float
+    right: float
+
+
+@dataclass(frozen=True, slots=True)
+class Nearest:
+    """The evaluation in which a condition that was never true came nearest to it, the first such.
+
+    ``distance`` is that of the two sides.
+    """
+
+    tick: int
+    left: float
+    right: float
+    distance: float
+
+
+@dataclass(frozen=True, slots=True)
+class Reason:
+    """Why something did not run; which fields are meant depends on ``kind``.
+
+    ``tick``: since when or at which tick. ``span``: the command that did it. ``branch``: the branch
+    that is to blame, by its position in the cycle. ``change``: what the condition saw last.
+    ``nearest``: what it saw when it came nearest. ``ended_by``: what ended the cycle. ``cycle``:
+    for ``cycle`` why it did not run. ``number``: of the error.
+    """
+
+    kind: ReasonKind
+    tick: int | None = None
+    span: Span | None = None
+    branch: int | None = None
+    change: Change | None = None
+    nearest: Nearest | None = None
+    ended_by: EndedBy = ""
+    cycle: Reason | None = None
+    number: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class LifeEvent:
+    """One step in a cycle's life: ``span`` is the command; ``number`` that of an error.
+
+    ``living`` stands for what an earlier run of the controller had begun.
+    """
+
+    tick: int
+    kind: LifeKind
+    span: Span | None = None
+    ended_by: EndedBy = ""
+    number: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class BranchHistory:
+    """One branch of a cycle and its condition, which ``$ELSE`` has none.
+
+    ``text`` is its source line without blanks around, ``operator`` that of the comparison, empty
+    where the condition is none. ``outer`` and ``earlier`` are positions in the cycle's branches.
+    ``evaluated``: when the condition was. ``changes``: its changes of truth, the newest
+    ``CHANGES_KEPT``. ``was_true``: its truth before the run, ``None`` when it had none. ``bodies``:
+    when the body ran. ``nearest``: ``None`` if it was true once or never evaluated.
+    """
+
+    span: Span
+    lines: tuple[int, ...]
+    text: str
+    word: BranchWord
+    frequency: str
+    operator: str
+    outer: int | None
+    earlier: tuple[int, ...]
+    evaluated: Times = Times()
+    changes: tuple[Change, ...] = ()
+    changes_left_out: int = 0
+    was_true: bool | None = None
+    bodies: Times = Times()
+    nearest: Nearest | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class CycleHistory:
+    """One realtime cycle of the run, or a definition that the run did not reach (``life`` empty).
+
+    ``name`` is its ID, ``#1`` without one, empty for an unreached definition. ``lines`` are those
+    that stand in no branch. ``stops`` are faults of other cycles in whose tick it may not have run:
+    tick, place and number. ``shown`` are the branches that were asked for.
+    """
+
+    name: str
+    scope: str
+    span: Span
+    lines: tuple[int, ...]
+    text: str
+    branches: tuple[BranchHistory, ...]
+    shown: tuple[int, ...]
+    life: tuple[LifeEvent, ...] = ()
+    life_left_out: int = 0
+    runs: Times = Times()
+    stops: tuple[LifeEvent, ...] = ()

@@ -1,0 +1,349 @@
+# SPDX-License-Identifier: MIT
+"""Gathers what realtime cycles and their conditions do in a run: record bytes -> histories.
+
+In: the probe and event rows of ``kernel/record.py`` as they come, the definitions of the cycles, at
+the end the counters of their nodes. Out: ``CycleHistory`` for each cycle. Memory is bounded by the
+constants below, the newest is kept, and histories say how much was dropped.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections import deque
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from nctakt.decoder.cycles import BuiltReaction, CycleDefinition
+from nctakt.diagnostics import Span
+from nctakt.kernel import conditions, record
+from nctakt.kernel.cycles import DEFINED, HELD
+from nctakt.nc.branches import BranchPlace, branch_places, lines_without_branch, realtime_cycles
+from nctakt.nc.syntax import Program, RealtimeCycle
+from nctakt.results.histories import (
+    BranchHistory,
+    Change,
+    CycleHistory,
+    EndedBy,
+    LifeEvent,
+    LifeKind,
+    Nearest,
+    Series,
+    Times,
+)
+
+#: Changes of truth that are kept for each condition.
+CHANGES_KEPT = 1000
+
+#: Series of consecutive ticks that are kept for each condition, body and cycle.
+SERIES_KEPT = 1000
+
+#: Steps in a cycle's life that are kept.
+LIFE_KEPT = 1000
+
+#: Cycles that are kept; ended ones are dropped for new ones, the oldest first.
+CYCLES_KEPT = 256
+
+_EVENT = struct.Struct(f"={record.EVENT_WIDTH}d")
+_PROBE = struct.Struct(f"={record.PROBE_WIDTH}d")
+
+#: Level-2 message of a BLOCK cycle whose program ended before its block came.
+_BLOCK_NEVER_CAME = 900413
+
+_OPERATORS: dict[type[conditions.Condition], str] = {
+    conditions.IsLess: "<",
+    conditions.IsLessCellConstant: "<",
+    conditions.IsLessEqual: "<=",
+    conditions.IsLessEqualCellConstant: "<=",
+    conditions.IsGreater: ">",
+    conditions.IsGreaterCellConstant: ">",
+    conditions.IsGreaterEqual: ">=",
+    conditions.IsGreaterEqualCellConstant: ">=",
+    conditions.IsEqual: "==",
+    conditions.IsEqualCellConstant: "==",
+    conditions.IsNotEqual: "!=",
+    conditions.IsNotEqualCellConstant: "!=",
+}
+
+_LIFE: dict[int, LifeKind] = {
+    record.CREATED: "created",
+    record.STARTED: "started",
+    record.HELD: "held",
+    record.CONTINUED: "continued",
+}
+_ENDED_BY: dict[int, EndedBy] = {
+    record.ENDED_BY_SCOPE: "scope",
+    record.ENDED_BY_DELETE: "delete",
+    record.ENDED_BY_RESET: "reset",
+    record.ENDED_BY_ERROR: "error",
+}
+
+
+class CycleNames(Protocol):
+    """What the numbers in rows stand for, while a cycle lives."""
+
+    def cycle(self, serial: int) -> str:
+        """The programmed ID of the cycle, or ``#1`` without one."""
+
+    def definition(self, serial: int) -> CycleDefinition:
+        """The definition of a cycle that has not been forgotten yet."""
+
+    def place(self, source: int) -> Span | None:
+        """The place of a source number."""
+
+    def line_at(self, span: Span) -> str:
+        """The source line of a span."""
+
+
+class _SeriesLog:
+    """Begins of series, each with the tick behind the one before -> closed series."""
+
+    def __init__(self, first_tick: int | None) -> None:
+        self._first_tick = first_tick
+        self._kept: deque[Series] = deque(maxlen=SERIES_KEPT)
+        self._ticks = 0
+        self._left_out = 0
+
+    def begin(self, tick: int, next_tick: int) -> None:
+        self._close(next_tick)
+        self._first_tick = tick
+
+    def _close(self, next_tick: int) -> None:
+        """The series that is open ended before ``next_tick``; it may have no tick in this run."""
+        if self._first_tick is not None and next_tick > self._first_tick:
+            self._left_out += len(self._kept) == SERIES_KEPT
+            self._kept.append(Series(self._first_tick, next_tick - 1))
+            self._ticks += next_tick - self._first_tick
+        self._first_tick = None
+
+    def finish(self, next_tick: int) -> Times:
+        self._close(next_tick)
+        return Times(tuple(self._kept), self._ticks, self._left_out)
+
+
+def _continued(next_tick: int, first_tick: int) -> int | None:
+    """Where a series that an earlier run has begun goes on."""
+    return first_tick if next_tick == first_tick else None
+
+
+class _BranchLog:
+    """One branch: its node in the realtime part and what came from it."""
+
+    def __init__(self, built: BuiltReaction, first_tick: int) -> None:
+        self.reaction = built.node
+        node = built.node.condition
+        self.probe = node.probe
+        self.evaluated = _SeriesLog(_continued(node.next_tick, first_tick))
+        self.bodies = _SeriesLog(_continued(built.node.next_tick, first_tick))
+        self._was_true = None if node.truth == conditions.UNKNOWN else node.truth == 1
+        self._changes: deque[Change] = deque(maxlen=CHANGES_KEPT)
+        self._left_out = 0
+
+    def change(self, tick: int, truth: bool, left: float, right: float) -> None:
+        self._left_out += len(self._changes) == CHANGES_KEPT
+        self._changes.append(Change(tick, truth, left, right))
+
+    def history(self, place: BranchPlace, text: str) -> BranchHistory:
+        node = self.reaction.condition
+        nearest = None
+        if node.nearest_tick >= 0 and not node.was_ever_true:
+            nearest = Nearest(
+                node.nearest_tick, node.nearest_left, node.nearest_right, node.nearest
+            )
+        return BranchHistory(
+            place.span,
+            place.lines,
+            text,
+            place.word,
+            place.frequency,
+            _OPERATORS.get(type(node), ""),
+            place.outer,
+            place.earlier,
+            self.evaluated.finish(node.next_tick),
+            tuple(self._changes),
+            self._left_out,
+            self._was_true,
+            self.bodies.finish(self.reaction.next_tick),
+            nearest,
+        )
+
+
+@dataclass(slots=True)
+class _CycleLog:
+    name: str
+    definition: CycleDefinition
+    runs: _SeriesLog
+    branches: dict[Span, _BranchLog]
+    life: deque[LifeEvent] = field(default_factory=lambda: deque(maxlen=LIFE_KEPT))
+    life_left_out: int = 0
+    missed_its_block: bool = False
+
+    def live(self, event: LifeEvent) -> None:
+        self.life_left_out += len(self.life) == LIFE_KEPT
+        self.life.append(event)
+
+
+class ProbeLog:
+    """The histories of a run in the making.
+
+    ``living`` are the cycles that live at its first tick, with the state of their slots.
+    """
+
+    def __init__(
+        self,
+        names: CycleNames,
+        first_tick: int,
+        living: Iterable[tuple[CycleDefinition, int]],
+    ) -> None:
+        self._names = names
+        self._first_tick = first_tick
+        self._cycles: dict[int, _CycleLog] = {}
+        self._evaluated: dict[int, _SeriesLog] = {}
+        self._bodies: dict[int, _SeriesLog] = {}
+        self._branches: dict[int, _BranchLog] = {}
+        self._stops: deque[tuple[int, LifeEvent]] = deque(maxlen=LIFE_KEPT)
+        self._seen: dict[Span, None] = {}
+        self.left_out = 0
+        for definition, state in living:
+            cycle = self._add(definition)
+            cycle.live(LifeEvent(first_tick, "created" if state == DEFINED else "living"))
+            if state == HELD:
+                cycle.live(LifeEvent(first_tick, "held"))
+
+    # --- while the run goes on ------------------------------------------------------------------
+
+    def add(self, probes: bytes, events: bytes) -> None:
+        """Take the rows of some ticks."""
+        for row in _EVENT.iter_unpack(events):
+            self._event(*row)
+        for tick, code, left, right in _PROBE.iter_unpack(probes):
+            number = int(code)
+            if number >= 0:
+                branch = self._branches.get(number // 2)
+                if branch is not None:
+                    branch.change(int(tick), bool(number % 2), left, right)
+                continue
+            number = -1 - number
+            series = (self._bodies if number % 2 else self._evaluated).get(number // 2)
+            if series is not None:
+                series.begin(int(tick), int(left))
+
+    def _event(
+        self, tick: float, kind: float, source: float, subject: float, a: float, _b: float
+    ) -> None:
+        serial = int(subject)
+        if kind == record.CREATED:
+            self._make_room()
+            self._add(self._names.definition(serial))
+        cycle = self._cycles.get(serial)
+        if cycle is None:
+            return
+        span = self._names.place(int(source))
+        if kind in _LIFE:
+            cycle.live(LifeEvent(int(tick), _LIFE[int(kind)], span))
+        elif kind == record.ENDED:
+            self._ended(cycle, int(tick), int(a), span)
+        elif kind == record.ERROR and serial:
+            self._stops.append((serial, LifeEvent(int(tick), "ended", span, "error", int(a))))
+        elif kind == record.NOTICE and a == _BLOCK_NEVER_CAME:
+            cycle.missed_its_block = True
+
+    def _ended(self, cycle: _CycleLog, tick: int, reason: int, span: Span | None) -> None:
+        ended_by = _ENDED_BY[reason]
+        number = 0
+        if ended_by == "scope" and (cycle.definition.scope == "PROG" or cycle.missed_its_block):
+            ended_by = "program"
+        if ended_by == "error" and self._stops:
+            span, number = self._stops[-1][1].span, self._stops[-1][1].number
+        cycle.live(LifeEvent(tick, "ended", span, ended_by, number))
+
+    def _add(self, definition: CycleDefinition) -> _CycleLog:
+        cycle = definition.cycle
+        runs = _SeriesLog(_continued(cycle.next_tick, self._first_tick))
+        branches = {
+            built.span: _BranchLog(built, self._first_tick) for built in definition.reactions
+        }
+        name = self._names.cycle(definition.serial)
+        made = _CycleLog(name, definition, runs, branches)
+        self._cycles[definition.serial] = made
+        self._evaluated[cycle.probe] = runs
+        for branch in branches.values():
+            self._evaluated[branch.probe] = branch.evaluated
+            self._bodies[branch.probe] = branch.bodies
+            self._branches[branch.probe] = branch
+        self._seen[definition.span] = None
+        return made
+
+    def _make_room(self) -> None:
+        """Drop the oldest cycle that has ended where as many are kept as may be."""
+        if len(self._cycles) < CYCLES_KEPT:
+            return
+        ended = (s for s, one in self._cycles.items() if one.life and one.life[-1].kind == "ended")
+        serial = next(ended, None)
+        if serial is None:
+            return
+        cycle = self._cycles.pop(serial)
+        del self._evaluated[cycle.definition.cycle.probe]
+        for branch in cycle.branches.values():
+            for table in (self._evaluated, self._bodies, self._branches):
+                del table[branch.probe]
+        self.left_out += 1
+
+    # --- at its end -----------------------------------------------------------------------------
+
+    def histories(self, programs: Sequence[Program]) -> tuple[CycleHistory, ...]:
+        """All cycles in the order of their creation, then the definitions that were not taken."""
+        made = [self._history(serial, cycle) for serial, cycle in self._cycles.items()]
+        for program in programs:
+            for statement in realtime_cycles(program):
+                if statement.span not in self._seen:
+                    self._seen[statement.span] = None
+                    made.append(self._unreached(statement))
+        return tuple(made)
+
+    def _history(self, serial: int, cycle: _CycleLog) -> CycleHistory:
+        definition = cycle.definition
+        branches = tuple(
+            cycle.branches[place.span].history(place, self._text(place.span))
+            for place in branch_places(definition.statement)
+        )
+        return CycleHistory(
+            cycle.name,
+            definition.scope,
+            definition.span,
+            tuple(lines_without_branch(definition.statement)),
+            self._text(definition.span),
+            branches,
+            tuple(range(len(branches))),
+            tuple(cycle.life),
+            cycle.life_left_out,
+            cycle.runs.finish(definition.cycle.next_tick),
+            tuple(stop for who, stop in self._stops if who != serial),
+        )
+
+    def _unreached(self, statement: RealtimeCycle) -> CycleHistory:
+        branches = tuple(
+            BranchHistory(
+                place.span,
+                place.lines,
+                self._text(place.span),
+                place.word,
+                place.frequency,
+                "",
+                place.outer,
+                place.earlier,
+            )
+            for place in branch_places(statement)
+        )
+        return CycleHistory(
+            "",
+            "",
+            statement.span,
+            tuple(lines_without_branch(statement)),
+            self._text(statement.span),
+            branches,
+            tuple(range(len(branches))),
+        )
+
+    def _text(self, span: Span) -> str:
+        return self._names.line_at(span).strip()

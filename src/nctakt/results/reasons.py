@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: MIT
+"""Why a branch or a realtime cycle did not run: in one tick, or in a whole run.
+
+In: histories. Out: ``Reason``, which names what is to blame: a state of the cycle, another branch,
+the condition itself (RC-105 … RC-111, RC-201 … RC-204, RC-505).
+"""
+
+from __future__ import annotations
+
+from nctakt.results.histories import (
+    BranchHistory,
+    Change,
+    CycleHistory,
+    LifeEvent,
+    Reason,
+)
+
+_FORGOTTEN = Reason("forgotten")
+
+
+# --- in one tick ---------------------------------------------------------------------------------
+
+
+def why_cycle_idle(cycle: CycleHistory, tick: int) -> Reason | None:
+    """Why the cycle did not run in ``tick``; ``None`` if it did."""
+    ran = cycle.runs.holds(tick)
+    if ran:
+        return None
+    if not cycle.life or (tick < cycle.life[0].tick and not cycle.life_left_out):
+        return Reason("undefined", cycle.life[0].tick if cycle.life else None)
+    if ran is None or tick < cycle.life[0].tick:
+        return _FORGOTTEN
+    last = [event for event in cycle.life if event.tick <= tick][-1]
+    match last.kind:
+        case "created":
+            return Reason("unstarted", last.tick)
+        case "held":
+            return Reason("held", last.tick, last.span)
+        case "ended":
+            return _ended(last)
+    for stop in cycle.stops:
+        if stop.tick == tick:
+            return Reason("stopped", tick, stop.span, number=stop.number)
+    if cycle.scope == "BLOCK":
+        return Reason("waiting", last.tick)
+    return Reason("reset", tick)
+
+
+def _ended(event: LifeEvent) -> Reason:
+    return Reason("ended", event.tick, event.span, ended_by=event.ended_by, number=event.number)
+
+
+def last_change(branch: BranchHistory, tick: int) -> Change | None:
+    """What the condition saw at its last change of truth up to ``tick``."""
+    before = [change for change in branch.changes if change.tick <= tick]
+    return before[-1] if before else None
+
+
+def truth_at(branch: BranchHistory, tick: int) -> bool | None:
+    """The truth of the condition after ``tick``; ``None`` if it had none or it is not known."""
+    change = last_change(branch, tick)
+    if change is not None:
+        return change.truth
+    return None if branch.changes_left_out else branch.was_true
+
+
+def why_branch_idle(cycle: CycleHistory, branch: BranchHistory, tick: int) -> Reason | None:
+    """Why the branch's body did not run in ``tick``; ``None`` if it did."""
+    ran = branch.bodies.holds(tick)
+    if ran:
+        return None
+    idle = why_cycle_idle(cycle, tick)
+    if idle is not None:
+        return Reason("cycle", cycle=idle)
+    if branch.outer is not None and not cycle.branches[branch.outer].bodies.holds(tick):
+        return Reason("outer", branch=branch.outer)
+    for earlier in branch.earlier:
+        if cycle.branches[earlier].bodies.holds(tick):
+            return Reason("earlier", branch=earlier)
+    if branch.evaluated.holds(tick):
+        return _why_without_body(branch, tick)
+    if ran is None or branch.evaluated.holds(tick) is None:
+        return _FORGOTTEN
+    if branch.frequency == "ONCE" and (done := _done_tick(branch, tick)) is not None:
+        return Reason("done", done)
+    return _without_evaluation(cycle, branch)
+
+
+def _without_evaluation(cycle: CycleHistory, branch: BranchHistory) -> Reason:
+    """The condition was reached but not evaluated: a fault before it, or ONCE done before."""
+    fault = _stopped_by_fault(cycle)
+    if fault is not None:
+        return fault
+    return Reason("done") if branch.frequency == "ONCE" else _FORGOTTEN
+
+
+def _why_without_body(branch: BranchHistory, tick: int) -> Reason:
+    """The condition was evaluated, the body did not run."""
+    change = last_change(branch, tick)
+    truth = truth_at(branch, tick)
+    if truth is None:
+        return Reason("fault", tick)
+    if truth:
+        return Reason("no rise", change.tick if change else None, change=change)
+    return Reason("false", change.tick if change else None, change=change)
+
+
+def _done_tick(branch: BranchHistory, tick: int) -> int | None:
+    """The last tick before ``tick`` in which the body ran."""
+    before = [one.last_tick for one in branch.bodies.series if one.last_tick < tick]
+    return before[-1] if before else None
+
+
+def _stopped_by_fault(cycle: CycleHistory) -> Reason | None:
+    """The error that ended the cycle, if one did."""
+    for event in cycle.life:
+        if event.ended_by == "error":
+            return Reason("fault", event.tick, event.span, number=event.number)
+    return None
+
+
+# --- in the whole run ----------------------------------------------------------------------------
+
+
+def why_cycle_never(cycle: CycleHistory, last_tick: int) -> Reason | None:
+    """Why the cycle did not run at all; ``None`` if it did."""
+    if cycle.runs.ticks:
+        return None
+    return why_cycle_idle(cycle, last_tick)
+
+
+def why_branch_never(cycle: CycleHistory, branch: BranchHistory, last_tick: int) -> Reason | None:
+    """Why the branch's body did not run at all; ``None`` if it did."""
+    if branch.bodies.ticks:
+        return None
+    idle = why_cycle_never(cycle, last_tick)
+    if idle is not None:
+        return Reason("cycle", cycle=idle)
+    if branch.evaluated.ticks:
+        return _why_never_true(cycle, branch)
+    if branch.outer is not None and not cycle.branches[branch.outer].bodies.ticks:
+        return Reason("outer", branch=branch.outer)
+    ran = [earlier for earlier in branch.earlier if cycle.branches[earlier].bodies.ticks]
+    if ran:
+        return Reason("earlier", branch=ran[0])
+    return _without_evaluation(cycle, branch)
+
+
+def _why_never_true(cycle: CycleHistory, branch: BranchHistory) -> Reason:
+    was_true = branch.was_true or any(change.truth for change in branch.changes)
+    if was_true:
+        return Reason("no rise", branch.changes[0].tick if branch.changes else None)
+    if branch.changes or branch.was_true is False:
+        return Reason("false", nearest=branch.nearest)
+    return _stopped_by_fault(cycle) or _FORGOTTEN

@@ -1,0 +1,255 @@
+# SPDX-License-Identifier: MIT
+"""The report of ``nctakt why`` as text: each cycle, each of its conditions, what it saw and did.
+
+In: histories, or states at one tick. Out: lines: the place of a cycle and its life; for each branch
+its source line, then when its condition was evaluated, what it compared when its truth changed,
+when the body ran, or why it did not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from nctakt.diagnostics import Text
+from nctakt.results.histories import BranchHistory, CycleHistory, LifeEvent, Reason
+from nctakt.results.reasons import (
+    last_change,
+    truth_at,
+    why_branch_idle,
+    why_branch_never,
+    why_cycle_idle,
+    why_cycle_never,
+)
+from nctakt.results.why_words import Words
+
+#: A source line is shown up to so many characters.
+_WIDTH = 90
+
+_CYCLE = Text("realtime cycle {name}", "Echtzeit-Zyklus {name}")
+_UNREACHED = Text("realtime cycle", "Echtzeit-Zyklus")
+_LIVING = Text("lives since before the run", "lebt seit vor dem Lauf")
+_STEPS = {
+    "created": Text("defined", "angelegt"),
+    "started": Text("started", "gestartet"),
+    "held": Text("held", "angehalten"),
+    "continued": Text("continued", "fortgesetzt"),
+    "ended": Text("ended", "beendet"),
+}
+_AND_STARTED = Text("defined and started", "angelegt und gestartet")
+_STEP_AT = Text("{step} at {tick}", "{step} in {tick}")
+_RAN_IN = Text("ran in {times}", "lief: {times}")
+_NEVER_RAN = Text("never ran: {reason}", "lief nie: {reason}")
+_OUTSIDE = Text(
+    "what stands in no $IF runs in each run-through", "was in keinem $IF steht, läuft jedes Mal"
+)
+_EVALUATED = Text("evaluated in {times}", "ausgewertet: {times}")
+_TRUE_FROM = Text("true from {tick}: {values}", "wahr ab {tick}: {values}")
+_FALSE_FROM = Text("false from {tick}: {values}", "falsch ab {tick}: {values}")
+_BODY_ONCE = Text("body ran once, in {times}", "Rumpf lief einmal: {times}")
+_BODY = Text("body ran {count} times, in {times}", "Rumpf lief {count} mal: {times}")
+_BODY_NEVER = Text("body never ran: {reason}", "Rumpf lief nie: {reason}")
+_DONE = Text("ONCE: done, no longer evaluated", "ONCE: erledigt, nicht mehr ausgewertet")
+_LATCHED = Text(
+    "ALWAYS: latched since {tick}, no longer evaluated",
+    "ALWAYS: eingerastet seit {tick}, nicht mehr ausgewertet",
+)
+_NO_CYCLES = Text("no realtime cycles", "keine Echtzeit-Zyklen")
+_LEFT_OUT = Text(
+    "{count} older realtime cycles are left out", "{count} ältere Echtzeit-Zyklen fehlen hier"
+)
+_AT_RAN = Text("ran in this tick", "lief in diesem Takt")
+_AT_IDLE = Text("did not run in this tick: {reason}", "lief nicht in diesem Takt: {reason}")
+_AT_EVALUATED = Text("evaluated in this tick", "in diesem Takt ausgewertet")
+_AT_NOT_EVALUATED = Text("not evaluated in this tick", "in diesem Takt nicht ausgewertet")
+_AT_TRUE = Text("true since {tick}: {values}", "wahr seit {tick}: {values}")
+_AT_FALSE = Text("false since {tick}: {values}", "falsch seit {tick}: {values}")
+_AT_BODY = Text("body ran", "Rumpf lief")
+_AT_NO_BODY_FALSE = Text("body did not run", "Rumpf lief nicht")
+_AT_NO_BODY = Text("body did not run: {reason}", "Rumpf lief nicht: {reason}")
+
+
+def render_report(
+    cycles: Sequence[CycleHistory], left_out: int, last_tick: int, words: Words
+) -> str:
+    """The whole run; ``last_tick`` was its last tick."""
+    lines: list[str] = []
+    for cycle in cycles:
+        lines += ["", _headline(cycle, words)]
+        lines += [f"  {line}" for line in _life(cycle, last_tick, words)]
+        if not cycle.runs.ticks:
+            continue
+        lines += _branches(cycle, lambda branch, of: _history(of, branch, last_tick, words), words)
+    return _joined(lines, left_out, words)
+
+
+def render_state(cycles: Sequence[CycleHistory], left_out: int, tick: int, words: Words) -> str:
+    """One tick."""
+    lines = [words.tick(tick)]
+    for cycle in cycles:
+        idle = why_cycle_idle(cycle, tick)
+        lines += ["", _headline(cycle, words)]
+        if idle is not None:
+            lines.append(f"  {words.get(_AT_IDLE, reason=words.cycle_reason(idle))}")
+            continue
+        lines.append(f"  {words.get(_AT_RAN)}")
+        lines += _branches(cycle, lambda branch, of: _state(of, branch, tick, words), words)
+    return _joined(lines, left_out, words)
+
+
+def _joined(lines: list[str], left_out: int, words: Words) -> str:
+    if not lines:
+        lines = [words.get(_NO_CYCLES)]
+    if left_out:
+        lines += ["", words.get(_LEFT_OUT, count=left_out)]
+    return "\n".join(lines).lstrip("\n") + "\n"
+
+
+# --- a cycle -------------------------------------------------------------------------------------
+
+
+def _headline(cycle: CycleHistory, words: Words) -> str:
+    name = words.get(_CYCLE, name=cycle.name) if cycle.name else words.get(_UNREACHED)
+    return f"{name}  {cycle.span.file}:{cycle.span.line}  {cycle.scope}".rstrip()
+
+
+def _life(cycle: CycleHistory, last_tick: int, words: Words) -> list[str]:
+    """The steps of its life, and when it ran."""
+    never = why_cycle_never(cycle, last_tick)
+    steps = [_step(cycle, index, words) for index in range(len(cycle.life))]
+    told = words.ends([step for step in steps if step], cycle.life_left_out)
+    if never is None:
+        last = cycle.life[-1].kind == "ended"
+        ran = words.get(_RAN_IN, times=words.times(cycle.runs))
+        told.insert(len(told) - 1 if last else len(told), ran)
+    else:
+        told.append(words.get(_NEVER_RAN, reason=words.cycle_reason(never)))
+    if not cycle.shown and cycle.branches:
+        told.append(words.get(_OUTSIDE))
+    return told
+
+
+def _step(cycle: CycleHistory, index: int, words: Words) -> str:
+    """One step; a definition that starts the cycle is one step."""
+    event = cycle.life[index]
+    if event.kind == "living":
+        return words.get(_LIVING)
+    if event.kind == "started" and index and _starts_at_once(cycle.life[index - 1], event):
+        return ""
+    following = cycle.life[index + 1] if index + 1 < len(cycle.life) else None
+    step = words.get(_STEPS[event.kind])
+    if following is not None and _starts_at_once(event, following):
+        step = words.get(_AND_STARTED)
+    text = words.get(_STEP_AT, step=step, tick=words.tick(event.tick))
+    if event.kind == "ended":
+        return f"{text}: {words.ended(event.ended_by, event.span, event.number)}"
+    if event.kind in ("started", "held", "continued") and event.span is not None:
+        return f"{text}, {words.line(event.span)}"
+    return text
+
+
+def _starts_at_once(event: LifeEvent, following: LifeEvent) -> bool:
+    return (event.kind, following.kind) == ("created", "started") and (
+        (event.tick, event.span) == (following.tick, following.span)
+    )
+
+
+# --- its branches --------------------------------------------------------------------------------
+
+
+def _branches(
+    cycle: CycleHistory,
+    tell: Callable[[BranchHistory, CycleHistory], list[str]],
+    words: Words,
+) -> list[str]:
+    lines: list[str] = []
+    for index in cycle.shown:
+        branch = cycle.branches[index]
+        indent = "  " * (1 + _depth(cycle, branch))
+        text = branch.text if len(branch.text) <= _WIDTH else f"{branch.text[: _WIDTH - 1]}…"
+        lines += ["", f"{indent}{words.line(branch.span)}  {text}"]
+        lines += [f"{indent}  {line}" for line in tell(branch, cycle)]
+    return lines
+
+
+def _depth(cycle: CycleHistory, branch: BranchHistory) -> int:
+    depth = 0
+    while branch.outer is not None:
+        branch = cycle.branches[branch.outer]
+        depth += 1
+    return depth
+
+
+def _history(cycle: CycleHistory, branch: BranchHistory, last_tick: int, words: Words) -> list[str]:
+    """What a branch did in the run."""
+    lines: list[str] = []
+    if branch.evaluated.ticks:
+        lines.append(words.get(_EVALUATED, times=words.times(branch.evaluated)))
+    if branch.bodies.ticks:
+        lines += _changes(branch, words)
+        count = branch.bodies.ticks
+        times = words.times(branch.bodies)
+        lines.append(words.get(_BODY_ONCE if count == 1 else _BODY, count=count, times=times))
+        return [*lines, *_frequency(branch, words)]
+    chain = _chain(cycle, branch, lambda one: why_branch_never(cycle, one, last_tick))
+    if branch.changes and chain[0].kind != "false":
+        lines += _changes(branch, words)
+    reason = words.branch_reason(cycle, branch, chain)
+    return [*lines, words.get(_BODY_NEVER, reason=reason)]
+
+
+def _changes(branch: BranchHistory, words: Words) -> list[str]:
+    texts = [
+        words.get(
+            _TRUE_FROM if change.truth else _FALSE_FROM,
+            tick=words.tick(change.tick),
+            values=words.seen(branch, change),
+        )
+        for change in branch.changes
+    ]
+    return words.ends(texts, branch.changes_left_out)
+
+
+def _frequency(branch: BranchHistory, words: Words) -> list[str]:
+    """From when on a condition is no longer evaluated, though its body has run."""
+    if branch.frequency == "ONCE":
+        return [words.get(_DONE)]
+    true = [change.tick for change in branch.changes if change.truth]
+    if branch.frequency == "ALWAYS" and true:
+        return [words.get(_LATCHED, tick=words.tick(true[-1]))]
+    return []
+
+
+def _chain(
+    cycle: CycleHistory,
+    branch: BranchHistory,
+    why: Callable[[BranchHistory], Reason | None],
+) -> list[Reason]:
+    """The reason, then that of the branch which is to blame, and so on outwards."""
+    reasons: list[Reason] = []
+    found = why(branch)
+    while found is not None:
+        reasons.append(found)
+        if found.kind != "outer" or found.branch is None:
+            break
+        found = why(cycle.branches[found.branch])
+    return reasons
+
+
+def _state(cycle: CycleHistory, branch: BranchHistory, tick: int, words: Words) -> list[str]:
+    """How a branch stood in one tick."""
+    lines: list[str] = []
+    if branch.word != "$ELSE":
+        evaluated = branch.evaluated.holds(tick)
+        lines.append(words.get(_AT_EVALUATED if evaluated else _AT_NOT_EVALUATED))
+    change = last_change(branch, tick)
+    if change is not None:
+        text = _AT_TRUE if truth_at(branch, tick) else _AT_FALSE
+        values = words.seen(branch, change)
+        lines.append(words.get(text, tick=words.tick(change.tick), values=values))
+    chain = _chain(cycle, branch, lambda one: why_branch_idle(cycle, one, tick))
+    if not chain:
+        return [*lines, words.get(_AT_BODY)]
+    if chain[0].kind == "false" and change is not None:
+        return [*lines, words.get(_AT_NO_BODY_FALSE)]
+    reason = words.branch_reason(cycle, branch, chain)
+    return [*lines, words.get(_AT_NO_BODY, reason=reason)]

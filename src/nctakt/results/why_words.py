@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: MIT
+"""The words of ``nctakt why``: reasons, ticks, values as text in English and German.
+
+In: pieces of histories. Out: short texts without a full stop, for ``why_text.py`` to put together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.diagnostics import Language, Span, Text
+from nctakt.results.histories import (
+    BranchHistory,
+    Change,
+    CycleHistory,
+    Nearest,
+    Reason,
+    Series,
+    Times,
+)
+from nctakt.trace.events import number_text
+
+#: Items that are shown of a long list, from each of its ends.
+ENDS_SHOWN = 4
+
+_TICK = Text("tick {tick} ({time})", "Takt {tick} ({time})")
+_TICKS = Text("ticks {ticks}", "Takte {ticks}")
+_TO = Text("{first} to {last}", "{first} bis {last}")
+_MORE = Text("… {count} more …", "… {count} weitere …")
+_TRUE_FROM_HALF = Text("{value}, true from 0.5 on", "{value}, wahr ab 0.5")
+_LINE = Text("line {line}", "Zeile {line}")
+_ERROR = Text("error {number}", "Fehler {number}")
+_NEAREST = Text(
+    "nearest at {tick}: {values}, {distance} away",
+    "am nächsten in {tick}: {values}, Abstand {distance}",
+)
+_AT_COMMAND = Text("{text}, {line}", "{text}, {line}")
+
+_ENDED_BY = {
+    "scope": Text("its block was over", "sein Satz war vorbei"),
+    "program": Text("the program ended", "das Programm endete"),
+    "delete": Text("deleted", "gelöscht"),
+    "reset": Text("reset", "Reset"),
+    "error": Text("an error in it", "ein Fehler darin"),
+}
+
+_CYCLE_REASONS = {
+    "undefined": Text("not defined in this run", "in diesem Lauf nicht angelegt"),
+    "undefined yet": Text("not defined until {tick}", "nicht angelegt bis {tick}"),
+    "unstarted": Text(
+        "defined at {tick} with DEF, not started", "in {tick} mit DEF angelegt, nicht gestartet"
+    ),
+    "waiting": Text(
+        "started at {tick}, it waits for its block", "in {tick} gestartet, wartet auf seinen Satz"
+    ),
+    "held": Text("held since {tick}", "angehalten seit {tick}"),
+    "ended": Text("ended at {tick}", "beendet in {tick}"),
+    "stopped": Text(
+        "stopped in this tick by the fault of another cycle",
+        "in diesem Takt durch den Fehler eines anderen Zyklus gestoppt",
+    ),
+    "reset": Text("the channel was being reset", "der Kanal war im Reset"),
+    "forgotten": Text("too long ago to be known", "zu lange her, nicht mehr bekannt"),
+}
+
+_BRANCH_REASONS = {
+    "cycle": Text("the cycle did not run: {reason}", "der Zyklus lief nicht: {reason}"),
+    "outer": Text("not reached: {line} did not run", "nicht erreicht: {line} lief nicht"),
+    "earlier": Text("not reached: {line} ran", "nicht erreicht: {line} lief"),
+    "no rise": Text(
+        "EDGE: true already since {tick}, no change from false to true",
+        "EDGE: wahr schon seit {tick}, kein Wechsel von falsch nach wahr",
+    ),
+    "no rise before": Text(
+        "EDGE: true already before the run, no change from false to true",
+        "EDGE: wahr schon vor dem Lauf, kein Wechsel von falsch nach wahr",
+    ),
+    "done": Text("ONCE: done since {tick}", "ONCE: erledigt seit {tick}"),
+    "done before": Text("ONCE: done before the run", "ONCE: vor dem Lauf erledigt"),
+    "fault": Text("an error ended the cycle at {tick}", "ein Fehler beendete den Zyklus in {tick}"),
+    "false since": Text("false since {tick}: {values}", "falsch seit {tick}: {values}"),
+    "false": Text("false since before the run", "falsch seit vor dem Lauf"),
+    "never true": Text("never true", "nie wahr"),
+    "forgotten": Text("too long ago to be known", "zu lange her, nicht mehr bekannt"),
+}
+
+
+class Words:
+    """Texts in one language; ``cycle_time_us`` is the length of a tick."""
+
+    def __init__(self, language: Language, cycle_time_us: int) -> None:
+        self.language = language
+        self._cycle_time_us = cycle_time_us
+
+    def get(self, text: Text, /, **values: object) -> str:
+        """A text in the language with its values."""
+        return text.get(self.language).format(**values)
+
+    # --- ticks and times ------------------------------------------------------------------------
+
+    def time(self, tick: int) -> str:
+        """The time at which a tick begins: ``0.463 s``."""
+        time_us = tick * self._cycle_time_us
+        decimals = f"{time_us % 1_000_000:06d}".rstrip("0")
+        return f"{time_us // 1_000_000}{'.' if decimals else ''}{decimals} s"
+
+    def tick(self, tick: int) -> str:
+        """A tick with its time."""
+        return self.get(_TICK, tick=tick, time=self.time(tick))
+
+    def times(self, times: Times) -> str:
+        """The ticks of all series, of a long list the first and the last ones."""
+        if times.ticks == 1 and times.series:
+            return self.tick(times.series[0].first_tick)
+        shown = [self._series(one) for one in times.series]
+        return self.get(_TICKS, ticks=", ".join(self.ends(shown, times.left_out)))
+
+    def ends(self, texts: list[str], left_out: int = 0) -> list[str]:
+        """A long list without its middle; without its begin where ``left_out`` are lost there."""
+        if left_out:
+            hidden = left_out + max(0, len(texts) - 2 * ENDS_SHOWN)
+            return [self.get(_MORE, count=hidden), *texts[-2 * ENDS_SHOWN :]]
+        if len(texts) <= 2 * ENDS_SHOWN + 1:
+            return texts
+        hidden = len(texts) - 2 * ENDS_SHOWN
+        more = self.get(_MORE, count=hidden)
+        return [*texts[:ENDS_SHOWN], more, *texts[-ENDS_SHOWN:]]
+
+    def _series(self, series: Series) -> str:
+        if series.first_tick == series.last_tick:
+            return str(series.first_tick)
+        return self.get(_TO, first=series.first_tick, last=series.last_tick)
+
+    # --- places and values ----------------------------------------------------------------------
+
+    def line(self, span: Span) -> str:
+        """``line 4``."""
+        return self.get(_LINE, line=span.line)
+
+    def values(self, branch: BranchHistory, left: float, right: float) -> str:
+        """What a condition compared: ``200.25 > 200``."""
+        if not branch.operator:
+            return self.get(_TRUE_FROM_HALF, value=number_text(left))
+        return f"{number_text(left)} {branch.operator} {number_text(right)}"
+
+    def seen(self, branch: BranchHistory, change: Change) -> str:
+        """What a condition saw at a change."""
+        return self.values(branch, change.left, change.right)
+
+    def nearest(self, branch: BranchHistory, nearest: Nearest) -> str:
+        """How near a condition came to be true."""
+        values = self.values(branch, nearest.left, nearest.right)
+        distance = number_text(nearest.distance)
+        tick = self.tick(nearest.tick)
+        return self.get(_NEAREST, tick=tick, values=values, distance=distance)
+
+    # --- reasons --------------------------------------------------------------------------------
+
+    def ended(self, reason: str, span: Span | None, number: int) -> str:
+        """What ended a cycle, with the line that did it."""
+        text = self.get(_ENDED_BY[reason])
+        if number:
+            text = f"{text}: {self.get(_ERROR, number=number)}"
+        if span is not None and reason in ("delete", "error"):
+            text = self.get(_AT_COMMAND, text=text, line=self.line(span))
+        return text
+
+    def cycle_reason(self, reason: Reason) -> str:
+        """Why a cycle did not run."""
+        kind = "undefined yet" if reason.kind == "undefined" and reason.tick else reason.kind
+        tick = "" if reason.tick is None else self.tick(reason.tick)
+        text = self.get(_CYCLE_REASONS[kind], tick=tick)
+        if reason.kind == "ended":
+            return f"{text}: {self.ended(reason.ended_by, reason.span, reason.number)}"
+        if reason.kind in ("held", "stopped") and reason.span is not None:
+            text = self.get(_AT_COMMAND, text=text, line=self.line(reason.span))
+        return text
+
+    def branch_reason(
+        self, cycle: CycleHistory, branch: BranchHistory, reasons: Sequence[Reason]
+    ) -> str:
+        """Why a branch did not run; ``reasons`` go on with the branches that are to blame."""
+        texts: list[str] = []
+        for reason in reasons:
+            texts.append(self._one(cycle, branch, reason))
+            if reason.branch is not None:
+                branch = cycle.branches[reason.branch]
+        return ": ".join(texts)
+
+    def _one(self, cycle: CycleHistory, branch: BranchHistory, reason: Reason) -> str:
+        tick = "" if reason.tick is None else self.tick(reason.tick)
+        match reason.kind:
+            case "cycle":
+                assert reason.cycle is not None
+                told = self.cycle_reason(reason.cycle)
+                return self.get(_BRANCH_REASONS["cycle"], reason=told)
+            case "outer" | "earlier":
+                assert reason.branch is not None
+                line = self.line(cycle.branches[reason.branch].span)
+                return self.get(_BRANCH_REASONS[reason.kind], line=line)
+            case "false":
+                return self._false(branch, reason, tick)
+            case "no rise" | "done":
+                kind = reason.kind if tick else f"{reason.kind} before"
+                return self.get(_BRANCH_REASONS[kind], tick=tick)
+            case "fault":
+                return self._fault(reason, tick)
+        return self.get(_BRANCH_REASONS[reason.kind])
+
+    def _false(self, branch: BranchHistory, reason: Reason, tick: str) -> str:
+        if reason.change is not None:
+            seen = self.seen(branch, reason.change)
+            return self.get(_BRANCH_REASONS["false since"], tick=tick, values=seen)
+        if reason.nearest is not None:
+            never = self.get(_BRANCH_REASONS["never true"])
+            return f"{never}, {self.nearest(branch, reason.nearest)}"
+        return self.get(_BRANCH_REASONS["false"])
+
+    def _fault(self, reason: Reason, tick: str) -> str:
+        text = self.get(_BRANCH_REASONS["fault"], tick=tick)
+        if reason.number:
+            text = f"{text}: {self.get(_ERROR, number=reason.number)}"
+        if reason.span is not None:
+            text = self.get(_AT_COMMAND, text=text, line=self.line(reason.span))
+        return text

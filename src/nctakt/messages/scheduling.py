@@ -276,6 +276,30 @@ _add(
     remedy_en="Give your own times with --load.",
     remedy_de="Eigene Zeiten mit --load angeben.",
 )
+_add(
+    900627,
+    WARNING,
+    "load: interrupt.{key} has no effect: the timer starts the NC cycles",
+    "Last: interrupt.{key} bleibt ohne Wirkung: der Timer löst die NC-Takte aus",
+    remedy_en="Delete the entry, or choose what interrupt_source means with --convention.",
+    remedy_de="Den Eintrag löschen oder mit --convention wählen, was interrupt_source bedeutet.",
+    parameters={
+        "key": "the entry",
+    },
+)
+_add(
+    900628,
+    ERROR,
+    "{thread}: {count} calls in one activation cannot be simulated",
+    "{thread}: {count} Aufrufe je Aktivierung sind nicht simulierbar",
+    remedy_en="Set calls_per_cycle so that there are at most {limit}.",
+    remedy_de="calls_per_cycle so setzen, dass es höchstens {limit} sind.",
+    parameters={
+        "thread": "the thread",
+        "count": "its calls",
+        "limit": "the most calls",
+    },
+)
 
 # --- what a simulation or an analysis shows -------------------------------------------------------
 

@@ -37,7 +37,7 @@ class Counters:
         self._violated = [0] * places
         self._late = [0] * places
         self._culprits = [[0] * count for _ in range(places)]
-        self._runners: list[list[int]] = [[] for _ in range(model.cpus + 1)]
+        self._runners: list[list[int]] = [[] for _ in range(max(model.cpus) + 1)]
         # Cycles: over before their point of suspension, with something suspended.
         self._cycles = [0, 0]
 

@@ -132,12 +132,16 @@ class Rules:
     suspension: Suspension = "ticks"
 
 
+STANDARD_RULES = Rules()
+NO_OVERHEADS = Overheads()
+
+
 @dataclass(frozen=True, slots=True)
 class Model:
     """A configuration and its load, ready to be simulated or analysed; times in ns.
 
-    ``tasks``: internal ones first, each group in the order of its indices. ``windows_cpus`` run
-    Windows when no task wants them.
+    ``tasks``: internal ones first, each group in the order of its indices. ``cpus``: the
+    processors that can be used. ``windows_cpus`` run Windows when no task wants them.
     """
 
     source: InterruptSource
@@ -146,10 +150,10 @@ class Model:
     windows: int
     train: Train
     tasks: tuple[Task, ...]
-    cpus: int
+    cpus: tuple[int, ...]
     windows_cpus: tuple[int, ...]
-    overheads: Overheads = Overheads()
-    rules: Rules = Rules()
+    overheads: Overheads = NO_OVERHEADS
+    rules: Rules = STANDARD_RULES
     seed: int = 0
 
     @property

@@ -24,7 +24,7 @@ class Places:
 
     def __init__(self, model: Model) -> None:
         self._model = model
-        self._cpus = range(1, model.cpus + 1)
+        self._cpus = model.cpus
         self._where = [_NOWHERE] * len(model.tasks)
         self._at_stop = [_NOWHERE] * len(model.tasks)
 
@@ -41,7 +41,7 @@ class Places:
         self, state: SchedulerState, order: list[int], begin: int, stop: int, end: int
     ) -> list[int]:
         """One cycle; how long each processor (from 1) has no work. ``order``: by urgency."""
-        idle = [0] * (self._model.cpus + 1)
+        idle = [0] * (max(self._cpus) + 1)
         now = begin
         is_stopped = now >= stop
         self._at_stop = self._where[:]
@@ -77,20 +77,15 @@ class Places:
             open_cpus = [cpu for cpu in cpus if cpu not in taken]
             if not open_cpus:
                 continue
-            if before[i] in open_cpus:
-                cpu = before[i]
-            else:
-                urgency = self._model.tasks
-                cpu = min(
-                    open_cpus,
-                    key=lambda one: (
-                        (one in runner, urgency[runner[one]].urgency, one)
-                        if one in runner
-                        else (False, 0, one)
-                    ),
-                )
+            cpu = before[i] if before[i] in open_cpus else self._best(open_cpus, runner)
             taken.append(cpu)
             self._where[i] = cpu
+
+    def _best(self, cpus: list[int], runner: dict[int, int]) -> int:
+        """The first processor that is free, else that of the least urgent task."""
+        free = [cpu for cpu in cpus if cpu not in runner]
+        tasks = self._model.tasks
+        return free[0] if free else min(cpus, key=lambda cpu: tasks[runner[cpu]].urgency)
 
     def _allowed(self, state: SchedulerState, i: int, *, is_stopped: bool) -> list[int]:
         own = self._model.tasks[i].cpu

@@ -85,21 +85,23 @@ class SchedulerState:
         extra = model.overheads.activation
         self._work = [Work(task, extra, self._chance) for task in tasks]
         #: What each processor (from 1) ran last.
-        self._last = [IDLE] * (model.cpus + 1)
+        self._last = [IDLE] * (max(model.cpus) + 1)
         self._place_tasks()
         self._due_table = self._make_due_table()
 
     def _place_tasks(self) -> None:
         """The tasks of each processor, the most urgent first."""
-        tasks, cpus = self.model.tasks, range(1, self.model.cpus + 1)
-        is_free = self.model.cpus > 1 and any(task.cpu == ANY_CPU for task in tasks)
+        tasks, cpus = self.model.tasks, self.model.cpus
+        is_free = len(cpus) > 1 and any(task.cpu == ANY_CPU for task in tasks)
         self._places = Places(self.model) if is_free else None
+        #: Of all processors together under ``ANY_CPU``.
+        self._order: list[list[int]] = []
+        self._has_ties: list[bool] = []
         order = sorted(range(len(tasks)), key=lambda i: (-tasks[i].urgency, i))
-        self._order = [[i for i in order if tasks[i].cpu in (cpu, ANY_CPU)] for cpu in cpus]
-        self._has_ties = [
-            len({tasks[i].urgency for i in own}) < len(own) for own in (*self._order, order)
-        ]
-        self._in_order = order
+        for cpu in range(max(cpus) + 1):
+            own = [i for i in order if cpu == ANY_CPU or tasks[i].cpu in (cpu, ANY_CPU)]
+            self._order.append(own)
+            self._has_ties.append(len({tasks[i].urgency for i in own}) < len(own))
 
     def _make_due_table(self) -> list[list[int]]:
         if self.hyperperiod > _LONGEST_TABLE:
@@ -148,12 +150,12 @@ class SchedulerState:
         point = suspension_point(self.model, begin)
         stop = end if point is None or point > end else point
         if self._places is not None:
-            idle = self._places.run(self, self._by_urgency(self._in_order, -1), begin, stop, end)
+            idle = self._places.run(self, self._by_urgency(ANY_CPU), begin, stop, end)
         else:
-            idle = [0]
-            for cpu in range(1, self.model.cpus + 1):
+            idle = [0] * len(self._order)
+            for cpu in self.model.cpus:
                 on_windows = cpu in self.model.windows_cpus
-                idle.append(self._run_cpu(cpu, begin, stop if on_windows else end, end))
+                idle[cpu] = self._run_cpu(cpu, begin, stop if on_windows else end, end)
         suspends = point is not None and point <= end
         self.counters.end_cycle(
             idle,
@@ -193,9 +195,10 @@ class SchedulerState:
         else:
             self.counters.lost[i] += 1
 
-    def _by_urgency(self, order: list[int], place: int) -> list[int]:
-        """``order``, in which equally urgent tasks stand in the order of their release."""
-        if not self._has_ties[place]:
+    def _by_urgency(self, cpu: int) -> list[int]:
+        """The tasks of a processor; equally urgent ones in the order of their release."""
+        order = self._order[cpu]
+        if not self._has_ties[cpu]:
             return order
         tasks, sequence = self.model.tasks, self._sequence
         return sorted(order, key=lambda i: (-tasks[i].urgency, sequence[i]))
@@ -204,7 +207,7 @@ class SchedulerState:
         """One processor's cycle; how long it has no work."""
         now = begin
         left = self.left
-        for i in self._by_urgency(self._order[cpu - 1], cpu - 1):
+        for i in self._by_urgency(cpu):
             if left[i] == IDLE:
                 continue
             got, limit = now, stop if self.suspendable[i] else end

@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: MIT
+"""Configuration + load -> model.
+
+In: the effective rtconf.lis, the load, the choices of the rules. Out: ``Model``; a load that does
+not fit the list, and processors that do not exist (P-RTCF-00015), go to the collector.
+"""
+
+from __future__ import annotations
+
+from nctakt.diagnostics import Text
+from nctakt.lists.rtconf import (
+    InterruptSource,
+    RtconfConfiguration,
+    SchedulerThread,
+    ThreadFunction,
+)
+from nctakt.lists.rtconf_checks import is_realtime
+from nctakt.lists.rtconf_profile import Profile
+from nctakt.messages import Collector
+from nctakt.schedule.load import ASSUMED_EXTERNAL, ASSUMED_FUNCTION, Load
+from nctakt.schedule.model import (
+    ANY_CPU,
+    NS_PER_US,
+    STANDARD_RULES,
+    Call,
+    Execution,
+    Model,
+    Rules,
+    Task,
+    TaskClass,
+    Train,
+)
+
+#: More calls in one activation than this are not simulated.
+MOST_CALLS = 10_000
+
+_OFFLINE = Text("it is offline", "sie ist abgeschaltet")
+
+
+def assemble(
+    configuration: RtconfConfiguration,
+    load: Load,
+    profile: Profile,
+    collector: Collector,
+    *,
+    rules: Rules = STANDARD_RULES,
+    cpu_base: int = 1,
+) -> Model:
+    """The model; complete only when the collector has no errors but 1000180 and 1000181.
+
+    ``cpu_base``: the number of the first processor in ``thread[i].cpu``.
+    """
+    return _Assembly(configuration, load, profile, collector, rules, cpu_base).model()
+
+
+class _Assembly:
+    def __init__(
+        self,
+        configuration: RtconfConfiguration,
+        load: Load,
+        profile: Profile,
+        collector: Collector,
+        rules: Rules,
+        cpu_base: int,
+    ) -> None:
+        self._configuration = configuration
+        self._load = load
+        self._profile = profile
+        self._collector = collector
+        self._rules = rules
+        self._cpu_base = cpu_base
+        self._missing: list[str] = []
+        self._cpus = self._find_cpus()
+
+    def model(self) -> Model:
+        configuration, load = self._configuration, self._load
+        if load.is_assumed:
+            self._collector.report(900625, None)
+        threads = self._threads()
+        tasks = (*threads, *self._external_threads(threads))
+        self._check_load()
+        used = tuple(sorted({task.cpu for task in tasks}))
+        windows_cpus = self._cpus if ANY_CPU in used or not used else used
+        if load.windows_cpus is not None:
+            windows_cpus = tuple(cpu for cpu in load.windows_cpus if cpu in self._cpus)
+        cycle = configuration.cycle_time_us * NS_PER_US
+        return Model(
+            configuration.interrupt_source,
+            cycle,
+            configuration.time_slice_us * NS_PER_US,
+            configuration.windows_time_us * NS_PER_US,
+            self._train(cycle),
+            tasks,
+            self._cpus,
+            windows_cpus,
+            load.overheads,
+            self._rules,
+            load.seed,
+        )
+
+    def _find_cpus(self) -> tuple[int, ...]:
+        """The processors that can be used; without a number those that the list names."""
+        wanted = [thread.cpu - self._cpu_base + 1 for thread in self._configuration.threads]
+        wanted += [
+            self._load.external[one.semaphore_name].cpu
+            for one in self._configuration.external_threads
+            if one.semaphore_name in self._load.external
+        ]
+        count = max((1, *wanted)) if self._load.cpus is None else self._load.cpus
+        usable = tuple(cpu for cpu in range(1, count + 1) if cpu not in self._load.offline)
+        if usable:
+            return usable
+        expected = Text("a list that leaves a CPU", "eine Liste, die eine CPU übrig lässt")
+        self._collector.report(
+            900623,
+            None,
+            key="machine.offline",
+            value=list(self._load.offline),
+            expected_en=expected.en,
+            expected_de=expected.de,
+        )
+        return (1,)
+
+    def _cpu(self, cpu: int, name: str) -> int:
+        """The processor of a thread, or ``ANY_CPU``."""
+        if cpu in self._cpus:
+            return cpu
+        count = max((*self._cpus, *self._load.offline))
+        if cpu in self._load.offline:
+            reason = {"reason_en": _OFFLINE.en, "reason_de": _OFFLINE.de}
+            self._collector.report(1000181, None, thread=name, cpu=cpu, **reason)
+        else:
+            self._collector.report(1000180, None, thread=name, cpu=cpu, cpus=count)
+        return ANY_CPU
+
+    def _train(self, cycle: int) -> Train:
+        given = self._load.interrupt
+        phase = given.get("phase", 0)
+        if self._configuration.interrupt_source is InterruptSource.TIMER:
+            for key in ("period", "drift", "jitter"):
+                if key in given:
+                    self._collector.report(900627, None, key=key)
+            return Train(cycle, phase)
+        period = given.get("period", cycle)
+        drift = given.get("drift", 0)
+        if period + drift <= 0:
+            expected = Text("more than minus the period", "mehr als minus die Periode")
+            self._collector.report(
+                900623,
+                None,
+                key="interrupt.drift",
+                value=drift / NS_PER_US,
+                expected_en=expected.en,
+                expected_de=expected.de,
+            )
+            drift = 0
+        # Two interrupts never change places.
+        jitter = min(given.get("jitter", 0), (period + drift - 1) // 2)
+        return Train(period, phase, drift, jitter)
+
+    def _threads(self) -> list[Task]:
+        threads = self._configuration.threads
+        cycle = self._configuration.cycle_time_us
+        highest = max(threads, key=lambda one: self._urgency(one.priority), default=None)
+        has_realtime = any(is_realtime(thread) for thread in threads)
+        return [
+            Task(
+                f"thread[{thread.index}]",
+                thread.name or f"thread[{thread.index}]",
+                TaskClass.REALTIME
+                if (is_realtime(thread) if has_realtime else thread is highest)
+                else TaskClass.ASYNCHRONOUS,
+                thread.cycle_us // cycle,
+                self._urgency(thread.priority),
+                self._cpu(thread.cpu - self._cpu_base + 1, thread.name),
+                self._calls(thread),
+                thread.error_on_overflow,
+            )
+            for thread in threads
+        ]
+
+    def _urgency(self, priority: int) -> int:
+        # Even numbers: one between two priorities is free for "right behind".
+        return 2 * self._profile.urgency(priority)
+
+    def _calls(self, thread: SchedulerThread) -> tuple[Call, ...]:
+        count = sum(function.calls_per_cycle for function in thread.functions)
+        if count > MOST_CALLS:
+            self._collector.report(900628, None, thread=thread.name, count=count, limit=MOST_CALLS)
+            return ()
+        rounds = max((function.calls_per_cycle for function in thread.functions), default=0)
+        if self._rules.calls == "block":
+            order = [
+                (number, function)
+                for function in thread.functions
+                for number in range(function.calls_per_cycle)
+            ]
+        else:
+            order = [
+                (number, function)
+                for number in range(rounds)
+                for function in thread.functions
+                if number < function.calls_per_cycle
+            ]
+        times = {one.index: self._execution(thread, one) for one in thread.functions}
+        return tuple(
+            Call(function.name, number, times[function.index], function.trace_bit)
+            for number, function in order
+        )
+
+    def _execution(self, thread: SchedulerThread, function: ThreadFunction) -> Execution:
+        place = f"thread[{thread.index}].function[{function.index}]"
+        for key in (place, function.name):
+            if key in self._load.functions:
+                return self._load.functions[key]
+        if self._load.is_assumed:
+            return ASSUMED_FUNCTION
+        entry = f'functions."{function.name}"'
+        if function.name not in self._missing:
+            self._missing.append(function.name)
+            self._collector.report(900622, None, name=function.name, entry=entry)
+        return Execution((0,))
+
+    def _external_threads(self, threads: list[Task]) -> list[Task]:
+        tasks: list[Task] = []
+        realtime = [one.urgency for one in threads if one.kind is TaskClass.REALTIME]
+        for thread in self._configuration.external_threads:
+            name = thread.semaphore_name
+            load = self._load.external.get(name)
+            execution = ASSUMED_EXTERNAL if self._load.is_assumed else None
+            if load is not None:
+                execution = load.execution
+            if execution is None:
+                self._collector.report(900622, None, name=name, entry=f'external."{name}".time')
+                execution = Execution((0,))
+            urgency = min(realtime, default=0) - 1
+            if load is not None and load.priority is not None:
+                urgency = self._urgency(load.priority)
+            tasks.append(
+                Task(
+                    f"external_thread[{thread.index}]",
+                    name,
+                    TaskClass.EXTERNAL,
+                    thread.cycle_us // self._configuration.cycle_time_us,
+                    urgency,
+                    self._cpu(1 if load is None else load.cpu, name),
+                    (Call(name, 0, execution),),
+                )
+            )
+        return tasks
+
+    def _check_load(self) -> None:
+        """Report what the load names and the list does not."""
+        if self._load.is_assumed:
+            return
+        threads = self._configuration.threads
+        known = [one.name for thread in threads for one in thread.functions]
+        places = [
+            f"thread[{thread.index}].function[{one.index}]"
+            for thread in threads
+            for one in thread.functions
+        ]
+        external = [one.semaphore_name for one in self._configuration.external_threads]
+        for given, names in ((self._load.functions, known), (self._load.external, external)):
+            shown = ", ".join(dict.fromkeys(names))
+            for name in given:
+                if name not in names and name not in places:
+                    self._collector.report(900621, None, name=name, names=shown or "–")

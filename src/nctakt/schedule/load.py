@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: MIT
+"""The load: what rtconf.lis does not say and a simulation must know.
+
+In: the text of a load file (TOML). Out: ``Load``; what is wrong with it goes to the collector.
+Times in the file are microseconds, with or without decimals::
+
+    seed = 1
+    [functions]                       # execution time of one call
+    task_int = 400                    # always the same
+    task_rnd = [600, 650, 700]        # one call after another, from the first again
+    task_com = { uniform = [200, 300] }
+    "thread[1].function[1]" = 250     # this one only
+    [external.external_sps]           # a semaphore_name
+    time = 200
+    priority = 110                    # [default: right behind the realtime thread]
+    cpu = 1
+    [machine]
+    cpus = 2                          # [default: as many as the list uses]
+    offline = [2]
+    windows_cpus = [1]                # [default: all that the list uses]
+    [interrupt]                       # sources hardware and semaphore
+    period = 2000                     # [default: cycle_time]
+    phase = 0
+    drift = 0.5                       # each period is so much longer
+    jitter = 10                       # earlier or later
+    [overheads]
+    switch = 2                        # each time that a thread gets a processor
+    activation = 1                    # each job
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from nctakt.diagnostics import Text
+from nctakt.messages import Collector
+from nctakt.schedule.model import NO_OVERHEADS, NS_PER_US, Execution, Overheads
+
+#: The longest time that a load can name, in µs: that of UNS32, as for the list.
+LONGEST_US = 2**32 - 2
+#: The most processors: those that ``thread[i].cpu`` can name.
+MOST_CPUS = 8
+
+_TIME = Text("a time in µs, 0 or more", "eine Zeit in µs ab 0")
+_TIMES = Text(
+    "a time in µs, a list of times or { uniform = [least, greatest] }",
+    "eine Zeit in µs, eine Liste von Zeiten oder { uniform = [kleinste, größte] }",
+)
+_SIGNED = Text("a time in µs", "eine Zeit in µs")
+_NUMBER = Text("an integer", "eine ganze Zahl")
+_CPU = Text(f"a number from 1 to {MOST_CPUS}", f"eine Zahl von 1 bis {MOST_CPUS}")
+_CPUS = Text(
+    f"a list of different numbers from 1 to {MOST_CPUS}",
+    f"eine Liste verschiedener Zahlen von 1 bis {MOST_CPUS}",
+)
+_TABLE = Text("a table", "eine Tabelle")
+
+_ENTRIES: dict[str, tuple[str, ...]] = {
+    "": ("seed", "functions", "external", "machine", "interrupt", "overheads"),
+    "machine": ("cpus", "offline", "windows_cpus"),
+    "interrupt": ("period", "phase", "drift", "jitter"),
+    "overheads": ("switch", "activation"),
+    "external": ("time", "priority", "cpu"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class ExternalLoad:
+    """An external thread; ``execution`` ``None``: not given. ``priority`` as the list has it."""
+
+    execution: Execution | None = None
+    priority: int | None = None
+    cpu: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Load:
+    """A load; ``None``: not given. Times in ns.
+
+    ``functions``: by name of function, or by its place in the list. ``interrupt``: period, phase,
+    drift and jitter as far as they are given. ``is_assumed``: nobody gave it.
+    """
+
+    functions: Mapping[str, Execution] = field(default_factory=dict)
+    external: Mapping[str, ExternalLoad] = field(default_factory=dict)
+    cpus: int | None = None
+    offline: tuple[int, ...] = ()
+    windows_cpus: tuple[int, ...] | None = None
+    interrupt: Mapping[str, int] = field(default_factory=dict)
+    overheads: Overheads = NO_OVERHEADS
+    seed: int = 0
+    is_assumed: bool = False
+
+
+def _us(time: int) -> Execution:
+    return Execution((time * NS_PER_US,))
+
+
+#: Without a load each call takes so long: values for trying, of no machine.
+ASSUMED = Load(
+    {
+        "task_int": _us(300),
+        "task_rnd": _us(600),
+        "task_mmi_driver": _us(200),
+        "task_com": _us(200),
+    },
+    is_assumed=True,
+)
+ASSUMED_EXTERNAL = _us(150)
+ASSUMED_FUNCTION = _us(100)
+
+
+def read_load(file: str, text: str, collector: Collector) -> Load:
+    """Read a load file; with errors in the collector what is read is not complete."""
+    try:
+        tables = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        collector.report(900620, None, file=file, reason=str(error))
+        return Load()
+    return _Reader(collector).load(tables)
+
+
+class _Reader:
+    """Reads entry for entry and reports what is wrong."""
+
+    def __init__(self, collector: Collector) -> None:
+        self._collector = collector
+
+    def load(self, tables: dict[str, Any]) -> Load:
+        self._check_names("", tables, _ENTRIES[""])
+        machine = self._table(tables, "machine")
+        interrupt = self._table(tables, "interrupt")
+        overheads = self._table(tables, "overheads")
+        functions = self._subtable(tables, "functions")
+        external = self._subtable(tables, "external")
+        times = {name: self._execution(f"functions.{name}", functions[name]) for name in functions}
+        return Load(
+            {name: time for name, time in times.items() if time is not None},
+            {name: self._external(name, external[name]) for name in external},
+            self._cpu("machine.cpus", machine.get("cpus")),
+            self._cpus("machine.offline", machine.get("offline")) or (),
+            self._cpus("machine.windows_cpus", machine.get("windows_cpus")),
+            self._interrupt(interrupt),
+            Overheads(
+                self._time("overheads.switch", overheads.get("switch", 0)) or 0,
+                self._time("overheads.activation", overheads.get("activation", 0)) or 0,
+            ),
+            self._integer("seed", tables.get("seed")) or 0,
+        )
+
+    def _report(self, key: str, value: object, expected: Text) -> None:
+        self._collector.report(
+            900623, None, key=key, value=value, expected_en=expected.en, expected_de=expected.de
+        )
+
+    def _check_names(self, table: str, found: dict[str, Any], names: tuple[str, ...]) -> None:
+        for name in found:
+            if name not in names:
+                key = f"{table}.{name}" if table else name
+                self._collector.report(900624, None, key=key, names=", ".join(names))
+
+    def _subtable(self, tables: dict[str, Any], name: str) -> dict[str, Any]:
+        found = tables.get(name, {})
+        if isinstance(found, dict):
+            return found
+        self._report(name, found, _TABLE)
+        return {}
+
+    def _table(self, tables: dict[str, Any], name: str) -> dict[str, Any]:
+        found = self._subtable(tables, name)
+        self._check_names(name, found, _ENTRIES[name])
+        return found
+
+    def _external(self, name: str, found: Any) -> ExternalLoad:
+        key = f"external.{name}"
+        if not isinstance(found, dict):
+            self._report(key, found, _TABLE)
+            return ExternalLoad()
+        self._check_names(key, found, _ENTRIES["external"])
+        time = self._execution(f"{key}.time", found["time"]) if "time" in found else None
+        return ExternalLoad(
+            time,
+            self._integer(f"{key}.priority", found.get("priority")),
+            self._cpu(f"{key}.cpu", found.get("cpu")) or 1,
+        )
+
+    def _interrupt(self, found: dict[str, Any]) -> dict[str, int]:
+        times: dict[str, int] = {}
+        for name in _ENTRIES["interrupt"]:
+            if name in found:
+                signed = name == "drift"
+                time = self._time(f"interrupt.{name}", found[name], signed=signed)
+                if time is not None and (name != "period" or time > 0):
+                    times[name] = time
+                elif time is not None:
+                    self._report("interrupt.period", found[name], _TIME)
+        return times
+
+    def _execution(self, key: str, found: Any) -> Execution | None:
+        if isinstance(found, dict):
+            bounds = found.get("uniform")
+            if list(found) == ["uniform"] and isinstance(bounds, list) and len(bounds) == 2:
+                low, high = (self._time(key, bound) for bound in bounds)
+                if low is None or high is None:
+                    return None
+                if low <= high:
+                    return Execution((low, high), spread=True)
+            self._report(key, found, _TIMES)
+            return None
+        if isinstance(found, list) and found:
+            times = [self._time(key, one) for one in found]
+            known = tuple(time for time in times if time is not None)
+            return Execution(known) if len(known) == len(times) else None
+        if isinstance(found, list | str):
+            self._report(key, found, _TIMES)
+            return None
+        time = self._time(key, found)
+        return None if time is None else Execution((time,))
+
+    def _time(self, key: str, found: Any, *, signed: bool = False) -> int | None:
+        """A time in ns."""
+        is_number = isinstance(found, int | float) and not isinstance(found, bool)
+        low = -LONGEST_US if signed else 0
+        if is_number and low <= found <= LONGEST_US:
+            return int(round(found * NS_PER_US))
+        self._report(key, found, _SIGNED if signed else _TIME)
+        return None
+
+    def _integer(self, key: str, found: Any) -> int | None:
+        if isinstance(found, int) and not isinstance(found, bool):
+            return int(found)
+        if found is None:
+            return None
+        self._report(key, found, _NUMBER)
+        return None
+
+    def _cpu(self, key: str, found: Any) -> int | None:
+        if found is None:
+            return None
+        if _is_cpu(found):
+            return int(found)
+        self._report(key, found, _CPU)
+        return None
+
+    def _cpus(self, key: str, found: Any) -> tuple[int, ...] | None:
+        if found is None:
+            return None
+        is_list = isinstance(found, list) and all(_is_cpu(one) for one in found)
+        if is_list and len(set(found)) == len(found):
+            return tuple(sorted(found))
+        self._report(key, found, _CPUS)
+        return None
+
+
+def _is_cpu(found: Any) -> bool:
+    return isinstance(found, int) and not isinstance(found, bool) and 1 <= found <= MOST_CPUS

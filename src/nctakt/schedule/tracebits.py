@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""What an oscilloscope shows: the calls of functions, and the seven trace bits (P-RTCF-00014).
+
+In: the record of a simulation. Out: each call with its begin and end; each bit with the times in
+which it is high. A bit stays high while its function is preempted or suspended; of two functions
+with one bit either makes it high. Times in ns.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from nctakt.schedule.model import Model
+from nctakt.schedule.results import Job, Record, Segment
+
+BITS = range(1, 8)
+
+
+@dataclass(frozen=True, slots=True)
+class Ran:
+    """A call that was begun: its place in the task's calls, its times.
+
+    ``end`` ``None``: not by the end of the record.
+    """
+
+    task: int
+    job: int
+    call: int
+    begin: int
+    end: int | None
+
+
+def calls_of(model: Model, record: Record) -> list[Ran]:
+    """All calls, in the order of their tasks and jobs."""
+    segments: dict[tuple[int, int], list[Segment]] = {}
+    for segment in record.segments:
+        segments.setdefault((segment.task, segment.job), []).append(segment)
+    found: list[Ran] = []
+    for job in record.jobs:
+        found += _calls_of_job(job, segments.get((job.task, job.number), []), model)
+    return found
+
+
+def _calls_of_job(job: Job, segments: list[Segment], model: Model) -> Iterator[Ran]:
+    """Distributes the time that a job had a processor over its calls, in their order."""
+    pieces = list(_work_of(segments, model.overheads.activation))
+    place = 0
+    for call, time in enumerate(job.times):
+        begin: int | None = None
+        left = time
+        while place < len(pieces):
+            start, length = pieces[place]
+            if begin is None:
+                begin = start
+            used = min(left, length)
+            left -= used
+            pieces[place] = (start + used, length - used)
+            if left == 0:
+                yield Ran(job.task, job.number, call, begin, start + used)
+                break
+            place += 1
+        if left or begin is None:
+            if begin is not None:
+                yield Ran(job.task, job.number, call, begin, None)
+            return
+        if pieces[place][1] == 0 and place + 1 < len(pieces):
+            place += 1
+
+
+def _work_of(segments: list[Segment], activation: int) -> Iterator[tuple[int, int]]:
+    """Begin and length of the pieces in which the job's calls run; overheads come before them."""
+    overhead = activation
+    for segment in segments:
+        overhead += segment.overhead
+        length = segment.end - segment.begin
+        used = min(overhead, length)
+        overhead -= used
+        if length > used or length == 0:
+            yield segment.begin + used, length - used
+
+
+def trace_bits(model: Model, record: Record) -> dict[int, list[tuple[int, int]]]:
+    """For each bit from 1 to 7 the times in which it is high; calls that touch are apart."""
+    edges: dict[int, list[tuple[int, int]]] = {bit: [] for bit in BITS}
+    for ran in calls_of(model, record):
+        bit = model.tasks[ran.task].calls[ran.call].trace_bit
+        if bit:
+            edges[bit].append((ran.begin, record.end if ran.end is None else ran.end))
+    return {bit: _merged(sorted(times)) for bit, times in edges.items()}
+
+
+def _merged(times: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Times that overlap as one."""
+    merged: list[tuple[int, int]] = []
+    for begin, end in times:
+        if merged and begin < merged[-1][1]:
+            merged[-1] = (merged[-1][0], max(merged[-1][1], end))
+        else:
+            merged.append((begin, end))
+    return merged

@@ -1,0 +1,25 @@
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  $IF ONCE 1 < 2
+    V.E.SMALL = V.E.LIST[0]
+    V.E.SMALL = V.E.LIST[1]
+    V.E.BYTE = V.E.LIST[2]
+    V.E.BYTE = V.E.LIST[3]
+    V.E.SHORT = V.E.LIST[4]
+    V.E.SHORT = V.E.LIST[5]
+    V.E.WORD = V.E.LIST[6]
+    V.E.WORD = V.E.LIST[3]
+    V.E.COUNT = V.E.LIST[7]
+    V.E.COUNT = V.E.LIST[3]
+    V.E.COUNT_POS = V.E.LIST[8]
+    V.E.COUNT_POS = V.E.LIST[9]
+    V.E.FLAG = V.E.LIST[3]
+    V.E.FLAG = V.E.LIST[3] + 0.01
+    V.E.FLAG = V.E.LIST[2]
+    V.E.FLAGS[7] = -V.E.LIST[3]
+    V.CH.Var_name = V.E.LIST[1]
+    V.E.LEVEL_1_A[2].UNS32 = V.E.LIST[7]
+    V.E.LEVEL_1_A[2].BOOLEAN = V.E.LIST[9]
+    V.E.LEVEL_1_A[1].LEVEL_2_A[1].LIST[3] = V.E.LIST[8]
+  $ENDIF
+#RT CYCLE END
+M30

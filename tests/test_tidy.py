@@ -34,6 +34,7 @@ STAGES = (
     ("decoder",),
     ("trace",),
     ("results",),
+    ("access", "image"),
     ("assembly",),
     ("interface", "loading", "runtime_errors"),
     ("feed", "plc", "stimuli"),

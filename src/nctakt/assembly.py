@@ -7,16 +7,14 @@ knows the names behind the numbers of events.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 
+from nctakt.access import VariableAccess
 from nctakt.decoder.commands import UserMessage
 from nctakt.decoder.cycles import CycleDefinition
 from nctakt.decoder.preparation import axis_limits
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.diagnostics import Diagnostic, Span
-from nctakt.failure import Failure
-from nctakt.kernel import arithmetic
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.channel import Channel
 from nctakt.kernel.cycles import CycleManager, RealtimeCycle
@@ -29,7 +27,7 @@ from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.lists.machine import MachineConfiguration
 from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
-from nctakt.nc.names import ChannelNames, Layout, Location, NotFound
+from nctakt.nc.names import ChannelNames, Layout, Location
 from nctakt.nc.source import Source
 from nctakt.results.instruction_tree import distinct
 from nctakt.results.run import FrozenValue, Reaction
@@ -197,8 +195,7 @@ class Machine:
         self.members = [axis.index for axis in configuration.channels[0].axes]
         self.files = SourceFiles()
         self.registry = Registry(self.files, self._name_of_cell)
-        self._strings: dict[tuple[str, int], str] = {}
-        self._pending: dict[int, float] = {}
+        self.access = VariableAccess(self.names, self.memory, self.kernel)
         self._cell_names: dict[int, str] = {}
 
     def _channel(self, index: int, layout: Layout) -> Channel:
@@ -256,6 +253,7 @@ class Machine:
             axes,
             tuple(axis_limits(axis) for axis in axes),
             self.cells,
+            memoryview(self.memory),
             self.configuration.cycle_time_us,
             lambda span: pack(file, span.line, span.column),
             source.line_of,
@@ -264,68 +262,13 @@ class Machine:
 
     # --- variables by name ----------------------------------------------------------------------
 
-    def _find(self, name: str) -> tuple[Location, int]:
-        found = self.names.resolve_text(name)
-        if isinstance(found, NotFound):
-            near = found.nearest or self._nearest(name)
-            if near:
-                raise Failure(diagnostic(900541, name=name, nearest=near))
-            raise Failure(diagnostic(900540, name=name))
-        return found
-
-    def _nearest(self, name: str) -> str:
-        return nearest(name, (known for known, _, _ in self.names.values()))
-
     def read(self, name: str) -> float | bool | str:
         """The value of a variable; a value that waits for the next tick is read already."""
-        location, cell = self._find(name)
-        if not location.is_numeric:
-            return self._strings.get((location.family, cell), "")
-        value = self._pending.get(cell, self.cells[cell])
-        return value != 0.0 if location.type == "BOOLEAN" else value
-
-    def check(self, name: str, value: float | bool | str) -> tuple[Location, int, float]:
-        """Location, cell and converted value; ``Failure`` where the variable cannot hold it."""
-        location, cell = self._find(name)
-        if location.family in ("RTG", "RTA"):
-            raise Failure(diagnostic(900542, name=name))
-        if isinstance(value, str) or not location.is_numeric:
-            if isinstance(value, str) and not location.is_numeric:
-                return location, cell, 0.0
-            raise Failure(diagnostic(900543, name=name, type=location.type, value=value))
-        number = float(value)
-        if not math.isfinite(number):
-            raise Failure(diagnostic(50893, name=name, value=number))
-        scalar = SCALARS[location.type]
-        if location.type == "BOOLEAN":
-            number = 1.0 if arithmetic.is_true(number) else 0.0
-        elif scalar.is_integer:
-            number = arithmetic.round_half_even(number)
-        if not scalar.low <= number <= scalar.high:
-            raise Failure(
-                diagnostic(50892, variable=name, value=number, low=scalar.low, high=scalar.high)
-            )
-        return location, cell, number
+        return self.access.read(name)
 
     def write(self, name: str, value: float | bool | str) -> None:
         """A value for the next tick."""
-        location, cell, number = self.check(name, value)
-        if isinstance(value, str):
-            self._strings[(location.family, cell)] = value
-        else:
-            self._pending[cell] = number
-
-    def post_writes(self) -> None:
-        """Put what was written into the image that the next tick latches."""
-        for cell, value in self._pending.items():
-            self.kernel.post(cell, value)
-        self._pending.clear()
-
-    def apply_writes(self) -> None:
-        """Values before the first tick are there at once, so that the decoder sees them."""
-        for cell, value in self._pending.items():
-            self.cells[cell] = value
-        self._pending.clear()
+        self.access.write(name, value)
 
     def _name_of_cell(self, cell: int) -> str:
         if not self._cell_names:

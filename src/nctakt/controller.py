@@ -167,9 +167,9 @@ class Controller:
         first_tick = self.tick
         for name, value in (initial or {}).items():
             self._machine.write(name, value)
-        self._machine.apply_writes()
+        self._machine.access.apply_writes()
         for stimulus in stimuli:
-            self._machine.check(stimulus.name, stimulus.value)
+            self._machine.access.check(stimulus.name, stimulus.value)
         begun = len(self.diagnostics) if first_tick else 0
         memory = MemorySink() if memory_trace else None
         registry = self._machine.registry
@@ -295,7 +295,7 @@ class Controller:
         due = min(end, self._next_stimulus())
         if self._plc is not None:
             due = min(due, self.tick + 1)
-        self._machine.post_writes()
+        self._machine.access.post_writes()
         self._machine.reserve()
         reason = self._kernel.run(due - self.tick)
         self._drain()

@@ -19,7 +19,7 @@ _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
 #: Where Windows-1252 differs from Latin-1. The five bytes that it leaves open stay control
 #: characters, as in browsers, so that no file is unreadable.
-_WINDOWS_1252 = {
+WINDOWS_1252 = {
     byte: character
     for byte in range(0x80, 0xA0)
     if (character := bytes([byte]).decode("cp1252", errors="ignore"))
@@ -47,7 +47,7 @@ def decode_text(data: bytes) -> DecodedText:
     try:
         text = body.decode("utf-8")
     except UnicodeDecodeError:
-        return DecodedText(body.decode("latin-1").translate(_WINDOWS_1252), "cp1252", guessed=True)
+        return DecodedText(body.decode("latin-1").translate(WINDOWS_1252), "cp1252", guessed=True)
     return DecodedText(text, "utf-8" if len(body) == len(data) else "utf-8-sig")
 
 

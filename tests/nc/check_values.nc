@@ -79,7 +79,7 @@ P1 = V.E.LEVEL_1_A[0] ; error 900215 "V.E.LEVEL_1_A[] is a structure"
 V.E.VALUE = V.E.LEVEL_1_A[0] + 1 ; error 900215 "V.E.LEVEL_1_A[]"
 V.E.LEVEL_1_A[0].REAL64 = V.E.LEVEL_1_A[0] ; error 900215 "V.E.LEVEL_1_A[]"
 V.E.LEVEL_1_A[0] = 5 ; error 900215 "V.E.LEVEL_1_A[]"
-V.CH.Level = V.E.LEVEL_1_A[0] ; error 900200 "V.CH.Level (copy of a structure)"
+V.CH.Level = V.E.LEVEL_1_A[0]
 V.E.LIST = [1, 2, 3] ; error 900200 "[1, 2]"
 P1 = [1, 2] ; error 900200 "[1, 2]"
 P1 = 2 + [1, 2] ; error 900200 "[1, 2]"
@@ -104,10 +104,10 @@ XVs.E.ASYNC YV.E.ASYNC ; error 900228 "V.E.ASYNC"
 V.E.VALUE = Vs.E.VALUE
 #MSG ["%f %f", V.E.ASYNC, Vs.E.ASYNC] ; error 900228 "V.E.ASYNC"
 ; --- texts
-V.E.TEXT = 1 ; error 900200 "V.E.TEXT (variable that holds a text)"
-P1 = V.E.TEXT ; error 900200 "V.E.TEXT"
-P1 = "text" ; error 900200 "(text as a value)"
-$IF V.E.TEXT == "" ; error 900200 "V.E.TEXT"; error 900200 "text as a value"
+V.E.TEXT = 1 ; error 900342 "1 is no text"
+P1 = V.E.TEXT ; error 900340 "V.E.TEXT holds a text"
+P1 = "text" ; error 900340 "holds a text"
+$IF V.E.TEXT == ""
 $ENDIF
 ; --- functions and bare words
 P1 = SINE[30] ; error 900218 "SINE"
@@ -195,8 +195,9 @@ $ENDWHILE
 #MSG ["%1000d", 1] ; error 900231 "%1000d"
 #MSG ["%d", "text"] ; error 900232 "%d"
 #MSG ["%f", V.E.NONE] ; error 900213 "V.E.NONE"
-#MSG ["%s", V.E.TEXT] ; error 900200 "V.E.TEXT"
-#MSG [V.E.TEXT] ; error 900200 "(variable that holds a text)"
+#MSG ["%s", V.E.TEXT]
+#MSG ["%d", V.E.TEXT] ; error 900232 "%d"
+#MSG [V.E.TEXT] ; error 900200 "(format of a message in a variable)"
 #MSG SAFE ["x"] ; error 900234 "SAFE"
 #MSG SAVE SAVE ["x"] ; error 900224 "SAVE"
 #MSG SAVE CONTINUE ["x"] ; error 900200 "#MSG CONTINUE"

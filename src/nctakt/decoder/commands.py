@@ -7,6 +7,7 @@ is answered through the decoder's ``yield``: with the value that was read, or th
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from nctakt.kernel import channel
@@ -97,6 +98,19 @@ class WriteVariable(Command):
 
 
 @dataclass(frozen=True, slots=True)
+class WriteText(Command):
+    """As ``WriteVariable``, for a part of a character string.
+
+    The characters ``data`` stand from byte ``first`` of the variable on, then come ``zeros``.
+    """
+
+    cell: int
+    first: int
+    data: bytes
+    zeros: int
+
+
+@dataclass(frozen=True, slots=True)
 class UserMessage(Command):
     """A ``#MSG`` text, already formatted.
 
@@ -163,6 +177,9 @@ def pack(command: Command, place: int = 0) -> list[float]:
             return [channel.AWAIT_ACKNOWLEDGE, *head, command.function]
         case WriteVariable():
             return [channel.WRITE, *head, command.cell, command.value, command.is_told]
+        case WriteText():
+            row = [channel.WRITE, *head, command.cell, command.first, len(command.data), True]
+            return [*row, command.zeros, *command.data]
         case UserMessage():
             return [channel.MESSAGE, *head, place]
         case Flush():
@@ -176,6 +193,18 @@ def pack(command: Command, place: int = 0) -> list[float]:
         case GiveUp():
             return [channel.GIVE_UP, *head, command.message]
     raise AssertionError(command)
+
+
+def write_text(
+    source: int, number: int, cell: int, data: bytes, axis_count: int
+) -> Iterator[WriteText]:
+    """The commands that give the string at ``cell`` all its bytes, zeros at its end included."""
+    text = data.rstrip(b"\0")
+    room = channel.characters_in_row(axis_count)
+    for first in range(0, max(1, len(text)), room):
+        part = text[first : first + room]
+        is_last = first + room >= len(text)
+        yield WriteText(source, number, cell, first, part, len(data) - len(text) if is_last else 0)
 
 
 def waits(command: Command) -> bool:

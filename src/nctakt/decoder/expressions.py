@@ -131,10 +131,18 @@ def load(cell: int) -> Built:
 
 
 class ExpressionBuilder:
-    """``leaf`` says what a variable or parameter becomes."""
+    """``leaf`` says what a variable or parameter becomes.
 
-    def __init__(self, leaf: Callable[[syntax.Variable | syntax.Parameter], Built]) -> None:
+    ``compare_texts`` gives the value of ``==`` and ``!=`` between texts, ``None`` between numbers.
+    """
+
+    def __init__(
+        self,
+        leaf: Callable[[syntax.Variable | syntax.Parameter], Built],
+        compare_texts: Callable[[syntax.Binary], Built | None] = lambda _: None,
+    ) -> None:
         self._leaf = leaf
+        self._compare_texts = compare_texts
         self._context = empty_context()
 
     def build(self, expression: syntax.Expression) -> Built:
@@ -149,6 +157,10 @@ class ExpressionBuilder:
             case syntax.Unary():
                 return self._unary(expression.operator, expression.operand)
             case syntax.Binary():
+                if expression.operator in ("==", "!="):
+                    compared = self._compare_texts(expression)
+                    if compared is not None:
+                        return compared
                 left = self.build(expression.left)
                 return self.combine(expression.operator, left, self.build(expression.right))
             case syntax.Call():

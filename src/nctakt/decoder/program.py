@@ -94,7 +94,7 @@ class ProgramDecoder:
             case syntax.Assignment():
                 yield from self._values.assign(statement, number)
             case syntax.VariableBlock():
-                yield from self._values.evaluate(statement.variable, number)
+                yield from self._values.evaluate_any(statement.variable, number)
             case syntax.Break():
                 return "break"
             case syntax.Continue():
@@ -278,10 +278,7 @@ class ProgramDecoder:
         assert isinstance(statement.format, syntax.StringLiteral)
         values: list[float | str] = []
         for argument in statement.arguments:
-            if isinstance(argument, syntax.StringLiteral):
-                values.append(argument.value)
-            else:
-                values.append((yield from self._values.evaluate(argument, number)))
+            values.append((yield from self._values.evaluate_any(argument, number)))
         try:
             text = format_text(statement.format.value, values)
         except FormatError as error:

@@ -18,7 +18,8 @@ from nctakt.nc.names import NameTable
 class Surroundings:
     """One channel as its decoder sees it.
 
-    ``axis_numbers``: axis name -> place in the path's positions. ``cells``: the machine's memory.
+    ``axis_numbers``: axis name -> place in the path's positions. ``cells``: the machine's memory,
+    ``memory`` the same as bytes.
     ``place``: the source number of a span (``sources.py``). ``line``: the text line of a span.
     ``notice``: takes a finding that does not stop the program.
     """
@@ -29,6 +30,7 @@ class Surroundings:
     axes: tuple[AxisConfiguration, ...]
     limits: tuple[AxisLimits, ...]
     cells: memoryview[float]
+    memory: memoryview
     cycle_time_us: int
     place: Callable[[Span], int]
     line: Callable[[Span], str]

@@ -10,6 +10,7 @@ from nctakt.kernel.record cimport Record
 
 cdef class Channel:
     cdef double[::1] cells
+    cdef unsigned char[::1] characters
     cdef readonly Py_ssize_t first_cell
     cdef Record record
     cdef readonly Hli hli
@@ -52,6 +53,8 @@ cdef class Channel:
     cdef int take_technology(self, long long tick, Py_ssize_t base) noexcept nogil
     @cython.locals(cell=Py_ssize_t)
     cdef void take_write(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(first=Py_ssize_t, count=Py_ssize_t, zeros=Py_ssize_t, i=Py_ssize_t)
+    cdef void take_characters(self, Py_ssize_t base, Py_ssize_t place) noexcept nogil
     cdef int take_program_end(self, long long tick, Py_ssize_t base) noexcept nogil
     cdef void report(self, long long source, int message, double detail) noexcept nogil
     cdef void run_cycles(self) noexcept nogil

@@ -42,6 +42,11 @@ TIMED_KINDS = (SEGMENT, DWELL, AWAIT_ACKNOWLEDGE, FLUSH, READ, PROGRAM_END, GIVE
 LOW_WATER = 8
 
 
+def characters_in_row(axis_count: int) -> int:
+    """How many characters of a string a command takes."""
+    return 4 + 2 * axis_count
+
+
 class Channel:
     """One channel with its path, its cycles and its image of the PLC."""
 
@@ -57,6 +62,7 @@ class Channel:
         max_override_pct: float,
     ) -> None:
         self.cells = memoryview(memory).cast("d")
+        self.characters = memoryview(memory)
         self.first_cell = first_cell
         self.record = record
         self.hli = hli
@@ -259,9 +265,23 @@ class Channel:
     def take_write(self, base: int) -> None:
         """A synchronous variable written by the decoder (RC-308)."""
         cell = int(self.queue[base + 3])
+        if self.queue[base + 6] != 0.0:
+            self.take_characters(base, 8 * cell)
+            return
         self.cells[cell] = self.queue[base + 4]
         if self.queue[base + 5] != 0.0:
             self.record.written(int(self.queue[base + 1]), 0, cell, self.cells[cell])
+
+    def take_characters(self, base: int, place: int) -> None:
+        """Part of a string: from the byte (4) on so many characters (5), then so many zeros (7)."""
+        first = int(self.queue[base + 4])
+        count = int(self.queue[base + 5])
+        zeros = int(self.queue[base + 7])
+        first += place
+        for i in range(count):
+            self.characters[first + i] = int(self.queue[base + 8 + i])
+        for i in range(count, count + zeros):
+            self.characters[first + i] = 0
 
     def take_program_end(self, tick: int, base: int) -> int:
         """M30; not in the tick in which a cycle that it deletes was started (RC-004, RC-106)."""

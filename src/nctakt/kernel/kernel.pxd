@@ -3,6 +3,7 @@
 cimport cython
 from nctakt.kernel.axis cimport Axes
 from nctakt.kernel.channel cimport Channel
+from nctakt.kernel.image cimport ExternalImage
 from nctakt.kernel.record cimport Record
 
 cdef class Lane:
@@ -23,20 +24,22 @@ cdef class ChannelLane(Lane):
     cdef void end_tick(self) noexcept nogil
 
 cdef class Kernel:
-    cdef double[::1] cells
+    cdef long long[::1] words
     cdef Axes axes
     cdef Record record
+    cdef readonly ExternalImage image
     cdef Lane lane
     cdef readonly long long tick
     cdef Py_ssize_t input_count
     cdef Py_ssize_t input_capacity
     cdef long long[::1] input_cells
-    cdef double[::1] input_values
+    cdef long long[::1] input_words
 
     @cython.locals(reason=int)
     cpdef int run(self, long long ticks)
     @cython.locals(end=cython.longlong, reason=int)
     cdef int loop(self, long long ticks) noexcept nogil
+    cdef Py_ssize_t event_bound(self) noexcept nogil
     cdef void run_tick(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void latch_inputs(self) noexcept nogil

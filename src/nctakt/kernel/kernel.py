@@ -10,10 +10,13 @@ next tick latches at its start.
 
 from __future__ import annotations
 
+import struct
+
 import cython
 
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.channel import Channel
+from nctakt.kernel.image import ExternalImage
 from nctakt.kernel.record import Record
 
 # Why ``run`` returned.
@@ -85,9 +88,10 @@ class Kernel:
     def __init__(
         self, memory: bytearray, axes: Axes, channels: list[Channel], record: Record
     ) -> None:
-        self.cells = memoryview(memory).cast("d")
+        self.words = memoryview(memory).cast("q")
         self.axes = axes
         self.record = record
+        self.image = ExternalImage(memory, record)
         lane = Lane()
         for channel in reversed(channels):
             lane = ChannelLane(channel, lane)
@@ -96,22 +100,33 @@ class Kernel:
         self.input_count = 0
         self.input_capacity = 0
         self.input_cells = memoryview(bytearray(8)).cast("q")
-        self.input_values = memoryview(bytearray(8)).cast("d")
+        self.input_words = memoryview(bytearray(8)).cast("q")
         axes.publish_all()
 
     def post(self, cell: int, value: float) -> None:
         """Put a value into the image that the next tick latches."""
-        if self.input_count >= self.input_capacity:
-            posted = [(self.input_cells[i], self.input_values[i]) for i in range(self.input_count)]
-            self.input_capacity = 2 * self.input_capacity + 16
-            self.input_cells = memoryview(bytearray(8 * self.input_capacity)).cast("q")
-            self.input_values = memoryview(bytearray(8 * self.input_capacity)).cast("d")
-            for i, (old_cell, old_value) in enumerate(posted):
-                self.input_cells[i] = old_cell
-                self.input_values[i] = old_value
-        self.input_cells[self.input_count] = cell
-        self.input_values[self.input_count] = value
-        self.input_count += 1
+        self.post_bytes(cell, struct.pack("=d", value))
+
+    def post_bytes(self, cell: int, data: bytes) -> None:
+        """As ``post``, for a character string that fills whole cells from ``cell`` on."""
+        words = memoryview(data).cast("q")
+        self.make_room(self.input_count + len(words))
+        for i, word in enumerate(words):
+            self.input_cells[self.input_count] = cell + i
+            self.input_words[self.input_count] = word
+            self.input_count += 1
+
+    def make_room(self, count: int) -> None:
+        """Let the image of inputs hold ``count`` cells."""
+        if count <= self.input_capacity:
+            return
+        posted = [(self.input_cells[i], self.input_words[i]) for i in range(self.input_count)]
+        self.input_capacity = 2 * count + 16
+        self.input_cells = memoryview(bytearray(8 * self.input_capacity)).cast("q")
+        self.input_words = memoryview(bytearray(8 * self.input_capacity)).cast("q")
+        for i, (cell, word) in enumerate(posted):
+            self.input_cells[i] = cell
+            self.input_words[i] = word
 
     def run(self, ticks: int) -> int:
         """Run up to ``ticks`` ticks: why it returned, ``DONE`` after all of them."""
@@ -121,7 +136,11 @@ class Kernel:
 
     def reserve(self) -> None:
         """Make the emptied record large enough for a tick of the present load."""
-        self.record.reserve(self.lane.event_bound(), self.lane.probe_bound())
+        self.record.reserve(self.event_bound(), self.lane.probe_bound())
+
+    def event_bound(self) -> int:
+        """The most events of one tick."""
+        return self.lane.event_bound() + self.image.event_bound
 
     def loop(self, ticks: int) -> int:
         """The loop over ticks, without Python objects."""
@@ -130,7 +149,7 @@ class Kernel:
             reason = self.lane.needs_python()
             if reason:
                 return reason
-            if not self.record.has_room(self.lane.event_bound(), self.lane.probe_bound()):
+            if not self.record.has_room(self.event_bound(), self.lane.probe_bound()):
                 return 5
             self.run_tick()
         return self.lane.needs_python()
@@ -143,13 +162,17 @@ class Kernel:
         self.lane.begin_tick(self.tick)
         self.axes.publish()
         self.lane.end_tick()
+        if self.image.is_attached:
+            self.image.publish()
         self.record_row()
         self.tick += 1
 
     def latch_inputs(self) -> None:
-        """What was posted since the last tick is in force now, in the order of posting."""
+        """What came since the last tick is in force now: the PLC's image, then what was posted."""
+        if self.image.is_attached:
+            self.image.latch()
         for i in range(self.input_count):
-            self.cells[self.input_cells[i]] = self.input_values[i]
+            self.words[self.input_cells[i]] = self.input_words[i]
         self.input_count = 0
 
     def record_row(self) -> None:

@@ -107,8 +107,8 @@ _add(
 _add(
     21984,
     ERROR,
-    "structure {name} cannot be copied in a realtime cycle",
-    "die Struktur {name} kann im Echtzeit-Zyklus nicht kopiert werden",
+    "{name} cannot be copied as a whole in a realtime cycle",
+    "{name} kann im Echtzeit-Zyklus nicht als Ganzes kopiert werden",
     remedy_en="assign member by member: {member}",
     remedy_de="Element für Element zuweisen: {member}",
     cause_en="One assignment stores one number in a tick, so that the time of a cycle is known.",

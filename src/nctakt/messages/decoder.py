@@ -116,3 +116,77 @@ _add(
     reaction=2,
     clearing=3,
 )
+_add(
+    900340,
+    ERROR,
+    "{name} holds a text; a number is needed here",
+    "{name} enthält einen Text; hier wird eine Zahl gebraucht",
+    remedy_en="use a variable with a number; texts can be assigned, compared and shown by #MSG",
+    remedy_de="eine Zahl verwenden; Texte lassen sich zuweisen, vergleichen, mit #MSG zeigen",
+    parameters={"name": "the variable, or the text"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900341,
+    ERROR,
+    "{operator} does not work with texts",
+    "{operator} ist für Texte nicht definiert",
+    remedy_en="compare texts with == or !=, join them with +",
+    remedy_de="Texte mit == oder != vergleichen, mit + aneinanderhängen",
+    parameters={"operator": "the operator"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900342,
+    ERROR,
+    "{value} is no text; a text is needed here",
+    "{value} ist kein Text; hier wird ein Text gebraucht",
+    remedy_en='write a text between "…" or name a variable of type STRING or VSTRING',
+    remedy_de='"…" schreiben oder eine Variable vom Typ STRING oder VSTRING angeben',
+    parameters={"value": "the expression as written"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900343,
+    ERROR,
+    "{name} takes {limit} characters; the text has {count}",
+    "{name} fasst {limit} Zeichen; der Text hat {count}",
+    remedy_en="shorten it, or enlarge the variable: P-EXTV-00022 for STRING, 00008 for VSTRING",
+    remedy_de="ihn kürzen oder die Variable vergrößern: P-EXTV-00022 für STRING, 00008 für VSTRING",
+    parameters={
+        "name": "the variable",
+        "limit": "the most characters that it takes",
+        "count": "characters of the text",
+    },
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900344,
+    ERROR,
+    "{name} cannot hold the character {character}",
+    "{name} kann das Zeichen {character} nicht enthalten",
+    remedy_en="use characters of Windows-1252: a variable keeps one byte for each",
+    remedy_de="Zeichen aus Windows-1252 verwenden: eine Variable hat ein Byte für jedes",
+    parameters={"name": "the variable", "character": "number of the character in Unicode"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900345,
+    ERROR,
+    "{value} has not the type of {name} and cannot be assigned as a whole",
+    "{value} hat nicht den Typ von {name} und kann nicht als Ganzes zugewiesen werden",
+    remedy_en="assign single values, such as {member}",
+    remedy_de="einzelne Werte zuweisen, etwa {member}",
+    parameters={
+        "value": "the structure or array on the right",
+        "name": "the one on the left",
+        "member": "a value of the one on the right",
+    },
+    reaction=2,
+    clearing=3,
+)

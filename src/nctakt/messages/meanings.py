@@ -283,6 +283,14 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the tick": "der Takt",
         "the run's first tick": "der erste Takt des Laufs",
         "its last tick": "sein letzter Takt",
+        "the variable, or the text": "die Variable oder der Text",
+        "the expression as written": "der Ausdruck, wie geschrieben",
+        "the most characters that it takes": "die meisten Zeichen, die sie fasst",
+        "characters of the text": "Zeichen des Textes",
+        "number of the character in Unicode": "Nummer des Zeichens in Unicode",
+        "the structure or array on the right": "die Struktur oder das Feld rechts",
+        "the one on the left": "das, was links steht",
+        "a value of the one on the right": "ein Wert dessen, was rechts steht",
     }
 )
 

@@ -129,7 +129,8 @@ class Checker:
             case Assignment():
                 self._values.assignment(statement)
             case VariableBlock():
-                self._values.block(statement.variable)
+                self._values.line(statement.variable)
+                self._values.any_value(statement.variable)
             case RealtimeCycle():
                 self._cycles.definition(statement)
             case CycleControl():
@@ -233,7 +234,7 @@ class Checker:
     def _message_text(self, message: UserMessage) -> None:
         self._values.line(*message.arguments)
         if not isinstance(message.format, StringLiteral):
-            self._findings.answer(support.form("V.E.TEXT"), message.format.span)
+            self._findings.answer(support.form("#MSG [V.E.TEXT]"), message.format.span)
             return
         found = list(places(message.format.value))
         wrong = next((place for place in found if not place.known), None)
@@ -243,9 +244,10 @@ class Checker:
             expected, given = len(found), len(message.arguments)
             self._findings.report(900230, message.format.span, expected=expected, given=given)
         for index, argument in enumerate(message.arguments):
-            if not isinstance(argument, StringLiteral):
-                self._values.value(argument)
-            elif index < len(found) and found[index].known and not found[index].takes_text:
+            self._values.any_value(argument)
+            if not self._values.is_text(argument):
+                continue
+            if index < len(found) and found[index].known and not found[index].takes_text:
                 self._findings.report(900232, argument.span, word=found[index].text)
 
     def _other(self, statement: Statement) -> None:

@@ -12,11 +12,12 @@ import re
 from collections.abc import Sequence
 from difflib import get_close_matches
 
-from nctakt.nc import support
+from nctakt.nc import strings, support
+from nctakt.nc.check_wholes import WholeChecker
 from nctakt.nc.findings import Findings
-from nctakt.nc.names import Access, Location, NameTable, NotFound, Problem
+from nctakt.nc.names import Access, Location, NameTable, NotFound, Problem, Whole
 from nctakt.nc.operators import CONSTANTS, FUNCTIONS
-from nctakt.nc.resolution import indices_of, path_text, resolve, variables_in
+from nctakt.nc.resolution import indices_of, is_text, path_text, resolve, variables_in
 from nctakt.nc.support import Answer
 from nctakt.nc.syntax import (
     ArrayLiteral,
@@ -48,6 +49,7 @@ class ValueChecker:
         self._axes = axes
         self._findings = findings
         self._in_cycle = in_cycle
+        self._wholes = WholeChecker(self, names, findings, in_cycle=in_cycle)
 
     # --- expressions -----------------------------------------------------------------------------
 
@@ -84,8 +86,7 @@ class ValueChecker:
             case Unary():
                 self.value(expression.operand)
             case Binary():
-                self.value(expression.left)
-                self.value(expression.right)
+                self._binary(expression)
             case Call():
                 self._call(expression)
             case Name():
@@ -95,16 +96,51 @@ class ValueChecker:
                     900221, expression.span, word=expression.text, nearest=near[0] if near else "–"
                 )
             case StringLiteral():
-                self._text(expression, '"…"')
+                self._no_number(expression, '"…"')
             case ArrayLiteral():
                 self._findings.answer(support.form("[1, 2]"), expression.span)
 
-    def _text(self, expression: Expression, name: str) -> None:
-        if self._in_cycle:
-            self._findings.report(21981, expression.span, name=name)
+    def any_value(self, expression: Expression) -> None:
+        """An expression whose value may be a number or a text."""
+        if self.is_text(expression):
+            self.text(expression)
         else:
-            form = "V.E.TEXT" if isinstance(expression, Variable) else '"text"'
-            self._findings.answer(support.form(form), expression.span, name)
+            self.value(expression)
+
+    def is_text(self, expression: Expression) -> bool:
+        """Whether the value of an expression is a text; never in a realtime cycle (21981)."""
+        return not self._in_cycle and is_text(expression, self._names)
+
+    def text(self, expression: Expression) -> None:
+        """An expression whose value must be a text."""
+        if isinstance(expression, StringLiteral):
+            return
+        if isinstance(expression, Variable) and self.is_text(expression):
+            self.read(expression, text=True)
+        elif isinstance(expression, Binary) and self.is_text(expression):
+            self.text(expression.left)
+            self.text(expression.right)
+        else:
+            written = self._findings.written(expression.span)
+            self._findings.report(900342, expression.span, value=written)
+
+    def _binary(self, expression: Binary) -> None:
+        """Two numbers, or two texts under ``==`` and ``!=``."""
+        left, right = expression.left, expression.right
+        if self.is_text(left) or self.is_text(right):
+            if expression.operator in ("==", "!="):
+                self.text(left)
+                self.text(right)
+                return
+            if expression.operator != "+":
+                self._findings.report(900341, expression.span, operator=expression.operator)
+                return
+        self.value(left)
+        self.value(right)
+
+    def _no_number(self, expression: Expression, name: str) -> None:
+        """A text where a number is needed; in a realtime cycle it is out of place anywhere."""
+        self._findings.report(21981 if self._in_cycle else 900340, expression.span, name=name)
 
     def _parameter(self, parameter: Parameter) -> None:
         if parameter.call:
@@ -143,18 +179,20 @@ class ValueChecker:
 
     # --- variables -------------------------------------------------------------------------------
 
-    def read(self, variable: Variable) -> None:
-        """A variable whose value is needed."""
+    def read(self, variable: Variable, *, text: bool = False) -> None:
+        """A variable whose value is needed, as a number or as a text."""
         location = self._found(variable)
         if location is None or not self._may(variable, location, Access.READ):
             return
-        if not location.is_numeric:
-            self._text(variable, location.name)
+        if not (location.is_numeric or text):
+            self._no_number(variable, location.name)
         elif self._in_cycle and not (location.synchronous or variable.synchronous):
             if any(self._is_live(index) for index in indices_of(variable)):
                 self._findings.report(900227, variable.span, name=location.name)
 
-    def write(self, target: Variable | Parameter, *, compound: bool = False) -> None:
+    def write(
+        self, target: Variable | Parameter, *, compound: bool = False, text: bool = False
+    ) -> None:
         """What is assigned to; ``compound``: it is read as well, as in ``+=``."""
         if isinstance(target, Parameter):
             self._parameter(target)
@@ -170,50 +208,38 @@ class ValueChecker:
             return
         if compound and not self._may(target, location, Access.READ):
             return
-        if not location.is_numeric:
-            self._text(target, location.name)
+        if not (location.is_numeric or text):
+            self._no_number(target, location.name)
         elif self._in_cycle and not (location.synchronous or target.synchronous):
             self._findings.report(22009, target.span, name=location.name)
 
     def assignment(self, statement: Assignment) -> None:
-        """``target operator value``, structures and lists of values among them."""
+        """``target operator value``, texts, structures and lists of values among them."""
         target, value = statement.target, statement.value
         self.line(target, value)
         if isinstance(value, ArrayLiteral):
             self._list_of_values(target, value)
-            return
-        if isinstance(value, Variable) and self._is_structure(value):
-            self._structure(target, value)
-            return
-        self.write(target, compound=statement.operator != "=")
-        self.value(value)
-
-    def _is_structure(self, variable: Variable) -> bool:
-        found = resolve(variable, self._names)
-        return isinstance(found, NotFound) and found.reason is Problem.STRUCTURE
-
-    def _structure(self, target: Variable | Parameter, value: Variable) -> None:
-        """A structure is assigned: to a structure, or to a number that may be named as a member."""
-        found = resolve(value, self._names)
-        assert isinstance(found, NotFound)
-        if not (isinstance(target, Variable) and self._is_structure(target)):
-            self.write(target)
-            member = self._member_like(target, value) or found.nearest
-            self._findings.report(900215, value.span, name=found.name, member=member)
-        elif self._in_cycle:
-            self._findings.report(21984, target.span, name=path_text(target), member=found.nearest)
+        elif isinstance(value, Variable) and self._wholes.names_one(value):
+            self._wholes.copy(statement, value)
+        elif isinstance(target, Variable) and self.is_text(target):
+            self._assigned_text(statement, target)
         else:
-            self._findings.answer(support.form("V.E.A = V.CH.A"), target.span, path_text(target))
+            self.write(target, compound=statement.operator != "=")
+            self.value(value)
 
-    def _member_like(self, target: Variable | Parameter, value: Variable) -> str:
-        """The member of ``value`` that is named as the last part of ``target``, empty if none."""
-        if not isinstance(target, Variable) or not target.parts:
-            return ""
-        name = target.parts[-1].name
-        parts = [(part.name, len(part.indices)) for part in value.parts]
-        wanted = self._names.resolve(value.family, [*parts, (name, 0)])
-        known = isinstance(wanted, Location)
-        return f"{self._findings.written(value.span)}.{name}" if known else ""
+    def _assigned_text(self, statement: Assignment, target: Variable) -> None:
+        """A text is given to a variable, or put behind what it holds."""
+        self.write(target, compound=statement.operator != "=", text=True)
+        if statement.operator not in ("=", "+="):
+            self._findings.report(900341, statement.span, operator=statement.operator[0])
+            return
+        self.text(statement.value)
+        location = resolve(target, self._names)
+        if isinstance(statement.value, StringLiteral) and isinstance(location, Location):
+            text, size = statement.value.value, location.size_bytes
+            wrong = strings.misfit(location.name, location.type, size, text)
+            if wrong is not None:
+                self._findings.report(wrong[0], statement.value.span, **wrong[1])
 
     def _list_of_values(self, target: Variable | Parameter, value: ArrayLiteral) -> None:
         if self._in_cycle:
@@ -243,11 +269,12 @@ class ValueChecker:
             self.value(index)
         found = resolve(variable, self._names)
         if isinstance(found, NotFound):
-            self._not_found(variable, found)
+            self.not_found(variable, found)
             return None
-        return found if self._indices_fit(variable, found) else None
+        return found if self.indices_fit(variable, found) else None
 
-    def _not_found(self, variable: Variable, found: NotFound) -> None:
+    def not_found(self, variable: Variable, found: NotFound) -> None:
+        """Report why a variable does not exist."""
         report, span = self._findings.report, variable.span
         match found.reason:
             case Problem.UNKNOWN:
@@ -281,7 +308,7 @@ class ValueChecker:
         found = self._names.resolve(variable.family, parts)
         return found.name if isinstance(found, Location) else ""
 
-    def _indices_fit(self, variable: Variable, location: Location) -> bool:
+    def indices_fit(self, variable: Variable, location: Location | Whole) -> bool:
         """Constant indices inside the array; those that are computed are checked when they are."""
         fits = True
         for index, dimension in zip(indices_of(variable), location.dimensions, strict=True):

@@ -184,8 +184,9 @@ FORMS = known(
     ("M110 X", "R", "M or H function of one axis", "M- oder H-Funktion einer Achse"),
     ("G04 S", "R", "dwell in revolutions", "Verweilzeit in Umdrehungen"),
     ('"NAME"', "R", "macro", "Makro"),
-    ('"text"', "R", "text as a value", "Text als Wert"),
-    ("V.E.TEXT", "R", "variable that holds a text", "Variable, die einen Text enthält"),
+    ('"text"', "S", "text as a value", "Text als Wert"),
+    ("V.E.TEXT", "S", "variable that holds a text", "Variable, die einen Text enthält"),
+    ("#MSG [V.E.TEXT]", "R", "format of a message in a variable", "Meldungsformat in Variable"),
     ("[1, 2]", "R", "values of an array or structure", "Werte eines Feldes oder einer Struktur"),
-    ("V.E.A = V.CH.A", "R", "copy of a structure", "Kopie einer Struktur"),
+    ("V.E.A = V.CH.A", "S", "copy of a structure or array", "Kopie einer Struktur, eines Feldes"),
 )

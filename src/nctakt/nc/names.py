@@ -12,9 +12,11 @@ from __future__ import annotations
 import enum
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from nctakt.lists.variable_tree import AccessRights, Node, Variable, VariableScope
+from nctakt.lists.variables import SCALARS
+from nctakt.nc.cells import cells_of, leaf_cells
 from nctakt.text import nearest
 
 
@@ -78,7 +80,8 @@ AXIS_VARIABLES = (
     RealtimeVariable("FIXED_STOP.ACS.POS", *_POSITION),
 )
 
-_RIGHTS = {
+#: What programs and cycles may do with a V.E variable.
+RIGHTS = {
     AccessRights.READ_WRITE: Access.BOTH,
     AccessRights.READ_ONLY: Access.READ,
     AccessRights.WRITE_ONLY: Access.WRITE,
@@ -97,8 +100,8 @@ class Dimension:
 class Location:
     """A variable without its index values.
 
-    ``cell`` is where it lives with all indices 0; a character string lives in the table of strings
-    at the same number. ``dimensions`` has one entry for each index in the order of the text.
+    ``cell`` is where it lives with all indices 0; a character string takes as many cells as its
+    ``size_bytes`` need. ``dimensions`` has one entry for each index in the order of the text.
     ``is_length`` tells that the value is mm of a linear axis, which inch programs convert.
     """
 
@@ -111,11 +114,26 @@ class Location:
     decoder: Access
     cycle: Access
     is_length: bool = False
+    size_bytes: int = 0
 
     @property
     def is_numeric(self) -> bool:
         """Whether it is a number, not a character string."""
         return self.type not in ("STRING", "VSTRING")
+
+
+@dataclass(frozen=True, slots=True)
+class Whole:
+    """A structure or a whole array, without its index values.
+
+    ``node`` is its declaration, without ``array_elements`` where its own index is given. ``cell``
+    and ``dimensions`` as in ``Location``.
+    """
+
+    name: str
+    node: Node
+    cell: int
+    dimensions: tuple[Dimension, ...]
 
 
 class Problem(enum.Enum):
@@ -147,12 +165,6 @@ class ChannelNames:
     linear: frozenset[int]
     external: tuple[Variable, ...]
     channel: tuple[Variable, ...]
-
-
-def cells_of(node: Node) -> int:
-    """Cells that a variable takes, all its elements and members."""
-    own = sum(cells_of(member) for member in node.members) if node.members else 1
-    return own * max(1, node.array_elements)
 
 
 def _row_cells(rows: Sequence[RealtimeVariable]) -> int:
@@ -220,9 +232,42 @@ class NameTable:
             return self._resolve_axis(parts)
         return NotFound(Problem.UNKNOWN, f"V.{family}")
 
+    def resolve_whole(self, family: str, parts: Sequence[tuple[str, int]]) -> Whole | NotFound:
+        """A structure or a whole array of V.E or V.CH: a path that ``resolve`` refuses as such."""
+        if family not in self._variables:
+            return NotFound(Problem.UNKNOWN, f"V.{family}")
+        found = self._walk(family, parts)
+        if isinstance(found, Whole) and not (found.node.members or found.node.array_elements):
+            return NotFound(Problem.STRUCTURE, found.name)
+        return found
+
     def _resolve_external(
         self, family: str, parts: Sequence[tuple[str, int]]
     ) -> Location | NotFound:
+        found = self._walk(family, parts)
+        if isinstance(found, NotFound):
+            return found
+        node, text = found.node, found.name
+        if node.array_elements:
+            return NotFound(Problem.INDICES, text, expected_indices=1)
+        if node.members:
+            first = f"{text}.{node.members[0].name}"
+            return NotFound(Problem.STRUCTURE, text, first)
+        access = RIGHTS[node.rights]
+        return Location(
+            text,
+            family,
+            node.type,
+            found.cell,
+            found.dimensions,
+            node.synchronous,
+            access,
+            access,
+            size_bytes=0 if SCALARS[node.type].is_numeric else node.size_bytes,
+        )
+
+    def _walk(self, family: str, parts: Sequence[tuple[str, int]]) -> Whole | NotFound:
+        """Follow a path; only its last part may lack an index."""
         known = self._variables[family]
         text = f"V.{family}"
         if not parts or parts[0][0] not in known:
@@ -245,19 +290,16 @@ class NameTable:
                 node = members[name]
             text += f".{name}"
             wanted = 1 if node.array_elements else 0
+            if wanted and not indices and position == len(parts) - 1:
+                break
             if indices != wanted:
                 return NotFound(Problem.INDICES, text, expected_indices=wanted)
             if wanted:
                 stride = cells_of(node) // node.array_elements
                 dimensions.append(Dimension(node.array_elements, stride))
+                node = replace(node, array_elements=0)
                 text += "[]"
-        if node.members:
-            first = f"{text}.{node.members[0].name}"
-            return NotFound(Problem.STRUCTURE, text, first)
-        access = _RIGHTS[node.rights]
-        return Location(
-            text, family, node.type, cell, tuple(dimensions), node.synchronous, access, access
-        )
+        return Whole(text, node, cell, tuple(dimensions))
 
     def _resolve_channel(self, parts: Sequence[tuple[str, int]]) -> Location | NotFound:
         path = ".".join(name for name, _ in parts)
@@ -320,23 +362,11 @@ class NameTable:
                     yield f"V.RTG.{row.path}{element}", cell
 
     def values(self) -> Iterator[tuple[str, int, str]]:
-        """Every number of V.E and V.CH: its name, its cell, its type."""
+        """Every number and string of V.E and V.CH: its name, its first cell, its type."""
         for family, known in self._variables.items():
             for name, (node, cell) in known.items():
-                yield from _leaves(node, f"V.{family}.{name}", cell)
-
-
-def _leaves(node: Node, text: str, cell: int) -> Iterator[tuple[str, int, str]]:
-    count = node.array_elements
-    stride = cells_of(node) // max(1, count)
-    for index in range(max(1, count)):
-        element = f"{text}[{index}]" if count else text
-        place = cell + index * stride
-        if not node.members:
-            yield element, place, node.type
-        for member in node.members:
-            yield from _leaves(member, f"{element}.{member.name}", place)
-            place += cells_of(member)
+                for path, leaf, place in leaf_cells(node, f"V.{family}.{name}", cell):
+                    yield path, place, leaf.type
 
 
 def _resolve_row(

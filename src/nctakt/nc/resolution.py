@@ -8,14 +8,42 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nctakt.nc.names import Location, NameTable, NotFound
-from nctakt.nc.syntax import ArrayLiteral, Binary, Call, Expression, Parameter, Unary, Variable
+from nctakt.nc.names import Location, NameTable, NotFound, Whole
+from nctakt.nc.syntax import (
+    ArrayLiteral,
+    Binary,
+    Call,
+    Expression,
+    Parameter,
+    StringLiteral,
+    Unary,
+    Variable,
+)
 
 
 def resolve(variable: Variable, names: NameTable) -> Location | NotFound:
     """The location of a variable, or why there is none; its index values are not looked at."""
     parts = [(part.name, len(part.indices)) for part in variable.parts]
     return names.resolve(variable.family, parts)
+
+
+def resolve_whole(variable: Variable, names: NameTable) -> Whole | NotFound:
+    """The structure or whole array that a variable names, or why it names none."""
+    parts = [(part.name, len(part.indices)) for part in variable.parts]
+    return names.resolve_whole(variable.family, parts)
+
+
+def is_text(expression: Expression, names: NameTable) -> bool:
+    """Whether an expression has a text as its value, or would have, if it were right."""
+    match expression:
+        case StringLiteral():
+            return True
+        case Variable():
+            found = resolve(expression, names)
+            return isinstance(found, Location) and not found.is_numeric
+        case Binary(operator="+"):
+            return is_text(expression.left, names) or is_text(expression.right, names)
+    return False
 
 
 def indices_of(variable: Variable) -> list[Expression]:

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""Variables by name, for all who are outside of programs: API, command line, scripted PLC.
+
+In: names such as ``V.E.LIST[3]`` and values. Out: the values of now, and writes that the next tick
+latches (RC-002). Values are checked when they come (RC-307); what cannot be is a ``Failure``.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from nctakt.failure import Failure
+from nctakt.kernel import arithmetic
+from nctakt.kernel.kernel import Kernel
+from nctakt.lists.variables import SCALARS
+from nctakt.messages import diagnostic
+from nctakt.nc import strings
+from nctakt.nc.cells import CELL_BYTES
+from nctakt.nc.names import Location, NameTable, NotFound
+from nctakt.text import nearest
+
+
+@dataclass(frozen=True, slots=True)
+class Write:
+    """A checked value on its way to the cells from ``cell`` on."""
+
+    cell: int
+    value: float | bytes
+
+
+class VariableAccess:
+    """The variables of one channel, with the writes that wait for the next tick."""
+
+    def __init__(self, names: NameTable, memory: bytearray, kernel: Kernel) -> None:
+        self._names = names
+        self._bytes = memoryview(memory)
+        self._cells = self._bytes.cast("d")
+        self._kernel = kernel
+        self._pending: dict[int, float | bytes] = {}
+
+    def _find(self, name: str) -> tuple[Location, int]:
+        found = self._names.resolve_text(name)
+        if isinstance(found, NotFound):
+            near = found.nearest or nearest(name, (known for known, _, _ in self._names.values()))
+            if near:
+                raise Failure(diagnostic(900541, name=name, nearest=near))
+            raise Failure(diagnostic(900540, name=name))
+        return found
+
+    def read(self, name: str) -> float | bool | str:
+        """The value of a variable; a value that waits for the next tick is read already."""
+        location, cell = self._find(name)
+        pending = self._pending.get(cell)
+        if not location.is_numeric:
+            if isinstance(pending, bytes):
+                return strings.decode(pending)
+            return strings.read(self._bytes, cell, location.size_bytes)
+        value = pending if isinstance(pending, float) else self._cells[cell]
+        return value != 0.0 if location.type == "BOOLEAN" else value
+
+    def check(self, name: str, value: float | bool | str) -> Write:
+        """The converted value; ``Failure`` where there is no such variable or it cannot hold it."""
+        location, cell = self._find(name)
+        if location.family in ("RTG", "RTA"):
+            raise Failure(diagnostic(900542, name=name))
+        if isinstance(value, str) == location.is_numeric:
+            raise Failure(diagnostic(900543, name=name, type=location.type, value=value))
+        if isinstance(value, str):
+            return Write(cell, _characters(name, location, value))
+        return Write(cell, _number(name, location.type, float(value)))
+
+    def write(self, name: str, value: float | bool | str) -> None:
+        """A value for the next tick."""
+        write = self.check(name, value)
+        self._pending[write.cell] = write.value
+
+    def post_writes(self) -> None:
+        """Put what was written into the image that the next tick latches."""
+        for cell, value in self._pending.items():
+            if isinstance(value, bytes):
+                self._kernel.post_bytes(cell, value)
+            else:
+                self._kernel.post(cell, value)
+        self._pending.clear()
+
+    def apply_writes(self) -> None:
+        """Values before the first tick are there at once, so that the decoder sees them."""
+        for cell, value in self._pending.items():
+            if isinstance(value, bytes):
+                strings.write(self._bytes, cell, value)
+            else:
+                self._cells[cell] = value
+        self._pending.clear()
+
+
+def _characters(name: str, location: Location, text: str) -> bytes:
+    """The bytes of a text, up to the end of the last cell that they stand in."""
+    size = location.size_bytes
+    wrong = strings.misfit(name, location.type, size, text)
+    if wrong is not None:
+        raise Failure(diagnostic(wrong[0], None, "", **wrong[1]))
+    return strings.encode(text, size).ljust(-(-size // CELL_BYTES) * CELL_BYTES, b"\0")
+
+
+def _number(name: str, type_: str, number: float) -> float:
+    """The number as a variable of this type takes it (RC-307)."""
+    if not math.isfinite(number):
+        raise Failure(diagnostic(50893, name=name, value=number))
+    scalar = SCALARS[type_]
+    if type_ == "BOOLEAN":
+        number = 1.0 if arithmetic.is_true(number) else 0.0
+    elif scalar.is_integer:
+        number = arithmetic.round_half_even(number)
+    if not scalar.low <= number <= scalar.high:
+        raise Failure(
+            diagnostic(50892, variable=name, value=number, low=scalar.low, high=scalar.high)
+        )
+    return number

@@ -52,7 +52,7 @@ class Feed:
     def refill(self) -> None:
         """Decode until enough commands that take time wait, or the decoder itself has to wait."""
         channel = self._channel
-        self._machine.registry.forget(channel.manager.free_dead())
+        self._free_slots()
         if self._pending is not None and not self._load(self._pending):
             return
         while channel.decoder_open and channel.timed_count < HIGH_WATER:
@@ -68,8 +68,13 @@ class Feed:
             answer = tuple(self._machine.positions())
         self._waiting = None
         self._channel.decoder_open = True
+        self._free_slots()
         self._next(answer)
         self.refill()
+
+    def _free_slots(self) -> None:
+        """Make the slots of ended cycles free for those that are decoded next."""
+        self._machine.registry.forget(self._channel.manager.free_dead())
 
     def stop(self) -> None:
         """The program is given up: nothing more is decoded."""

@@ -135,3 +135,14 @@ def test_a_dwell_is_in_seconds_however_it_is_written() -> None:
     for dwell in ("G04 X0.003", "G04 0.003", "#TIME 0.003"):
         assert ticks_of(f"{dwell}\nM30") == 3, dwell
     assert numbers(perform("#TIME -1\nM30")) == [900305]
+
+
+def test_the_path_never_jumps() -> None:
+    """RC-409: a segment that does not start where the axes stand is 900420, and nothing moves."""
+    controller = Controller()
+    controller.start(NcText("part.nc", "#TIME 0.01\nG00 X1\nM30"))
+    controller.step(2)
+    controller._machine.axes.place(0, 7.0)
+    controller.step(20)
+    assert (controller.state, controller.read("V.RTA.ACS.ACT_POS.X")) == ("error", 7.0)
+    assert [found.message.id for found in controller.diagnostics] == [900420]

@@ -213,3 +213,20 @@ def test_compiled_and_plain_give_the_same_bytes(tmp_path: Path) -> None:
     if compiled is None:
         pytest.skip("not compiled")
     assert compiled == trace_of(tmp_path, "--plain")
+
+
+def test_flush_continue_has_no_effect_on_the_queue() -> None:
+    """It asks for no stop: M30 is taken in tick 32, behind ``#FLUSH`` in tick 33."""
+    motion = "G00 X1\n{flush}\nM30"
+    assert told(perform(motion.format(flush="#FLUSH CONTINUE"))) == ["32 end part.nc"]
+    assert told(perform(motion.format(flush="#FLUSH"))) == ["33 end part.nc"]
+
+
+def test_numbers_have_no_exponents() -> None:
+    """``1E3`` is the number 1 and a word E, the feed at the block's end, which is refused."""
+    assert numbers(perform("G01 X1E3 F100\nM30")) == [900200]
+
+
+def test_a_hash_command_may_go_on_in_the_next_line() -> None:
+    r"""``\`` at the end of a line continues ``#`` commands as well."""
+    assert told(perform("#TIME \\\n  0.003\nM30")) == ["3 end part.nc"]

@@ -1,0 +1,366 @@
+# SPDX-License-Identifier: MIT
+"""The documents against the code: what they show, name and promise is there."""
+
+from __future__ import annotations
+
+import ast
+import re
+import subprocess
+import sys
+import tomllib
+from array import array
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+import pytest
+
+from nctakt import __version__, cli
+from nctakt.controller import Controller
+from nctakt.diagnostics import Span
+from nctakt.kernel import record
+from nctakt.plc import load_plc
+from nctakt.trace.events import EventDecoder
+
+ROOT = Path(__file__).parent.parent
+PACKAGE = ROOT / "src" / "nctakt"
+DOCUMENTS = [
+    ROOT / "README.md",
+    ROOT / "CHANGELOG.md",
+    *sorted((ROOT / "docs").glob("*.md")),
+    ROOT / "examples" / "README.md",
+]
+NAMES = [document.relative_to(ROOT).as_posix() for document in DOCUMENTS]
+
+_FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+_LINK = re.compile(r"\[[^\]]*\]\(([^)]+)\)")
+_OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
+#: Options of what is not ``nctakt``: ``scripts/docs``.
+_OTHER_OPTIONS = {"--check"}
+
+
+def text_of(name: str) -> str:
+    """A document."""
+    return (ROOT / name).read_text("utf-8")
+
+
+def blocks(name: str) -> list[tuple[str, str]]:
+    """Language and body of the fenced blocks of a document."""
+    return [(language, body) for language, body in _FENCE.findall(text_of(name))]
+
+
+def fences(name: str, language: str) -> list[str]:
+    """The fenced blocks of a document in a language, ``""``: in none."""
+    return [body for found, body in blocks(name) if found == language]
+
+
+def nctakt(*words: str) -> str:
+    """What the command line prints to standard output in the project's folder."""
+    command = [sys.executable, "-m", "nctakt", *words]
+    done = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, encoding="utf-8")
+    return done.stdout
+
+
+# --- README ------------------------------------------------------------------------------------
+
+
+def test_the_program_of_the_readme_is_the_example() -> None:
+    """What a newcomer reads first is what the command below it runs."""
+    assert fences("README.md", "")[0] == text_of("examples/crossing.nc")
+
+
+def test_the_readme_shows_what_the_command_prints() -> None:
+    """The output is that of the command, letter by letter."""
+    command, *_ = fences("README.md", "sh")
+    *_, run = command.strip().split(" && ")
+    program, *words = run.split()
+    assert program == ".venv/bin/nctakt"
+    assert fences("README.md", "")[1] == nctakt(*words)
+
+
+def test_the_readme_shows_how_a_cycle_is_listed() -> None:
+    """The beginning of the listing is that of the command."""
+    assert nctakt("list", "examples/crossing.nc").startswith(fences("README.md", "")[2])
+
+
+def test_the_readme_runs_the_tests_as_the_automatic_check_does() -> None:
+    """The extra that is installed and the script that is called are those of ``.ci/run``."""
+    command = fences("README.md", "sh")[1].strip()
+    assert command == '.venv/bin/pip install -e ".[test]" && .venv/bin/python scripts/test'
+    automatic = text_of(".ci/run")
+    assert 'pip install --quiet -e ".[test]"' in automatic
+    assert "python scripts/test" in automatic
+
+
+def test_the_python_of_the_readme_runs(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The example of the API runs as it stands, and prints what a reader expects."""
+    monkeypatch.chdir(ROOT)
+    code = fences("README.md", "python")[0]
+    exec(compile(code, "README.md", "exec"), {})
+    printed = capsys.readouterr().out.splitlines()
+    assert printed[0] == "ended 1306 ((1305000, 'X has arrived, 8 crossing'),)"
+    assert printed[1] == "[(463, 'm', 100)]"
+    assert printed[2] == "500.0 created 17 PROG"
+    assert printed[3].startswith("1356 running 496.25")
+
+
+def test_the_plc_of_the_readme_is_the_example_and_slows_the_path() -> None:
+    """The class runs as it stands; the run takes longer than without it."""
+    shown = fences("README.md", "python")[1]
+    assert text_of("examples/slow_plc.py").endswith(f'"""\n\n\n{shown}')
+    program = ROOT / "examples" / "crossing.nc"
+    slow = Controller().run(program, plc=load_plc(ROOT / "examples" / "slow_plc.py"))
+    assert slow.state == "ended"
+    assert slow.ticks > Controller().run(program).ticks
+
+
+def test_each_dependency_has_its_reason() -> None:
+    """The README names the dependencies of pyproject.toml, those of the tests too, and no other."""
+    project = tomllib.loads(text_of("pyproject.toml"))["project"]
+    needed = [*project["dependencies"], *project["optional-dependencies"]["test"]]
+    section = text_of("README.md").split("## What it needs")[1].split("\n## ")[0]
+    rows = re.findall(r"^\| ([a-z*].+?) \|", section, re.MULTILINE)
+    named = [name for row in rows for name in re.sub(r"\*tests:\* ", "", row).split(", ")]
+    assert sorted(named) == sorted(re.split(r"[><=]", one)[0] for one in needed)
+
+
+# --- commands ----------------------------------------------------------------------------------
+
+
+def options_of(command: click.Command) -> set[str]:
+    """All spellings of a command's options."""
+    spellings = {"--help", "--version"}
+    for parameter in command.params:
+        spellings.update((*parameter.opts, *parameter.secondary_opts))
+    return spellings
+
+
+def commands() -> dict[str, click.Command]:
+    """The subcommands by name."""
+    context = click.Context(cli.group)
+    found = {
+        name: cli.group.get_command(context, name) for name in cli.group.list_commands(context)
+    }
+    return {name: command for name, command in found.items() if command is not None}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_options_and_subcommands_that_a_document_names_exist(name: str) -> None:
+    """No document promises an option or a subcommand that the command line lacks."""
+    known = commands()
+    options = _OTHER_OPTIONS.union(*(options_of(command) for command in known.values()))
+    assert set(_OPTION.findall(text_of(name))) <= options
+    code = [*re.findall(r"`([^`\n]+)`", text_of(name)), *(body for _, body in blocks(name))]
+    called = re.findall(r"(?:^|/|\\)nctakt ([a-z]+)", "\n".join(code), re.MULTILINE)
+    assert set(called) <= set(known)
+
+
+def test_the_table_of_what_is_simulated_is_current() -> None:
+    """``docs/support.md`` is what ``scripts/docs`` writes."""
+    command = [sys.executable, "scripts/docs", "--check"]
+    done = subprocess.run(command, cwd=ROOT, check=False, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout
+
+
+# --- names and places --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_links_lead_somewhere(name: str) -> None:
+    """Each link inside the project names a file that exists, and a heading of it."""
+    broken = []
+    for target in _LINK.findall(_FENCE.sub("", text_of(name))):
+        if "://" in target:
+            continue
+        path, _, heading = target.partition("#")
+        file = (ROOT / name).parent / path if path else ROOT / name
+        if not file.exists() or (heading and heading not in anchors(file)):
+            broken.append(target)
+    assert broken == []
+
+
+def anchors(file: Path) -> set[str]:
+    """The anchors of a document's headings, as code hosts make them."""
+    headings = re.findall(r"^#+ (.+)$", file.read_text("utf-8"), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", one.lower()).replace(" ", "-") for one in headings}
+
+
+def members(path: Path) -> set[str]:
+    """The classes and functions of a module: ``Name``, ``Name.method``."""
+    found: set[str] = set()
+    for node in ast.parse(path.read_text("utf-8")).body:
+        if isinstance(node, ast.ClassDef):
+            found.add(node.name)
+            inner = (one for one in node.body if isinstance(one, ast.FunctionDef))
+            found.update(f"{node.name}.{one.name}" for one in inner)
+        elif isinstance(node, ast.FunctionDef):
+            found.add(node.name)
+    return found
+
+
+def exists(dotted: str) -> bool:
+    """Whether ``folder.module.Class.method`` is in the package."""
+    parts = dotted.split(".")
+    for count in range(len(parts), 0, -1):
+        module = PACKAGE.joinpath(*parts[:count]).with_suffix(".py")
+        if module.exists():
+            rest = ".".join(parts[count:])
+            return not rest or rest in members(module)
+    return False
+
+
+def walked() -> list[str]:
+    """The names of code in ``docs/architecture.md``, in their order, each once."""
+    text = _FENCE.sub("", text_of("docs/architecture.md"))
+    found = re.findall(r"`([a-z_]+(?:\.[A-Za-z_]\w*)+)`", text)
+    modules = {path.stem for path in PACKAGE.iterdir()}
+    names = [one for one in found if one.split(".")[0] in modules and not one.endswith(".py")]
+    return list(dict.fromkeys(names))
+
+
+def test_the_walks_name_what_exists() -> None:
+    """Each function, method and class of the two walks, and of the boundaries, is in the code."""
+    names = walked()
+    assert len(names) > 100  # the notation is still what this test understands
+    assert [one for one in names if not exists(one)] == []
+
+
+def listed() -> Iterator[str]:
+    """The files in the tree of ``docs/architecture.md``, relative to the package."""
+    (tree,) = fences("docs/architecture.md", "")
+    folder = ""
+    for line in tree.splitlines()[1:]:
+        inner = line.startswith("    ")
+        folder = folder if inner else ""
+        for word in line.split():
+            if word.endswith("/") and not inner:
+                folder = word
+            elif word.endswith((".py", ".txt")):
+                yield f"{folder}{word}"
+            else:
+                break
+
+
+#: Folders of which the tree names each file; of the others it names the chief ones.
+WHOLE_FOLDERS = (".", "kernel", "decoder", "trace")
+
+
+def test_the_tree_of_the_house_is_the_folder() -> None:
+    """Each folder stands in the tree, and each file of the chief ones; what stands there exists."""
+    named = set(listed())
+    assert sorted(one for one in named if not (PACKAGE / one).exists()) == []
+    folders = {one.name for one in PACKAGE.iterdir() if (one / "__init__.py").exists()}
+    tree = fences("docs/architecture.md", "")[0]
+    assert sorted(one for one in folders if f"\n  {one}/" not in tree) == []
+    present = {
+        path.relative_to(PACKAGE).as_posix()
+        for folder in WHOLE_FOLDERS
+        for path in (PACKAGE / folder).glob("*.py")
+        if path.stem not in ("__init__", "__main__")
+    }
+    assert sorted(present - named) == []
+
+
+@pytest.mark.parametrize("name", ["docs/architecture.md", "docs/conformance.md", "README.md"])
+def test_tests_and_files_that_a_document_names_exist(name: str) -> None:
+    """``tests/…::name`` is a test, ``tests/…``, ``scripts/…``, ``src/…`` are files or folders."""
+    missing = []
+    text = _FENCE.sub("", text_of(name))
+    for named in re.findall(r"`((?:tests|scripts|src|examples|benchmarks)/[^`]+)`", text):
+        path, _, function = named.partition("::")
+        file = ROOT / path
+        if not file.exists() or (function and function not in members(file)):
+            missing.append(named)
+    assert missing == []
+
+
+def test_each_decision_has_its_reason_and_its_test() -> None:
+    """Every row of ``docs/conformance.md`` has four cells, the last one with a test or "none"."""
+    rows = [
+        re.split(r"(?<!\\) \| ", line.removeprefix("| ").removesuffix(" |"))
+        for line in text_of("docs/conformance.md").splitlines()
+        if line.startswith("| ") and not line.startswith("| question")
+    ]
+    assert rows
+    assert [row for row in rows if len(row) != 4 or not all(map(str.strip, row))] == []
+    assert [row for row in rows if "`tests/" not in row[3] and row[3] != "no test yet"] == []
+
+
+# --- traces ------------------------------------------------------------------------------------
+
+
+def test_the_traces_in_the_documents_are_real(tmp_path: Path) -> None:
+    """The lines of both formats stand in the files that the example's run writes."""
+    csv, jsonl = fences("docs/traces.md", "")
+    for shown, file, signals in (
+        (csv, tmp_path / "part.csv", "X.ACS.ACT_POS,V.E.COUNT"),
+        (jsonl, tmp_path / "part.jsonl", "X.ACS.ACT_POS"),
+    ):
+        nctakt("run", "examples/crossing.nc", "--trace", str(file), "--signals", signals)
+        lines = file.read_text("utf-8").splitlines()
+        assert [line for line in shown.splitlines() if line not in lines] == []
+
+
+def test_the_signals_in_the_documents_can_be_recorded() -> None:
+    """Each name of the table of signals is known to the demo machine."""
+    section = text_of("docs/traces.md").split("## Signals")[1].split("\n## ")[0]
+    names = re.findall(
+        r"`((?:X|PATH|OVERRIDE|CYCLES|LOOP|V)\.[\w.\[\]]+|BLOCK|MEAS_DELTA)`", section
+    )
+    assert len(names) > 15
+    run = Controller().run(ROOT / "examples" / "crossing.nc", ticks=1, signals=names)
+    assert run.trace is not None
+    assert list(run.trace) == list(dict.fromkeys(names))
+
+
+class _Names:
+    """Any name for any number."""
+
+    def cycle(self, serial: int) -> str:
+        return str(serial)
+
+    def variable(self, cell: int) -> str:
+        return str(cell)
+
+    def message(self, number: int) -> str:
+        return str(number)
+
+    def program(self, number: int) -> str:
+        return str(number)
+
+    def place(self, source: int) -> Span | None:
+        return None
+
+
+def test_the_kinds_of_events_are_those_of_the_code() -> None:
+    """The table of events has each kind that a run can tell, and no other."""
+    section = text_of("docs/traces.md").split("## Events")[1]
+    rows = re.findall(r"^\| (`.+?) \|", section, re.MULTILINE)
+    named = [kind for row in rows for kind in re.findall(r"`(\w+)`", row)]
+    kinds = sorted(
+        value
+        for name, value in vars(record).items()
+        if name.isupper() and isinstance(value, int) and not name.endswith("_WIDTH")
+        if not name.startswith("ENDED_BY")
+    )
+    decoder = EventDecoder(1000, _Names())
+    numbers = (0.0, -1.0, 50900.0, 900302.0)  # an M and an H function, an error and a warning
+    told = {
+        event.kind
+        for kind in kinds
+        for number in (numbers if kind not in (record.CREATED, record.ENDED) else (0.0,))
+        for event in decoder.decode(array("d", (0.0, kind, 0.0, 1.0, number, 0.0)).tobytes())
+    }
+    assert sorted(named) == sorted(told)
+
+
+# --- version -----------------------------------------------------------------------------------
+
+
+def test_the_newest_version_of_the_changelog_is_the_package() -> None:
+    """pyproject.toml, the package and the changelog agree."""
+    project = tomllib.loads(text_of("pyproject.toml"))["project"]
+    newest = re.findall(r"^## \[(.+?)\]", text_of("CHANGELOG.md"), re.MULTILINE)[0]
+    assert project["version"] == __version__ == newest

@@ -1,0 +1,9 @@
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  $IF ONCE 1 < 2
+    M101
+  $ENDIF
+#RT CYCLE END
+$FOR P1 = 1, 21, 1
+  M100
+$ENDFOR
+M30

@@ -33,7 +33,7 @@ STAGES = (
     ("kernel",),
     ("decoder",),
     ("trace",),
-    ("results",),
+    ("reference", "results"),
     ("access", "image"),
     ("assembly",),
     ("interface", "loading", "runtime_errors"),

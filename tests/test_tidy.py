@@ -37,7 +37,7 @@ STAGES = (
     ("access", "image"),
     ("assembly",),
     ("interface", "loading", "runtime_errors"),
-    ("feed", "plc", "stimuli"),
+    ("checking", "feed", "plc", "stimuli"),
     ("controller",),
     ("schedule",),
     ("cli", "pytest_plugin"),

@@ -50,6 +50,11 @@ P2 = V.E.VALUE
     V.E.COUNT = 2 ; note 900244 "V.E.COUNT is written by the realtime cycle of line 3"
   $ENDIF
 #RT CYCLE END
+; --- timers
+#RT CYCLE
+  #TIMER START SYN [ID=P1] ; note 900236 "P1"
+  #TIMER READ SYN [ID]
+#RT CYCLE END
 ; --- conditions that can never change
 P1 = 5
 P2 = 7

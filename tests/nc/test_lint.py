@@ -16,7 +16,8 @@ from nctakt import machines
 from nctakt.controller import Controller, NcText
 from nctakt.diagnostics import Diagnostic
 from nctakt.messages import Collector
-from nctakt.nc.lint import Budget, lint, never_deleted
+from nctakt.nc.lint import lint, never_deleted
+from nctakt.nc.lint_cycle import Budget
 from nctakt.nc.parser import parse_program
 from nctakt.nc.source import Source
 

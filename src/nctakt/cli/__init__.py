@@ -27,6 +27,7 @@ EXIT_INTERNAL = 3
 #: Subcommands and the modules that hold them as ``command``.
 _COMMANDS = {
     "run": "nctakt.cli.run",
+    "check": "nctakt.cli.check",
     "explain": "nctakt.cli.explain",
     "list": "nctakt.cli.listing",
 }

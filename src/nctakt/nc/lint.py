@@ -45,6 +45,7 @@ from nctakt.nc.syntax import (
     SubprogramCall,
     Switch,
     Time,
+    Timer,
     UserMessage,
     Variable,
     VariableBlock,
@@ -247,7 +248,7 @@ class _Walk:
         name = scope.name if isinstance(scope, Name) else "PROG"
         writes = self._cycles.cycle(cycle, self._state.known)
         self._writes(writes, _Writer(cycle.span.line, name, identity))
-        if name == "GLOBAL" and identity is not None:
+        if name == "GLOBAL" and identity is not None and identity > 0:
             line = self._program.source.line_of(cycle.span)
             self.defined.append(GlobalCycle(identity, cycle.span, line))
 
@@ -349,7 +350,7 @@ def _expressions(statement: Statement) -> Iterator[Expression]:
             yield statement.seconds
         case UserMessage():
             yield from statement.arguments
-        case RealtimeCycle() | CycleControl():
+        case RealtimeCycle() | CycleControl() | Timer():
             yield from _values(statement.keywords)
         case If():
             yield statement.condition

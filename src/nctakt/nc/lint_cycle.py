@@ -26,10 +26,12 @@ from nctakt.nc.syntax import (
     Constant,
     Expression,
     If,
+    Keyword,
     Number,
     Parameter,
     RealtimeCycle,
     Statement,
+    Timer,
     Unary,
     Variable,
     VariableBlock,
@@ -118,6 +120,10 @@ class CycleLinter:
                     self._assignment(statement, around)
                 case VariableBlock():
                     self._frozen(statement.variable)
+                case Timer():
+                    for item in statement.keywords:
+                        if isinstance(item, Keyword) and item.value is not None:
+                            self._frozen(item.value)
                 case Block():
                     self._block(statement, around)
 

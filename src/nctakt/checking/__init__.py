@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Files and folders -> all diagnostics of all programs and lists, without running anything."""

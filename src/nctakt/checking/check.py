@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: MIT
+"""What there is to check -> every diagnostic, in one order.
+
+In: files, folders, texts, and the machine that programs shall run on. Out: ``CheckResult``. Nothing
+is executed, and one file's mistakes keep no other from being checked. Programs are checked for the
+machine's first channel; beyond their errors, what is likely meant otherwise is found (``nc/lint``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from nctakt.assembly import Machine
+from nctakt.checking.inputs import Found, gather
+from nctakt.diagnostics import Diagnostic, Severity, Span
+from nctakt.lists.files import find_file
+from nctakt.lists.kinds import check_list_alone, kind_of, references
+from nctakt.lists.machine import MachineError, load_machine
+from nctakt.lists.parameters import SCHEMAS
+from nctakt.loading import NcText
+from nctakt.messages import Collector, diagnostic
+from nctakt.nc.check import check
+from nctakt.nc.lint import GlobalCycles, lint, never_deleted
+from nctakt.nc.lint_cycle import Budget
+from nctakt.nc.parser import parse_program
+from nctakt.nc.source import Source
+from nctakt.text import decode_text, split_lines
+
+#: The kind of a program; lists have the kinds of their schemas (``channel``, ``axis``, …).
+PROGRAM = "program"
+
+_UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
+_ENCRYPTED_SUFFIX = ".ecy"
+#: A file is no text if there is a NUL among so many bytes at its start.
+_LOOKED_AT_BYTES = 8192
+
+
+@dataclass(frozen=True, slots=True)
+class CheckedFile:
+    """A file that was checked, and as what."""
+
+    file: str
+    kind: str
+
+
+@dataclass(frozen=True, slots=True)
+class CheckResult:
+    """All files that were checked, by name; all that was found, by file, line, column, number.
+
+    ``machines``: the folders with a start-up list.
+    """
+
+    files: tuple[CheckedFile, ...]
+    found: tuple[Found, ...]
+    machines: tuple[str, ...] = ()
+
+    def count(self, severity: Severity) -> int:
+        """How many findings of one severity there are."""
+        return sum(one.diagnostic.severity is severity for one in self.found)
+
+
+def check_files(
+    inputs: Sequence[str | Path | NcText], machine: Machine, *, verbose: bool = False
+) -> CheckResult:
+    """Check files, folders with all that is in them, and texts.
+
+    ``verbose``: name each entry of a list that nctakt does not know or accepts without effect. What
+    cannot be read is a diagnostic as well; no file checked at all leaves ``files`` empty.
+    """
+    return _Checker(machine, verbose).check(inputs)
+
+
+class _Checker:
+    """Gathers files and diagnostics of one call."""
+
+    def __init__(self, machine: Machine, verbose: bool) -> None:
+        self._names = machine.names
+        self._parameters = machine.parameters
+        context = machine.channels[0].context
+        self._budget = Budget(context.max_steps, context.budget_steps)
+        self._verbose = verbose
+        self._files: dict[str, str] = {}
+        self._found: list[Found] = []
+        self._covered: dict[Path, None] = {}
+        self._global_cycles: list[GlobalCycles] = []
+
+    def check(self, inputs: Sequence[str | Path | NcText]) -> CheckResult:
+        texts = [one for one in inputs if isinstance(one, NcText)]
+        paths = [Path(one) for one in inputs if not isinstance(one, NcText)]
+        gathered = gather(paths, self._found)
+        for startup in gathered.machines:
+            self._machine(startup)
+        for path in gathered.lists:
+            if path.resolve() not in self._covered:
+                self._list(path)
+        for path in gathered.programs:
+            data = self._read(path)
+            if data is not None:
+                self._program(path.as_posix(), decode_text(data).text)
+        for text in texts:
+            self._program(text.name, text.text)
+        collector = Collector()
+        never_deleted(self._global_cycles, collector)
+        self._keep("", collector.diagnostics)
+        files = tuple(CheckedFile(file, kind) for file, kind in sorted(self._files.items()))
+        machines = tuple(startup.parent.as_posix() for startup in gathered.machines)
+        return CheckResult(files, _ordered(self._found), machines)
+
+    def _keep(self, file: str, diagnostics: Sequence[Diagnostic]) -> None:
+        for one in diagnostics:
+            self._found.append(Found(file if one.span is None else one.span.file, one))
+
+    def _read(self, path: Path) -> bytes | None:
+        """The bytes of a file of text; ``None`` where there are none, which is reported."""
+        name = path.as_posix()
+        try:
+            data = path.read_bytes()
+        except OSError as error:
+            reason = error.strerror or str(error)
+            self._keep(name, [diagnostic(900503, file=name, reason=reason)])
+            return None
+        if b"\0" not in data[:_LOOKED_AT_BYTES] or data.startswith(_UTF16_MARKS):
+            return data
+        number = 900582 if path.suffix.casefold() == _ENCRYPTED_SUFFIX else 900581
+        self._keep(name, [diagnostic(number, file=name)])
+        return None
+
+    # --- lists -----------------------------------------------------------------------------------
+
+    def _machine(self, startup: Path) -> None:
+        """A start-up list with all lists that it names."""
+        self._covered[startup.resolve()] = None
+        self._files[startup.as_posix()] = "startup"
+        try:
+            machine = load_machine(startup, verbose=self._verbose)
+        except MachineError as error:
+            self._keep(startup.as_posix(), error.diagnostics)
+            return
+        for kind, reference in references(machine.startup):
+            path = find_file(reference.path, startup.parent)
+            if path is not None:
+                self._covered[path.resolve()] = None
+                if kind:
+                    self._files[path.as_posix()] = kind
+        self._keep(startup.as_posix(), machine.diagnostics)
+
+    def _list(self, path: Path) -> None:
+        """A list by itself: its kind is that of most of its entries."""
+        data = self._read(path)
+        if data is None:
+            return
+        place = Span(path.as_posix(), 1, 1, 2)
+        schema = kind_of(path.name, data)
+        if schema is None:
+            titles = [one.title for one in SCHEMAS]
+            unknown = diagnostic(
+                900584,
+                place,
+                meaning_en=", ".join(title.en for title in titles),
+                meaning_de=", ".join(title.de for title in titles),
+            )
+            self._keep(path.as_posix(), [unknown])
+            return
+        self._files[path.as_posix()] = schema.kind
+        title = schema.title
+        collector = Collector()
+        collector.report(900583, place, meaning_en=title.en, meaning_de=title.de)
+        check_list_alone(schema, path, data, collector, verbose=self._verbose)
+        self._keep(path.as_posix(), collector.diagnostics)
+
+    # --- programs --------------------------------------------------------------------------------
+
+    def _program(self, name: str, text: str) -> None:
+        self._files[name] = PROGRAM
+        collector = Collector()
+        tree = parse_program(Source(name, split_lines(text)), collector)
+        check(tree, self._names, self._parameters, collector)
+        self._global_cycles.append(lint(tree, self._names, self._budget, collector))
+        self._keep(name, collector.diagnostics)
+
+
+def _ordered(found: Sequence[Found]) -> tuple[Found, ...]:
+    """Each finding once, in the order of file, line, column, number."""
+    keyed = {_key(one): one for one in found}
+    return tuple(keyed[key] for key in sorted(keyed))
+
+
+def _key(found: Found) -> tuple[str, int, int, int, str]:
+    one = found.diagnostic
+    line, column = (0, 0) if one.span is None else (one.span.line, one.span.column)
+    return found.file, line, column, one.id, one.text()

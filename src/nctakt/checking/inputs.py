@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: MIT
+"""Files and folders as a user names them -> what there is to check.
+
+In: paths. Out: start-up lists of machines, lists, programs, each file once; what cannot be found is
+reported. A file that is named is a list if it ends with ``.lis``, else a program. A folder is
+searched with all its folders but hidden ones; where a start-up list lies is a machine.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from nctakt.diagnostics import Diagnostic
+from nctakt.lists.files import find_entry
+from nctakt.lists.machine import STARTUP_NAMES
+from nctakt.messages import diagnostic
+
+#: How names of programs end, for those that are found in folders.
+PROGRAM_SUFFIXES = (".nc", ".ncp", ".cnc", ".sub", ".cyc", ".ecy")
+LIST_SUFFIX = ".lis"
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A diagnostic and the file that it is about, whether it has a place there or not."""
+
+    file: str
+    diagnostic: Diagnostic
+
+
+@dataclass(frozen=True, slots=True)
+class Inputs:
+    """What there is to check; ``machines`` are start-up lists."""
+
+    machines: tuple[Path, ...]
+    lists: tuple[Path, ...]
+    programs: tuple[Path, ...]
+
+
+def gather(paths: Sequence[Path], found: list[Found]) -> Inputs:
+    """Look for files; what is wrong with the paths themselves is added to ``found``."""
+    machines: dict[Path, Path] = {}
+    lists: dict[Path, Path] = {}
+    programs: dict[Path, Path] = {}
+    for path in paths:
+        if not path.exists():
+            found.append(Found(path.as_posix(), diagnostic(900500, file=str(path))))
+        elif not path.is_dir():
+            group = lists if path.suffix.casefold() == LIST_SUFFIX else programs
+            group.setdefault(path.resolve(), path)
+        else:
+            _search(path, machines, lists, programs, found)
+    return Inputs(tuple(machines.values()), tuple(lists.values()), tuple(programs.values()))
+
+
+def _search(
+    folder: Path,
+    machines: dict[Path, Path],
+    lists: dict[Path, Path],
+    programs: dict[Path, Path],
+    found: list[Found],
+) -> None:
+    empty = True
+    for path in _files(folder, found):
+        suffix = path.suffix.casefold()
+        if suffix not in (LIST_SUFFIX, *PROGRAM_SUFFIXES):
+            continue
+        empty = False
+        if not path.exists():
+            found.append(Found(path.as_posix(), diagnostic(900500, file=str(path))))
+        elif path.name == _startup_name(path.parent):
+            machines.setdefault(path.resolve(), path)
+        elif path.is_file():
+            group = lists if suffix == LIST_SUFFIX else programs
+            group.setdefault(path.resolve(), path)
+    if empty:
+        suffixes = ", ".join(PROGRAM_SUFFIXES)
+        message = diagnostic(900580, folder=str(folder), suffixes=suffixes)
+        found.append(Found(folder.as_posix(), message))
+
+
+def _startup_name(folder: Path) -> str | None:
+    names = (find_entry(folder, wanted) for wanted in STARTUP_NAMES)
+    return next((name for name in names if name is not None), None)
+
+
+def _files(folder: Path, found: list[Found]) -> Iterator[Path]:
+    """All files in a folder and those below it, in order of their names; links are not followed."""
+
+    def unreadable(error: OSError) -> None:
+        name = str(error.filename)
+        reason = error.strerror or str(error)
+        found.append(Found(name, diagnostic(900503, file=name, reason=reason)))
+
+    for root, folders, names in os.walk(folder, onerror=unreadable):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        for name in sorted(names):
+            if not name.startswith("."):
+                yield Path(root) / name

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt check``: all diagnostics of programs, lists and folders, without running anything.
+
+In: files and folders, the machine that the programs are for, which messages count, the format. Out:
+the findings in that format (standard output, or a file), and the exit code. What is wrong with the
+words of the command line goes to standard error.
+"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Literal
+
+import click
+
+from nctakt.assembly import Machine
+from nctakt.checking.check import PROGRAM, CheckResult, check_files
+from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.formats import as_github, as_json, as_text, closing_line
+from nctakt.cli.sarif import as_sarif
+from nctakt.cli.selection import Selection, read_selection
+from nctakt.cli.terminal import OutputFile, print_diagnostics, show_at_the_end
+from nctakt.diagnostics import Language, Severity
+from nctakt.failure import Failure
+from nctakt.lists.machine import MachineError, load_machine
+from nctakt.loading import NcText
+from nctakt.messages import diagnostic
+from nctakt.text import decode_text
+
+_STANDARD_INPUT = "-"
+_EPILOG = """\b
+A file that ends with .lis is a list, any other a program; '-' is a program from
+standard input. Folders are searched with all folders in them; where a start-up
+list lies, all lists that it names are checked together.
+Exit codes: 0 no error (--strict: no warning either), 1 errors, 2 wrong usage or
+nothing to check, 3 an error of nctakt's own.
+
+\b
+  nctakt check part.nc
+  nctakt check . --machine lists --format sarif --output nctakt.sarif
+  nctakt check . --ignore 9002,22000-22099 --strict
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """The words of the command line as they were given; ``None``: not given."""
+
+    paths: tuple[str, ...]
+    machine: str | None
+    format: Literal["text", "json", "github", "sarif"]
+    language: Language
+    select: tuple[str, ...]
+    ignore: tuple[str, ...]
+    strict: bool
+    verbose: bool
+    quiet: bool
+    output: str | None
+
+
+@click.command("check", epilog=_EPILOG, short_help="Find mistakes without running anything.")
+@click.argument("paths", metavar="FILE|DIR...", nargs=-1, required=True)
+@click.option(
+    "--machine", metavar="DIR", help="Folder with the lists of the programs' machine [demo]."
+)
+@click.option(
+    "--format",
+    type=click.Choice(["text", "json", "github", "sarif"]),
+    default="text",
+    help="How findings are told.",
+)
+@click.option(
+    "--lang",
+    "language",
+    type=click.Choice(["en", "de"]),
+    default="en",
+    help="Language of the findings.",
+)
+@click.option("--select", metavar="ID,...", multiple=True, help="Only these messages.")
+@click.option("--ignore", metavar="ID,...", multiple=True, help="Not these messages.")
+@click.option("--strict", is_flag=True, help="Warnings count like errors.")
+@click.option("--verbose", is_flag=True, help="Name each list entry that has no effect.")
+@click.option("--quiet", is_flag=True, help="No notes and no closing line.")
+@click.option("--output", metavar="FILE", help="Write the findings to a file.")
+def command(**words: Any) -> int:
+    """Check NC programs, lists and folders with both in them."""
+    options = Options(**words)
+    try:
+        return _check(options)
+    except Failure as failure:
+        print_diagnostics(failure.diagnostics, options.language)
+        return EXIT_USAGE
+
+
+def _check(options: Options) -> int:
+    """Check and tell; raises ``Failure`` for words that cannot be used."""
+    selection = read_selection(options.select, options.ignore)
+    if options.paths.count(_STANDARD_INPUT) > 1:
+        raise Failure(diagnostic(900504))
+    machine = _machine(options)
+    output = None if options.output is None else OutputFile(options.output)
+    inputs = [_standard_input() if path == _STANDARD_INPUT else path for path in options.paths]
+    checked = check_files(inputs, machine, verbose=options.verbose)
+    lowest = Severity.WARNING if options.quiet else Severity.NOTE
+    result = _selected(checked, selection, lowest)
+    told = _told(result, options)
+    closing = _closing(result, selection, options)
+    if output is None:
+        _show(told + closing if options.format == "text" else told)
+    else:
+        output.write(click.unstyle(told))
+        output.close()
+        _show(closing)
+    return _exit_code(result, strict=options.strict)
+
+
+def _machine(options: Options) -> Machine:
+    """The machine that programs are checked for; what is wrong with its lists is told, too."""
+    try:
+        configuration = load_machine(None if options.machine is None else Path(options.machine))
+    except MachineError as error:
+        raise Failure(*error.diagnostics) from error
+    print_diagnostics(configuration.diagnostics, options.language, Severity.ERROR)
+    return Machine(configuration)
+
+
+def _standard_input() -> NcText:
+    data = sys.stdin.buffer.read() if sys.stdin is not None else b""
+    return NcText("<stdin>", decode_text(data).text)
+
+
+def _selected(checked: CheckResult, selection: Selection, lowest: Severity) -> CheckResult:
+    """The findings that count."""
+    found = tuple(
+        one
+        for one in checked.found
+        if selection.takes(one.diagnostic.id) and one.diagnostic.severity >= lowest
+    )
+    return replace(checked, found=found)
+
+
+def _told(result: CheckResult, options: Options) -> str:
+    root, language = Path.cwd(), options.language
+    match options.format:
+        case "json":
+            return as_json(result, language, root)
+        case "github":
+            return as_github(result, language, root)
+        case "sarif":
+            return as_sarif(result, language, root)
+    return as_text(result, language)
+
+
+def _closing(result: CheckResult, selection: Selection, options: Options) -> str:
+    """For which machine, where the user has named none; how many files and findings."""
+    if options.quiet:
+        return ""
+    closing = f"{closing_line(result, options.language)}\n"
+    demo = options.machine is None and any(one.kind == PROGRAM for one in result.files)
+    if demo and selection.takes(900585):
+        folder = result.machines[0] if len(result.machines) == 1 else "DIR"
+        remark = diagnostic(900585, folder=folder)
+        return f"{remark.render(options.language)}\n{closing}"
+    return closing
+
+
+def _show(text: str) -> None:
+    show_at_the_end(lambda file: click.echo(text, file=file, nl=False))
+
+
+def _exit_code(result: CheckResult, *, strict: bool) -> int:
+    if not result.files:
+        return EXIT_USAGE
+    errors = result.count(Severity.ERROR) + (result.count(Severity.WARNING) if strict else 0)
+    return EXIT_NC_ERROR if errors else EXIT_RAN

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: MIT
+"""What a check has found, as text for a person and in the formats of other tools.
+
+In: ``CheckResult``, language, the folder that paths are relative to. Out: text with a newline at
+its end. JSON is nctakt's own (docs/checking.md), ``github`` are the workflow commands of GitHub
+Actions. SARIF is in ``sarif.py``.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+
+from nctakt import __version__
+from nctakt.checking.check import CheckResult
+from nctakt.checking.inputs import Found
+from nctakt.cli.selection import RULE_PREFIX
+from nctakt.diagnostics import Diagnostic, Language, Severity, Text
+
+COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.NOTE: None}
+_GITHUB = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "notice"}
+_REMEDY = Text("remedy", "Abhilfe")
+#: What is counted: for one of it, for any other number.
+_COUNTS = {
+    Severity.ERROR: (Text("error", "Fehler"), Text("errors", "Fehler")),
+    Severity.WARNING: (Text("warning", "Warnung"), Text("warnings", "Warnungen")),
+    Severity.NOTE: (Text("note", "Hinweis"), Text("notes", "Hinweise")),
+}
+_FILES = (Text("file", "Datei"), Text("files", "Dateien"))
+
+
+def rule_of(number: int) -> str:
+    """The name of a message where rules of many tools stand beside each other."""
+    return f"{RULE_PREFIX}{number}"
+
+
+def text_with_remedy(one: Diagnostic, language: Language) -> str:
+    """The text and, on a line of its own, the remedy."""
+    remedy = one.remedy(language)
+    label = _REMEDY.get(language)
+    return one.text(language) + (f"\n{label}: {remedy}" if remedy else "")
+
+
+def relative(file: str, root: Path) -> Path:
+    """The path of ``file`` from ``root`` on; absolute where it lies outside of it."""
+    absolute = Path(os.path.abspath(root / file))  # noqa: PTH100 - links in it shall stay
+    return absolute.relative_to(root) if absolute.is_relative_to(root) else absolute
+
+
+# --- text ----------------------------------------------------------------------------------------
+
+
+def as_text(result: CheckResult, language: Language) -> str:
+    """Each finding with its line and remedy, in colours; those below each other are told apart."""
+    lines: list[str] = []
+    for found in result.found:
+        headline, *rest = found.diagnostic.render(language).split("\n")
+        lines += [click.style(headline, fg=COLOURS[found.diagnostic.severity]), *rest]
+    return "".join(f"{line}\n" for line in lines)
+
+
+def closing_line(result: CheckResult, language: Language) -> str:
+    """``3 files: 1 error, 2 warnings, 0 notes``."""
+    counts = [
+        _counted(result.count(severity), texts, language) for severity, texts in _COUNTS.items()
+    ]
+    return f"{_counted(len(result.files), _FILES, language)}: {', '.join(counts)}"
+
+
+def _counted(number: int, texts: tuple[Text, Text], language: Language) -> str:
+    return f"{number} {texts[number != 1].get(language)}"
+
+
+# --- JSON ----------------------------------------------------------------------------------------
+
+
+def as_json(result: CheckResult, language: Language, root: Path) -> str:
+    """One object; its keys are the same in every language."""
+    document = {
+        "nctakt": __version__,
+        "files": [
+            {"file": relative(one.file, root).as_posix(), "kind": one.kind} for one in result.files
+        ],
+        "diagnostics": [_json_of(found, language, root) for found in result.found],
+        "counts": {
+            "files": len(result.files),
+            "errors": result.count(Severity.ERROR),
+            "warnings": result.count(Severity.WARNING),
+            "notes": result.count(Severity.NOTE),
+        },
+    }
+    return json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+
+
+def _json_of(found: Found, language: Language, root: Path) -> dict[str, object]:
+    one, span = found.diagnostic, found.diagnostic.span
+    return {
+        "id": one.id,
+        "rule": rule_of(one.id),
+        "severity": one.severity.name.lower(),
+        "file": relative(found.file, root).as_posix(),
+        "line": None if span is None else span.line,
+        "column": None if span is None else span.column,
+        "end_column": None if span is None else span.end_column,
+        "text": one.text(language),
+        "remedy": one.remedy(language),
+        "source_line": one.source_line,
+    }
+
+
+# --- GitHub --------------------------------------------------------------------------------------
+
+
+def as_github(result: CheckResult, language: Language, root: Path) -> str:
+    """One workflow command for each finding, which GitHub Actions shows beside its line."""
+    return "".join(f"{line}\n" for line in _github_lines(result, language, root))
+
+
+def _github_lines(result: CheckResult, language: Language, root: Path) -> Iterator[str]:
+    for found in result.found:
+        one, span = found.diagnostic, found.diagnostic.span
+        properties = {"file": relative(found.file, root).as_posix()}
+        if span is not None:
+            properties["line"] = str(span.line)
+            properties["col"] = str(span.column)
+            properties["endColumn"] = str(span.end_column)
+        properties["title"] = rule_of(one.id)
+        words = ",".join(f"{name}={_property(value)}" for name, value in properties.items())
+        message = _escaped(text_with_remedy(one, language))
+        yield f"::{_GITHUB[one.severity]} {words}::{message}"
+
+
+def _escaped(text: str) -> str:
+    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+
+def _property(text: str) -> str:
+    return _escaped(text).replace(":", "%3A").replace(",", "%2C")

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+"""``--select`` and ``--ignore``: which messages a check tells and counts.
+
+In: words such as ``22009``, ``9002`` (all that begin so), ``22000-22099``, ``NCTAKT22009``, with
+commas between. Out: a ``Selection``; a word that fits no message is a ``Failure`` (900586).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from nctakt.failure import Failure
+from nctakt.messages import CATALOGUE, diagnostic
+
+#: In front of a message's number wherever rules of many tools stand beside each other.
+RULE_PREFIX = "NCTAKT"
+
+_WORD = re.compile(rf"(?:{RULE_PREFIX})?([0-9]+)(?:-(?:{RULE_PREFIX})?([0-9]+))?", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class Selection:
+    """The numbers that count; ``selected`` ``None``: all but those that are ignored."""
+
+    selected: frozenset[int] | None = None
+    ignored: frozenset[int] = frozenset()
+
+    def takes(self, number: int) -> bool:
+        """Whether the message counts; what is both selected and ignored is ignored."""
+        chosen = self.selected is None or number in self.selected
+        return chosen and number not in self.ignored
+
+
+def read_selection(select: Sequence[str], ignore: Sequence[str]) -> Selection:
+    """The selection that the words of both options make; raises one ``Failure`` for all of them."""
+    wrong: list[str] = []
+    selected = frozenset(_numbers(select, wrong))
+    ignored = frozenset(_numbers(ignore, wrong))
+    if wrong:
+        raise Failure(*(diagnostic(900586, text=text) for text in wrong))
+    return Selection(selected if select else None, ignored)
+
+
+def _numbers(words: Sequence[str], wrong: list[str]) -> Iterator[int]:
+    for text in (part.strip() for word in words for part in word.split(",")):
+        match = _WORD.fullmatch(text)
+        fitting = [] if match is None else _fitting(match[1], match[2])
+        if not fitting:
+            wrong.append(text)
+        yield from fitting
+
+
+def _fitting(first: str, last: str | None) -> list[int]:
+    """The messages of a range, or of a number, or those whose number begins so."""
+    if last is not None:
+        low, high = int(first), int(last)
+        return [message.id for message in CATALOGUE if low <= message.id <= high]
+    if int(first) in CATALOGUE:
+        return [int(first)]
+    return [message.id for message in CATALOGUE if str(message.id).startswith(first)]

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: MIT
+"""A list alone -> which kind it is, and what is wrong with it.
+
+In: the bytes of one list. Out: the schema that knows most of its entries, diagnostics. What depends
+on other lists (values of a defaults list, axes that the start-up list does not have) is not
+checked here but with the machine's folder (``machine.py``).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from nctakt.lists.files import find_list
+from nctakt.lists.parameter import Schema
+from nctakt.lists.parameters import SCHEMAS
+from nctakt.lists.reader import ListDialect, read_list
+from nctakt.lists.rtconf import RTCONF
+from nctakt.lists.rtconf_effective import load_rtconf
+from nctakt.lists.schema import load_list
+from nctakt.lists.startup import (
+    STARTUP,
+    ListReference,
+    StartupConfiguration,
+    startup_configuration,
+)
+from nctakt.lists.variable_tree import variables_configuration
+from nctakt.lists.variables import VARIABLES
+from nctakt.messages import Collector
+
+#: How files of each kind are called in the field, for lists whose entries tell nothing.
+_NAMES = {
+    "startup": re.compile("hochlauf|startup"),
+    "channel": re.compile("sda_mds|default_sda|kanal|channel"),
+    "axis": re.compile("achs_mds|default_achs|ax_mds|axis|achse"),
+    "variables": re.compile("ext_var|ve_var|v_ch|extv"),
+    "rtconf": re.compile("rtconf"),
+}
+
+
+def kind_of(name: str, data: bytes) -> Schema | None:
+    """The kind of the list ``data`` in a file called ``name``; ``None`` where nothing tells it.
+
+    The schema that knows most of the entries counts; of several the one that the name fits.
+    """
+    entries = read_list(name, data, ListDialect(), Collector())
+    patterns = [entry.pattern for entry in entries if entry.is_well_formed]
+    known = {
+        schema.kind: sum(schema.find(pattern) is not None for pattern in patterns)
+        for schema in SCHEMAS
+    }
+    most = max(known.values())
+    best = [schema for schema in SCHEMAS if known[schema.kind] == most]
+    named = [schema for schema in best if _NAMES[schema.kind].search(name.casefold())]
+    if named:
+        return named[0]
+    return best[0] if most else None
+
+
+def check_list_alone(
+    schema: Schema, path: Path, data: bytes, collector: Collector, *, verbose: bool = False
+) -> None:
+    """Report what is wrong with the list of kind ``schema`` in ``path``."""
+    file = path.as_posix()
+    if schema is RTCONF:
+        load_rtconf(file, data, collector)
+        return
+    values = load_list(schema, file, data, collector, verbose=verbose)
+    if schema is VARIABLES:
+        variables_configuration(values, collector)
+    elif schema is STARTUP:
+        if values.text("listen") != "ASCII":
+            values.report(collector, 900064, ("listen",), format=values.text("listen"))
+            return
+        for _, reference in references(startup_configuration(values, collector)):
+            find_list(reference, path.parent, collector)
+
+
+def references(startup: StartupConfiguration) -> Iterator[tuple[str, ListReference]]:
+    """The lists that a start-up list names, each with its kind; empty for one that is not read."""
+    named = [("rtconf", startup.rtconf), ("axis", startup.axis_defaults)]
+    named += [("axis", reference) for reference in startup.axes]
+    named.append(("channel", startup.channel_defaults))
+    for channel in startup.channels:
+        named += [("channel", channel.parameters), ("variables", channel.variables)]
+        named += [("", channel.tools), ("", channel.zero_offsets), ("", channel.clamp_offsets)]
+    for kind, reference in named:
+        if reference is not None:
+            yield kind, reference

@@ -1,0 +1,439 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt check`` as a user meets it: files, lists, folders, selection, exit codes, odd input."""
+
+from __future__ import annotations
+
+import io
+import os
+import re
+import shutil
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import nctakt
+from nctakt import machines
+from nctakt.cli import main
+
+DEMO = Path(machines.__path__[0]) / "demo"
+GOOD = "G00 X10\nM30\n"
+BAD = "G00 X10 Q5\nG41 X1\nM30\n"
+FROZEN = """\
+#RT CYCLE
+  $IF V.E.ASYNC == 1 && V.E.VALUE > 2
+    V.E.COUNT = 1
+  $ENDIF
+#RT CYCLE END
+"""
+_FINDING = re.compile(
+    r"^(?:(.+):(\d+):\d+: )?(?:error|warning|note|Fehler|Warnung|Hinweis) (\d+): "
+)
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The command runs in a folder of its own."""
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def write(path: str, content: str | bytes) -> Path:
+    """A file with its folders."""
+    file = Path(path)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_bytes(content if isinstance(content, bytes) else content.encode())
+    return file
+
+
+class Checked:
+    """Exit code and text of one check."""
+
+    def __init__(self, capsys: pytest.CaptureFixture[str], words: tuple[str, ...]) -> None:
+        self.code = main(["check", *words])
+        captured = capsys.readouterr()
+        self.out, self.err = captured.out, captured.err
+        self.lines = captured.out.splitlines()
+
+    @property
+    def found(self) -> list[tuple[str, int, int]]:
+        """File, line and number of the findings in their order."""
+        matches = (_FINDING.match(line) for line in self.lines)
+        return [(one[1] or "", int(one[2] or 0), int(one[3])) for one in matches if one]
+
+    @property
+    def ids(self) -> list[int]:
+        """Their numbers, without the remark on the machine."""
+        return [number for _, _, number in self.found if number != 900585]
+
+
+Check = Callable[..., Checked]
+
+
+@pytest.fixture
+def check(capsys: pytest.CaptureFixture[str]) -> Check:
+    """Runs the command."""
+    return lambda *words: Checked(capsys, words)
+
+
+# --- programs ------------------------------------------------------------------------------------
+
+
+def test_a_program_without_mistakes(check: Check) -> None:
+    """Nothing found: exit code 0, for which machine it was checked, and one closing line."""
+    write("good.nc", GOOD)
+    checked = check("good.nc")
+    assert checked.code == 0
+    assert checked.out == (
+        "note 900585: programs are checked for the demo machine\n"
+        "  remedy: --machine DIR checks them for yours\n"
+        "1 file: 0 errors, 0 warnings, 0 notes\n"
+    )
+
+
+def test_errors_are_shown_with_line_caret_and_remedy(check: Check) -> None:
+    """Each with its place and the line; exit code 1."""
+    write("bad.nc", BAD)
+    checked = check("bad.nc")
+    assert checked.code == 1
+    assert checked.found[:2] == [("bad.nc", 1, 900203), ("bad.nc", 2, 900200)]
+    assert checked.lines[1:3] == ["    G00 X10 Q5", "            ^^"]
+    assert checked.lines[-1] == "1 file: 2 errors, 0 warnings, 0 notes"
+
+
+def test_findings_beyond_errors_do_not_fail_but_with_strict(check: Check) -> None:
+    """Warnings make exit code 1 only with --strict; a run does not tell them."""
+    write("frozen.nc", FROZEN)
+    assert check("frozen.nc").ids == [900235]
+    assert check("frozen.nc").code == 0
+    assert check("frozen.nc", "--strict").code == 1
+    assert main(["run", "frozen.nc"]) == 0
+
+
+def test_notes_never_fail(check: Check) -> None:
+    """Not even with --strict; --quiet leaves them out, and the closing line."""
+    write("notes.nc", FROZEN.replace("V.E.ASYNC", "P1"))
+    assert check("notes.nc").ids == [900236]
+    assert check("notes.nc", "--strict").code == 0
+    assert check("notes.nc", "--quiet").out == ""
+
+
+def test_german(check: Check) -> None:
+    """--lang de: findings, remedies and the closing line."""
+    write("frozen.nc", FROZEN)
+    out = check("frozen.nc", "--lang", "de").out
+    assert "Warnung 900235: V.E.ASYNC ist asynchron" in out
+    assert "Abhilfe: " in out
+    assert out.endswith("1 Datei: 0 Fehler, 1 Warnung, 0 Hinweise\n")
+
+
+def test_any_suffix_may_be_named(check: Check) -> None:
+    """A file that is named is a program, whatever its name is."""
+    write("program", BAD)
+    write("PROGRAM.TXT", GOOD)
+    assert check("program", "PROGRAM.TXT").lines[-1].startswith("2 files: 2 errors")
+
+
+def test_a_file_named_twice_is_checked_once(check: Check) -> None:
+    """Also by another path, and through its folder."""
+    write("sub/bad.nc", BAD)
+    checked = check("sub/bad.nc", "sub/../sub/bad.nc", "sub")
+    assert checked.ids == [900203, 900200]
+    assert checked.lines[-1].startswith("1 file:")
+
+
+def test_the_set_of_programs_decides_about_global_cycles(check: Check) -> None:
+    """A GLOBAL cycle is told where no checked program deletes it."""
+    write("define.nc", "#RT CYCLE [ID=7 SCOPE=GLOBAL]\n#RT CYCLE END\nM30\n")
+    write("delete.nc", "#RT CYCLE DELETE [ID=7]\nM30\n")
+    assert check("define.nc").ids == [900245]
+    assert check("define.nc", "delete.nc").ids == []
+
+
+def test_findings_stand_in_one_order(check: Check) -> None:
+    """By file, line, column and number, however the files are named."""
+    for name in ("b.nc", "a.nc", "c/a.nc"):
+        write(name, BAD)
+    expected = [(name, line, 0) for name in ("a.nc", "b.nc", "c/a.nc") for line in (1, 2)]
+    for words in (("b.nc", "c", "a.nc"), (".",), ("c/a.nc", "a.nc", "b.nc")):
+        found = [(file, line, 0) for file, line, _ in check(*words).found[:-1]]
+        assert found == expected
+
+
+# --- machines and lists --------------------------------------------------------------------------
+
+
+def test_programs_are_checked_for_the_machine_that_is_named(check: Check) -> None:
+    """--machine: its axes, and its limits; no remark on the demo machine then."""
+    shutil.copytree(DEMO, "mine")
+    channel = Path("mine/sda_mds1.lis")
+    channel.write_text(
+        channel.read_text("utf-8").replace("Ende", "rt_cycles.max_steps 3\nEnde"), "utf-8"
+    )
+    write("part.nc", FROZEN)
+    assert check("part.nc", "--machine", "mine").ids == [900246, 900235]
+    assert "demo" not in check("part.nc", "--machine", "mine").out
+
+
+@pytest.mark.parametrize(
+    ("machine", "number"), [("gone", 900060), ("empty", 900061), ("part.nc", 900077)]
+)
+def test_a_machine_that_cannot_be_had_is_wrong_usage(
+    check: Check, machine: str, number: int
+) -> None:
+    """Nothing is checked then."""
+    Path("empty").mkdir()
+    write("part.nc", GOOD)
+    checked = check("part.nc", "--machine", machine)
+    assert checked.code == 2
+    assert f"error {number}" in checked.err
+    assert checked.out == ""
+
+
+def test_a_machine_folder_is_checked_as_a_whole(check: Check) -> None:
+    """All lists that its start-up list names, once; a list beside them alone."""
+    shutil.copytree(DEMO, "mine/lists")
+    write("mine/lists/achs_mds1.lis", "kopf.achs_nr 1\ngetriebe[0].dynamik.a_max -5\nEnde\n")
+    write("mine/lists/spare.lis", "kopf.achs_nr 1\nkopf.achs_nr 2\nEnde\n")
+    write("mine/part.nc", GOOD)
+    checked = check("mine")
+    assert checked.found == [
+        ("mine/lists/achs_mds1.lis", 2, 900019),
+        ("mine/lists/spare.lis", 1, 900583),
+        ("mine/lists/spare.lis", 2, 900023),
+        ("", 0, 900585),
+    ]
+    assert "--machine mine/lists checks them for yours" in checked.out
+    assert checked.lines[-1].startswith("14 files: ")
+
+
+def test_what_a_machine_cannot_do_without_is_told_with_its_folder(check: Check) -> None:
+    """A machine without channel lists: the reason, and its start-up list counts as checked."""
+    write("mine/hochlauf.lis", "listen ASCII\nkanal_anzahl 1\nEnde\n")
+    checked = check("mine")
+    assert 900077 in checked.ids
+    assert checked.code == 1
+    assert checked.lines[-1].startswith("1 file: ")
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "kind"),
+    [
+        ("x.lis", "rt_cycles.max_steps 5\n", "Channel list"),
+        ("x.lis", "kopf.achs_nr 1\nfoo 1\nbar 2\n", "Axis list"),
+        ("x.LIS", "number_used_variables 0\n", "Variables list"),
+        ("x.lis", "kanal_anzahl 1\n", "Start-up list"),
+        ("x.lis", "cycle_time 1000\n", "Realtime configuration"),
+        ("sda_mds3.lis", "foo 1\n", "Channel list"),
+        ("default_achs.lis", "", "Axis list"),
+    ],
+)
+def test_a_list_alone_tells_its_kind(check: Check, name: str, content: str, kind: str) -> None:
+    """The kind whose parameters it names, else that of its name."""
+    write(name, content + "Ende\n")
+    checked = check(name)
+    assert f"{name}:1:1: note 900583: this list is checked alone, as {kind}" in checked.out
+
+
+def test_a_start_up_list_alone_names_lists_that_exist(check: Check) -> None:
+    """Its references are looked for; other formats than ASCII are refused."""
+    write("hochlauf.lis", "listen ASCII\nkanal_anzahl 1\nsda_mds[0] ./gone.lis\nEnde\n")
+    assert check("hochlauf.lis").ids == [900583, 900062]
+    write("hochlauf.lis", "listen BINARY\nEnde\n")
+    assert 900064 in check("hochlauf.lis").ids
+
+
+def test_a_list_of_no_known_kind_is_told(check: Check) -> None:
+    """A note; where nothing else is checked that is exit code 2."""
+    write("tools.lis", "wz[0].laenge 5\nEnde\n")
+    assert (check("tools.lis").ids, check("tools.lis").code) == ([900584], 2)
+    write("good.nc", GOOD)
+    assert check(".").code == 0
+
+
+def test_verbose_names_each_unknown_entry(check: Check) -> None:
+    """Without it one note counts them."""
+    write("sda_mds1.lis", "rt_cycles.max_steps 5\nfoo 1\nrt_cycles.max_stepz 2\nEnde\n")
+    assert check("sda_mds1.lis").ids == [900010, 900583]
+    assert check("sda_mds1.lis", "--verbose").ids == [900583, 900008, 900009]
+
+
+# --- folders -------------------------------------------------------------------------------------
+
+
+def test_folders_are_searched(check: Check) -> None:
+    """Programs by their suffixes in any letter case, in all folders but hidden ones."""
+    for name in ("a.nc", "x/B.NC", "x/y/c.ncp", "x/d.cyc", "x/e.ecy", "x/f.cnc", "x/g.sub"):
+        write(name, GOOD)
+    for name in ("readme.txt", ".git/h.nc", "x/.i.nc", "x/j.nc.bak"):
+        write(name, BAD)
+    assert check(".").lines[-1] == "7 files: 0 errors, 0 warnings, 0 notes"
+
+
+def test_a_folder_without_anything_to_check(check: Check) -> None:
+    """A warning that names the suffixes; exit code 2 where nothing else is checked."""
+    write("docs/readme.txt", "")
+    checked = check("docs")
+    assert (checked.ids, checked.code) == ([900580], 2)
+    assert ".ncp" in checked.out
+    assert checked.lines[-1] == "0 files: 0 errors, 1 warning, 0 notes"
+    write("good.nc", GOOD)
+    assert check("docs", "good.nc").code == 0
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links and rights as POSIX has them")
+def test_links_of_a_folder(check: Check) -> None:
+    """A link to a program is followed, one that leads nowhere is told, one to a folder is not."""
+    write("real/part.nc", BAD)
+    Path("set").mkdir()
+    Path("set/part.nc").symlink_to("../real/part.nc")
+    Path("set/gone.nc").symlink_to("nowhere.nc")
+    Path("set/again").symlink_to("..")
+    assert check("set").ids == [900500, 900203, 900200]
+
+
+# --- what cannot be read -------------------------------------------------------------------------
+
+
+def test_a_missing_file_does_not_keep_others_from_being_checked(check: Check) -> None:
+    """Exit code 2 only where nothing could be checked."""
+    checked = check("gone.nc")
+    assert (checked.ids, checked.code) == ([900500], 2)
+    write("good.nc", GOOD)
+    checked = check("gone.nc", "good.nc")
+    assert (checked.ids, checked.code) == ([900500], 1)
+
+
+@pytest.mark.parametrize(
+    ("name", "number"), [("part.nc", 900581), ("x.lis", 900581), ("part.ecy", 900582)]
+)
+def test_binary_files_are_refused(check: Check, name: str, number: int) -> None:
+    """A NUL near the start is no text, but in UTF-16; encrypted programs are so by their suffix."""
+    write(name, b"\x01\x02\x00G00 X1")
+    assert (check(name).ids, check(name).code) == ([number], 2)
+    write("utf16.nc", "G00 X1\n".encode("utf-16"))
+    assert check("utf16.nc").ids == []
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="rights do not bind root")
+def test_what_may_not_be_read(check: Check) -> None:
+    """Files and folders without the right are told."""
+    write("part.nc", GOOD).chmod(0)
+    write("locked/part.nc", GOOD).parent.chmod(0)
+    try:
+        assert 900503 in check("part.nc").ids
+        assert 900503 in check("locked").ids
+    finally:
+        Path("locked").chmod(0o700)
+
+
+def test_a_file_that_fails_while_it_is_read(check: Check, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What the system says is told."""
+
+    read = Path.read_bytes
+
+    def fail(path: Path) -> bytes:
+        if path.suffix == ".nc":
+            raise OSError(5, "Input/output error")
+        return read(path)
+
+    write("part.nc", GOOD)
+    monkeypatch.setattr(Path, "read_bytes", fail)
+    checked = check("part.nc")
+    assert (checked.ids, checked.code) == ([900503], 2)
+    assert "Input/output error" in checked.out
+
+
+def test_standard_input(check: Check, monkeypatch: pytest.MonkeyPatch) -> None:
+    """'-' is a program, once."""
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(BAD.encode())))
+    assert check("-").found[0] == ("<stdin>", 1, 900203)
+    checked = check("-", "-")
+    assert checked.code == 2
+    assert "error 900504" in checked.err
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes here")
+def test_a_named_pipe_is_read_once(check: Check) -> None:
+    """As a shell gives it: check <(generate)."""
+    os.mkfifo("pipe")
+    writer = threading.Thread(target=Path("pipe").write_text, args=(BAD,))
+    writer.start()
+    checked = check("pipe")
+    writer.join()
+    assert checked.ids == [900203, 900200]
+
+
+def test_an_empty_program_is_told(check: Check) -> None:
+    """As a run tells it."""
+    write("empty.nc", "")
+    assert check("empty.nc").ids == [900109]
+
+
+# --- selection, output ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "ids"),
+    [
+        (("--select", "900203"), [900203]),
+        (("--select", "NCTAKT900203,900235"), [900203, 900235]),
+        (("--select", "90020", "--select", "90023"), [900203, 900200, 900235]),
+        (("--select", "900203-900300"), [900203, 900235]),
+        (("--ignore", "9002"), []),
+        (("--ignore", "900200 , 900235"), [900203]),
+        (("--select", "9002", "--ignore", "900203"), [900200, 900235]),
+        (("--ignore", "900585"), [900203, 900200, 900235]),
+    ],
+)
+def test_select_and_ignore(check: Check, words: tuple[str, ...], ids: list[int]) -> None:
+    """Numbers, how they begin, ranges; what is ignored neither shows nor counts."""
+    write("a.nc", BAD)
+    write("b.nc", FROZEN)
+    checked = check(".", *words)
+    assert checked.ids == ids
+    assert checked.code == (1 if {900203, 900200} & set(ids) else 0)
+    assert ("900585" in checked.out) == ("900585" not in words and "--select" not in words)
+
+
+@pytest.mark.parametrize("text", ["abc", "123", "5-6", "", "900200-", "900203,x"])
+def test_a_word_that_selects_nothing_is_wrong_usage(check: Check, text: str) -> None:
+    """It is likely misspelt, and would let a check pass that was not made."""
+    write("bad.nc", BAD)
+    for option in ("--select", "--ignore"):
+        checked = check("bad.nc", option, text)
+        assert checked.code == 2
+        assert "error 900586" in checked.err
+
+
+def test_output_goes_to_a_file(check: Check) -> None:
+    """The findings there, without colours, and the closing line on the screen."""
+    write("bad.nc", BAD)
+    checked = check("bad.nc", "--output", "found.txt")
+    assert checked.code == 1
+    assert checked.lines[-1] == "1 file: 2 errors, 0 warnings, 0 notes"
+    assert "900203" not in checked.out
+    lines = Path("found.txt").read_text("utf-8").splitlines()
+    assert lines[0].startswith("bad.nc:1:9: error 900203")
+    assert check("bad.nc", "--output", "gone/found.txt").code == 2
+
+
+def test_a_reader_that_closes_early_is_no_error() -> None:
+    """``nctakt check . | head -1``: the exit code is that of the check."""
+    write("bad.nc", "Q1\n" * 3000)
+    environment = os.environ | {"PYTHONPATH": str(Path(nctakt.__file__).parent.parent)}
+    process = subprocess.Popen(
+        [sys.executable, "-m", "nctakt", "check", "bad.nc"],
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+    assert process.stdout is not None and process.stderr is not None
+    assert b"900203" in process.stdout.readline()
+    process.stdout.close()
+    errors = process.stderr.read()
+    process.stderr.close()
+    assert (process.wait(), errors) == (1, b"")

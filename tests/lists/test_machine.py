@@ -25,6 +25,7 @@ time_slice 500
 windows_time 500
 thread[0].name GEO
 thread[0].cycle 2000
+thread[0].priority 115
 thread[0].error_on_overflow 1
 thread[0].function[0].name task_int
 End

@@ -9,10 +9,10 @@ calls of ``Kernel.run``. Before a tick there must be room for all that it can re
 a row is a copy of the chosen cells.
 
 Event row, ``EVENT_WIDTH`` floats: tick, kind, source ID, subject, a, b. Probe row, ``PROBE_WIDTH``
-floats: tick, 2 * probe number + truth, left operand, right operand. Where series are recorded there
-are rows in which a series of evaluations (``kind`` 0) or of run-throughs of a body (1) begins, after
-a tick without: tick, -1 - (2 * probe number + kind), the tick behind the last one of the series
-before (-1: none), 0.
+floats: tick, 2 * probe number + truth, left operand, right operand. Where series are recorded,
+there are rows in which a series of evaluations (``kind`` 0) or of run-throughs of a body (1) begins
+after a tick without: tick, -1 - (2 * probe number + kind), the tick behind the last one of the
+series before (-1: none), 0.
 """
 
 from __future__ import annotations

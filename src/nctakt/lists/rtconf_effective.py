@@ -9,11 +9,12 @@ printed default gets one from the manual's own example, with an error that says 
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from nctakt.diagnostics import Severity
 from nctakt.lists.parameter import MAX_UNS16, MAX_UNS32, with_indices
 from nctakt.lists.rtconf import (
-    INTERRUPT_SOURCES,
     KNOWN_FUNCTIONS,
-    REALTIME_FUNCTION,
     RTCONF,
     ExternalThread,
     InterruptSource,
@@ -21,28 +22,63 @@ from nctakt.lists.rtconf import (
     SchedulerThread,
     ThreadFunction,
 )
+from nctakt.lists.rtconf_checks import check_priorities, is_realtime
+from nctakt.lists.rtconf_profile import RtconfOptions
+from nctakt.lists.rtconf_source import comment_of, read_source
 from nctakt.lists.schema import Values, load_list
 from nctakt.messages import Collector
 
 CYCLE_TIME_FALLBACK_US = 2000
 TIME_SLICE_FALLBACK_US = 500
 SHORT_WINDOWS_TIME_US = 200
+UNSTABLE_WINDOWS_TIME_US = 100
+#: Linux takes this many characters behind the '/' of a semaphore's name.
+LONGEST_OBJECT_NAME = 250
 _LONGEST_TIME_US = MAX_UNS32 - 1
 _LONGEST_SLICE_US = MAX_UNS16 - 1
 
 
-def load_rtconf(file: str, data: bytes, collector: Collector) -> RtconfConfiguration:
+#: Errors by our choice, where the manual gives no default: warnings when they are taken leniently.
+_LENIENT = (900030, 900031, 900041, 900052, 900055)
+_STANDARD = RtconfOptions()
+
+
+def load_rtconf(
+    file: str, data: bytes, collector: Collector, options: RtconfOptions = _STANDARD
+) -> RtconfConfiguration:
     """Read one rtconf.lis; ``file`` is its name in spans. Never fails."""
-    return effective(load_list(RTCONF, file, data, collector), collector)
+    return read_rtconf(file, data, collector, options)[1]
 
 
-def effective(values: Values, collector: Collector) -> RtconfConfiguration:
+def read_rtconf(
+    file: str, data: bytes, collector: Collector, options: RtconfOptions = _STANDARD
+) -> tuple[Values, RtconfConfiguration]:
+    """As ``load_rtconf``, with the values as they stand in the list."""
+    values = load_list(RTCONF, file, data, collector)
+    return values, effective(values, collector, options)
+
+
+def effective(
+    values: Values, collector: Collector, options: RtconfOptions = _STANDARD
+) -> RtconfConfiguration:
     """Normalise the values of an rtconf.lis."""
-    source = _interrupt_source(values, collector)
-    time_slice, cycle_time = _times(values, collector)
-    threads = _threads(values, cycle_time, collector)
+    findings = Collector()
+    configuration = _effective(values, findings, options)
+    for found in findings.diagnostics:
+        if options.lenient and found.id in _LENIENT:
+            message = replace(found.message, severity=Severity.WARNING)
+            collector.diagnostics.append(replace(found, message=message))
+        else:
+            collector.diagnostics.append(found)
+    return configuration
+
+
+def _effective(values: Values, collector: Collector, options: RtconfOptions) -> RtconfConfiguration:
+    source = _interrupt_source(values, collector, options)
+    time_slice, cycle_time = _times(values, collector, options)
+    threads = _threads(values, cycle_time, collector, options)
     external = _external_threads(values, cycle_time, collector)
-    windows_time = _windows_time(values, time_slice, cycle_time, collector)
+    windows_time = _windows_time(values, time_slice, cycle_time, collector, options)
     return RtconfConfiguration(
         source,
         cycle_time,
@@ -55,28 +91,45 @@ def effective(values: Values, collector: Collector) -> RtconfConfiguration:
     )
 
 
-def _interrupt_source(values: Values, collector: Collector) -> InterruptSource:
+def _interrupt_source(
+    values: Values, collector: Collector, options: RtconfOptions
+) -> InterruptSource:
+    key = ("interrupt_source",)
+    taken = values.taken.get(("interrupt_source", ()))
+    if taken is None:
+        values.report(collector, 900030, key)
+        return InterruptSource.TIMER
     number = values.integer("interrupt_source")
-    if number in INTERRUPT_SOURCES:
-        return INTERRUPT_SOURCES[number]
-    values.report(collector, 900030, ("interrupt_source",))
-    return InterruptSource.TIMER
+    reading = read_source(number, comment_of(taken.entry), options.convention)
+    if reading.source is not InterruptSource.SEMAPHORE:
+        text = reading.text
+        values.report(collector, 900600, key, value=number, meaning_en=text.en, meaning_de=text.de)
+    return reading.source
 
 
 def _object_name(values: Values, source: InterruptSource, collector: Collector) -> str:
+    key = ("external_object_name",)
     name = values.text("external_object_name")
     if source is InterruptSource.SEMAPHORE and not name:
-        values.report(collector, 900041, ("external_object_name",))
+        values.report(collector, 900041, key)
     if source is not InterruptSource.SEMAPHORE and name:
-        values.report(collector, 900042, ("external_object_name",))
+        values.report(collector, 900042, key)
+        return ""
+    if len(name.removeprefix("/")) > LONGEST_OBJECT_NAME or "/" in name.removeprefix("/"):
+        values.report(collector, 900610, key, limit=LONGEST_OBJECT_NAME)
         return ""
     return name
 
 
-def _times(values: Values, collector: Collector) -> tuple[int, int]:
+def _times(values: Values, collector: Collector, options: RtconfOptions) -> tuple[int, int]:
     """Effective time_slice and cycle_time in µs."""
     cycle = _given_or(values, "cycle_time", CYCLE_TIME_FALLBACK_US, collector)
     slice_ = _given_or(values, "time_slice", min(TIME_SLICE_FALLBACK_US, cycle), collector)
+    profile, hal = options.profile, options.hal_timer_us
+    if not profile.settable_slice and values.given("time_slice"):
+        values.report(collector, 900601, ("time_slice",), profile=profile.title)
+    if profile.name == "rtx" and hal is not None and hal != slice_:
+        values.report(collector, 900609, ("time_slice",), slice=slice_, hal=hal)
     if slice_ > _LONGEST_SLICE_US:
         values.report(collector, 900052, ("time_slice",), key="time_slice", limit=_LONGEST_SLICE_US)
     ratio = {"cycle": cycle, "slice": slice_}
@@ -106,27 +159,50 @@ def _round_up(value: int, step: int) -> int:
     return -(-value // step) * step
 
 
-def _windows_time(values: Values, slice_: int, cycle: int, collector: Collector) -> int:
+def _windows_time(
+    values: Values, slice_: int, cycle: int, collector: Collector, options: RtconfOptions
+) -> int:
     key = ("windows_time",)
     wanted = _given_or(values, "windows_time", slice_, collector)
     if wanted == 0:
         values.report(collector, 900037, key)
         return 0
     if wanted < slice_:
-        values.report(collector, 900036, key, value=wanted, slice=slice_)
+        values.report(
+            collector,
+            900615 if options.small_windows_is_off else 900036,
+            key,
+            value=wanted,
+            slice=slice_,
+        )
+        if options.small_windows_is_off:
+            return 0
         wanted = slice_
     rounded = wanted // slice_ * slice_
     if rounded != wanted:
         values.report(
             collector, 900035, key, key="windows_time", value=wanted, effective=rounded, step=slice_
         )
-    if rounded >= cycle:
-        values.report(collector, 900038, key, value=rounded, cycle=cycle)
-    if rounded <= SHORT_WINDOWS_TIME_US:
-        values.report(collector, 900039, key, value=rounded)
-    elif rounded != slice_:
-        values.report(collector, 900040, key, value=rounded, slice=slice_)
+    # Vendors' lists for Linux carry the cycle time here, and mean nothing by it.
+    if options.ignore_windows or (options.profile.name == "linux" and rounded >= cycle):
+        values.report(collector, 900602, key, value=rounded)
+        return 0
+    _check_windows_time(values, rounded, slice_, cycle, collector, options)
     return rounded
+
+
+def _check_windows_time(
+    values: Values, time: int, slice_: int, cycle: int, collector: Collector, options: RtconfOptions
+) -> None:
+    key = ("windows_time",)
+    if time >= cycle:
+        values.report(collector, 900038, key, value=time, cycle=cycle)
+    if time <= SHORT_WINDOWS_TIME_US:
+        values.report(collector, 900039, key, value=time)
+    elif time != slice_:
+        values.report(collector, 900040, key, value=time, slice=slice_)
+    if options.profile.name == "rtx" and time <= UNSTABLE_WINDOWS_TIME_US:
+        values.report(collector, 900613, key, value=time)
 
 
 def _thread_cycle(
@@ -149,10 +225,12 @@ def _thread_cycle(
     return rounded
 
 
-def _threads(values: Values, cycle_time: int, collector: Collector) -> tuple[SchedulerThread, ...]:
+def _threads(
+    values: Values, cycle_time: int, collector: Collector, options: RtconfOptions
+) -> tuple[SchedulerThread, ...]:
     indices = values.indices("thread[]")
     _check_gaps(values, "thread[]", indices, collector)
-    threads = tuple(_thread(values, index, cycle_time, collector) for index in indices)
+    threads = tuple(_thread(values, index, cycle_time, collector, options) for index in indices)
     _check_names(
         values,
         "thread[].name",
@@ -160,17 +238,17 @@ def _threads(values: Values, cycle_time: int, collector: Collector) -> tuple[Sch
         collector,
     )
     _check_trace_bits(values, threads, collector)
-    if not any(_is_realtime(thread) for thread in threads):
+    if not threads:
+        values.report(collector, 900612, ("thread[].name", 0))
+    elif not any(is_realtime(thread) for thread in threads):
         values.report(collector, 900051, ("thread[].function[].name", 0, 0))
-    return threads
+    return check_priorities(values, threads, options.profile, collector)
 
 
-def _is_realtime(thread: SchedulerThread) -> bool:
-    return any(function.name == REALTIME_FUNCTION for function in thread.functions)
-
-
-def _thread(values: Values, index: int, cycle_time: int, collector: Collector) -> SchedulerThread:
-    functions = _functions(values, index, collector)
+def _thread(
+    values: Values, index: int, cycle_time: int, collector: Collector, options: RtconfOptions
+) -> SchedulerThread:
+    functions = _functions(values, index, collector, options)
     thread = SchedulerThread(
         index,
         values.text("thread[].name", index),
@@ -183,12 +261,15 @@ def _thread(values: Values, index: int, cycle_time: int, collector: Collector) -
     )
     if not functions:
         values.report(collector, 900053, ("thread[].name", index), thread=index)
-    if _is_realtime(thread) and not thread.error_on_overflow:
+    if is_realtime(thread) and not thread.error_on_overflow:
         values.report(collector, 900057, ("thread[].error_on_overflow", index), thread=index)
     return thread
 
 
-def _functions(values: Values, thread: int, collector: Collector) -> tuple[ThreadFunction, ...]:
+def _functions(
+    values: Values, thread: int, collector: Collector, options: RtconfOptions
+) -> tuple[ThreadFunction, ...]:
+    known = (*KNOWN_FUNCTIONS, *options.functions)
     functions: list[ThreadFunction] = []
     indices = values.indices("thread[].function[]", thread)
     _check_gaps(values, f"thread[{thread}].function[]", indices, collector)
@@ -199,10 +280,8 @@ def _functions(values: Values, thread: int, collector: Collector) -> tuple[Threa
         if not name:
             values.report(collector, 900045, key, key=path)
             continue
-        if name not in KNOWN_FUNCTIONS:
-            values.report(
-                collector, 900048, key, key=path, value=name, names=", ".join(KNOWN_FUNCTIONS)
-            )
+        if name not in known:
+            values.report(collector, 900048, key, key=path, value=name, names=", ".join(known))
         calls = values.integer("thread[].function[].calls_per_cycle", thread, index)
         if calls > 1 and name != "task_rnd":
             calls_key = ("thread[].function[].calls_per_cycle", thread, index)

@@ -7,6 +7,7 @@ of ours, from 900000 on. One module per stage declares them:
 ====================  ==============================================================================
 ``lists``             lists: their text, their entries, their values (900000 … 900029)
 ``schedule``          the scheduling list rtconf.lis (900030 … 900059)
+``scheduling``        scheduling: profiles, load, simulation, analysis (900600 … 900699)
 ``machine``           the machine folder and its parameters (900060 … 900079, 900086)
 ``variables``         the variables lists: V.E and V.CH (900080 … 900085)
 ``nc_text``           NC text: lexer and parser (900100 … 900199)
@@ -42,6 +43,7 @@ from nctakt.messages import (
     outside,
     realtime,
     schedule,
+    scheduling,
     unreached,
     variables,
 )
@@ -53,6 +55,7 @@ CATALOGUE = Catalogue()
 for _stage in (
     lists,
     schedule,
+    scheduling,
     machine,
     variables,
     nc_text,

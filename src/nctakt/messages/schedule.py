@@ -133,8 +133,8 @@ _add(
     WARNING,
     "windows_time ({value} µs) is short: switching to Windows and back takes much of it",
     "windows_time ({value} µs) ist kurz: der Wechsel zu Windows und zurück kostet viel davon",
-    remedy_en="500 µs are usual; about 100 µs can make RTX unstable.",
-    remedy_de="Üblich sind 500 µs; etwa 100 µs können RTX instabil machen.",
+    remedy_en="500 µs are usual.",
+    remedy_de="Üblich sind 500 µs.",
     parameters={
         "value": "windows_time, in µs",
     },

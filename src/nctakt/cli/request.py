@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The words of ``nctakt run`` -> what the controller is asked for.
+"""The words of a command that runs programs -> what the controller is asked for.
 
 In: ``Options``, the words as they were given. Out: ``Request``, or one ``Failure`` with all that
 is wrong with them.
@@ -30,7 +30,7 @@ _P = ParamSpec("_P")
 _T = TypeVar("_T")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Options:
     """The words of the command line as they were given; ``None``: not given."""
 
@@ -42,13 +42,13 @@ class Options:
     until: str | None
     after: str
     plc: str | None
-    trace: str | None
-    signals: str | None
-    diagnosis: str | None
-    messages: str | None
+    trace: str | None = None
+    signals: str | None = None
+    diagnosis: str | None = None
+    messages: str | None = None
     language: Language
     compiled: bool | None
-    quiet: bool
+    quiet: bool = False
 
 
 @dataclass(frozen=True, slots=True)

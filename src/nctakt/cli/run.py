@@ -10,7 +10,6 @@ file is written or a tick is run.
 from __future__ import annotations
 
 import contextlib
-import os
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,10 +18,9 @@ import click
 
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.request import Options, Request, read_request
+from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
 from nctakt.cli.terminal import (
-    InterruptRequest,
     OutputFile,
-    ProgressBar,
     message_line,
     print_diagnostics,
     saved_message,
@@ -30,7 +28,6 @@ from nctakt.cli.terminal import (
 )
 from nctakt.diagnostics import Severity
 from nctakt.failure import Failure
-from nctakt.messages import diagnostic
 
 if TYPE_CHECKING:
     from nctakt.controller import Controller
@@ -52,43 +49,11 @@ Ctrl-C, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 
 
 @click.command("run", epilog=_EPILOG, short_help="Run NC programs one after another.")
-@click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True)
-@click.option("--machine", metavar="DIR", help="Folder with the machine's lists [default: demo].")
-@click.option(
-    "--set",
-    "assignments",
-    metavar="NAME=VALUE",
-    multiple=True,
-    help="Give a variable a value before the first tick.",
-)
-@click.option(
-    "--at",
-    "stimuli",
-    metavar="TIME NAME=VALUE",
-    nargs=2,
-    multiple=True,
-    help="Give a variable a value at a time of the run.",
-)
-@click.option("--ticks", type=click.IntRange(min=1), metavar="N", help="Run at most N ticks.")
-@click.option("--until", metavar="TIME", help="Run at most so long [default: 10min].")
-@click.option("--after", metavar="TIME", default="0", help="Go on so long after the last program.")
-@click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC.")
+@run_options("--at", "diagnostics, summary and diagnosis data")
 @click.option("--trace", metavar="FILE", help="Record each tick in a .csv or .jsonl file.")
 @click.option("--signals", metavar="NAME,...", help="What to record.")
 @click.option("--diagnosis", metavar="FILE", help="Write the realtime cycles' diagnosis data.")
 @click.option("--messages", metavar="FILE", help="Write what the programs say to a file, too.")
-@click.option(
-    "--lang",
-    "language",
-    type=click.Choice(["en", "de"]),
-    default="en",
-    help="Language of diagnostics, summary and diagnosis data.",
-)
-@click.option(
-    "--compiled/--plain",
-    default=None,
-    help="The realtime part compiled or as plain Python [default: compiled where it is built].",
-)
 @click.option("--quiet", is_flag=True, help="No summary and no notes.")
 def command(**words: Any) -> int:
     """Run NC programs one after another on the same controller ('-': standard input)."""
@@ -102,9 +67,9 @@ def command(**words: Any) -> int:
 
 def _run(options: Options) -> int:
     """Prepare, run, tell; raises ``Failure`` for what cannot be used."""
-    _choose_mode(options)
+    choose_mode(options)
     request = read_request(options)
-    controller = _start(options)
+    controller = start_controller(options)
     with contextlib.ExitStack() as files:
         sinks = _open_trace(options, files)
         messages = _open_file(options.messages, files)
@@ -118,26 +83,6 @@ def _run(options: Options) -> int:
         if report is not None and diagnosis is not None:
             report.write(diagnosis.report.render(options.language, diagnostics))
     return EXIT_NC_ERROR if run is None else _tell(options, run, wall_s)
-
-
-def _choose_mode(options: Options) -> None:
-    """Compiled or plain: before anything of the realtime part is imported."""
-    from nctakt import mode  # noqa: PLC0415 - a command that only shows its help does not load it
-
-    if options.compiled is False:
-        mode.use_plain()
-    elif not mode.is_compiled():
-        if options.compiled:
-            raise Failure(diagnostic(900530))
-        wished = os.environ.get("NCTAKT_PLAIN") == "1"
-        if not options.quiet and not wished:
-            print_diagnostics([diagnostic(900531)], options.language)
-
-
-def _start(options: Options) -> Controller:
-    from nctakt.controller import Controller  # noqa: PLC0415 - the mode is chosen before
-
-    return Controller(options.machine)
 
 
 def _open_trace(options: Options, files: contextlib.ExitStack) -> list[Sink]:
@@ -177,45 +122,16 @@ def _run_controller(
     sinks: list[Sink],
     messages: OutputFile | None,
 ) -> Run | None:
-    """The result of the run; ``None`` when the user's PLC broke it off, which has been told."""
-    from nctakt.plc import PlcError  # noqa: PLC0415 - the mode is chosen before
-
-    bar = ProgressBar()
+    """The result of the run, its messages shown and saved as they come."""
 
     def show_message(said: SaidMessage) -> None:
-        bar.hide()
         click.echo(message_line(said.time_us, said.text))
         if messages is not None:
             messages.write(saved_message(said))
 
-    def show_progress(tick: int, limit: int | None) -> None:
-        interrupt.check()
-        bar.update(tick, limit)
-
-    try:
-        with InterruptRequest() as interrupt:
-            if messages is not None:
-                messages.write("")
-            return controller.run(
-                *request.programs,
-                plc=request.plc,
-                until_us=request.until_us,
-                ticks=options.ticks,
-                after_us=request.after_us,
-                initial=request.initial,
-                stimuli=request.stimuli,
-                sinks=sinks,
-                signals=request.signals,
-                memory_trace=False,
-                on_message=show_message,
-                on_progress=show_progress,
-            )
-    except PlcError as failure:
-        bar.hide()
-        print_diagnostics(failure.diagnostics, options.language)
-        return None
-    finally:
-        bar.hide()
+    if messages is not None:
+        messages.write("")
+    return run_programs(options, request, controller, sinks=sinks, on_message=show_message)
 
 
 def _tell(options: Options, run: Run, wall_s: float) -> int:

@@ -162,9 +162,10 @@ def _branches(
     words: Words,
 ) -> list[str]:
     lines: list[str] = []
-    for index in cycle.shown:
+    depths = [_depth(cycle, cycle.branches[index]) for index in cycle.shown]
+    for index, depth in zip(cycle.shown, depths, strict=True):
         branch = cycle.branches[index]
-        indent = "  " * (1 + _depth(cycle, branch))
+        indent = "  " * (1 + depth - min(depths))
         text = branch.text if len(branch.text) <= _WIDTH else f"{branch.text[: _WIDTH - 1]}…"
         lines += ["", f"{indent}{words.line(branch.span)}  {text}"]
         lines += [f"{indent}  {line}" for line in tell(branch, cycle)]

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: MIT
+"""What the commands share that run programs: their options, the mode, the run itself.
+
+In: ``Options`` and ``Request``. Out: ``Run``. A command adds ``run_options`` to its own options,
+chooses the mode before anything of the realtime part is imported, and runs.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from nctakt.cli.request import Options, Request
+from nctakt.cli.terminal import InterruptRequest, ProgressBar, print_diagnostics
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+
+if TYPE_CHECKING:
+    from nctakt.controller import Controller
+    from nctakt.results.run import Run, SaidMessage
+    from nctakt.trace.sinks import Sink
+
+_Command = TypeVar("_Command", bound=Callable[..., Any])
+
+
+def run_options(stimulus: str, language_of: str) -> Callable[[_Command], _Command]:
+    """Programs, machine, values, limits, PLC, language, mode, as a decorator.
+
+    ``stimulus`` is the option that gives a variable a value at a time, ``language_of`` names what
+    the language is that of.
+    """
+    options = (
+        click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True),
+        click.option(
+            "--machine", metavar="DIR", help="Folder with the machine's lists [default: demo]."
+        ),
+        click.option(
+            "--set",
+            "assignments",
+            metavar="NAME=VALUE",
+            multiple=True,
+            help="Give a variable a value before the first tick.",
+        ),
+        click.option(
+            stimulus,
+            "stimuli",
+            metavar="TIME NAME=VALUE",
+            nargs=2,
+            multiple=True,
+            help="Give a variable a value at a time of the run.",
+        ),
+        click.option(
+            "--ticks", type=click.IntRange(min=1), metavar="N", help="Run at most N ticks."
+        ),
+        click.option("--until", metavar="TIME", help="Run at most so long [default: 10min]."),
+        click.option(
+            "--after", metavar="TIME", default="0", help="Go on so long after the last program."
+        ),
+        click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC."),
+        click.option(
+            "--lang",
+            "language",
+            type=click.Choice(["en", "de"]),
+            default="en",
+            help=f"Language of {language_of}.",
+        ),
+        click.option(
+            "--compiled/--plain",
+            default=None,
+            help="The realtime part compiled or as plain Python "
+            "[default: compiled where it is built].",
+        ),
+    )
+
+    def decorate(command: _Command) -> _Command:
+        for option in reversed(options):
+            command = option(command)
+        return command
+
+    return decorate
+
+
+def choose_mode(options: Options) -> None:
+    """Compiled or plain: before anything of the realtime part is imported."""
+    from nctakt import mode  # noqa: PLC0415 - a command that only shows its help does not load it
+
+    if options.compiled is False:
+        mode.use_plain()
+    elif not mode.is_compiled():
+        if options.compiled:
+            raise Failure(diagnostic(900530))
+        wished = os.environ.get("NCTAKT_PLAIN") == "1"
+        if not options.quiet and not wished:
+            print_diagnostics([diagnostic(900531)], options.language)
+
+
+def start_controller(options: Options) -> Controller:
+    """A controller of the machine that was asked for."""
+    from nctakt.controller import Controller  # noqa: PLC0415 - the mode is chosen before
+
+    return Controller(options.machine)
+
+
+def run_programs(
+    options: Options,
+    request: Request,
+    controller: Controller,
+    *,
+    sinks: Sequence[Sink] = (),
+    why: bool = False,
+    on_message: Callable[[SaidMessage], None] | None = None,
+) -> Run | None:
+    """The result of the run; ``None`` when the user's PLC broke it off, which has been told."""
+    from nctakt.plc import PlcError  # noqa: PLC0415 - the mode is chosen before
+
+    bar = ProgressBar()
+
+    def show_message(said: SaidMessage) -> None:
+        if on_message is not None:
+            bar.hide()
+            on_message(said)
+
+    def show_progress(tick: int, limit: int | None) -> None:
+        interrupt.check()
+        bar.update(tick, limit)
+
+    try:
+        with InterruptRequest() as interrupt:
+            return controller.run(
+                *request.programs,
+                plc=request.plc,
+                until_us=request.until_us,
+                ticks=options.ticks,
+                after_us=request.after_us,
+                initial=request.initial,
+                stimuli=request.stimuli,
+                sinks=sinks,
+                signals=request.signals,
+                memory_trace=False,
+                why=why,
+                on_message=show_message,
+                on_progress=show_progress,
+            )
+    except PlcError as failure:
+        bar.hide()
+        print_diagnostics(failure.diagnostics, options.language)
+        return None
+    finally:
+        bar.hide()

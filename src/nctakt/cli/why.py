@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt why``: run NC programs and tell why each reaction of a realtime cycle fired or did not.
+
+In: programs, machine, values of variables at times, limits; which cycle, line and time are meant.
+Out: on standard output how the run ended and the report, on standard error diagnostics. Exit codes
+as ``nctakt run``; a cycle, line or time that there is not is wrong usage.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.request import Options, read_request
+from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
+from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.diagnostics import Severity
+from nctakt.failure import Failure
+from nctakt.stimuli import parse_time
+
+if TYPE_CHECKING:
+    from nctakt.results.run import Run
+
+_EPILOG = """\b
+For each $IF: when its condition was evaluated, what it compared when it became
+true or false, when its body ran; if it never ran, why, and how near it came.
+Times are numbers with us, ms, s or min; a number alone means seconds.
+
+\b
+  nctakt why part.nc
+  nctakt why part.nc --cycle 17 --line 4 --when 1.5ms V.E.VALUE=-1
+  nctakt why part.nc --at 0.463
+"""
+
+
+@click.command("why", epilog=_EPILOG, short_help="Tell why reactions fired or did not.")
+@run_options("--when", "report and diagnostics")
+@click.option("--cycle", metavar="ID", help="Only this realtime cycle (#1: the first without ID).")
+@click.option(
+    "--line",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="Only the $IF in this line, or the one whose body has it.",
+)
+@click.option("--at", "time", metavar="TIME", help="How everything stood at this time of the run.")
+def command(cycle: str | None, line: int | None, time: str | None, **words: Any) -> int:
+    """Run NC programs and tell why reactions of their realtime cycles fired or did not."""
+    options = Options(**words)
+    try:
+        return _why(options, cycle, line, time)
+    except Failure as failure:
+        print_diagnostics(failure.diagnostics, options.language)
+        return EXIT_USAGE
+
+
+def _why(options: Options, cycle: str | None, line: int | None, time: str | None) -> int:
+    """Run and tell; raises ``Failure`` for what cannot be used."""
+    choose_mode(options)
+    request = read_request(options)
+    time_us = None if time is None else parse_time(time)
+    controller = start_controller(options)
+    tick = None if time_us is None else time_us // controller.cycle_time_us
+    if tick is not None:  # what comes behind that tick is of no interest
+        options = replace(options, ticks=min(tick + 1, options.ticks or tick + 1))
+    run = run_programs(options, request, controller, why=True)
+    if run is None:
+        return EXIT_NC_ERROR
+    print_diagnostics(run.diagnostics, options.language, Severity.WARNING)
+    if run.ticks:
+        text = _report(options, run, cycle, line, tick)
+        show_at_the_end(lambda file: print(text, end="", file=file))
+    stopped = run.state in ("error", "interrupted")
+    return EXIT_NC_ERROR if stopped or run.errors else EXIT_RAN
+
+
+def _report(
+    options: Options, run: Run, cycle: str | None, line: int | None, tick: int | None
+) -> str:
+    from nctakt.results.summary import headline  # noqa: PLC0415 - the mode is chosen before
+
+    assert run.why is not None
+    report = run.why.select(cycle, line)
+    if tick is not None:
+        return report.render_at(tick, options.language)
+    return f"{headline(run, options.language, None)}\n\n{report.render(options.language)}"

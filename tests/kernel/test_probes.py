@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: MIT
+"""What conditions and branches keep of a run: truths, nearest misses, firings."""
+
+from __future__ import annotations
+
+import struct
+
+import pytest
+from kernel_rig import DEMO
+
+from nctakt.controller import Controller, NcText
+
+FORMS = [
+    "V.E.VALUE > 2",
+    "2 < V.E.VALUE",
+    "V.E.VALUE + 0 > 2",
+    "V.E.VALUE >= 2.5",
+    "NOT [V.E.VALUE <= 2]",
+    "V.E.VALUE * 0.5 - 0.9",
+    "V.E.VALUE != 1 && V.E.VALUE != 2",
+]
+
+
+def rows_of(condition: str, values: list[float]) -> tuple[Controller, list[tuple[int, int]]]:
+    """Run a condition over values, one a tick: tick and truth of its probe rows."""
+    controller = Controller(DEMO)
+    machine = controller._machine
+    text = f"#RT CYCLE\n$IF {condition}\nV.E.COUNT += 1\n$ENDIF\n#RT CYCLE END\nG04 X10\nM30"
+    controller.write("V.E.VALUE", values[0])
+    controller.start(NcText("p.nc", text))
+    found = machine.names.resolve_text("V.E.VALUE")
+    assert isinstance(found, tuple)
+    machine.post_writes()
+    machine.kernel.run(0)
+    controller._feed.refill()
+    rows: list[tuple[int, int]] = []
+    for value in values:
+        machine.kernel.post(found[1], value)
+        machine.reserve()
+        machine.kernel.run(1)
+        machine.record.take_events()
+        data = struct.iter_unpack("=4d", machine.record.take_probes())
+        rows += [(int(tick), int(probe) & 1) for tick, probe, _, _ in data if probe >= 0]
+    return controller, rows
+
+
+@pytest.mark.parametrize("condition", FORMS)
+def test_a_condition_records_each_change_of_its_truth(condition: str) -> None:
+    """The first evaluation and every change, in whatever form the comparison is written."""
+    _, rows = rows_of(condition, [1, 1, 3, 3, 3, 2, 1, 3, 1])
+    assert rows == [(0, 0), (2, 1), (5, 0), (7, 1), (8, 0)]
+
+
+def reaction(controller: Controller):
+    """The node of the only branch of the only cycle."""
+    (definition,) = controller._machine.registry._living.values()
+    return definition.reactions[0].node
+
+
+@pytest.mark.parametrize("condition", ["V.E.VALUE > 10", "10 < V.E.VALUE", "V.E.VALUE + 0 > 10"])
+def test_a_condition_that_was_never_true_keeps_its_nearest_miss(condition: str) -> None:
+    """The smallest distance of the two sides, the values, and the first tick with them."""
+    controller, _ = rows_of(condition, [1, 7, 3, 9.5, 4, 9.5])
+    kept = reaction(controller).condition
+    assert not kept.was_ever_true
+    assert kept.nearest == 0.5
+    assert sorted((kept.nearest_left, kept.nearest_right)) == [9.5, 10.0]
+    assert kept.nearest_tick == 3
+
+
+def test_a_branch_counts_its_firings() -> None:
+    """Every run-through of the body counts; the first tick is kept."""
+    controller, _ = rows_of("V.E.VALUE > 2", [1, 3, 3, 1, 3])
+    branch = reaction(controller)
+    assert branch.count == 3
+    assert branch.first_tick == 1
+    assert branch.condition.was_ever_true
+
+
+def test_a_series_of_firings_is_one_event() -> None:
+    """A body that runs in consecutive ticks fires once; after a pause it fires again."""
+    text = (
+        "#RT CYCLE\n$IF V.E.COUNT_POS MOD 5 < 3\nV.E.COUNT += 1\n$ENDIF\n"
+        "V.E.COUNT_POS += 1\n#RT CYCLE END\nG04 X0.020\nM30"
+    )
+    run = Controller(DEMO).run(NcText("p.nc", text))
+    fired = [event.tick for event in run.events if event.kind == "fired"]
+    assert fired == [0, 5, 10, 15]
+    (result,) = run.cycles
+    assert [(one.count, one.first_tick, one.last_tick) for one in result.reactions] == [(4, 0, 15)]
+    assert result.runs == 20

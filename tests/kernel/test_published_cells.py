@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+"""What the realtime part writes into its memory, against the table of names (RC-304, RC-305).
+
+The tick knows cells by number, the table by name; only a run shows that both mean the same.
+"""
+
+from __future__ import annotations
+
+from kernel_rig import DEMO
+
+from nctakt.controller import Controller, NcText
+from nctakt.nc.names import AXIS_VARIABLES, CHANNEL_VARIABLES
+
+PROGRAM = """#RT CYCLE [SCOPE=PROG]
+  V.RTG.OVERRIDE.VEL.CYCLE = 51
+  V.RTA.OVERRIDE.VEL.CYCLE.Y = 33
+#RT CYCLE END
+N10 G01 F6000 X30 Y40 A5
+M30"""
+
+#: Rows that no part of the tick writes by itself.
+UNWRITTEN = (
+    "MEAS_DELTA",
+    "LOOP.ENABLED",
+    "LOOP.COUNT",
+    "TIMER",
+    "OVERRIDE.VEL.TOTAL",
+    "FIXED_STOP.ACTIVE",
+    "FIXED_STOP.DETECTED",
+    "FIXED_STOP.ACS.POS",
+)
+
+
+def half_way() -> Controller:
+    """In the middle of a motion, with both overrides written, the operator's at 30.5 %."""
+    controller = Controller(DEMO)
+    controller._machine.channels[0].hli.operator_override_pct = 30.5
+    controller.start(NcText("p.nc", PROGRAM))
+    controller.step(400)
+    return controller
+
+
+def test_every_cell_of_an_axis_holds_what_its_name_says() -> None:
+    """ACT_POS is the command, CUR_POS the actual, CMD_POS the target position, in all systems."""
+    controller = half_way()
+    machine = controller._machine
+    targets = {"X": 30.0, "Y": 40.0, "Z": 0.0, "A": 5.0}
+    positions = dict(zip(targets, machine.positions(), strict=True))
+    assert 0.0 < positions["X"] < 30.0
+    known = {name: machine.cells[cell] for name, (cell, _, _) in machine.signals().items()}
+    for axis, target in targets.items():
+        position = positions[axis]
+        expected = {"OVERRIDE.VEL.CYCLE": 33.0 if axis == "Y" else 100.0}
+        for system in ("ACS", "MCS", "PCS", "IPO"):
+            expected[f"{system}.ACT_POS"] = position
+            expected[f"{system}.CUR_POS"] = position
+            expected[f"{system}.CMD_POS"] = target
+            if system != "ACS":
+                expected[f"{system}.DIST_TO_GO"] = target - position
+        assert set(expected) | set(UNWRITTEN) >= {row.path for row in AXIS_VARIABLES}
+        for path, value in expected.items():
+            assert known[f"{axis}.{path}"] == value, (axis, path)
+
+
+def test_every_cell_of_the_channel_holds_what_its_name_says() -> None:
+    """Overrides, speed, block number, cycles that run, way to go; TOTAL is rounded (RC-305)."""
+    controller = half_way()
+    machine = controller._machine
+    x = machine.positions()[0]
+    expected = {
+        "OVERRIDE.VEL.CYCLE": 51.0,
+        "OVERRIDE.VEL.TOTAL": 16.0,
+        "CYCLES.DIAG_LEVEL": 3.0,
+        "BLOCK": 10.0,
+        "CYCLES.ACTIVE": 1.0,
+    }
+    known = {name: machine.cells[cell] for name, (cell, _, _) in machine.signals().items()}
+    for name, value in expected.items():
+        assert known[name] == value, name
+    # The motion uses the exact product: 100 mm/s of 15.555 %.
+    assert abs(known["PATH.SPEED"] - 15.555) < 1e-9
+    assert abs(known["PATH.DIST_TO_GO"] - (50.0 - x / 0.6)) < 1e-9
+    written = {*expected, "PATH.SPEED", "PATH.DIST_TO_GO"}
+    assert written | set(UNWRITTEN) >= {row.path for row in CHANNEL_VARIABLES}
+
+
+def test_overrides_of_cycles_are_a_hundred_again_in_each_tick() -> None:
+    """What a cycle wrote holds for its tick only (RC-305)."""
+    controller = Controller(DEMO)
+    text = PROGRAM.replace("  V.", "  $IF V.E.COUNT == 0\n  V.", 1)
+    text = text.replace("#RT CYCLE END", "  V.E.COUNT = 1\n  $ENDIF\n#RT CYCLE END")
+    controller.start(NcText("p.nc", text))
+    controller.step(1)
+    assert controller.read("V.RTG.OVERRIDE.VEL.CYCLE") == 51
+    assert controller.read("V.RTA.OVERRIDE.VEL.CYCLE.Y") == 33
+    controller.step(1)
+    assert controller.read("V.RTG.OVERRIDE.VEL.CYCLE") == 100
+    assert controller.read("V.RTA.OVERRIDE.VEL.CYCLE.Y") == 100
+
+
+def test_every_name_has_a_cell_of_its_own() -> None:
+    """No two variables share a cell, and all lie within the memory."""
+    machine = Controller(DEMO)._machine
+    cells = [cell for _, cell in machine.names.realtime()]
+    cells += [cell for _, cell, _ in machine.names.values()]
+    assert len(cells) == len(set(cells))
+    assert 0 <= min(cells)
+    assert max(cells) < len(machine.cells)

@@ -78,9 +78,9 @@ def test_the_readme_shows_what_the_command_prints() -> None:
     assert fences("README.md", "")[1] == nctakt(*words)
 
 
-def test_the_readme_shows_how_a_cycle_is_listed() -> None:
-    """The beginning of the listing is that of the command."""
-    assert nctakt("list", "examples/crossing.nc").startswith(fences("README.md", "")[2])
+def test_the_readme_shows_why_a_reaction_fires() -> None:
+    """The report is that of the command, letter by letter."""
+    assert fences("README.md", "")[2] == nctakt("why", "examples/crossing.nc", "--line", "4")
 
 
 def test_the_readme_runs_the_tests_as_the_automatic_check_does() -> None:

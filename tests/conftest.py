@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: MIT
+"""What holds for all tests: property tests draw the same examples in every run."""
+
+from __future__ import annotations
+
+from hypothesis import settings
+
+settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
+settings.load_profile("repeatable")

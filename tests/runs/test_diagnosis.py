@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""The diagnosis data of whole runs, as the command writes them (manual chapter 5, RC-601, RC-603).
+
+A run folder may hold ``diagnosis.en.txt`` and ``diagnosis.de.txt``: all of it, to the last blank.
+Times and levels are derived in the folder's README.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from test_runs import HERE, settings
+
+from nctakt.cli import main
+
+FILES = sorted(HERE.glob("*/diagnosis.*.txt"))
+
+PROGRAM = """V.RTG.CYCLES.DIAG_LEVEL = {level}
+#RT CYCLE [ID = 7 SCOPE = GLOBAL]
+  M100
+#RT CYCLE END
+#TIME 0.001
+#RT CYCLE CONTINUE [ID = 7]
+#TIME 0.001
+#RT CYCLE HOLD [ID = 7]
+#RT CYCLE [ID = 8 SCOPE = PROG]
+  V.E.VALUE1 = 1 / V.E.VALUE
+#RT CYCLE END
+M30
+"""
+
+#: Level, time, label and words of what happens behind the write of the level, which tick 1 takes.
+LINES = [
+    (3, "1000", "INFO", "Cycle 7 was created with GLOBAL validity"),
+    (3, "1000", "INFO", "Cycle 7 was started"),
+    (4, "1000", "ACTION", "M100"),
+    (2, "2000", "WARNING", "900412"),
+    (4, "2000", "ACTION", "M100"),
+    (3, "3000", "INFO", "Cycle 7 was put on hold"),
+    (3, "3000", "INFO", "Cycle 8 was created with PROG validity"),
+    (3, "3000", "INFO", "Cycle 8 was started"),
+    (1, "3000", "ERROR", "50879"),
+    (3, "3000", "INFO", "Cycle 8 was ended by an error"),
+]
+
+
+def words_of(folder: Path) -> list[str]:
+    """The command's words for the values and stimuli of a run folder."""
+    given = settings(folder)
+    words = [str(program) for program in sorted(folder.glob("*.nc"))]
+    for name, value in given.get("set", {}).items():
+        words += ["--set", f"{name}={value}"]
+    for time_us, name, value in given.get("at", ()):
+        words += ["--at", f"{time_us}us", f"{name}={value}"]
+    return words
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: f"{file.parent.name}-{file.stem[-2:]}")
+def test_the_diagnosis_data_of_a_run(file: Path, tmp_path: Path) -> None:
+    """RC-601: header, rule, note, columns and lines, in the language asked for."""
+    written = tmp_path / "diagnosis.txt"
+    language = file.stem.rsplit(".", 1)[1]
+    words = ["--quiet", "--diagnosis", str(written), "--lang", language]
+    assert main(["run", *words_of(file.parent), *words]) == settings(file.parent).get("exit", 0)
+    assert written.read_text("utf-8") == file.read_text("utf-8")
+
+
+@pytest.mark.parametrize("level", [-3, 0, 1, 2, 3, 4, 99])
+def test_each_level_adds_its_kind_of_lines(level: int, tmp_path: Path) -> None:
+    """RC-603: 1 errors, 2 + warnings, 3 + management, 4 + actions; filtered when they are made.
+
+    Ticks: the write's flush ends tick 0; tick 1 takes the write, cycle 7 and a dwell; tick 2 a
+    CONTINUE without effect and a dwell; tick 3 HOLD and cycle 8, which divides by zero at once. The
+    manager's two lines are older than the write.
+    """
+    program = tmp_path / "levels.nc"
+    program.write_text(PROGRAM.format(level=level), "utf-8")
+    written = tmp_path / "diagnosis.txt"
+    assert main(["run", str(program), "--quiet", "--diagnosis", str(written)]) == 1
+    lines = written.read_text("utf-8").splitlines()
+    body = [line.split(None, 2) for line in lines[lines.index("-" * 63) + 1 :]]
+    assert [line[:2] for line in body[:2]] == [["0", "INFO"], ["0", "INFO"]]
+    expected = [line for line in LINES if line[0] <= level]
+    assert [line[:2] for line in body[2:]] == [[time, label] for _, time, label, _ in expected]
+    for found, (_, _, _, words) in zip(body[2:], expected, strict=True):
+        assert words in found[2]

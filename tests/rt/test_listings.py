@@ -179,3 +179,30 @@ def test_values_at_times(capsys: Captured, tmp_path: Path, monkeypatch: pytest.M
     Path("part.nc").write_text(text, "utf-8")
     assert main(["list", "part.nc", "--at", "5ms", "V.E.COUNT=42"]) == 0
     assert "frozen when it was decoded: P1 = 42 (line 4)" in capsys.readouterr().out
+
+
+def test_a_plc_that_fails(
+    capsys: Captured, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What was decoded before the user's PLC failed is listed; exit code 1."""
+    monkeypatch.chdir(tmp_path)
+    Path("part.nc").write_text("#RT CYCLE\nM100\n#RT CYCLE END\n#TIME 1\nM30\n", "utf-8")
+    plc = "class Mine:\n    def cycle(self, hli):\n        raise ValueError('no')\n"
+    Path("mine.py").write_text(plc, "utf-8")
+    assert main(["list", "part.nc", "--plc", "mine.py"]) == 1
+    captured = capsys.readouterr()
+    assert captured.out.startswith("Realtime cycle #1, part.nc:1\n")
+    assert "error 900523" in captured.err
+
+
+def test_no_run_is_left_half_listed(
+    capsys: Captured, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A program with mistakes is refused as a whole: nothing is listed."""
+    monkeypatch.chdir(tmp_path)
+    Path("part.nc").write_text("#RT CYCLE\nM100\n#RT CYCLE END\nG99 X1\nM30\n", "utf-8")
+    assert main(["list", "part.nc"]) == 1
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "error 9002" in captured.err
+    assert "900591" not in captured.err

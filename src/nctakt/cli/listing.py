@@ -9,19 +9,23 @@ standard error; exit code 1 when the programs do not run to their end because of
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.request import Options, read_request
+from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
-from nctakt.diagnostics import Language, Severity
+from nctakt.diagnostics import Diagnostic, Severity
 from nctakt.failure import Failure
 from nctakt.messages import diagnostic
 
 if TYPE_CHECKING:
+    from nctakt.controller import Controller
     from nctakt.decoder.cycles import CycleDefinition
+    from nctakt.results.run import Run
 
 _EPILOG = """\b
 A variable that is not synchronous is read when the definition is decoded: the
@@ -34,78 +38,56 @@ listing shows the value that was frozen then. Count: elementary instructions.
 
 
 @click.command("list", epilog=_EPILOG, short_help="List realtime cycles as their instructions.")
-@click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True)
-@click.option("--machine", metavar="DIR", help="Folder with the machine's lists [default: demo].")
-@click.option(
-    "--set",
-    "assignments",
-    metavar="NAME=VALUE",
-    multiple=True,
-    help="Give a variable a value before the first tick.",
-)
-@click.option(
-    "--at",
-    "stimuli",
-    metavar="TIME NAME=VALUE",
-    nargs=2,
-    multiple=True,
-    help="Give a variable a value at a time of the run.",
-)
-@click.option("--ticks", type=click.IntRange(min=1), metavar="N", help="Run at most N ticks.")
-@click.option("--until", metavar="TIME", help="Run at most so long [default: 10min].")
-@click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC.")
-@click.option(
-    "--lang",
-    "language",
-    type=click.Choice(["en", "de"]),
-    default="en",
-    help="Language of the listing and of diagnostics.",
-)
+@run_options("--at", "listing and diagnostics")
 def command(**words: Any) -> int:
     """Run NC programs and list each realtime cycle that they define ('-': standard input)."""
-    language: Language = words["language"]
+    options = Options(**words)
     try:
-        return _list(words, language)
+        return _list(options)
     except Failure as failure:
-        print_diagnostics(failure.diagnostics, language)
+        print_diagnostics(failure.diagnostics, options.language)
         return EXIT_USAGE
 
 
-def _list(words: dict[str, Any], language: Language) -> int:
+def _list(options: Options) -> int:
     """Run and list; raises ``Failure`` for what cannot be used."""
-    from nctakt.controller import Controller  # noqa: PLC0415 - a command that only shows its help
-    from nctakt.decoder.memory import memory_bytes  # noqa: PLC0415 - does not load these
-    from nctakt.results.listing import Listing  # noqa: PLC0415
-
-    unused = ("trace", "signals", "diagnosis", "messages", "compiled")
-    all_words: dict[str, Any] = {**words, **dict.fromkeys(unused)}
-    options = Options(**all_words, after="0", quiet=False)
+    choose_mode(options)
     request = read_request(options)
-    controller = Controller(options.machine)
-    places = controller.machine.channels[0].parameters.realtime_cycles.buffers
-    listing = Listing(language)
-    paragraphs: list[list[str]] = []
-
-    def keep(name: str, definition: CycleDefinition) -> None:
-        size = memory_bytes(definition.statement, places)
-        paragraphs.append(list(listing.lines(name, definition, size)))
-
-    run = controller.run(
-        *request.programs,
-        plc=request.plc,
-        until_us=request.until_us,
-        ticks=options.ticks,
-        initial=request.initial,
-        stimuli=request.stimuli,
-        memory_trace=False,
-        on_cycle=keep,
-    )
-    lines = [line for paragraph in paragraphs for line in (*paragraph, "")][:-1]
+    controller = start_controller(options)
+    lines: list[str] = []
+    run = run_programs(options, request, controller, on_cycle=_lister(options, controller, lines))
     if lines:
         show_at_the_end(lambda file: print(*lines, sep="\n", file=file))
-    print_diagnostics(run.diagnostics, language, Severity.WARNING)
-    if not paragraphs and run.state != "error":
-        print_diagnostics([diagnostic(900591)], language)
+    if run is None:
+        return EXIT_NC_ERROR
+    print_diagnostics(run.diagnostics, options.language, Severity.WARNING)
+    print_diagnostics(_notes(run, lines), options.language)
+    stopped = run.state in ("error", "interrupted")
+    return EXIT_NC_ERROR if stopped or run.errors else EXIT_RAN
+
+
+def _lister(
+    options: Options, controller: Controller, lines: list[str]
+) -> Callable[[str, CycleDefinition], None]:
+    """What adds the lines of a definition to ``lines``, an empty one between two definitions."""
+    from nctakt.decoder.memory import memory_bytes  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.results.listing import Listing  # noqa: PLC0415
+
+    listing = Listing(options.language)
+    places = controller.machine.channels[0].parameters.realtime_cycles.buffers
+
+    def add(name: str, definition: CycleDefinition) -> None:
+        if lines:
+            lines.append("")
+        size = memory_bytes(definition.statement, places)
+        lines.extend(listing.lines(name, definition, size))
+
+    return add
+
+
+def _notes(run: Run, lines: Sequence[str]) -> Iterator[Diagnostic]:
+    """What the listing cannot show."""
+    if not lines and run.state in ("ended", "limit"):
+        yield diagnostic(900591)
     if run.state == "limit":
-        print_diagnostics([diagnostic(900590, ticks=run.ticks)], language)
-    return EXIT_NC_ERROR if run.state == "error" or run.errors else EXIT_RAN
+        yield diagnostic(900590, ticks=run.ticks)

@@ -20,6 +20,7 @@ from nctakt.messages import diagnostic
 
 if TYPE_CHECKING:
     from nctakt.controller import Controller
+    from nctakt.decoder.cycles import CycleDefinition
     from nctakt.results.run import Run, SaidMessage
     from nctakt.trace.sinks import Sink
 
@@ -112,6 +113,7 @@ def run_programs(
     sinks: Sequence[Sink] = (),
     why: bool = False,
     on_message: Callable[[SaidMessage], None] | None = None,
+    on_cycle: Callable[[str, CycleDefinition], None] | None = None,
 ) -> Run | None:
     """The result of the run; ``None`` when the user's PLC broke it off, which has been told."""
     from nctakt.plc import PlcError  # noqa: PLC0415 - the mode is chosen before
@@ -143,6 +145,7 @@ def run_programs(
                 why=why,
                 on_message=show_message,
                 on_progress=show_progress,
+                on_cycle=on_cycle,
             )
     except PlcError as failure:
         bar.hide()

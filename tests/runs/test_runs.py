@@ -49,13 +49,13 @@ def changed_machine(changes: Mapping[str, Sequence[str]], target: Path) -> Path:
     return target
 
 
-def perform(folder: Path, names: set[str], work: Path) -> Run:
+def perform(folder: Path, names: set[str], work: Path, programs: str = "*.nc") -> Run:
     """Run the programs of a folder and record the signals ``names``."""
     given = settings(folder)
     machine = given.get("machine")
     plc = given.get("plc")
     return Controller(None if machine is None else changed_machine(machine, work / "machine")).run(
-        *sorted(folder.glob("*.nc")),
+        *sorted(folder.glob(programs)),
         plc=None if plc is None else load_plc(folder / plc),
         initial=given.get("set", {}),
         stimuli=[Stimulus(*stimulus) for stimulus in given.get("at", ())],

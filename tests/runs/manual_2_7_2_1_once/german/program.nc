@@ -1,0 +1,15 @@
+#RT CYCLE [SCOPE = PROG]
+
+  ; zum ersten Mal über 200
+  $IF ONCE V.RTA.ACS.ACT_POS.X > 200
+
+    M100
+
+  $ENDIF
+
+#RT CYCLE END
+
+N10 G00 X300
+N20 G00 X0
+N30 G00 X300
+M30

@@ -12,6 +12,10 @@ from nctakt.controller import Controller
 from nctakt.failure import Failure
 
 
+#: Characters of a STRING of the demo machine, whose variables list asks for long ones.
+LONGEST = 127
+
+
 def cycle(*statements: str) -> str:
     """A program whose one cycle runs once."""
     return "\n".join(["#RT CYCLE [ID=1 SCOPE=PROG]", *statements, "#RT CYCLE END", "M30"])
@@ -139,3 +143,15 @@ def test_what_is_written_from_outside_is_read_at_once_and_acts_in_the_next_tick(
 def test_the_diagnosis_level_is_3_at_the_start() -> None:
     """RC-603: errors, warnings and management are listed unless a program says otherwise."""
     assert Controller().read("V.RTG.CYCLES.DIAG_LEVEL") == 3.0
+
+
+def test_a_text_has_to_fit_its_variable() -> None:
+    """STRING takes 127 characters of Windows-1252 here; one more is 900343, others are 900344."""
+    controller = Controller()
+    assert perform('V.E.TEXT = "' + "ä" * LONGEST + '"\nM30', controller).state == "ended"
+    assert controller.read("V.E.TEXT") == "ä" * LONGEST
+    assert numbers(perform('V.E.TEXT = "' + "x" * (LONGEST + 1) + '"\nM30')) == [900343]
+    for text, number in (("x" * (LONGEST + 1), 900343), ("→", 900344)):
+        with pytest.raises(Failure) as failure:
+            controller.write("V.E.TEXT", text)
+        assert [found.message.id for found in failure.value.diagnostics] == [number]

@@ -11,7 +11,6 @@ from decided import left, numbers, perform, told
 from nctakt.controller import Controller
 from nctakt.failure import Failure
 
-
 #: Characters of a STRING of the demo machine, whose variables list asks for long ones.
 LONGEST = 127
 

@@ -31,6 +31,7 @@ _COMMANDS = {
     "explain": "nctakt.cli.explain",
     "list": "nctakt.cli.listing",
     "why": "nctakt.cli.why",
+    "schedule": "nctakt.cli.schedule",
 }
 
 

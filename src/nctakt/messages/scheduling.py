@@ -373,12 +373,13 @@ _add(
 _add(
     900633,
     WARNING,
-    "windows_time is 0, and {thread} needs longer than one NC cycle",
-    "windows_time ist 0, und {thread} braucht länger als einen NC-Takt",
+    "windows_time is 0, and {what_en}",
+    "windows_time ist 0, und {what_de}",
     remedy_en="Set windows_time, or make sure that all threads finish within the cycle.",
     remedy_de="windows_time setzen oder dafür sorgen, dass alle Threads im Takt fertig werden.",
     parameters={
-        "thread": "the first thread of that kind",
+        "what_en": "what shows that it is not sensible, in English",
+        "what_de": "the same in German",
     },
 )
 _add(

@@ -225,7 +225,7 @@ class _Reader:
         is_number = isinstance(found, int | float) and not isinstance(found, bool)
         low = -LONGEST_US if signed else 0
         if is_number and low <= found <= LONGEST_US:
-            return int(round(found * NS_PER_US))
+            return round(float(found) * NS_PER_US)
         self._report(key, found, _SIGNED if signed else _TIME)
         return None
 

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+"""The schedule as a picture file.
+
+In: ``Simulation``, a file name. Out: SVG (no library needed), PNG (matplotlib) or HTML, the picture
+with its tables.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+from html import escape
+from pathlib import Path
+
+from nctakt.diagnostics import Language
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.schedule.figure import svg
+from nctakt.schedule.gantt import gantt
+from nctakt.schedule.report import simulation_report
+from nctakt.schedule.results import Simulation
+
+_HTML = """\
+<!doctype html>
+<html lang="{language}">
+<head><meta charset="utf-8"><title>{title}</title>
+<style>body {{ font-family: sans-serif; margin: 1em; }} div {{ overflow-x: auto; }}</style></head>
+<body>
+<div>
+{picture}</div>
+<pre>{report}</pre>
+</body>
+</html>
+"""
+
+
+def check_picture(path: str) -> None:
+    """Whether such a picture can be drawn; raises ``Failure`` (900635, 900634)."""
+    ending = Path(path).suffix.lower()
+    if ending not in (".svg", ".png", ".html"):
+        raise Failure(diagnostic(900635, file=path))
+    if ending == ".png" and importlib.util.find_spec("matplotlib") is None:
+        raise Failure(diagnostic(900634, library="matplotlib", what="--plot FILE.png"))
+
+
+def write_picture(run: Simulation, path: Path, language: Language) -> None:
+    """Draw the record of a simulation; raises ``OSError``."""
+    figure = gantt(run, language)
+    ending = path.suffix.lower()
+    if ending == ".png":
+        from nctakt.schedule.png import write_png  # noqa: PLC0415 - matplotlib only when needed
+
+        write_png(figure, path)
+    elif ending == ".html":
+        page = _HTML.format(
+            language=language,
+            title="nctakt schedule",
+            picture=svg(figure),
+            report=escape(simulation_report(run, language)),
+        )
+        path.write_text(page, "utf-8")
+    else:
+        path.write_text(svg(figure), "utf-8")

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: MIT
+"""rtconf.lis as it stands and as it counts: raw value, effective value, reason.
+
+In: the list's bytes, its configuration, its diagnostics. Out: one row per parameter that the list
+names or that counts without it, in the order of the manual.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nctakt.diagnostics import Diagnostic, Language
+from nctakt.lists.parameter import Parameter, shown, with_indices
+from nctakt.lists.reader import BLANKS, Entry, read_list
+from nctakt.lists.rtconf import RTCONF, RtconfConfiguration
+from nctakt.messages import Collector
+
+#: A parameter of the list: its pattern and its indices.
+_Key = tuple[str, tuple[int, ...]]
+
+_WRITTEN = {"en": "as written", "de": "wie geschrieben"}
+_DEFAULT = {"en": "default", "de": "Standardwert"}
+_UNUSED = {"en": "not used", "de": "nicht verwendet"}
+
+
+@dataclass(frozen=True, slots=True)
+class EffectiveRow:
+    """One parameter. ``raw`` is empty when the list does not name it; ``line`` is 0 then."""
+
+    id: str
+    key: str
+    line: int
+    raw: str
+    effective: str
+    unit: str
+    reason: str
+
+
+def effective_rows(
+    file: str,
+    data: bytes,
+    configuration: RtconfConfiguration,
+    diagnostics: list[Diagnostic],
+    language: Language,
+) -> list[EffectiveRow]:
+    """The table of a list."""
+    entries = _entries(file, data)
+    counts = _effective(configuration)
+    keys = sorted({*entries, *counts}, key=_rank)
+    return [_row(key, entries.get(key), counts.get(key), diagnostics, language) for key in keys]
+
+
+def _rank(key: _Key) -> tuple[object, ...]:
+    patterns = [parameter.pattern for parameter in RTCONF.parameters]
+    pattern, indices = key
+    group = 0 if not indices else 1 if pattern.startswith("thread") else 2
+    is_function = len(indices) == 2
+    return group, indices[:1], is_function, indices, patterns.index(pattern)
+
+
+def _entries(file: str, data: bytes) -> dict[_Key, Entry]:
+    """The entry that counts for each parameter that the list names."""
+    found: dict[_Key, Entry] = {}
+    for entry in read_list(file, data, RTCONF.dialect, Collector()):
+        known = RTCONF.find(entry.pattern) if entry.is_well_formed else None
+        if known is None:
+            continue
+        parameter, alias = known
+        ranges = zip(entry.indices, parameter.index_ranges, strict=True)
+        key = (parameter.pattern, entry.indices)
+        if all(low <= index <= high for index, (low, high) in ranges):
+            present_name_stands = key in found and found[key].pattern == parameter.pattern
+            if alias is None or not present_name_stands:
+                found[key] = entry
+    return found
+
+
+def _effective(configuration: RtconfConfiguration) -> dict[_Key, str]:
+    """What counts, as text."""
+    found: dict[_Key, str] = {
+        ("interrupt_source", ()): configuration.interrupt_source.value,
+        ("cycle_time", ()): str(configuration.cycle_time_us),
+        ("time_slice", ()): str(configuration.time_slice_us),
+        ("windows_time", ()): str(configuration.windows_time_us),
+        ("external_object_name", ()): shown(configuration.external_object_name),
+        ("schedule", ()): configuration.schedule,
+    }
+    for thread in configuration.threads:
+        at = (thread.index,)
+        found |= {
+            ("thread[].name", at): shown(thread.name),
+            ("thread[].cycle", at): str(thread.cycle_us),
+            ("thread[].priority", at): str(thread.priority),
+            ("thread[].error_on_overflow", at): shown(thread.error_on_overflow),
+            ("thread[].cpu", at): str(thread.cpu),
+            ("thread[].context_info", at): str(thread.context),
+        }
+        for function in thread.functions:
+            place = (thread.index, function.index)
+            found |= {
+                ("thread[].function[].name", place): function.name,
+                ("thread[].function[].calls_per_cycle", place): str(function.calls_per_cycle),
+                ("thread[].function[].trace_bit", place): str(function.trace_bit),
+            }
+    for external in configuration.external_threads:
+        at = (external.index,)
+        found["external_thread[].cycle", at] = str(external.cycle_us)
+        found["external_thread[].semaphore_name", at] = external.semaphore_name
+    return found
+
+
+def _row(
+    key: _Key,
+    entry: Entry | None,
+    effective: str | None,
+    diagnostics: list[Diagnostic],
+    language: Language,
+) -> EffectiveRow:
+    parameter = _parameter(key[0])
+    name = with_indices(*key)
+    line = 0 if entry is None else entry.key_span.line
+    reasons = [
+        f"{one.id}: {one.text(language)}"
+        for one in diagnostics
+        if (line and one.span is not None and one.span.line == line)
+        or (not line and one.values.get("key") == name)
+    ]
+    if not reasons:
+        known = _DEFAULT if entry is None else _UNUSED if effective is None else _WRITTEN
+        reasons = [known[language]]
+    raw = "" if entry is None else _raw(entry)
+    shown_value = "–" if effective is None else effective
+    return EffectiveRow(
+        parameter.id, name, line, raw, shown_value, parameter.unit, "; ".join(reasons)
+    )
+
+
+def _raw(entry: Entry) -> str:
+    """The value as it stands there, without its comment."""
+    text = entry.rest.strip(BLANKS)
+    if text.startswith('"') and text.find('"', 1) > 0:
+        return text[: text.find('"', 1) + 1]
+    return text.split(None, 1)[0] if text else ""
+
+
+def _parameter(pattern: str) -> Parameter:
+    found = RTCONF.find(pattern)
+    assert found is not None
+    return found[0]

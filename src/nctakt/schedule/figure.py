@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: MIT
+"""A picture as a list of simple shapes, and its text as SVG.
+
+Coordinates in pixels from the upper left corner. The same shapes are drawn by ``png``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from html import escape
+from typing import Literal
+
+FONT = "DejaVu Sans, Verdana, sans-serif"
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A rectangle; ``hatched``: with slanting lines of the colour ``fill``. ``tip`` explains it."""
+
+    x: float
+    y: float
+    width: float
+    height: float
+    fill: str
+    hatched: bool = False
+    tip: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A polyline; ``arrows`` at its last end, or at both."""
+
+    points: tuple[tuple[float, float], ...]
+    colour: str
+    width: float = 1.0
+    dashed: bool = False
+    arrows: Literal["none", "end", "both"] = "none"
+    tip: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A text; ``anchor`` says which part of it stands at ``x``."""
+
+    x: float
+    y: float
+    text: str
+    size: float = 11.0
+    anchor: Literal["start", "middle", "end"] = "start"
+    colour: str = "#222222"
+    bold: bool = False
+
+
+Shape = Box | Stroke | Label
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """A picture; later shapes lie over earlier ones."""
+
+    width: int
+    height: int
+    shapes: tuple[Shape, ...]
+
+
+def svg(figure: Figure) -> str:
+    """The picture as the text of an SVG file."""
+    colours = dict.fromkeys(
+        shape.fill for shape in figure.shapes if isinstance(shape, Box) and shape.hatched
+    )
+    lines = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{figure.width}" '
+        f'height="{figure.height}" viewBox="0 0 {figure.width} {figure.height}" '
+        f'font-family="{FONT}">',
+        "<defs>",
+        *(_pattern(colour) for colour in colours),
+        "</defs>",
+        f'<rect width="{figure.width}" height="{figure.height}" fill="#ffffff"/>',
+    ]
+    for shape in figure.shapes:
+        if isinstance(shape, Box):
+            lines.append(_box(shape))
+        elif isinstance(shape, Stroke):
+            lines += _stroke(shape)
+        else:
+            lines.append(_label(shape))
+    return "\n".join([*lines, "</svg>", ""])
+
+
+def _number(value: float) -> str:
+    return f"{value:.2f}".rstrip("0").rstrip(".")
+
+
+def _pattern(colour: str) -> str:
+    return (
+        f'<pattern id="hatch{colour[1:]}" width="6" height="6" patternUnits="userSpaceOnUse" '
+        f'patternTransform="rotate(45)"><rect width="6" height="6" fill="#ffffff"/>'
+        f'<rect width="2" height="6" fill="{colour}"/></pattern>'
+    )
+
+
+def _tip(text: str) -> str:
+    return f"<title>{escape(text)}</title>" if text else ""
+
+
+def _box(box: Box) -> str:
+    fill = f"url(#hatch{box.fill[1:]})" if box.hatched else box.fill
+    x, y, width, height = (_number(one) for one in (box.x, box.y, box.width, box.height))
+    place = f'x="{x}" y="{y}" width="{width}" height="{height}"'
+    return f'<rect {place} fill="{fill}">{_tip(box.tip)}</rect>'
+
+
+def _stroke(stroke: Stroke) -> Iterator[str]:
+    points = " ".join(f"{_number(x)},{_number(y)}" for x, y in stroke.points)
+    dashes = ' stroke-dasharray="4 3"' if stroke.dashed else ""
+    yield (
+        f'<polyline points="{points}" fill="none" stroke="{stroke.colour}" '
+        f'stroke-width="{_number(stroke.width)}"{dashes}>{_tip(stroke.tip)}</polyline>'
+    )
+    for head in arrow_heads(stroke):
+        corners = " ".join(f"{_number(x)},{_number(y)}" for x, y in head)
+        yield f'<polygon points="{corners}" fill="{stroke.colour}"/>'
+
+
+def arrow_heads(stroke: Stroke) -> Iterator[list[tuple[float, float]]]:
+    """The triangles at the ends of a stroke that has arrows."""
+    ends = []
+    if stroke.arrows in ("end", "both"):
+        ends.append((stroke.points[-2], stroke.points[-1]))
+    if stroke.arrows == "both":
+        ends.append((stroke.points[1], stroke.points[0]))
+    for (from_x, from_y), (x, y) in ends:
+        length = ((x - from_x) ** 2 + (y - from_y) ** 2) ** 0.5 or 1.0
+        dx, dy = (x - from_x) / length, (y - from_y) / length
+        back_x, back_y = x - 6 * dx, y - 6 * dy
+        yield [
+            (x, y),
+            (back_x - 2.5 * dy, back_y + 2.5 * dx),
+            (back_x + 2.5 * dy, back_y - 2.5 * dx),
+        ]
+
+
+def _label(label: Label) -> str:
+    weight = ' font-weight="bold"' if label.bold else ""
+    return (
+        f'<text x="{_number(label.x)}" y="{_number(label.y)}" font-size="{_number(label.size)}" '
+        f'text-anchor="{label.anchor}" fill="{label.colour}"{weight}>{escape(label.text)}</text>'
+    )

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""What a simulation or an analysis shows that somebody should know.
+
+In: ``Simulation`` or ``Analysis``. Out: diagnostics, in the order of the tasks and processors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from nctakt.diagnostics import Diagnostic, Text
+from nctakt.messages import diagnostic
+from nctakt.schedule.analyse import Analysis
+from nctakt.schedule.model import NS_PER_US, Model
+from nctakt.schedule.results import Simulation, WindowsNumbers
+
+_LATE = "late suspension"
+
+
+def us(time: int) -> str:
+    """A time in ns as µs, with decimals only where it has some."""
+    return f"{time / NS_PER_US:.3f}".rstrip("0").rstrip(".")
+
+
+def simulation_findings(run: Simulation) -> Iterator[Diagnostic]:
+    """What went wrong in a simulated schedule."""
+    for task, numbers in zip(run.model.tasks, run.tasks, strict=True):
+        if task.error_on_overflow and numbers.first_overflow is not None:
+            first = us(numbers.first_overflow)
+            yield diagnostic(900630, thread=task.name, count=numbers.overflows, time=first)
+    if run.missed_suspensions:
+        yield diagnostic(900631, count=run.missed_suspensions, cycles=run.cycles)
+    for windows in run.windows[:-1]:
+        if run.model.windows and windows.violated:
+            yield diagnostic(
+                900632,
+                cpu=windows.cpu,
+                windows=us(run.model.windows),
+                count=windows.violated,
+                cycles=run.cycles,
+                who=culprits(run.model, windows),
+            )
+    longest = [numbers.response_max or 0 for numbers in run.tasks]
+    yield from _without_windows_time(run.model, longest, run.windows[-1].least)
+
+
+def culprits(model: Model, windows: WindowsNumbers) -> str:
+    """Who ran in Windows' time in how many cycles."""
+    found = [
+        f"{task.name} {count}"
+        for task, count in zip(model.tasks, windows.culprits, strict=True)
+        if count
+    ]
+    if windows.late:
+        found.append(f"{_LATE} {windows.late}")
+    return ", ".join(found)
+
+
+def _without_windows_time(model: Model, responses: list[int], least: int) -> Iterator[Diagnostic]:
+    """Without guaranteed time all threads should finish in each cycle."""
+    if model.windows:
+        return
+    for task, response in zip(model.tasks, responses, strict=True):
+        if response > model.cycle:
+            what = Text(
+                f"{task.name} needs longer than one NC cycle",
+                f"{task.name} braucht länger als einen NC-Takt",
+            )
+            yield diagnostic(900633, what_en=what.en, what_de=what.de)
+            return
+    if least == 0:
+        what = Text("Windows gets no time in some cycles", "Windows bekommt manchmal keine Zeit")
+        yield diagnostic(900633, what_en=what.en, what_de=what.de)
+
+
+def analysis_findings(analysis: Analysis) -> Iterator[Diagnostic]:
+    """What can go wrong when all run as long as they can."""
+    model = analysis.model
+    if any(one is None for one in analysis.tasks):
+        yield diagnostic(900639)
+    for cpu in analysis.cpus:
+        if cpu.demand > cpu.suspendable_supply:
+            yield diagnostic(
+                900637,
+                cpu=cpu.cpu,
+                demand=f"{100 * cpu.demand:.2f}",
+                supply=f"{100 * cpu.suspendable_supply:.2f}",
+            )
+        if cpu.reaches_windows:
+            who = ", ".join(model.tasks[i].name for i in cpu.intruders)
+            yield diagnostic(900640, cpu=cpu.cpu, windows=us(model.windows), who=who)
+    for task, one in zip(model.tasks, analysis.tasks, strict=True):
+        if one is not None and one.can_overflow:
+            response = "∞" if one.response is None else f"{us(one.response)} µs"
+            yield diagnostic(900638, thread=task.name, response=response, cycle=us(one.period))
+    responses = [0 if one is None else one.response or 0 for one in analysis.tasks]
+    yield from _without_windows_time(model, responses, 1)

@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: MIT
+"""Simulation and analysis as tables of text.
+
+In: ``Simulation``, ``Analysis``, ``Answers``, rows of the effective list. Out: text in the user's
+language, times in µs. Every report names the rules that were chosen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.diagnostics import Language, Text
+from nctakt.schedule.analyse import Analysis
+from nctakt.schedule.answers import Answers
+from nctakt.schedule.effective_table import EffectiveRow
+from nctakt.schedule.findings import culprits, us
+from nctakt.schedule.model import ANY_CPU, Model, TaskClass
+from nctakt.schedule.results import Simulation, TaskNumbers
+
+_NONE = "–"
+_CLASSES = {
+    TaskClass.REALTIME: Text("realtime", "Echtzeit"),
+    TaskClass.ASYNCHRONOUS: Text("asynchronous", "asynchron"),
+    TaskClass.EXTERNAL: Text("external", "extern"),
+}
+_SOURCES = {
+    "hardware interrupt": Text("hardware interrupt", "Hardware-Interrupt"),
+    "timer": Text("timer", "Timer"),
+    "semaphore": Text("semaphore", "Semaphor"),
+}
+
+
+def table(heads: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
+    """Columns under their heads: the first ``left`` to the left, the others to the right."""
+    widths = [max(len(row[i]) for row in (heads, *rows)) for i in range(len(heads))]
+    lines = []
+    for row in (heads, ["─" * width for width in widths], *rows):
+        cells = [
+            cell.ljust(width) if i < left else cell.rjust(width)
+            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ]
+        lines.append("  ".join(cells).rstrip())
+    return lines
+
+
+def effective_report(rows: Sequence[EffectiveRow], language: Language) -> str:
+    """The list as it stands and as it counts."""
+    heads = Text(
+        "Line|Parameter|Name|Raw|Effective|Unit|Reason",
+        "Zeile|Parameter|Name|Roh|Wirksam|Einheit|Grund",
+    )
+    cells = [
+        [
+            str(row.line) if row.line else _NONE,
+            row.id,
+            row.key,
+            row.raw or _NONE,
+            row.effective,
+            row.unit,
+            row.reason,
+        ]
+        for row in rows
+    ]
+    names = heads.get(language).split("|")
+    return "\n".join(table(names, cells, left=len(names)))
+
+
+def chosen_report(model: Model, language: Language) -> list[str]:
+    """The times of the list and the rules that were chosen."""
+    rules = model.rules
+    source = _SOURCES[model.source.value].get(language)
+    text = Text(
+        "NC interrupt: {source}; cycle_time {cycle}, time_slice {slice}, windows_time {windows} µs",
+        "NC-Interrupt: {source}; cycle_time {cycle}, time_slice {slice}, windows_time {windows} µs",
+    )
+    chosen = Text(
+        "Rules: overflow '{overflow}', calls '{calls}', suspension by '{suspension}', seed {seed}",
+        "Regeln: Überlauf '{overflow}', Aufrufe '{calls}', Suspendierung nach '{suspension}', "
+        "Startwert {seed}",
+    )
+    return [
+        text.get(language).format(
+            source=source,
+            cycle=us(model.cycle),
+            slice=us(model.slice),
+            windows=us(model.windows),
+        ),
+        chosen.get(language).format(
+            overflow=rules.overflow,
+            calls=rules.calls,
+            suspension=rules.suspension,
+            seed=model.seed,
+        ),
+    ]
+
+
+def simulation_report(run: Simulation, language: Language) -> str:
+    """All numbers of a simulation."""
+    model = run.model
+    lines = chosen_report(model, language)
+    simulated = Text(
+        "Simulated: {cycles} NC cycles, {duration} µs, {jobs} jobs",
+        "Simuliert: {cycles} NC-Takte, {duration} µs, {jobs} Aufträge",
+    )
+    repeats = Text("; repeats exactly after {n} cycles", "; wiederholt sich genau nach {n} Takten")
+    line = simulated.get(language).format(
+        cycles=run.cycles, duration=us(run.duration), jobs=run.jobs
+    )
+    if run.repeats_after is not None:
+        line += repeats.get(language).format(n=run.repeats_after)
+    heads = Text(
+        "Thread|Class|CPU|Period|Due|Done|Load %|R min|R mean|R max|Slack|Overflows|Lost|Suspended",
+        "Thread|Klasse|CPU|Periode|Fällig|Fertig|Last %|R min|R mittel|R max|Reserve|Überläufe|"
+        "Verloren|Suspendiert",
+    )
+    rows = [_task_row(run, i, language) for i in range(len(model.tasks))]
+    lines += [line, "", *table(heads.get(language).split("|"), rows, left=2)]
+    return "\n".join([*lines, "", *_windows_table(run, language)]) + "\n"
+
+
+def _task_row(run: Simulation, i: int, language: Language) -> list[str]:
+    task, numbers = run.model.tasks[i], run.tasks[i]
+    period = task.every * run.model.train.distance
+    return [
+        task.name,
+        _CLASSES[task.kind].get(language),
+        "any" if task.cpu == ANY_CPU else str(task.cpu),
+        us(period),
+        str(numbers.due),
+        str(numbers.completed),
+        f"{100 * numbers.busy / run.duration:.2f}",
+        *_responses(numbers),
+        _NONE if numbers.response_max is None else us(period - numbers.response_max),
+        str(numbers.overflows),
+        str(numbers.lost),
+        str(numbers.suspensions),
+    ]
+
+
+def _responses(numbers: TaskNumbers) -> list[str]:
+    if numbers.response_min is None or numbers.response_max is None:
+        return [_NONE] * 3
+    mean = numbers.response_sum // numbers.completed
+    return [us(numbers.response_min), us(mean), us(numbers.response_max)]
+
+
+def _windows_table(run: Simulation, language: Language) -> list[str]:
+    heads = Text(
+        "Windows|Share %|Min|Mean|Max|Cycles below windows_time|Who",
+        "Windows|Anteil %|Min|Mittel|Max|Takte unter windows_time|Wer",
+    )
+    places = run.windows if len(run.windows) > 2 else run.windows[:-1]
+    rows = [
+        [
+            f"CPU {one.cpu}" if one.cpu else Text("sum", "Summe").get(language),
+            f"{100 * one.total / run.duration:.2f}",
+            us(one.least),
+            us(one.total // run.cycles),
+            us(one.most),
+            str(one.violated) if run.model.windows else _NONE,
+            culprits(run.model, one) or _NONE,
+        ]
+        for one in places
+    ]
+    return table(heads.get(language).split("|"), rows)
+
+
+def analysis_report(
+    analysis: Analysis, answers: Answers, run: Simulation, language: Language
+) -> str:
+    """Response times beside those of a simulation, load against supply, and the answers."""
+    lines = chosen_report(analysis.model, language)
+    heads = Text(
+        "Thread|C|T|C/T %|R analysed|R simulated|Slack|Overflow",
+        "Thread|C|T|C/T %|R berechnet|R simuliert|Reserve|Überlauf",
+    )
+    rows = []
+    for task, one, numbers in zip(analysis.model.tasks, analysis.tasks, run.tasks, strict=True):
+        simulated = _NONE if numbers.response_max is None else us(numbers.response_max)
+        if one is None:
+            rows.append([task.name, us(task.longest), *[_NONE] * 3, simulated, _NONE, _NONE])
+            continue
+        verdict = Text("possible", "möglich") if one.can_overflow else Text("no", "nein")
+        rows.append(
+            [
+                task.name,
+                us(one.demand),
+                us(one.period),
+                f"{100 * one.demand / one.period:.2f}",
+                "∞" if one.response is None else us(one.response),
+                simulated,
+                _NONE if one.slack is None else us(one.slack),
+                verdict.get(language),
+            ]
+        )
+    exact = Text(
+        "The responses are exact: those of the simulation.",
+        "Die Antwortzeiten sind genau: die der Simulation.",
+    )
+    bound = Text(
+        "The responses are upper bounds for the first job of each thread; the simulation can show "
+        "less,\nand where a thread overflows its rule for overflows decides what comes later.",
+        "Die Antwortzeiten sind obere Schranken für den ersten Auftrag jedes Threads; die "
+        "Simulation kann\nweniger zeigen, und nach einem Überlauf entscheidet die Regel dafür.",
+    )
+    lines += ["", *table(heads.get(language).split("|"), rows)]
+    lines += ["", (exact if analysis.is_exact else bound).get(language), ""]
+    return "\n".join([*lines, *_cpus(analysis, language), "", *_answers(answers, language)]) + "\n"
+
+
+def _cpus(analysis: Analysis, language: Language) -> list[str]:
+    heads = Text(
+        "CPU|Demand %|Supply beside windows_time %", "CPU|Bedarf %|Angebot neben windows_time %"
+    )
+    rows = [
+        [str(one.cpu), f"{100 * one.demand:.2f}", f"{100 * one.suspendable_supply:.2f}"]
+        for one in analysis.cpus
+    ]
+    return table(heads.get(language).split("|"), rows)
+
+
+def _answers(answers: Answers, language: Language) -> list[str]:
+    heads = Text(
+        "Nothing overflows up to (each alone)|Present|Limit",
+        "Nichts läuft über bis (jedes für sich)|Jetzt|Grenze",
+    )
+    rows = [
+        [one.function, us(one.present), _NONE if one.longest is None else us(one.longest)]
+        for one in answers.functions
+    ]
+    lines = table(heads.get(language).split("|"), rows)
+    never = Text("none: something overflows with each", "keine: bei jeder läuft etwas über")
+    for text, value in (
+        (Text("largest windows_time", "größte windows_time"), answers.windows_time),
+        (Text("smallest cycle_time", "kleinste cycle_time"), answers.cycle_time),
+    ):
+        shown = never.get(language) if value is None else f"{us(value)} µs"
+        lines.append(f"{text.get(language)}: {shown}")
+    return lines

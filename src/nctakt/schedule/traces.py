@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: MIT
+"""The record of a simulation for other tools: VCD (GTKWave), Perfetto's JSON, CSV.
+
+In: ``Simulation`` with a record. Out: the file. Writing raises ``OSError``.
+"""
+
+from __future__ import annotations
+
+import csv
+import importlib.util
+import json
+from pathlib import Path
+from typing import Any
+
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.schedule.findings import us
+from nctakt.schedule.gantt import tick_times, windows_times
+from nctakt.schedule.model import NS_PER_US
+from nctakt.schedule.results import EventKind, Simulation
+from nctakt.schedule.tracebits import BITS, calls_of, trace_bits
+
+#: Between two calls that touch a bit is shown low for so long, and an interrupt high, in ns.
+GAP = 1000
+
+_EVENT_ORDER = ("END", "SUSPEND", "NC", "RESUME", "RELEASE", "OVERFLOW", "TICK", "RUN")
+
+
+def check_vcd() -> None:
+    """Whether a VCD file can be written; raises ``Failure`` (900634)."""
+    if importlib.util.find_spec("vcd") is None:
+        raise Failure(diagnostic(900634, library="pyvcd", what="--vcd"))
+
+
+def write_vcd(run: Simulation, path: Path) -> None:
+    """Trace bits, interrupts, who runs, who is suspended; the unit is 1 ns."""
+    from vcd import VCDWriter  # noqa: PLC0415 - pyvcd only when needed
+
+    record, tasks = run.record, run.model.tasks
+    changes: list[tuple[int, int, Any, int | str]] = []
+    with (
+        path.open("w", encoding="utf-8", newline="\n") as file,
+        VCDWriter(file, timescale="1 ns", date="", init_timestamp=min(0, record.begin)) as writer,
+    ):
+
+        def level(scope: str, name: str, times: list[tuple[int, int]]) -> None:
+            variable = writer.register_var(scope, name, "wire", size=1, init=0)
+            for begin, end in times:
+                changes.append((begin, 1, variable, 1))
+                changes.append((end, 0, variable, 0))
+
+        for bit, times in trace_bits(run.model, record).items():
+            level("trace", f"bit{bit}", _apart(times))
+        nc = [one.time for one in record.events if one.kind is EventKind.INTERRUPT]
+        level("interrupts", "NC", [(time, time + GAP) for time in nc])
+        ticks = tick_times(run.model, record.begin, record.end)
+        level("interrupts", "timer", [(time, time + GAP) for time in ticks])
+        for i, task in enumerate(tasks):
+            ran = [(one.begin, one.end) for one in record.segments if one.task == i]
+            level("running", _identifier(task.name), _merged(ran))
+            level("suspended", _identifier(task.name), suspended_times(run, i))
+        for cpu in run.model.cpus:
+            variable = writer.register_var("cpu", f"cpu{cpu}", "string", init="")
+            for one in record.segments:
+                if one.cpu == cpu and one.end > one.begin:
+                    changes.append((one.begin, 1, variable, _identifier(tasks[one.task].name)))
+            rest = "Windows" if cpu in run.model.windows_cpus else "idle"
+            for begin, _ in windows_times(run, cpu):
+                changes.append((begin, 0, variable, rest))
+        for time, _, variable, value in sorted(changes, key=lambda one: one[:2]):
+            writer.change(variable, time, value)
+
+
+def _identifier(name: str) -> str:
+    """A name without the characters that end one in a VCD file."""
+    return "".join(one if one.isprintable() and not one.isspace() else "_" for one in name)
+
+
+def _apart(times: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Times that touch, with a gap between them that can be seen."""
+    found: list[tuple[int, int]] = []
+    for begin, end in times:
+        touches = bool(found) and found[-1][1] == begin and end - begin > GAP
+        found.append((begin + GAP if touches else begin, end))
+    return found
+
+
+def _merged(times: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Times that touch as one, empty ones left out."""
+    found: list[tuple[int, int]] = []
+    for begin, end in sorted(times):
+        if found and begin <= found[-1][1]:
+            found[-1] = (found[-1][0], max(end, found[-1][1]))
+        elif end > begin:
+            found.append((begin, end))
+    return found
+
+
+def suspended_times(run: Simulation, task: int) -> list[tuple[int, int]]:
+    """The times in the record in which a task is suspended, in ns."""
+    found: list[tuple[int, int]] = []
+    begin: int | None = None
+    for one in run.record.events:
+        if one.task == task and one.kind is EventKind.SUSPEND:
+            begin = one.time
+        elif one.task == task and one.kind is EventKind.RESUME and begin is not None:
+            found.append((begin, one.time))
+            begin = None
+    if begin is not None:
+        found.append((begin, run.record.end))
+    return [(start, end) for start, end in found if end > start]
+
+
+def write_perfetto(run: Simulation, path: Path) -> None:
+    """Chrome's trace format: processors with their slices, threads with their calls, counters."""
+    events = [*_names(run), *_slices(run), *_instants(run), *_counters(run)]
+    text = json.dumps({"displayTimeUnit": "ns", "traceEvents": events}, ensure_ascii=False)
+    path.write_text(text, "utf-8")
+
+
+def _time(time: int) -> float:
+    return time / NS_PER_US
+
+
+def _names(run: Simulation) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = []
+
+    def name(kind: str, pid: int, tid: int, text: str) -> None:
+        found.append({"ph": "M", "name": kind, "pid": pid, "tid": tid, "args": {"name": text}})
+
+    name("process_name", 0, 0, "calls")
+    for cpu in run.model.cpus:
+        name("process_name", cpu, 0, f"CPU {cpu}")
+    for i, task in enumerate(run.model.tasks):
+        for pid in (0, *run.model.cpus):
+            name("thread_name", pid, i + 1, task.name)
+    return found
+
+
+def _slices(run: Simulation) -> list[dict[str, Any]]:
+    tasks, record = run.model.tasks, run.record
+    found: list[dict[str, Any]] = [
+        {
+            "ph": "X",
+            "name": tasks[one.task].name,
+            "pid": one.cpu,
+            "tid": one.task + 1,
+            "ts": _time(one.begin),
+            "dur": _time(one.end - one.begin),
+            "args": {"job": one.job},
+        }
+        for one in record.segments
+    ]
+    for call in calls_of(run.model, record):
+        end = record.end if call.end is None else call.end
+        found.append(
+            {
+                "ph": "X",
+                "name": tasks[call.task].calls[call.call].function,
+                "pid": 0,
+                "tid": call.task + 1,
+                "ts": _time(call.begin),
+                "dur": _time(end - call.begin),
+                "args": {"job": call.job, "call": call.call},
+            }
+        )
+    return found
+
+
+def _instants(run: Simulation) -> list[dict[str, Any]]:
+    shown = (EventKind.INTERRUPT, EventKind.OVERFLOW, EventKind.SUSPEND, EventKind.RESUME)
+    return [
+        {
+            "ph": "i",
+            "name": one.kind.value,
+            "pid": 0,
+            "tid": one.task + 1,
+            "ts": _time(one.time),
+            "s": "g" if one.kind is EventKind.INTERRUPT else "t",
+        }
+        for one in run.record.events
+        if one.kind in shown
+    ]
+
+
+def _counters(run: Simulation) -> list[dict[str, Any]]:
+    tracks = {
+        f"trace bit {bit}": times
+        for bit, times in trace_bits(run.model, run.record).items()
+        if times and bit in BITS
+    }
+    for cpu in run.model.windows_cpus:
+        tracks[f"Windows CPU {cpu}"] = windows_times(run, cpu)
+    found: list[dict[str, Any]] = []
+    for name, times in tracks.items():
+        for begin, end in times:
+            for time, value in ((begin, 1), (end, 0)):
+                found.append(
+                    {"ph": "C", "name": name, "pid": 0, "ts": _time(time), "args": {"": value}}
+                )
+    return found
+
+
+def write_csv(run: Simulation, path: Path) -> None:
+    """All events and pieces of execution in the order of time, times in µs."""
+    tasks, record = run.model.tasks, run.record
+    rows: list[tuple[int, str, str, str, str, str]] = []
+    for event in record.events:
+        name = tasks[event.task].name if event.task >= 0 else ""
+        is_count = event.kind in (EventKind.INTERRUPT, EventKind.RELEASE)
+        value = str(event.value) if is_count else us(event.value)
+        rows.append((event.time, event.kind.value, name, "", "", value))
+    for time in tick_times(run.model, record.begin, record.end):
+        rows.append((time, "TICK", "", "", "", ""))
+    for one in record.segments:
+        cells = (tasks[one.task].name, str(one.cpu), str(one.job), us(one.end - one.begin))
+        rows.append((one.begin, "RUN", *cells))
+    rows.sort(key=lambda row: (row[0], _EVENT_ORDER.index(row[1])))
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(("time_us", "event", "thread", "cpu", "job", "value"))
+        writer.writerows((us(time), *cells) for time, *cells in rows)

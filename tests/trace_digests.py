@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: MIT
+"""Traces as digests: of random programs and of the programs in ``runs``, byte for byte.
+
+As a script it prints the digests of all of them and how the realtime part was loaded, so that
+another process, with another hash seed or without compiled modules, can be compared with this one.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+HERE = Path(__file__).parent
+sys.path[:0] = [str(HERE), str(HERE / "runs")]
+
+import test_runs  # noqa: E402 - it stands in a folder of its own
+from program_generator import program  # noqa: E402
+
+from nctakt import mode  # noqa: E402
+from nctakt.controller import Controller, NcText  # noqa: E402
+from nctakt.lists.machine import load_machine  # noqa: E402
+from nctakt.plc import load_plc  # noqa: E402
+from nctakt.stimuli import Stimulus  # noqa: E402
+from nctakt.trace.sinks import CsvSink  # noqa: E402
+
+SEEDS = range(30)
+DEMO = load_machine(None)
+
+#: Most ticks of a random program: GLOBAL cycles with low overrides can make one long.
+MOST_TICKS = 4000
+
+
+def random_trace(seed: int, file: Path) -> bytes:
+    """The CSV trace of a random program."""
+    text = NcText(f"p{seed}.nc", program(seed))
+    Controller(DEMO).run(text, ticks=MOST_TICKS, sinks=[CsvSink(file)], memory_trace=False)
+    return file.read_bytes()
+
+
+def folder_trace(name: str, work: Path) -> bytes:
+    """The CSV trace of a folder of ``runs``."""
+    folder = HERE / "runs" / name
+    given = test_runs.settings(folder)
+    machine, plc = given.get("machine"), given.get("plc")
+    lists = None if machine is None else test_runs.changed_machine(machine, work / name)
+    file = work / f"{name}.csv"
+    Controller(lists or DEMO).run(
+        *sorted(folder.glob("*.nc")),
+        plc=None if plc is None else load_plc(folder / plc),
+        initial=given.get("set", {}),
+        stimuli=[Stimulus(*stimulus) for stimulus in given.get("at", ())],
+        after_us=given.get("after_us", 0),
+        ticks=given.get("ticks"),
+        sinks=[CsvSink(file)],
+        memory_trace=False,
+    )
+    return file.read_bytes()
+
+
+def digests(work: Path) -> Iterator[tuple[str, str]]:
+    """Name and digest of every trace."""
+    for seed in SEEDS:
+        yield f"seed {seed}", hashlib.sha256(random_trace(seed, work / "t.csv")).hexdigest()
+    for name in test_runs.FOLDERS:
+        yield name, hashlib.sha256(folder_trace(name, work)).hexdigest()
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as folder:
+        print(json.dumps({"compiled": mode.is_compiled(), "digests": dict(digests(Path(folder)))}))

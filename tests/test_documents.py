@@ -19,7 +19,9 @@ from nctakt import __version__, cli
 from nctakt.controller import Controller
 from nctakt.diagnostics import Span
 from nctakt.kernel import record
+from nctakt.messages import Collector
 from nctakt.plc import load_plc
+from nctakt.schedule.load import read_load
 from nctakt.trace.events import EventDecoder
 
 ROOT = Path(__file__).parent.parent
@@ -137,13 +139,17 @@ def options_of(command: click.Command) -> set[str]:
     return spellings
 
 
-def commands() -> dict[str, click.Command]:
-    """The subcommands by name."""
-    context = click.Context(cli.group)
-    found = {
-        name: cli.group.get_command(context, name) for name in cli.group.list_commands(context)
-    }
-    return {name: command for name, command in found.items() if command is not None}
+def commands(group: click.Group = cli.group) -> dict[str, click.Command]:
+    """The subcommands by name, those of a subcommand as ``schedule show``."""
+    context = click.Context(group)
+    found: dict[str, click.Command] = {}
+    for name in group.list_commands(context):
+        command = group.get_command(context, name)
+        assert command is not None
+        found[name] = command
+        if isinstance(command, click.Group):
+            found |= {f"{name} {inner}": one for inner, one in commands(command).items()}
+    return found
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -153,7 +159,7 @@ def test_options_and_subcommands_that_a_document_names_exist(name: str) -> None:
     options = _OTHER_OPTIONS.union(*(options_of(command) for command in known.values()))
     assert set(_OPTION.findall(text_of(name))) <= options
     code = [*re.findall(r"`([^`\n]+)`", text_of(name)), *(body for _, body in blocks(name))]
-    called = re.findall(r"(?:^|/|\\)nctakt ([a-z]+)", "\n".join(code), re.MULTILINE)
+    called = re.findall(r"(?:^|/|\\)nctakt ((?:schedule )?[a-z]+)", "\n".join(code), re.MULTILINE)
     assert set(called) <= set(known)
 
 
@@ -286,6 +292,18 @@ def test_each_decision_has_its_reason_and_its_test() -> None:
     assert rows
     assert [row for row in rows if len(row) != 4 or not all(map(str.strip, row))] == []
     assert [row for row in rows if "`tests/" not in row[3] and row[3] != "no test yet"] == []
+
+
+# --- scheduling --------------------------------------------------------------------------------
+
+
+def test_the_load_file_of_the_documents_is_read() -> None:
+    """The example of a load file has nothing that ``nctakt schedule`` would refuse."""
+    (shown,) = fences("docs/scheduling.md", "toml")
+    collector = Collector()
+    load = read_load("load.toml", shown, collector)
+    assert collector.diagnostics == []
+    assert load.seed == 1
 
 
 # --- traces ------------------------------------------------------------------------------------

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: MIT
+"""Response times in closed form: the worked ones, against the simulation, and the answers."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import assume, given, settings
+from schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, change, load_text, make
+from schedule_models import models
+from test_scenarios import NOMINAL
+
+from nctakt.schedule.analyse import Analysis, analyse
+from nctakt.schedule.answers import find_answers, with_cycle, with_time, with_windows
+from nctakt.schedule.findings import analysis_findings, simulation_findings
+from nctakt.schedule.model import Execution, Model
+from nctakt.schedule.simulate import hyperperiod, simulate
+
+US = 1000
+
+
+def responses(analysis: Analysis) -> list[int | None]:
+    """In µs."""
+    return [
+        None if one is None or one.response is None else one.response // US
+        for one in analysis.tasks
+    ]
+
+
+def test_worked_responses() -> None:
+    """B4: S1 and S0a as worked out; S1 predicts the overflow of COM."""
+    tight = analyse(make(EXAMPLE_1, load_text(TIGHT))[0])
+    assert responses(tight) == [400, 1300, 3400, 5450, 600]
+    assert [one is not None and one.can_overflow for one in tight.tasks] == [
+        False,
+        False,
+        False,
+        True,
+        False,
+    ]
+    assert tight.cpus[0].demand == pytest.approx(0.7625)
+    assert tight.cpus[0].suspendable_supply == 0.75
+    nominal = analyse(make(EXAMPLE_1, load_text(NOMINAL))[0])
+    assert responses(nominal) == [300, 1050, 1250, 1450, 450]
+    assert nominal.is_exact
+
+
+def test_unbounded_response() -> None:
+    """B4: in S2 MMI_DRIVER has no bound, though the rule 'skip' lets it finish."""
+    model, _ = make(EXAMPLE_2, load_text(TIGHT))
+    analysis = analyse(model)
+    assert analysis.cpus[0].demand == pytest.approx(0.825)
+    assert responses(analysis)[2] is None
+    assert simulate(model, 60).tasks[2].response_max is not None
+
+
+def test_realtime_thread_in_the_time_of_windows_is_found() -> None:
+    """B4: S6 reaches into Windows' time; the result is a bound."""
+    analysis = analyse(make(EXAMPLE_1, load_text(TIGHT | {"task_int": 1700}))[0])
+    assert analysis.cpus[0].reaches_windows
+    assert not analysis.is_exact
+    assert 900640 in [one.id for one in analysis_findings(analysis)]
+
+
+def test_bound_where_the_realtime_thread_reaches_into_the_time_of_windows() -> None:
+    """B4: GEO every second cycle 1600, BG every second 50: 2150 against 2050 simulated."""
+    text = EXAMPLE_1.replace("thread[0].cycle 2000", "thread[0].cycle 4000").replace(
+        "thread[1].cycle 2000", "thread[1].cycle 4000"
+    )
+    short = {"task_mmi_driver": 0, "task_com": 0, "external_sps": 0}
+    model, _ = make(text, load_text({"task_int": 1600, "task_rnd": 50} | short))
+    assert responses(analyse(model))[1] == 2150
+    assert simulate(model, 4).tasks[1].response_max == 2050 * US
+
+
+@given(models(ties=False, synchronous=True, load=4))
+@settings(max_examples=400, deadline=None)
+def test_analysis_is_the_simulation_where_it_says_so(model: Model) -> None:
+    """B4: an exact analysis gives the longest responses of the simulation."""
+    analysis = analyse(model)
+    assume(analysis.is_exact)
+    run = simulate(model, 2 * hyperperiod(model))
+    for one, numbers in zip(analysis.tasks, run.tasks, strict=True):
+        assert one is not None
+        assert one.response == numbers.response_max
+        assert numbers.overflows == 0
+
+
+@given(models(load=4))
+@settings(max_examples=400, deadline=None)
+def test_analysis_is_a_bound_everywhere(model: Model) -> None:
+    """B4: a task that cannot overflow by the analysis never does, nor answers later."""
+    analysis = analyse(model)
+    assume(not analysis.can_overflow)
+    run = simulate(model, 60)
+    for one, numbers in zip(analysis.tasks, run.tasks, strict=True):
+        assert one is not None and one.response is not None
+        assert numbers.overflows == 0
+        assert (numbers.response_max or 0) <= one.response
+
+
+@given(models(ties=False, synchronous=True, load=3))
+@settings(max_examples=60, deadline=None)
+def test_longest_execution_times_are_the_last_that_fit(model: Model) -> None:
+    """The answer fits, one microsecond more does not."""
+    thousand = replace(
+        model,
+        cycle=model.cycle * US,
+        slice=model.slice * US,
+        windows=model.windows * US,
+        train=replace(model.train, period=model.train.period * US, phase=0),
+        tasks=tuple(
+            replace(
+                task,
+                calls=(
+                    replace(
+                        task.calls[0], execution=Execution((task.calls[0].execution.longest * US,))
+                    ),
+                ),
+            )
+            for task in model.tasks
+        ),
+    )
+    for one in find_answers(thousand).functions:
+        if one.longest is not None:
+            assert not analyse(with_time(thousand, one.function, one.longest)).can_overflow
+            more = with_time(thousand, one.function, one.longest + US)
+            assert analyse(more).can_overflow
+        else:
+            assert analyse(with_time(thousand, one.function, 0)).can_overflow
+
+
+def test_answers_of_the_example() -> None:
+    """The limits of S0a, each confirmed by the simulation."""
+    model, _ = make(EXAMPLE_1, load_text(NOMINAL))
+    answers = find_answers(model)
+    limits = {one.function: one.longest for one in answers.functions}
+    assert limits["task_rnd"] == 850 * US
+
+    def overflows(changed: Model) -> int:
+        return sum(one.overflows for one in simulate(changed, 120).tasks)
+
+    for function, longest in limits.items():
+        assert longest is not None
+        assert overflows(with_time(model, function, longest)) == 0
+        assert overflows(with_time(model, function, longest + US)) > 0
+    assert answers.windows_time == 500 * US
+    assert overflows(with_windows(model, 500 * US)) == 0
+    assert overflows(with_windows(model, 1000 * US)) > 0
+    assert answers.cycle_time == 2000 * US
+    assert overflows(with_cycle(model, 1500 * US)) > 0
+
+
+def test_no_answer_where_everything_overflows() -> None:
+    """An overloaded realtime thread overflows with any windows_time."""
+    model, _ = make(EXAMPLE_1, load_text(TIGHT | {"task_int": 2100}))
+    answers = find_answers(model)
+    assert answers.windows_time is None
+    assert answers.cycle_time is not None and answers.cycle_time > 2000 * US
+    other = next(one for one in answers.functions if one.function == "task_com")
+    assert other.longest is None
+
+
+def test_windows_off_and_late_threads() -> None:
+    """F5: windows_time 0 is not sensible when a thread needs longer than a cycle (S4b)."""
+    text = change(EXAMPLE_1, windows_time=0)
+    model, _ = make(text, load_text(TIGHT | {"task_rnd": 1500}))
+    assert 900633 in [one.id for one in simulation_findings(simulate(model, 6))]
+    assert 900633 in [one.id for one in analysis_findings(analyse(model))]
+    model, _ = make(text, load_text(NOMINAL))
+    assert list(simulation_findings(simulate(model, 6))) == []
+    exactly_full = load_text(NOMINAL | {"task_com": 750})
+    found = list(simulation_findings(simulate(make(text, exactly_full)[0], 6)))
+    assert [one.id for one in found] == [900633]
+    assert "no time" in found[0].text("en")
+
+
+def test_findings_of_simulations() -> None:
+    """Overflows that are to be reported, broken guarantees with who broke them."""
+    model, _ = make(EXAMPLE_1, load_text(TIGHT | {"task_int": 2100}))
+    found = list(simulation_findings(simulate(model, 60)))
+    assert [one.id for one in found] == [900630, 900632]
+    assert (found[0].values["count"], found[0].values["time"]) == (30, "2000")
+    assert found[1].values["who"] == "GEO 30"
+    short = load_text(TIGHT, extra="[interrupt]\nperiod = 1200\n")
+    model, _ = make(EXAMPLE_1, short, convention="field")
+    numbers = [one.id for one in simulation_findings(simulate(model, 60))]
+    assert 900631 in numbers

@@ -84,7 +84,7 @@ def test_github(capsys: pytest.CaptureFixture[str]) -> None:
     ]
     place, message = lines[0].removeprefix("::warning ").split("::", 1)
     assert place == ("file=programs%2C new/part ä.nc,line=3,col=5,endColumn=29,title=NCTAKT900242")
-    assert "then it is 100 %25 again%0Aremedy: write it" in message
+    assert "then it is 100 %25 again%0Aremedy: Write it" in message
 
 
 def test_sarif(capsys: pytest.CaptureFixture[str]) -> None:

@@ -9,36 +9,36 @@ from itertools import chain
 from pathlib import Path
 
 import pytest
-from check_machine import demo_channel
+from check_machine import demo_channel, findings
 from nc_chunks import Chunk, compare, read_chunks
 
 from nctakt import machines
+from nctakt.checking.program import check_program
 from nctakt.controller import Controller, NcText
 from nctakt.diagnostics import Diagnostic
 from nctakt.messages import Collector
-from nctakt.nc.lint import lint, never_deleted
+from nctakt.messages import lints as lint_messages
+from nctakt.nc.lint import never_deleted
 from nctakt.nc.lint_cycle import Budget
-from nctakt.nc.parser import parse_program
 from nctakt.nc.source import Source
 
 DEMO = Path(machines.__path__[0]) / "demo"
+LINTS = [message.id for message in lint_messages.MESSAGES]
 BUDGET = Budget(201, 200)
 
 
 def lints(*programs: tuple[str, ...], budget: Budget = BUDGET) -> list[Diagnostic]:
-    """The findings of a set of programs, those of the whole set at the end."""
+    """The findings of a set of programs without errors of other kinds; the set's own at the end."""
     collector = Collector()
+    channel = demo_channel()
     uses = [
-        lint(
-            parse_program(Source(f"{number}.nc", lines), Collector()),
-            demo_channel().names,
-            budget,
-            collector,
+        check_program(
+            Source(f"{number}.nc", lines), channel.names, channel.parameters, budget, collector
         )
         for number, lines in enumerate(programs, start=1)
     ]
     never_deleted(uses, collector)
-    return collector.diagnostics
+    return [found for found in collector.diagnostics if found.id in LINTS]
 
 
 @pytest.mark.parametrize("chunk", read_chunks("lint_*.nc"), ids=str)
@@ -95,6 +95,20 @@ def test_the_count_is_that_of_the_realtime_part(tmp_path: Path) -> None:
             file.write(text)
         run = Controller(folder).run(NcText("p.nc", program))
         assert [one.id for one in run.errors] == errors
+
+
+# --- the way through a program -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("chunk", read_chunks("*.nc"), ids=str)
+def test_statement_by_statement_finds_what_the_whole_tree_tells(chunk: Chunk) -> None:
+    """A check, which keeps no tree, has the errors, warnings and notes of a run, and its own."""
+    collector = Collector()
+    channel = demo_channel()
+    source = Source("p.nc", chunk.lines)
+    check_program(source, channel.names, channel.parameters, BUDGET, collector)
+    found = [one.headline() for one in collector.diagnostics if one.id not in LINTS]
+    assert sorted(found) == sorted(one.headline() for one in findings(chunk.lines))
 
 
 # --- sets of programs ----------------------------------------------------------------------------

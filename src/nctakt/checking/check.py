@@ -14,6 +14,7 @@ from pathlib import Path
 
 from nctakt.assembly import Machine
 from nctakt.checking.inputs import Found, gather
+from nctakt.checking.program import check_program
 from nctakt.diagnostics import Diagnostic, Severity, Span
 from nctakt.lists.files import find_file
 from nctakt.lists.kinds import check_list_alone, kind_of, references
@@ -21,10 +22,8 @@ from nctakt.lists.machine import MachineError, load_machine
 from nctakt.lists.parameters import SCHEMAS
 from nctakt.loading import NcText
 from nctakt.messages import Collector, diagnostic
-from nctakt.nc.check import check
-from nctakt.nc.lint import GlobalCycles, lint, never_deleted
+from nctakt.nc.lint import GlobalCycles, never_deleted
 from nctakt.nc.lint_cycle import Budget
-from nctakt.nc.parser import parse_program
 from nctakt.nc.source import Source
 from nctakt.text import decode_text, split_lines
 
@@ -175,9 +174,9 @@ class _Checker:
     def _program(self, name: str, text: str) -> None:
         self._files[name] = PROGRAM
         collector = Collector()
-        tree = parse_program(Source(name, split_lines(text)), collector)
-        check(tree, self._names, self._parameters, collector)
-        self._global_cycles.append(lint(tree, self._names, self._budget, collector))
+        source = Source(name, split_lines(text))
+        uses = check_program(source, self._names, self._parameters, self._budget, collector)
+        self._global_cycles.append(uses)
         self._keep(name, collector.diagnostics)
 
 

@@ -27,8 +27,8 @@ _add(
     WARNING,
     "{name} is asynchronous: this condition sees {meaning_en} in every tick",
     "{name} ist asynchron: diese Bedingung sieht in jedem Takt {meaning_de}",
-    remedy_en="for the value of each tick: synchronisation TRUE in the variables list, or Vs. here",
-    remedy_de="für den Wert jedes Takts: synchronisation TRUE in der Variablenliste, oder Vs. hier",
+    remedy_en="For the value of each tick: synchronisation TRUE in the variables list, or Vs. here.",
+    remedy_de="Für den Wert jedes Takts: synchronisation TRUE in der Variablenliste, oder Vs. hier.",
     parameters=_FROZEN,
 )
 _add(
@@ -36,8 +36,8 @@ _add(
     NOTE,
     "{name} is read once: the realtime cycle sees {meaning_en} in every tick",
     "{name} wird einmal gelesen: der Echtzeit-Zyklus sieht in jedem Takt {meaning_de}",
-    remedy_en="what shall change while the cycle runs belongs into a synchronous V.E or V.CH",
-    remedy_de="was sich ändern soll, während der Zyklus läuft, gehört in ein synchrones V.E, V.CH",
+    remedy_en="What shall change while the cycle runs belongs into a synchronous V.E or V.CH.",
+    remedy_de="Was sich ändern soll, während der Zyklus läuft, gehört in ein synchrones V.E, V.CH.",
     parameters=_FROZEN,
 )
 _add(
@@ -45,16 +45,16 @@ _add(
     WARNING,
     "this condition is a constant and can never change",
     "diese Bedingung ist eine Konstante und kann sich nie ändern",
-    remedy_en="leave the $IF out, or its body; $IF ONCE 1 is the way to say 'once'",
-    remedy_de="das $IF weglassen oder seinen Inhalt; 'einmal' schreibt man als $IF ONCE 1",
+    remedy_en="Leave the $IF out, or its body; $IF ONCE 1 is the way to say 'once'.",
+    remedy_de="Das $IF weglassen oder seinen Inhalt; 'einmal' schreibt man als $IF ONCE 1.",
 )
 _add(
     900238,
     WARNING,
     "this condition can never change: of {names} it sees {meaning_en}",
     "diese Bedingung kann sich nie ändern: von {names} sieht sie {meaning_de}",
-    remedy_en="ask for something synchronous; a choice made once stands around #RT CYCLE",
-    remedy_de="nach etwas Synchronem fragen; eine einmalige Wahl steht um #RT CYCLE herum",
+    remedy_en="Ask for something synchronous; a choice made once stands around #RT CYCLE.",
+    remedy_de="Nach etwas Synchronem fragen; eine einmalige Wahl steht um #RT CYCLE herum.",
     parameters={"names": "the variables", **{k: v for k, v in _FROZEN.items() if k != "name"}},
 )
 _add(
@@ -62,8 +62,8 @@ _add(
     WARNING,
     "{name} is of type {type}: this comparison is {meaning_en}, whatever its value is",
     "{name} ist vom Typ {type}: dieser Vergleich ist {meaning_de}, welchen Wert sie auch hat",
-    remedy_en="it holds whole numbers from {low} to {high}; compare with one of them",
-    remedy_de="sie fasst ganze Zahlen von {low} bis {high}; mit einer davon vergleichen",
+    remedy_en="It holds whole numbers from {low} to {high}; compare with one of them.",
+    remedy_de="Sie fasst ganze Zahlen von {low} bis {high}; mit einer davon vergleichen.",
     parameters={
         **_NAME,
         "type": "its type",
@@ -78,10 +78,10 @@ _add(
     NOTE,
     "$IF {word} inside $IF: it is asked only in ticks that get here, else it keeps its state",
     "$IF {word} in $IF: gefragt wird nur in Takten, die hierher kommen, sonst bleibt sein Zustand",
-    remedy_en="that is right where it is meant; else make it the outer one, or join the conditions "
-    "with &&",
-    remedy_de="richtig, wenn es so gemeint ist; sonst nach außen setzen oder die Bedingungen mit "
-    "&& verbinden",
+    remedy_en="That is right where it is meant; else make it the outer one, or join the conditions "
+    "with &&.",
+    remedy_de="Richtig, wenn es so gemeint ist; sonst nach außen setzen oder die Bedingungen mit "
+    "&& verbinden.",
     parameters={"word": "ONCE, EDGE or ALWAYS"},
 )
 _add(
@@ -89,8 +89,8 @@ _add(
     WARNING,
     "this $IF stands in $IF {word}: it is asked only in the one tick in which that fires",
     "dieses $IF steht in $IF {word}: gefragt wird nur in dem einen Takt, in dem jenes auslöst",
-    remedy_en="what shall be watched from then on belongs into $IF ALWAYS",
-    remedy_de="was von da an beobachtet werden soll, gehört in $IF ALWAYS",
+    remedy_en="What shall be watched from then on belongs into $IF ALWAYS.",
+    remedy_de="Was von da an beobachtet werden soll, gehört in $IF ALWAYS.",
     parameters={"word": "ONCE or EDGE"},
 )
 _add(
@@ -98,8 +98,8 @@ _add(
     WARNING,
     "{name} is written under $IF {word}: the override lasts one tick, then it is 100 % again",
     "{name} wird unter $IF {word} geschrieben: der Override gilt einen Takt, dann wieder 100 %",
-    remedy_en="write it in each tick in which it shall hold: under a plain $IF or $IF ALWAYS",
-    remedy_de="in jedem Takt schreiben, in dem er gelten soll: unter einfachem $IF oder $IF ALWAYS",
+    remedy_en="Write it in each tick in which it shall hold: under a plain $IF or $IF ALWAYS",
+    remedy_de="In jedem Takt schreiben, in dem er gelten soll: unter einfachem $IF oder $IF ALWAYS",
     parameters={**_NAME, "word": "ONCE or EDGE"},
 )
 _add(
@@ -107,8 +107,8 @@ _add(
     WARNING,
     "{word} is output again in each tick that gets here; the PLC's interface has few places",
     "{word} wird in jedem Takt neu ausgegeben; die Schnittstelle zur SPS hat wenige Plätze",
-    remedy_en="put it under $IF EDGE or $IF ONCE; too many that wait for the PLC are 50942",
-    remedy_de="unter $IF EDGE oder $IF ONCE setzen; warten zu viele auf die SPS, kommt 50942",
+    remedy_en="Put it under $IF EDGE or $IF ONCE; too many that wait for the PLC are 50942.",
+    remedy_de="Unter $IF EDGE oder $IF ONCE setzen; warten zu viele auf die SPS, kommt 50942.",
     parameters={"word": "the M or H function"},
 )
 _add(
@@ -116,9 +116,9 @@ _add(
     NOTE,
     "{name} is written by the realtime cycle of line {line}, too; in each tick the last one wins",
     "{name} schreibt auch der Echtzeit-Zyklus von Zeile {line}; in jedem Takt gewinnt der letzte",
-    remedy_en="let one cycle write it, or mind that they run in the order of their definition",
-    remedy_de="nur einen Zyklus schreiben lassen oder bedenken: sie laufen in der Reihenfolge "
-    "ihrer Definition",
+    remedy_en="Let one cycle write it, or mind that they run in the order of their definition.",
+    remedy_de="Nur einen Zyklus schreiben lassen oder bedenken: sie laufen in der Reihenfolge "
+    "ihrer Definition.",
     parameters={**_NAME, "line": "the line in which the other cycle begins"},
 )
 _add(
@@ -128,9 +128,9 @@ _add(
     "controller is restarted",
     "kein geprüftes Programm löscht den GLOBAL-Echtzeit-Zyklus {id}; er läuft bis zum Neustart "
     "der Steuerung",
-    remedy_en="#RT CYCLE DELETE [ID={id}] ends it; until then the program cannot define it again",
+    remedy_en="#RT CYCLE DELETE [ID={id}] ends it; until then the program cannot define it again.",
     remedy_de="#RT CYCLE DELETE [ID={id}] beendet ihn; bis dahin kann ihn das Programm nicht neu "
-    "definieren",
+    "definieren.",
     parameters={"id": "the ID of the cycle"},
 )
 _add(
@@ -139,8 +139,8 @@ _add(
     "this realtime cycle can need {steps} elementary instructions; P-CHAN-00427 allows {limit}",
     "dieser Echtzeit-Zyklus kann {steps} Elementar-Anweisungen brauchen; P-CHAN-00427 erlaubt "
     "{limit}",
-    remedy_en="shorten it, or raise rt_cycles.max_steps; beyond it the cycle ends with 50854",
-    remedy_de="kürzen oder rt_cycles.max_steps erhöhen; darüber endet der Zyklus mit 50854",
+    remedy_en="Shorten it, or raise rt_cycles.max_steps; beyond it the cycle ends with 50854.",
+    remedy_de="Kürzen oder rt_cycles.max_steps erhöhen; darüber endet der Zyklus mit 50854.",
     parameters=_STEPS,
 )
 _add(
@@ -150,8 +150,8 @@ _add(
     "{limit}",
     "dieser Echtzeit-Zyklus kann {steps} Elementar-Anweisungen brauchen; P-CHAN-00425 lässt Zeit "
     "für {limit}",
-    remedy_en="shorten it, or raise rt_cycles.max_duration; beyond it the cycle ends with 50939",
-    remedy_de="kürzen oder rt_cycles.max_duration erhöhen; darüber endet der Zyklus mit 50939",
+    remedy_en="Shorten it, or raise rt_cycles.max_duration; beyond it the cycle ends with 50939.",
+    remedy_de="Kürzen oder rt_cycles.max_duration erhöhen; darüber endet der Zyklus mit 50939.",
     parameters=_STEPS,
 )
 _add(
@@ -159,8 +159,8 @@ _add(
     NOTE,
     "{name} is compared exactly: an axis in motion hardly meets the very value in a tick",
     "{name} wird exakt verglichen: eine bewegte Achse trifft den Wert kaum genau in einem Takt",
-    remedy_en="ask for passing the value: >= or <=",
-    remedy_de="nach dem Überschreiten fragen: >= oder <=",
+    remedy_en="Ask for passing the value: >= or <=",
+    remedy_de="Nach dem Überschreiten fragen: >= oder <=",
     parameters=_NAME,
 )
 _add(
@@ -168,8 +168,8 @@ _add(
     ERROR,
     "{command} empties the channel, which cannot be while {word} is active",
     "{command} entleert den Kanal, was nicht geht, solange {word} aktiv ist",
-    remedy_en="move it in front of {word} or behind G40; realtime cycles may read such variables",
-    remedy_de="vor {word} oder hinter G40 verlegen; Echtzeit-Zyklen dürfen solche Variablen lesen",
+    remedy_en="Move it in front of {word} or behind G40; realtime cycles may read such variables.",
+    remedy_de="Vor {word} oder hinter G40 verlegen; Echtzeit-Zyklen dürfen solche Variablen lesen.",
     parameters={"command": "the variable or command", "word": "G41 or G42"},
     reaction=2,
     clearing=3,

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Tree -> findings beyond errors: programs that run, and do not do what is likely meant.
 
-In: a program, the variables of its channel, what fits into a tick. Out: warnings and notes in the
-order of the text, and what the program does with GLOBAL realtime cycles, since only a set of
-programs tells whether one of them ends a cycle. ``nctakt check`` asks for this, a run does not. One
-finding is an error: what empties the channel between G41 and G40 (RC-308).
+In: the statements of a program, the variables of its channel, what fits into a tick. Out: warnings
+and notes, and what the program does with GLOBAL realtime cycles, since only a set of programs tells
+whether one of them ends a cycle. ``nctakt check`` asks for this, a run does not. One finding is an
+error: what empties the channel between G41 and G40 (``lint_channel.py``).
 
 Nothing is guessed: a finding that depends on the way through the program is given only where every
 way leads to it.
@@ -12,43 +12,37 @@ way leads to it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 
-from nctakt.diagnostics import Diagnostic, Span
+from nctakt.diagnostics import Span
 from nctakt.messages import Collector
-from nctakt.nc.check import PROGRAM_ENDS, SUBPROGRAM_ENDS, ends
 from nctakt.nc.findings import Findings
 from nctakt.nc.frames import is_false
-from nctakt.nc.lint_cycle import Budget, CycleLinter, Known, whole
-from nctakt.nc.names import Location, NameTable
-from nctakt.nc.resolution import indices_of, path_text, resolve, variables_in
+from nctakt.nc.lint_channel import ChannelUse
+from nctakt.nc.lint_cycle import Budget, CycleLinter, Known
+from nctakt.nc.lint_values import whole
+from nctakt.nc.names import NameTable
+from nctakt.nc.source import Source
 from nctakt.nc.syntax import (
     Assignment,
     Block,
-    BracketCommand,
     CycleControl,
     Do,
     Expression,
-    Flush,
     For,
     If,
     Keyword,
     Name,
     Number,
     Parameter,
-    Program,
     RealtimeCycle,
     Repeat,
     Statement,
     SubprogramCall,
     Switch,
-    Time,
-    Timer,
-    UserMessage,
     Variable,
-    VariableBlock,
     While,
     Word,
 )
@@ -74,16 +68,6 @@ class GlobalCycles:
     deletes_any: bool = False
 
 
-def lint(program: Program, names: NameTable, budget: Budget, collector: Collector) -> GlobalCycles:
-    """All findings of one program, local subprograms included, in the order of the text."""
-    found = Collector()
-    walk = _Walk(program, names, budget, found)
-    walk.program()
-    found.diagnostics.sort(key=_place)
-    collector.diagnostics += found.diagnostics
-    return GlobalCycles(tuple(walk.defined), tuple(walk.deleted), walk.deletes_any)
-
-
 def never_deleted(programs: Sequence[GlobalCycles], collector: Collector) -> None:
     """Report the GLOBAL cycles that none of these programs deletes."""
     if any(one.deletes_any for one in programs):
@@ -93,11 +77,6 @@ def never_deleted(programs: Sequence[GlobalCycles], collector: Collector) -> Non
         for cycle in one.defined:
             if cycle.identity not in deleted:
                 collector.report(900245, cycle.span, cycle.line, id=cycle.identity)
-
-
-def _place(diagnostic: Diagnostic) -> tuple[int, int]:
-    span = diagnostic.span
-    return (span.line, span.column) if span is not None else (0, 0)
 
 
 @dataclass(slots=True)
@@ -131,42 +110,43 @@ class _Writer:
     identity: int | None
 
 
-class _Walk:
-    """Goes through a program as it would run, each statement once."""
+class Linter:
+    """Goes through one program as it would run, each statement once.
+
+    Whoever drives it says where a section (main program, local subprogram) begins and gives the
+    statements up to its end, one by one: the program need not be in memory.
+    """
 
     def __init__(
-        self, program: Program, names: NameTable, budget: Budget, collector: Collector
+        self, source: Source, names: NameTable, budget: Budget, collector: Collector
     ) -> None:
-        self._program = program
-        self._names = names
-        self._findings = Findings(program.source, collector)
+        self._source = source
+        self._findings = Findings(source, collector)
         self._cycles = CycleLinter(names, self._findings, budget)
+        self._channel = ChannelUse(names, self._findings)
         self._state = _State()
         self._writers: dict[str, _Writer] = {}
-        self.defined: list[GlobalCycle] = []
-        self.deleted: list[int] = []
-        self.deletes_any = False
+        self._defined: list[GlobalCycle] = []
+        self._deleted: list[int] = []
+        self._deletes_any = False
 
-    def program(self) -> None:
-        """Main program and local subprograms, each up to its end."""
-        self._until(self._program.statements, PROGRAM_ENDS)
-        for subprogram in self._program.subprograms:
-            self._state = _State()
-            self._until(subprogram.statements, SUBPROGRAM_ENDS)
+    def section(self) -> None:
+        """A main program or subprogram begins: nothing of what was before is certain."""
+        self._state = _State()
 
-    def _until(self, statements: Sequence[Statement], numbers: Sequence[int]) -> None:
-        for statement in statements:
-            self._statement(statement)
-            if ends(statement, numbers):
-                return
+    @property
+    def global_cycles(self) -> GlobalCycles:
+        """What the statements so far do with GLOBAL cycles."""
+        return GlobalCycles(tuple(self._defined), tuple(self._deleted), self._deletes_any)
 
     def _all(self, statements: Sequence[Statement]) -> None:
         for statement in statements:
-            self._statement(statement)
+            self.statement(statement)
 
-    def _statement(self, statement: Statement) -> None:
+    def statement(self, statement: Statement) -> None:
+        """One statement with all that is inside it."""
         if self._state.compensation:
-            self._accesses(statement)
+            self._channel.check(statement, self._state.compensation)
         match statement:
             case Block():
                 self._block(statement)
@@ -249,8 +229,8 @@ class _Walk:
         writes = self._cycles.cycle(cycle, self._state.known)
         self._writes(writes, _Writer(cycle.span.line, name, identity))
         if name == "GLOBAL" and identity is not None and identity > 0:
-            line = self._program.source.line_of(cycle.span)
-            self.defined.append(GlobalCycle(identity, cycle.span, line))
+            line = self._source.line_of(cycle.span)
+            self._defined.append(GlobalCycle(identity, cycle.span, line))
 
     def _writes(self, writes: dict[str, Variable], writer: _Writer) -> None:
         """Two cycles that can live at the same time and write the same."""
@@ -268,9 +248,9 @@ class _Walk:
         values = [item.value for item in control.keywords if isinstance(item, Keyword)]
         identity = self._identity(values[0]) if values else 0
         if identity is None:
-            self.deletes_any = True
+            self._deletes_any = True
         else:
-            self.deleted.append(identity)
+            self._deleted.append(identity)
 
     def _identity(self, value: Expression | None) -> int | None:
         """The value of an ID where it is known; ``None`` for one that is not, or not given."""
@@ -288,94 +268,3 @@ class _Walk:
                     self._state.compensation = f"G{word.value.value:g}"
                 elif word.value.value == 40:
                     self._state.compensation = ""
-
-    def _accesses(self, statement: Statement) -> None:
-        """What empties the channel: RC-308 for variables, ``#FLUSH`` in all its forms."""
-        active = self._state.compensation
-        if isinstance(statement, Flush):
-            command = self._findings.written(statement.span)
-            self._findings.report(20651, statement.span, command=command, word=active)
-            return
-        if isinstance(statement, Block) and _ends_compensation(statement):
-            return
-        if isinstance(statement, Assignment) and isinstance(statement.target, Variable):
-            # Writing V.E and V.CH goes through the queue like a command.
-            if statement.target.family in ("RTG", "RTA") or statement.operator != "=":
-                self._access(statement.target)
-        for expression in _expressions(statement):
-            for variable in variables_in(expression):
-                self._access(variable)
-
-    def _access(self, variable: Variable) -> None:
-        found = resolve(variable, self._names)
-        if isinstance(found, Location) and (found.synchronous or variable.synchronous):
-            self._findings.report(
-                20651,
-                variable.span,
-                command=path_text(variable),
-                word=self._state.compensation,
-            )
-
-
-def _ends_compensation(block: Block) -> bool:
-    return any(
-        isinstance(word, Word)
-        and word.name == "G"
-        and isinstance(word.value, Number)
-        and word.value.value == 40
-        for word in block.words
-    )
-
-
-def _expressions(statement: Statement) -> Iterator[Expression]:
-    """What the decoder evaluates for this statement; not what stands inside a structure."""
-    if statement.head.number is not None:
-        yield statement.head.number
-    match statement:
-        case Block():
-            for word in statement.words:
-                if isinstance(word, BracketCommand):
-                    yield from _values(word.items)
-                else:
-                    yield from (one for one in _word_values(word) if one is not None)
-        case Assignment():
-            if isinstance(statement.target, Variable):
-                yield from indices_of(statement.target)
-            else:
-                yield statement.target
-            yield statement.value
-        case VariableBlock():
-            yield statement.variable
-        case Time():
-            yield statement.seconds
-        case UserMessage():
-            yield from statement.arguments
-        case RealtimeCycle() | CycleControl() | Timer():
-            yield from _values(statement.keywords)
-        case If():
-            yield statement.condition
-            yield from (branch.condition for branch in statement.elseifs)
-        case For():
-            yield from (statement.start, statement.end, statement.step)
-        case While() | Do() | Repeat():
-            yield statement.condition
-        case Switch():
-            yield statement.subject
-            yield from (case.value for case in statement.cases if case.value is not None)
-
-
-def _word_values(word: object) -> Iterator[Expression | None]:
-    if isinstance(word, Word):
-        yield from (word.value, word.additional, *word.arguments)
-    else:
-        yield getattr(word, "value", None)
-
-
-def _values(items: Sequence[Keyword | Expression]) -> Iterator[Expression]:
-    for item in items:
-        if not isinstance(item, Keyword):
-            yield item
-            continue
-        if item.value is not None:
-            yield item.value
-        yield from _values(item.arguments)

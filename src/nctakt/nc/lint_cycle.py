@@ -9,21 +9,28 @@ frequencies and nesting (RC-203, RC-204), overrides (RC-305), M and H functions 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import isfinite
 
 from nctakt.lists.variables import SCALARS
 from nctakt.nc.cost import is_live, most_steps
 from nctakt.nc.findings import Findings
+from nctakt.nc.lint_values import (
+    always,
+    comparisons_in,
+    element_text,
+    is_override,
+    is_position,
+    operands_of,
+    targets,
+    whole,
+)
 from nctakt.nc.names import Location, NameTable
 from nctakt.nc.resolution import indices_of, path_text, resolve
 from nctakt.nc.syntax import (
     Assignment,
     Binary,
     Block,
-    Call,
-    Constant,
     Expression,
     If,
     Keyword,
@@ -32,13 +39,11 @@ from nctakt.nc.syntax import (
     RealtimeCycle,
     Statement,
     Timer,
-    Unary,
     Variable,
     VariableBlock,
     Word,
 )
 
-_COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
 _MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 _DECLARED = ("E", "CH")
 _THEN_EN = "the value that it has when the cycle is defined"
@@ -96,7 +101,7 @@ class CycleLinter:
         self._all(cycle.body, _Around())
         return {
             element_text(target): target
-            for target in _targets(cycle.body)
+            for target in targets(cycle.body)
             if isinstance(target, Variable)
         }
 
@@ -145,11 +150,11 @@ class CycleLinter:
         self, body: Sequence[Statement], asked: Sequence[Expression], around: _Around
     ) -> None:
         """A plain branch: does it change what it was taken for?"""
-        written = {element_text(one) for one in _targets(body) if isinstance(one, Variable)}
+        written = {element_text(one) for one in targets(body) if isinstance(one, Variable)}
         read = {
             element_text(one)
             for condition in asked
-            for one in _operands(condition, self._names)
+            for one in operands_of(condition, self._names)
             if isinstance(one, Variable)
         }
         resets = around.resets or not written.isdisjoint(read)
@@ -166,7 +171,7 @@ class CycleLinter:
         if isinstance(target, Variable):
             for index in indices_of(target):
                 self._frozen(index)
-            if around.single and _is_override(target):
+            if around.single and is_override(target):
                 name = path_text(target)
                 self._findings.report(900242, target.span, name=name, word=around.single)
         self._frozen(statement.value)
@@ -182,7 +187,7 @@ class CycleLinter:
     # --- conditions ------------------------------------------------------------------------------
 
     def _condition(self, condition: Expression, frequency: str) -> None:
-        operands = list(_operands(condition, self._names))
+        operands = list(operands_of(condition, self._names))
         frozen = [one for one in operands if self._is_frozen(one)]
         if len(frozen) < len(operands) or (frozen and frequency == "ONCE"):
             for operand in frozen:
@@ -193,7 +198,7 @@ class CycleLinter:
             self._never_changes(condition, frozen)
         else:
             self._findings.report(900237, condition.span)
-        for comparison in _comparisons(condition):
+        for comparison in comparisons_in(condition):
             self._compare(comparison)
 
     def _never_changes(self, condition: Expression, frozen: Sequence[Expression]) -> None:
@@ -226,16 +231,16 @@ class CycleLinter:
         scalar = SCALARS[found.type]
         if not scalar.is_integer:
             return
-        always = _always(operator, value, scalar.low, scalar.high)
-        if always is None:
+        truth = always(operator, value, scalar.low, scalar.high)
+        if truth is None:
             return
         self._findings.report(
             900239,
             comparison.span,
             name=found.name,
             type=found.type,
-            meaning_en="always true" if always else "never true",
-            meaning_de="immer wahr" if always else "nie wahr",
+            meaning_en="always true" if truth else "never true",
+            meaning_de="immer wahr" if truth else "nie wahr",
             low=int(scalar.low),
             high=int(scalar.high),
         )
@@ -243,7 +248,7 @@ class CycleLinter:
     def _exact(self, left: Expression, right: Expression) -> None:
         """A position that changes in motion, compared with anything but the target position."""
         for one, other in ((left, right), (right, left)):
-            if _is_position(one, "ACT_POS", "CUR_POS") and not _is_position(other, "CMD_POS"):
+            if is_position(one, "ACT_POS", "CUR_POS") and not is_position(other, "CMD_POS"):
                 assert isinstance(one, Variable)
                 self._findings.report(900248, one.span, name=path_text(one))
                 return
@@ -251,7 +256,7 @@ class CycleLinter:
     # --- frozen values ---------------------------------------------------------------------------
 
     def _frozen(self, expression: Expression) -> None:
-        for operand in _operands(expression, self._names):
+        for operand in operands_of(expression, self._names):
             if self._is_frozen(operand):
                 self._report_frozen(operand, in_condition=False)
 
@@ -289,101 +294,8 @@ class CycleLinter:
         return _THEN_EN, _THEN_DE
 
 
-def whole(expression: Expression | None) -> int | None:
-    """The value of a constant as a whole number; ``None`` for anything else."""
-    if not isinstance(expression, Number) or not isfinite(expression.value):
-        return None
-    return int(expression.value)
-
-
-def element_text(variable: Variable) -> str:
-    """The variable with its constant indices: what is written by two names is not found."""
-    parts = []
-    for part in variable.parts:
-        indices = (
-            f"[{index.value:g}]" if isinstance(index, Number) else "[]" for index in part.indices
-        )
-        parts.append(part.name + "".join(indices))
-    return ".".join((f"V.{variable.family}", *parts))
-
-
 def _inside(frequency: str, around: _Around) -> _Around:
     if frequency == "ALWAYS":
         return replace(around, skipped=False)
     single = around.single or frequency
     return replace(around, single=single, once=around.once or frequency == "ONCE", skipped=True)
-
-
-def _targets(statements: Sequence[Statement]) -> Iterator[Variable | Parameter]:
-    """What these statements and those inside them write."""
-    for statement in statements:
-        if isinstance(statement, Assignment):
-            yield statement.target
-        elif isinstance(statement, If):
-            yield from _targets(statement.body)
-            for branch in statement.elseifs:
-                yield from _targets(branch.body)
-            yield from _targets(statement.else_body or ())
-
-
-def _operands(expression: Expression, names: NameTable) -> Iterator[Expression]:
-    """What decides about the value: all but constants; the indices of live variables, too."""
-    match expression:
-        case Number() | Constant():
-            return
-        case Unary():
-            yield from _operands(expression.operand, names)
-        case Binary():
-            yield from _operands(expression.left, names)
-            yield from _operands(expression.right, names)
-        case Call():
-            for argument in expression.arguments:
-                yield from _operands(argument, names)
-        case Variable() if is_live(expression, names):
-            for index in indices_of(expression):
-                yield from _operands(index, names)
-            yield expression
-        case _:
-            yield expression
-
-
-def _comparisons(expression: Expression) -> Iterator[Binary]:
-    match expression:
-        case Unary():
-            yield from _comparisons(expression.operand)
-        case Binary():
-            if expression.operator in _COMPARISONS:
-                yield expression
-            yield from _comparisons(expression.left)
-            yield from _comparisons(expression.right)
-        case Call():
-            for argument in expression.arguments:
-                yield from _comparisons(argument)
-
-
-def _always(operator: str, value: float, low: float, high: float) -> bool | None:
-    """Whether all whole numbers from ``low`` to ``high``, or none of them, fulfil it."""
-    if operator in ("==", "!="):
-        possible = low <= value <= high and value == int(value)
-        return None if possible else operator == "!="
-    fulfilled = {
-        "<": (low < value, high < value),
-        "<=": (low <= value, high <= value),
-        ">": (low > value, high > value),
-        ">=": (low >= value, high >= value),
-    }[operator]
-    return fulfilled[0] if fulfilled[0] == fulfilled[1] else None
-
-
-def _is_override(variable: Variable) -> bool:
-    names = [part.name for part in variable.parts]
-    return variable.family in ("RTG", "RTA") and names[:3] == ["OVERRIDE", "VEL", "CYCLE"]
-
-
-def _is_position(expression: Expression, *kinds: str) -> bool:
-    return (
-        isinstance(expression, Variable)
-        and expression.family == "RTA"
-        and len(expression.parts) == 3
-        and expression.parts[1].name in kinds
-    )

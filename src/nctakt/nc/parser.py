@@ -159,33 +159,49 @@ def _declares(text: BlockText) -> bool:
 # --- the program ---------------------------------------------------------------------------------
 
 
-def _assemble(source: Source, statements: Iterator[Statement], collector: Collector) -> Program:
-    """Main program and local subprograms from the statements in their order.
+def sections(
+    source: Source, statements: Iterator[Statement], collector: Collector
+) -> Iterator[tuple[int, Statement]]:
+    """The statements with the number of their section: 0 main program, 1 … local subprograms.
 
-    ``%L name`` begins a subprogram, the first other ``%`` line the main program unless that has
-    begun without one. Inside the main program a further ``%`` line is a comment; behind a
-    subprogram it begins a program that never runs, with a warning.
+    -1 is what never runs. The ``%`` line that begins a section comes first in it: ``%L name`` a
+    subprogram, the first other one the main program unless that has begun without one. Inside the
+    main program a further ``%`` line is a comment; behind a subprogram it begins a program that
+    never runs, with a warning.
     """
-    name = ""
-    main: list[Statement] = []
-    subprograms: list[tuple[ProgramStart, list[Statement]]] = []
-    current: list[Statement] = main
-    named = False
+    section = subprograms = 0
+    begun = False
     for statement in statements:
         if not isinstance(statement, ProgramStart):
-            current.append(statement)
+            begun = begun or section == 0
         elif statement.local:
-            current = []
-            subprograms.append((statement, current))
-        elif not main and not named:
-            name, current, named = statement.name, main, True
-        elif current is not main:
+            subprograms += 1
+            section = subprograms
+        elif not begun:
+            section, begun = 0, True
+        elif section == 0:
+            continue
+        else:
             line = source.line_of(statement.span)
             collector.report(900117, statement.span, line, name=statement.name)
-            current = []
-    return Program(
-        source,
-        name,
-        tuple(main),
-        tuple(Subprogram(start.span, start.name, tuple(body)) for start, body in subprograms),
+            section = -1
+        yield section, statement
+
+
+def _assemble(source: Source, statements: Iterator[Statement], collector: Collector) -> Program:
+    """Main program and local subprograms from the statements in their order."""
+    name = ""
+    bodies: dict[int, list[Statement]] = {0: []}
+    starts: dict[int, ProgramStart] = {}
+    for section, statement in sections(source, statements, collector):
+        if not isinstance(statement, ProgramStart):
+            bodies.setdefault(section, []).append(statement)
+        elif section == 0:
+            name = statement.name
+        elif section > 0:
+            starts[section] = statement
+    subprograms = tuple(
+        Subprogram(start.span, start.name, tuple(bodies.get(section, ())))
+        for section, start in starts.items()
     )
+    return Program(source, name, tuple(bodies[0]), subprograms)

@@ -1,0 +1,5 @@
+V.E.COUNT += 1
+V.E.COUNT += 1
+V.E.COUNT += 1
+N10 G00 X0.1
+M30

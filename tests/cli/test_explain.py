@@ -23,7 +23,7 @@ def test_message(capsys: Captured) -> None:
         " is a\n"
         "                constant in the cycle from then on.\n"
         "    Remedy      V.E and V.CH: synchronisation TRUE in the variables list, or Vs. for this"
-        " block\n"
+        " block.\n"
         "    {name}      the variable\n"
         "    Effect      the program is given up; what is prepared is still finished; error state"
         " (class 2)\n"
@@ -66,7 +66,7 @@ def test_misspelt(capsys: Captured) -> None:
     captured = capsys.readouterr()
     assert captured.out.startswith("MOD: operator between two values\n")
     assert "error 900571: 'SQRTT'" in captured.err
-    assert "did you mean SQRT?" in captured.err
+    assert "Did you mean SQRT?" in captured.err
 
 
 def test_unknown(capsys: Captured) -> None:

@@ -122,3 +122,22 @@ def test_faults_of_compiled_cycles_are_never_reported() -> None:
     silent = {message.id for message in unreached.MESSAGES}
     assert silent >= set(unreached.CYCLE_FAULTS)
     assert sorted(silent & _numbers_in_code()) == []
+
+
+#: A first word that is written as in a program, a list or on the command line.
+CODE = re.compile(r"[^\w]|[\d_]|^nctakt$|^moduloo$")
+
+
+@ALL
+def test_remedies_are_sentences(message: Message) -> None:
+    """A remedy begins with a capital letter, unless with code, and ends as a sentence does.
+
+    Behind a colon there may be names at its end, which a full stop would blur.
+    """
+    for text in (message.remedy.en, message.remedy.de):
+        if not text:
+            continue
+        first, last = text.split()[0].rstrip(":,;"), text.split()[-1]
+        assert not text[0].islower() or CODE.search(first), text
+        is_prose = last.isalpha() and not last.isupper() and len(last) > 1
+        assert not is_prose, text

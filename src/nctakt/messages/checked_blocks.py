@@ -21,8 +21,8 @@ _add(
     ERROR,
     "{command} ({meaning_en}) is not simulated by this version",
     "{command} ({meaning_de}) wird von dieser Version nicht simuliert",
-    remedy_en="leave it out: what it does would change positions or times",
-    remedy_de="weglassen: die Wirkung würde Positionen oder Zeiten ändern",
+    remedy_en="Leave it out: what it does would change positions or times.",
+    remedy_de="Weglassen: die Wirkung würde Positionen oder Zeiten ändern.",
     parameters=_KNOWN,
 )
 _add(
@@ -30,8 +30,8 @@ _add(
     NOTE,
     "{command} ({meaning_en}) is accepted and has no effect here",
     "{command} ({meaning_de}) wird angenommen und wirkt hier nicht",
-    remedy_en="nothing to do; this is told once per program",
-    remedy_de="nichts zu tun; das wird einmal je Programm gemeldet",
+    remedy_en="Nothing to do; this is told once per program.",
+    remedy_de="Nichts zu tun; das wird einmal je Programm gemeldet.",
     parameters=_KNOWN,
 )
 _add(
@@ -39,8 +39,8 @@ _add(
     ERROR,
     "nobody knows the command {word}",
     "den Befehl {word} kennt niemand",
-    remedy_en="most similar: {nearest}",
-    remedy_de="am ähnlichsten: {nearest}",
+    remedy_en="Most similar: {nearest}",
+    remedy_de="Am ähnlichsten: {nearest}",
     parameters={**_WORD, **_NEAREST},
 )
 _add(
@@ -48,7 +48,7 @@ _add(
     ERROR,
     "{word} is neither a word of the language nor an axis or spindle of this channel",
     "{word} ist weder ein Wort der Sprache noch eine Achse oder Spindel dieses Kanals",
-    remedy_en="axes of the channel: {axes}; most similar: {nearest}",
+    remedy_en="Axes of the channel: {axes}; most similar: {nearest}",
     remedy_de="Achsen des Kanals: {axes}; am ähnlichsten: {nearest}",
     parameters={**_WORD, "axes": "names of the channel's axes", **_NEAREST},
 )
@@ -57,8 +57,8 @@ _add(
     ERROR,
     "there is no function {word}",
     "eine Funktion {word} gibt es nicht",
-    remedy_en="write the number of a G, M or H function, a whole one",
-    remedy_de="die Nummer einer G-, M- oder H-Funktion schreiben, eine ganze Zahl",
+    remedy_en="Write the number of a G, M or H function, a whole one.",
+    remedy_de="Die Nummer einer G-, M- oder H-Funktion schreiben, eine ganze Zahl.",
     parameters=_WORD,
 )
 _add(
@@ -66,8 +66,8 @@ _add(
     ERROR,
     "the channel list does not define {word}",
     "die Kanalliste definiert {word} nicht",
-    remedy_en="give it a synchronisation type there: {key} MOS",
-    remedy_de="dort eine Synchronisationsart angeben: {key} MOS",
+    remedy_en="Give it a synchronisation type there: {key} MOS",
+    remedy_de="Dort eine Synchronisationsart angeben: {key} MOS",
     parameters={**_WORD, "key": "the key of the channel list"},
 )
 _add(
@@ -75,8 +75,8 @@ _add(
     ERROR,
     "{word} belongs to axis {axis}; a realtime cycle outputs functions of the channel only",
     "{word} gehört zur Achse {axis}; ein Echtzeit-Zyklus gibt nur Funktionen des Kanals aus",
-    remedy_en="use another function, or take {key} out of the channel list",
-    remedy_de="eine andere Funktion verwenden oder {key} aus der Kanalliste nehmen",
+    remedy_en="Use another function, or take {key} out of the channel list.",
+    remedy_de="Eine andere Funktion verwenden oder {key} aus der Kanalliste nehmen.",
     parameters={
         **_WORD,
         "axis": "the axis that the channel list names",
@@ -88,8 +88,8 @@ _add(
     ERROR,
     "{word} controls programs and has no place in a realtime cycle",
     "{word} steuert Programme und hat im Echtzeit-Zyklus keinen Platz",
-    remedy_en="output another M function and let the PLC react to it",
-    remedy_de="eine andere M-Funktion ausgeben und die SPS darauf reagieren lassen",
+    remedy_en="Output another M function and let the PLC react to it.",
+    remedy_de="Eine andere M-Funktion ausgeben und die SPS darauf reagieren lassen.",
     cause_en="Such functions end programs or call them, which only the decoder can do.",
     cause_de="Solche Funktionen beenden Programme oder rufen sie auf; das kann nur der Dekoder.",
     parameters=_WORD,
@@ -99,8 +99,8 @@ _add(
     ERROR,
     "a value is missing behind {word}",
     "hinter {word} fehlt ein Wert",
-    remedy_en="write a number, a variable or an expression behind it",
-    remedy_de="eine Zahl, eine Variable oder einen Ausdruck dahinter schreiben",
+    remedy_en="Write a number, a variable or an expression behind it.",
+    remedy_de="Eine Zahl, eine Variable oder einen Ausdruck dahinter schreiben.",
     parameters=_WORD,
 )
 _add(
@@ -108,8 +108,8 @@ _add(
     ERROR,
     "{word} stands twice in this block",
     "{word} steht zweimal in diesem Satz",
-    remedy_en="keep the one that is meant",
-    remedy_de="das behalten, das gemeint ist",
+    remedy_en="Keep the one that is meant.",
+    remedy_de="Das behalten, das gemeint ist.",
     parameters=_WORD,
 )
 _add(
@@ -117,8 +117,8 @@ _add(
     ERROR,
     "{word} and {other} exclude each other in one block",
     "{word} und {other} schließen sich in einem Satz aus",
-    remedy_en="divide the block, or keep one of both",
-    remedy_de="den Satz teilen oder eines von beiden behalten",
+    remedy_en="Divide the block, or keep one of both.",
+    remedy_de="Den Satz teilen oder eines von beiden behalten.",
     parameters={**_WORD, "other": "the function that stands before it"},
 )
 _add(
@@ -126,16 +126,16 @@ _add(
     ERROR,
     "G04 stands alone in its block, with one time in seconds",
     "G04 steht allein im Satz, mit einer Zeit in Sekunden",
-    remedy_en="write G04 X0.5 or G04 0.5",
-    remedy_de="G04 X0.5 oder G04 0.5 schreiben",
+    remedy_en="Write G04 X0.5 or G04 0.5.",
+    remedy_de="G04 X0.5 oder G04 0.5 schreiben.",
 )
 _add(
     900212,
     ERROR,
     "{word} takes nothing further",
     "zu {word} gehört nichts Weiteres",
-    remedy_en="remove what stands behind the number",
-    remedy_de="entfernen, was hinter der Nummer steht",
+    remedy_en="Remove what stands behind the number.",
+    remedy_de="Entfernen, was hinter der Nummer steht.",
     parameters=_WORD,
 )
 _add(
@@ -143,16 +143,16 @@ _add(
     ERROR,
     "this block is no NC text",
     "dieser Satz ist kein NC-Text",
-    remedy_en="make it a comment",
-    remedy_de="zum Kommentar machen",
+    remedy_en="Make it a comment.",
+    remedy_de="Zum Kommentar machen.",
 )
 _add(
     900230,
     ERROR,
     "the text has places for {expected} values, {given} are given",
     "der Text hat Platz für {expected} Werte, angegeben sind {given}",
-    remedy_en="write one value for each %d, %f or %s; %% is the sign itself",
-    remedy_de="zu jedem %d, %f oder %s einen Wert schreiben; %% ist das Zeichen selbst",
+    remedy_en="Write one value for each %d, %f or %s; %% is the sign itself.",
+    remedy_de="Zu jedem %d, %f oder %s einen Wert schreiben; %% ist das Zeichen selbst.",
     parameters={"expected": "places in the text", "given": "values behind it"},
 )
 _add(
@@ -160,8 +160,8 @@ _add(
     ERROR,
     "{word} is no place for a value",
     "{word} ist kein Platz für einen Wert",
-    remedy_en="write %d, %f, %e, %g, %x or %s, or %% for the sign itself",
-    remedy_de="%d, %f, %e, %g, %x oder %s schreiben, oder %% für das Zeichen selbst",
+    remedy_en="Write %d, %f, %e, %g, %x or %s, or %% for the sign itself.",
+    remedy_de="%d, %f, %e, %g, %x oder %s schreiben, oder %% für das Zeichen selbst.",
     parameters=_WORD,
 )
 _add(
@@ -169,8 +169,8 @@ _add(
     ERROR,
     "{word} takes a number, no text",
     "{word} nimmt eine Zahl, keinen Text",
-    remedy_en="write %s in its place, or give a number",
-    remedy_de="%s an dieser Stelle schreiben oder eine Zahl angeben",
+    remedy_en="Write %s in its place, or give a number.",
+    remedy_de="%s an dieser Stelle schreiben oder eine Zahl angeben.",
     parameters={"word": "the place in the text"},
 )
 _add(
@@ -178,8 +178,8 @@ _add(
     ERROR,
     "{command} does not have this form",
     "{command} hat diese Form nicht",
-    remedy_en="write it as the manual of the language has it",
-    remedy_de="so schreiben, wie es die Programmieranleitung angibt",
+    remedy_en="Write it as the manual of the language has it.",
+    remedy_de="So schreiben, wie es die Programmieranleitung angibt.",
     parameters={"command": "the command"},
 )
 _add(
@@ -187,8 +187,8 @@ _add(
     ERROR,
     "{command} has no option {word}",
     "{command} hat keine Option {word}",
-    remedy_en="one of these is possible: {names}",
-    remedy_de="möglich sind: {names}",
+    remedy_en="One of these is possible: {names}",
+    remedy_de="Möglich sind: {names}",
     parameters={"command": "the command", **_WORD, "names": "the options that exist"},
 )
 _add(
@@ -196,8 +196,8 @@ _add(
     ERROR,
     "G60 in a block without motion",
     "G60 in einem Satz ohne Bewegung",
-    remedy_en="write it into the block at whose end the axes shall stand",
-    remedy_de="in den Satz schreiben, an dessen Ende die Achsen stehen sollen",
+    remedy_en="Write it into the block at whose end the axes shall stand.",
+    remedy_de="In den Satz schreiben, an dessen Ende die Achsen stehen sollen.",
     reaction=2,
     clearing=3,
 )

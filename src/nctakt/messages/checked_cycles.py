@@ -16,8 +16,8 @@ _add(
     ERROR,
     "{word}: ONCE, EDGE and ALWAYS belong into a realtime cycle",
     "{word}: ONCE, EDGE und ALWAYS gehören in einen Echtzeit-Zyklus",
-    remedy_en="leave the word out, or move the $IF into #RT CYCLE … #RT CYCLE END",
-    remedy_de="das Wort weglassen oder das $IF in #RT CYCLE … #RT CYCLE END verschieben",
+    remedy_en="Leave the word out, or move the $IF into #RT CYCLE … #RT CYCLE END.",
+    remedy_de="Das Wort weglassen oder das $IF in #RT CYCLE … #RT CYCLE END verschieben.",
     parameters=_WORD,
 )
 _add(
@@ -25,8 +25,8 @@ _add(
     ERROR,
     "{word} stands in nothing that it could leave or repeat",
     "{word} steht in nichts, das es verlassen oder wiederholen könnte",
-    remedy_en="put it into a loop; $BREAK also ends a $CASE",
-    remedy_de="in eine Schleife setzen; $BREAK beendet auch ein $CASE",
+    remedy_en="Put it into a loop; $BREAK also ends a $CASE.",
+    remedy_de="In eine Schleife setzen; $BREAK beendet auch ein $CASE.",
     parameters=_WORD,
 )
 _add(
@@ -34,8 +34,8 @@ _add(
     ERROR,
     "the keyword {word} stands twice",
     "das Schlüsselwort {word} steht zweimal",
-    remedy_en="keep one of both",
-    remedy_de="eines von beiden behalten",
+    remedy_en="Keep one of both.",
+    remedy_de="Eines von beiden behalten.",
     parameters=_WORD,
 )
 _add(
@@ -43,8 +43,8 @@ _add(
     ERROR,
     "{word} = {value} does not exist",
     "{word} = {value} gibt es nicht",
-    remedy_en="write one of these: {names}",
-    remedy_de="eines davon schreiben: {names}",
+    remedy_en="Write one of these: {names}",
+    remedy_de="Eines davon schreiben: {names}",
     parameters={
         **_WORD,
         "value": "the value as written, or –",
@@ -56,8 +56,8 @@ _add(
     ERROR,
     "#RT CYCLE {action} needs an ID",
     "#RT CYCLE {action} braucht eine ID",
-    remedy_en="write #RT CYCLE {action} [ID=1] with the ID of the definition",
-    remedy_de="#RT CYCLE {action} [ID=1] mit der ID der Definition schreiben",
+    remedy_en="Write #RT CYCLE {action} [ID=1] with the ID of the definition.",
+    remedy_de="#RT CYCLE {action} [ID=1] mit der ID der Definition schreiben.",
     parameters={"action": "the management command"},
 )
 _add(
@@ -65,8 +65,8 @@ _add(
     ERROR,
     "{name} holds a text; realtime cycles know numbers only",
     "{name} enthält einen Text; Echtzeit-Zyklen kennen nur Zahlen",
-    remedy_en="use a variable with a number",
-    remedy_de="eine Variable mit einer Zahl verwenden",
+    remedy_en="Use a variable with a number.",
+    remedy_de="Eine Variable mit einer Zahl verwenden.",
     cause_en="What runs in each tick computes with numbers of fixed size; texts belong to the "
     "decoder.",
     cause_de="Was in jedem Takt läuft, rechnet mit Zahlen fester Größe; Texte gehören dem Dekoder.",
@@ -79,8 +79,8 @@ _add(
     ERROR,
     "{command}: realtime cycles are off in this channel (P-CHAN-00406)",
     "{command}: Echtzeit-Zyklen sind in diesem Kanal ausgeschaltet (P-CHAN-00406)",
-    remedy_en="write configuration.rt_cycles.enable 1 into the channel list and start again",
-    remedy_de="configuration.rt_cycles.enable 1 in die Kanalliste schreiben und neu starten",
+    remedy_en="Write configuration.rt_cycles.enable 1 into the channel list and start again.",
+    remedy_de="configuration.rt_cycles.enable 1 in die Kanalliste schreiben und neu starten.",
     cause_en="Without an entry in the channel list they are off; a change of it counts from the "
     "next start.",
     cause_de="Ohne Eintrag in der Kanalliste sind sie aus; eine Änderung gilt ab dem nächsten "
@@ -94,8 +94,8 @@ _add(
     ERROR,
     "a GLOBAL realtime cycle has an ID above 0, not {id}",
     "ein GLOBAL-Echtzeit-Zyklus hat eine ID über 0, nicht {id}",
-    remedy_en="give it a whole number from 1 on",
-    remedy_de="eine ganze Zahl ab 1 angeben",
+    remedy_en="Give it a whole number from 1 on.",
+    remedy_de="Eine ganze Zahl ab 1 angeben.",
     cause_en="A GLOBAL cycle outlives its program; only its ID reaches it later, to hold or delete"
     " it.",
     cause_de="Ein GLOBAL-Zyklus überlebt sein Programm; später erreicht ihn nur seine ID, um ihn "
@@ -109,7 +109,7 @@ _add(
     ERROR,
     "{name} cannot be copied as a whole in a realtime cycle",
     "{name} kann im Echtzeit-Zyklus nicht als Ganzes kopiert werden",
-    remedy_en="assign member by member: {member}",
+    remedy_en="Assign member by member: {member}",
     remedy_de="Element für Element zuweisen: {member}",
     cause_en="One assignment stores one number in a tick, so that the time of a cycle is known.",
     cause_de="Eine Zuweisung speichert im Takt eine Zahl, damit die Dauer eines Zyklus bekannt "
@@ -123,8 +123,8 @@ _add(
     ERROR,
     "structure or array {name} cannot be given a list of values in a realtime cycle",
     "Struktur oder Feld {name} kann im Echtzeit-Zyklus keine Werteliste zugewiesen werden",
-    remedy_en="assign member by member, or before the cycle",
-    remedy_de="Element für Element zuweisen oder vor dem Zyklus",
+    remedy_en="Assign member by member, or before the cycle.",
+    remedy_de="Element für Element zuweisen oder vor dem Zyklus.",
     cause_en="One assignment stores one number in a tick, so that the time of a cycle is known.",
     cause_de="Eine Zuweisung speichert im Takt eine Zahl, damit die Dauer eines Zyklus bekannt "
     "ist.",
@@ -137,8 +137,8 @@ _add(
     ERROR,
     "{command} has no meaning in a realtime cycle",
     "{command} hat in einem Echtzeit-Zyklus keinen Sinn",
-    remedy_en="a cycle is made of $IF, assignments, M and H functions",
-    remedy_de="ein Zyklus besteht aus $IF, Zuweisungen, M- und H-Funktionen",
+    remedy_en="A cycle is made of $IF, assignments, M and H functions.",
+    remedy_de="Ein Zyklus besteht aus $IF, Zuweisungen, M- und H-Funktionen.",
     cause_en="A realtime cycle is run to its end in every tick: nothing in it can jump, wait, or "
     "move the path.",
     cause_de="Ein Echtzeit-Zyklus läuft in jedem Takt bis zu seinem Ende: nichts darin kann "
@@ -152,8 +152,8 @@ _add(
     ERROR,
     "a realtime cycle with {word} needs an ID",
     "ein Echtzeit-Zyklus mit {word} braucht eine ID",
-    remedy_en="write ID=1 or another whole number into the brackets",
-    remedy_de="ID=1 oder eine andere ganze Zahl in die Klammern schreiben",
+    remedy_en="Write ID=1 or another whole number into the brackets.",
+    remedy_de="ID=1 oder eine andere ganze Zahl in die Klammern schreiben.",
     cause_en="Without an ID nothing could start such a cycle later, or end it.",
     cause_de="Ohne ID könnte nichts einen solchen Zyklus später starten oder beenden.",
     parameters={"word": "DEF or SCOPE=GLOBAL"},
@@ -165,8 +165,8 @@ _add(
     ERROR,
     "{command} has no keyword {word} in a realtime cycle",
     "{command} hat im Echtzeit-Zyklus kein Schlüsselwort {word}",
-    remedy_en="leave it out",
-    remedy_de="weglassen",
+    remedy_en="Leave it out.",
+    remedy_de="Weglassen.",
     cause_en="The command is known in realtime cycles, but this part of it needs the decoder.",
     cause_de="Der Befehl ist im Echtzeit-Zyklus bekannt, aber dieser Teil davon braucht den "
     "Dekoder.",
@@ -179,8 +179,8 @@ _add(
     ERROR,
     "#TIMER in a realtime cycle needs the word SYN",
     "#TIMER braucht im Echtzeit-Zyklus das Wort SYN",
-    remedy_en="write #TIMER {action} SYN",
-    remedy_de="#TIMER {action} SYN schreiben",
+    remedy_en="Write #TIMER {action} SYN.",
+    remedy_de="#TIMER {action} SYN schreiben.",
     cause_en="The decoder's timers run when blocks are decoded, ahead of the motion; those of "
     "cycles run with the ticks.",
     cause_de="Die Zeiten des Dekoders laufen beim Dekodieren, der Bewegung voraus; die der Zyklen "
@@ -194,8 +194,8 @@ _add(
     ERROR,
     "{name} is asynchronous and cannot be written in a realtime cycle",
     "{name} ist asynchron und im Echtzeit-Zyklus nicht beschreibbar",
-    remedy_en="V.E and V.CH: synchronisation TRUE in the variables list, or Vs. for this block",
-    remedy_de="V.E und V.CH: synchronisation TRUE in der Variablenliste, oder Vs. für diesen Satz",
+    remedy_en="V.E and V.CH: synchronisation TRUE in the variables list, or Vs. for this block.",
+    remedy_de="V.E und V.CH: synchronisation TRUE in der Variablenliste, oder Vs. für diesen Satz.",
     cause_en="An asynchronous variable is read once, when the definition is decoded, and is a "
     "constant in the cycle from then on.",
     cause_de="Eine asynchrone Variable wird einmal gelesen, wenn die Definition dekodiert wird, "
@@ -209,8 +209,8 @@ _add(
     ERROR,
     "$ELSEIF takes no {word}",
     "bei $ELSEIF gibt es kein {word}",
-    remedy_en="put an $IF {word} of its own into the branch",
-    remedy_de="ein eigenes $IF {word} in den Zweig schreiben",
+    remedy_en="Put an $IF {word} of its own into the branch.",
+    remedy_de="Ein eigenes $IF {word} in den Zweig schreiben.",
     cause_en="ONCE, EDGE and ALWAYS keep a state for their own $IF; a further branch would have "
     "none.",
     cause_de="ONCE, EDGE und ALWAYS halten einen Zustand für ihr eigenes $IF; ein weiterer Zweig "
@@ -224,8 +224,8 @@ _add(
     ERROR,
     "$IF {word} has neither $ELSEIF nor $ELSE",
     "$IF {word} hat weder $ELSEIF noch $ELSE",
-    remedy_en="close it before and write a second $IF",
-    remedy_de="vorher schließen und ein zweites $IF schreiben",
+    remedy_en="Close it before and write a second $IF.",
+    remedy_de="Vorher schließen und ein zweites $IF schreiben.",
     cause_en="While an ALWAYS is latched or a ONCE is done its condition is not evaluated: nothing"
     " would decide about the other branch.",
     cause_de="Solange ALWAYS eingerastet oder ONCE erledigt ist, wird die Bedingung nicht "
@@ -239,8 +239,8 @@ _add(
     ERROR,
     "{id} is no ID of a realtime cycle",
     "{id} ist keine ID eines Echtzeit-Zyklus",
-    remedy_en="IDs are whole numbers from 1 on",
-    remedy_de="IDs sind ganze Zahlen ab 1",
+    remedy_en="IDs are whole numbers from 1 on.",
+    remedy_de="IDs sind ganze Zahlen ab 1.",
     cause_en="An ID is a whole number from 1 on; expressions in it are computed when the block is "
     "decoded.",
     cause_de="Eine ID ist eine ganze Zahl ab 1; Ausdrücke darin werden beim Dekodieren des Satzes "
@@ -254,8 +254,8 @@ _add(
     ERROR,
     "the channel list does not define M{function}",
     "die Kanalliste definiert M{function} nicht",
-    remedy_en="give it a synchronisation type there: m_synch[{function}] MOS",
-    remedy_de="dort eine Synchronisationsart angeben: m_synch[{function}] MOS",
+    remedy_en="Give it a synchronisation type there: m_synch[{function}] MOS",
+    remedy_de="Dort eine Synchronisationsart angeben: m_synch[{function}] MOS",
     cause_en="A cycle hands functions to the PLC without waiting; only those of the channel list "
     "have a number there.",
     cause_de="Ein Zyklus übergibt der SPS Funktionen, ohne zu warten; dort haben nur die der "
@@ -269,8 +269,8 @@ _add(
     ERROR,
     "the channel list does not define H{function}",
     "die Kanalliste definiert H{function} nicht",
-    remedy_en="give it a synchronisation type there: h_synch[{function}] MOS",
-    remedy_de="dort eine Synchronisationsart angeben: h_synch[{function}] MOS",
+    remedy_en="Give it a synchronisation type there: h_synch[{function}] MOS",
+    remedy_de="Dort eine Synchronisationsart angeben: h_synch[{function}] MOS",
     cause_en="A cycle hands functions to the PLC without waiting; only those of the channel list "
     "have a number there.",
     cause_de="Ein Zyklus übergibt der SPS Funktionen, ohne zu warten; dort haben nur die der "

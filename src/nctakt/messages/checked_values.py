@@ -17,8 +17,8 @@ _add(
     ERROR,
     "there is no variable {name}",
     "eine Variable {name} gibt es nicht",
-    remedy_en="most similar: {nearest}; names distinguish upper and lower case",
-    remedy_de="am ähnlichsten: {nearest}; Groß- und Kleinschreibung zählt",
+    remedy_en="Most similar: {nearest}; names distinguish upper and lower case.",
+    remedy_de="Am ähnlichsten: {nearest}; Groß- und Kleinschreibung zählt.",
     parameters={**_NAME, **_NEAREST},
 )
 _add(
@@ -26,8 +26,8 @@ _add(
     ERROR,
     "{name} has {expected} indices here, not {given}",
     "{name} hat hier {expected} Indizes, nicht {given}",
-    remedy_en="write {expected} indices in brackets",
-    remedy_de="{expected} Indizes in Klammern schreiben",
+    remedy_en="Write {expected} indices in brackets.",
+    remedy_de="{expected} Indizes in Klammern schreiben.",
     parameters={**_NAME, "expected": "indices of the declaration", "given": "indices as written"},
 )
 _add(
@@ -35,8 +35,8 @@ _add(
     ERROR,
     "{name} is a structure and no value",
     "{name} ist eine Struktur und kein Wert",
-    remedy_en="name a member: {member}",
-    remedy_de="ein Element angeben: {member}",
+    remedy_en="Name a member: {member}",
+    remedy_de="Ein Element angeben: {member}",
     parameters={**_NAME, "member": "the member that is probably meant"},
 )
 _add(
@@ -44,8 +44,8 @@ _add(
     ERROR,
     "{name} is READ_ONLY and cannot be written",
     "{name} ist READ_ONLY und nicht beschreibbar",
-    remedy_en="write another variable, or change access_rights in the variables list",
-    remedy_de="eine andere Variable beschreiben oder access_rights in der Variablenliste ändern",
+    remedy_en="Write another variable, or change access_rights in the variables list.",
+    remedy_de="Eine andere Variable beschreiben oder access_rights in der Variablenliste ändern.",
     parameters=_NAME,
 )
 _add(
@@ -53,8 +53,8 @@ _add(
     ERROR,
     "{name} is WRITE_ONLY and cannot be read",
     "{name} ist WRITE_ONLY und nicht lesbar",
-    remedy_en="read another variable, or change access_rights in the variables list",
-    remedy_de="eine andere Variable lesen oder access_rights in der Variablenliste ändern",
+    remedy_en="Read another variable, or change access_rights in the variables list.",
+    remedy_de="Eine andere Variable lesen oder access_rights in der Variablenliste ändern.",
     parameters=_NAME,
 )
 _add(
@@ -62,8 +62,8 @@ _add(
     ERROR,
     "there is no function {word}",
     "eine Funktion {word} gibt es nicht",
-    remedy_en="most similar: {nearest}",
-    remedy_de="am ähnlichsten: {nearest}",
+    remedy_en="Most similar: {nearest}",
+    remedy_de="Am ähnlichsten: {nearest}",
     parameters={**_WORD, **_NEAREST},
 )
 _add(
@@ -71,8 +71,8 @@ _add(
     ERROR,
     "{word} takes {expected} arguments, not {given}",
     "{word} hat {expected} Argumente, nicht {given}",
-    remedy_en="write {expected} values in the brackets, commas between them",
-    remedy_de="{expected} Werte in die Klammern schreiben, durch Kommas getrennt",
+    remedy_en="Write {expected} values in the brackets, commas between them.",
+    remedy_de="{expected} Werte in die Klammern schreiben, durch Kommas getrennt.",
     parameters={
         **_WORD,
         "expected": "how many the function takes",
@@ -84,8 +84,8 @@ _add(
     ERROR,
     "{word} asks about names or texts and has no place in a realtime cycle",
     "{word} fragt nach Namen oder Texten und hat im Echtzeit-Zyklus keinen Platz",
-    remedy_en="assign its value to a P parameter before, and read that one",
-    remedy_de="den Wert vorher einem P-Parameter zuweisen und diesen lesen",
+    remedy_en="Assign its value to a P parameter before, and read that one.",
+    remedy_de="Den Wert vorher einem P-Parameter zuweisen und diesen lesen.",
     parameters=_WORD,
 )
 _add(
@@ -93,8 +93,8 @@ _add(
     ERROR,
     "{word} is no value",
     "{word} ist kein Wert",
-    remedy_en="most similar: {nearest}; variables begin with V., functions have brackets",
-    remedy_de="am ähnlichsten: {nearest}; Variablen beginnen mit V., Funktionen haben Klammern",
+    remedy_en="Most similar: {nearest}; variables begin with V., functions have brackets.",
+    remedy_de="Am ähnlichsten: {nearest}; Variablen beginnen mit V., Funktionen haben Klammern.",
     parameters={**_WORD, **_NEAREST},
 )
 _add(
@@ -102,8 +102,8 @@ _add(
     WARNING,
     "{name} is asynchronous: its index is read once, too, when the cycle is defined",
     "{name} ist asynchron: auch der Index wird nur einmal gelesen, beim Definieren des Zyklus",
-    remedy_en="write Vs. in front of it, to read it in each tick",
-    remedy_de="Vs. davor schreiben, damit in jedem Takt gelesen wird",
+    remedy_en="Write Vs. in front of it, to read it in each tick.",
+    remedy_de="Vs. davor schreiben, damit in jedem Takt gelesen wird.",
     cause_en="The value that the variable had when the definition was decoded stands in the cycle "
     "as a constant.",
     cause_de="Im Zyklus steht als Konstante der Wert, den die Variable beim Dekodieren der "
@@ -115,8 +115,8 @@ _add(
     ERROR,
     "{name} is accessed with Vs. and without in one block",
     "{name} wird in einem Satz mit und ohne Vs. angesprochen",
-    remedy_en="write Vs. here, too: it is synchronous for the whole block",
-    remedy_de="auch hier Vs. schreiben: sie ist für den ganzen Satz synchron",
+    remedy_en="Write Vs. here, too: it is synchronous for the whole block.",
+    remedy_de="Auch hier Vs. schreiben: sie ist für den ganzen Satz synchron.",
     parameters=_NAME,
 )
 _add(
@@ -124,8 +124,8 @@ _add(
     ERROR,
     "{access} access to {name} is not defined: program {decoder}, realtime cycle {cycle}",
     "{access}-Zugriff auf {name} ist nicht definiert: Programm {decoder}, Echtzeit-Zyklus {cycle}",
-    remedy_en="R is reading, W writing, – neither; move the access to where it is defined",
-    remedy_de="R ist Lesen, W Schreiben, – keines; den Zugriff dorthin verlegen, wo es ihn gibt",
+    remedy_en="R is reading, W writing, – neither; move the access to where it is defined.",
+    remedy_de="R ist Lesen, W Schreiben, – keines; den Zugriff dorthin verlegen, wo es ihn gibt.",
     cause_en="Each V.RTG and V.RTA variable has its rights apart for programs and for realtime "
     "cycles; nctakt explain shows them.",
     cause_de="Jede V.RTG- und V.RTA-Variable hat eigene Rechte für Programme und für Echtzeit-"
@@ -144,8 +144,8 @@ _add(
     ERROR,
     "{variable} has no element {index}; there are {count}, counted from 0",
     "{variable} hat kein Element {index}; es gibt {count}, gezählt ab 0",
-    remedy_en="keep the index within the array, or enlarge it in the variables list",
-    remedy_de="den Index im Feld halten oder das Feld in der Variablenliste vergrößern",
+    remedy_en="Keep the index within the array, or enlarge it in the variables list.",
+    remedy_de="Den Index im Feld halten oder das Feld in der Variablenliste vergrößern.",
     cause_en="Indices count from 0 and are rounded to the nearest whole number.",
     cause_de="Indizes zählen ab 0 und werden auf die nächste ganze Zahl gerundet.",
     parameters={

@@ -27,8 +27,10 @@ _add(
     WARNING,
     "{name} is asynchronous: this condition sees {meaning_en} in every tick",
     "{name} ist asynchron: diese Bedingung sieht in jedem Takt {meaning_de}",
-    remedy_en="For the value of each tick: synchronisation TRUE in the variables list, or Vs. here.",
-    remedy_de="Für den Wert jedes Takts: synchronisation TRUE in der Variablenliste, oder Vs. hier.",
+    remedy_en="For the value of each tick: synchronisation TRUE in the variables list, or Vs. "
+    "here.",
+    remedy_de="Für den Wert jedes Takts: synchronisation TRUE in der Variablenliste, oder Vs. "
+    "hier.",
     parameters=_FROZEN,
 )
 _add(

@@ -291,6 +291,12 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the structure or array on the right": "die Struktur oder das Feld rechts",
         "the one on the left": "das, was links steht",
         "a value of the one on the right": "ein Wert dessen, was rechts steht",
+        "what shows that it is not sensible, in English": (
+            "was zeigt, dass es nicht sinnvoll ist, englisch"
+        ),
+        "what shows that it is not sensible, in German": (
+            "was zeigt, dass es nicht sinnvoll ist, deutsch"
+        ),
     }
 )
 

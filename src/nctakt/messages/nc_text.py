@@ -15,8 +15,8 @@ _add(
     ERROR,
     "nobody knows what '{found}' means here",
     "mit '{found}' ist hier nichts anzufangen",
-    remedy_en="remove it, or write the block as the grammar has it",
-    remedy_de="entfernen oder den Satz nach der Grammatik schreiben",
+    remedy_en="Remove it, or write the block as the grammar has it.",
+    remedy_de="Entfernen oder den Satz nach der Grammatik schreiben.",
     parameters=_FOUND,
 )
 _add(
@@ -24,8 +24,8 @@ _add(
     ERROR,
     "a value is missing before '{found}'",
     "vor '{found}' fehlt ein Wert",
-    remedy_en="write a number, a variable or an expression",
-    remedy_de="eine Zahl, eine Variable oder einen Ausdruck schreiben",
+    remedy_en="Write a number, a variable or an expression.",
+    remedy_de="Eine Zahl, eine Variable oder einen Ausdruck schreiben.",
     parameters=_FOUND,
 )
 _add(
@@ -33,32 +33,32 @@ _add(
     ERROR,
     "this bracket is not closed",
     "diese Klammer wird nicht geschlossen",
-    remedy_en="write ']'; a command goes on in the next line only if this one ends with '\\'",
-    remedy_de="']' schreiben; ein Befehl geht nur weiter, wenn die Zeile mit '\\' endet",
+    remedy_en="Write ']'; a command goes on in the next line only if this one ends with '\\'.",
+    remedy_de="']' schreiben; ein Befehl geht nur weiter, wenn die Zeile mit '\\' endet.",
 )
 _add(
     900103,
     ERROR,
     "']' without '['",
     "']' ohne '['",
-    remedy_en="remove it, or open the bracket before",
-    remedy_de="entfernen oder die Klammer vorher öffnen",
+    remedy_en="Remove it, or open the bracket before.",
+    remedy_de="Entfernen oder die Klammer vorher öffnen.",
 )
 _add(
     900104,
     ERROR,
     "this text has no closing quote",
     "diesem Text fehlt das schließende Anführungszeichen",
-    remedy_en='write " at its end; a text stays in one line',
-    remedy_de='am Ende " schreiben; ein Text bleibt in einer Zeile',
+    remedy_en='Write " at its end; a text stays in one line.',
+    remedy_de='Am Ende " schreiben; ein Text bleibt in einer Zeile.',
 )
 _add(
     900105,
     ERROR,
     "{begin} is never closed",
     "{begin} wird nie geschlossen",
-    remedy_en="write {end}; structures end in the opposite order of their begin",
-    remedy_de="{end} schreiben; Strukturen enden umgekehrt, wie sie beginnen",
+    remedy_en="Write {end}; structures end in the opposite order of their begin.",
+    remedy_de="{end} schreiben; Strukturen enden umgekehrt, wie sie beginnen.",
     parameters={"begin": "the word that opens the structure", "end": "the word that closes it"},
 )
 _add(
@@ -66,8 +66,8 @@ _add(
     ERROR,
     "{word} without {begin}",
     "{word} ohne {begin}",
-    remedy_en="remove it, or write {begin} before",
-    remedy_de="entfernen oder vorher {begin} schreiben",
+    remedy_en="Remove it, or write {begin} before.",
+    remedy_de="Entfernen oder vorher {begin} schreiben.",
     parameters={"word": "the word at that place", "begin": "the word that should come before"},
 )
 _add(
@@ -75,8 +75,8 @@ _add(
     ERROR,
     "{word} is no control word",
     "{word} ist kein Kontrollwort",
-    remedy_en="perhaps {suggestion} is meant; no blank stands behind $",
-    remedy_de="vielleicht ist {suggestion} gemeint; hinter $ steht kein Leerzeichen",
+    remedy_en="Perhaps {suggestion} is meant; no blank stands behind $.",
+    remedy_de="Vielleicht ist {suggestion} gemeint; hinter $ steht kein Leerzeichen.",
     parameters={"word": "the word as written", "suggestion": "the most similar control word"},
 )
 _add(
@@ -84,24 +84,24 @@ _add(
     ERROR,
     "this is no text: here stands a byte 0",
     "das ist kein Text: hier steht ein Byte 0",
-    remedy_en="give an NC program; reading ends here",
-    remedy_de="ein NC-Programm angeben; hier endet das Lesen",
+    remedy_en="Give an NC program; reading ends here.",
+    remedy_de="Ein NC-Programm angeben; hier endet das Lesen.",
 )
 _add(
     900109,
     WARNING,
     "the program is empty",
     "das Programm ist leer",
-    remedy_en="write at least the program end, M30",
-    remedy_de="wenigstens das Programmende M30 schreiben",
+    remedy_en="Write at least the program end, M30.",
+    remedy_de="Wenigstens das Programmende M30 schreiben.",
 )
 _add(
     900110,
     WARNING,
     "the block has {length} characters, the manual allows {limit}",
     "der Satz hat {length} Zeichen, das Handbuch erlaubt {limit}",
-    remedy_en="divide it: the machine's controller may refuse it",
-    remedy_de="teilen: die Steuerung der Maschine lehnt ihn möglicherweise ab",
+    remedy_en="Divide it: the machine's controller may refuse it.",
+    remedy_de="Teilen: die Steuerung der Maschine lehnt ihn möglicherweise ab.",
     parameters={"length": "characters of the block", "limit": "characters allowed"},
 )
 _add(
@@ -109,8 +109,8 @@ _add(
     ERROR,
     "{begin} stands inside more than {limit} other structures",
     "{begin} steht in mehr als {limit} anderen Strukturen",
-    remedy_en="take the inner part out into a subprogram",
-    remedy_de="den inneren Teil in ein Unterprogramm auslagern",
+    remedy_en="Take the inner part out into a subprogram.",
+    remedy_de="Den inneren Teil in ein Unterprogramm auslagern.",
     parameters={"begin": "the word that opens the structure", "limit": "structures allowed"},
 )
 _add(
@@ -118,16 +118,16 @@ _add(
     ERROR,
     "this comment is never ended",
     "dieser Kommentar endet nie",
-    remedy_en="write #COMMENT END alone in a block",
-    remedy_de="#COMMENT END allein in einen Satz schreiben",
+    remedy_en="Write #COMMENT END alone in a block.",
+    remedy_de="#COMMENT END allein in einen Satz schreiben.",
 )
 _add(
     900113,
     ERROR,
     "'{symbol}' is missing before '{found}'",
     "vor '{found}' fehlt '{symbol}'",
-    remedy_en="write '{symbol}'",
-    remedy_de="'{symbol}' schreiben",
+    remedy_en="Write '{symbol}'.",
+    remedy_de="'{symbol}' schreiben.",
     parameters={"symbol": "what has to stand there", **_FOUND},
 )
 _add(
@@ -135,8 +135,8 @@ _add(
     ERROR,
     "a name is missing before '{found}'",
     "vor '{found}' fehlt ein Name",
-    remedy_en="write the name of the variable, label, program or command that is meant",
-    remedy_de="den Namen schreiben: der Variablen, der Marke, des Programms, des Befehls",
+    remedy_en="Write the name of the variable, label, program or command that is meant.",
+    remedy_de="Den Namen schreiben: der Variablen, der Marke, des Programms, des Befehls.",
     parameters=_FOUND,
 )
 _add(
@@ -144,24 +144,24 @@ _add(
     ERROR,
     "a statement between $SWITCH and its first $CASE",
     "eine Anweisung zwischen $SWITCH und dem ersten $CASE",
-    remedy_en="put it before $SWITCH or into a branch",
-    remedy_de="vor $SWITCH oder in einen Zweig setzen",
+    remedy_en="Put it before $SWITCH or into a branch.",
+    remedy_de="Vor $SWITCH oder in einen Zweig setzen.",
 )
 _add(
     900116,
     ERROR,
     "only declarations stand between #VAR and #ENDVAR",
     "zwischen #VAR und #ENDVAR stehen nur Deklarationen",
-    remedy_en="write V.L.NAME : TYPE = value, or close with #ENDVAR before",
-    remedy_de="V.L.NAME : TYP = Wert schreiben oder vorher mit #ENDVAR schließen",
+    remedy_en="Write V.L.NAME : TYPE = value, or close with #ENDVAR before.",
+    remedy_de="V.L.NAME : TYP = Wert schreiben oder vorher mit #ENDVAR schließen.",
 )
 _add(
     900117,
     WARNING,
     "the file has a main program already; %{name} does not run",
     "die Datei hat schon ein Hauptprogramm; %{name} läuft nicht",
-    remedy_en="begin a subprogram with %L, or use a file of its own",
-    remedy_de="ein Unterprogramm mit %L beginnen oder eine eigene Datei verwenden",
+    remedy_en="Begin a subprogram with %L, or use a file of its own.",
+    remedy_de="Ein Unterprogramm mit %L beginnen oder eine eigene Datei verwenden.",
     parameters={"name": "what stands behind %"},
 )
 _add(
@@ -169,24 +169,24 @@ _add(
     WARNING,
     "what stands behind the program end is no NC text from here on",
     "was hinter dem Programmende steht, ist ab hier kein NC-Text",
-    remedy_en="make it a comment; a run that jumps there would end with an error",
-    remedy_de="zum Kommentar machen; ein Lauf, der dorthin springt, endet mit einem Fehler",
+    remedy_en="Make it a comment; a run that jumps there would end with an error.",
+    remedy_de="Zum Kommentar machen; ein Lauf, der dorthin springt, endet mit einem Fehler.",
 )
 _add(
     900119,
     ERROR,
     "this number is too large",
     "diese Zahl ist zu groß",
-    remedy_en="write a number below 1.8 times 10 to the power of 308",
-    remedy_de="eine Zahl unter 1,8 mal 10 hoch 308 schreiben",
+    remedy_en="Write a number below 1.8 times 10 to the power of 308.",
+    remedy_de="Eine Zahl unter 1,8 mal 10 hoch 308 schreiben.",
 )
 _add(
     900120,
     ERROR,
     "{word} behind the $ELSE of the same $IF",
     "{word} hinter dem $ELSE desselben $IF",
-    remedy_en="put $ELSE last, once, or close the $IF before",
-    remedy_de="$ELSE einmal und zuletzt schreiben oder das $IF vorher schließen",
+    remedy_en="Put $ELSE last, once, or close the $IF before.",
+    remedy_de="$ELSE einmal und zuletzt schreiben oder das $IF vorher schließen.",
     parameters={"word": "the word at that place"},
 )
 _add(
@@ -194,8 +194,8 @@ _add(
     ERROR,
     "there is no skip level {level}: levels are 1 to {limit}",
     "es gibt keine Ausblendebene {level}: Ebenen sind 1 bis {limit}",
-    remedy_en="write / or /1 to /{limit}",
-    remedy_de="/ oder /1 bis /{limit} schreiben",
+    remedy_en="Write / or /1 to /{limit}",
+    remedy_de="/ oder /1 bis /{limit} schreiben.",
     parameters={"level": "the level as written", "limit": "the highest level"},
 )
 _add(
@@ -203,8 +203,8 @@ _add(
     ERROR,
     "the block has {length} characters, {limit} can be read",
     "der Satz hat {length} Zeichen, lesbar sind {limit}",
-    remedy_en="divide it into several blocks",
-    remedy_de="in mehrere Sätze teilen",
+    remedy_en="Divide it into several blocks.",
+    remedy_de="In mehrere Sätze teilen.",
     parameters={"length": "characters of the block", "limit": "characters that can be read"},
     reaction=2,
     clearing=3,
@@ -214,8 +214,8 @@ _add(
     ERROR,
     "#COMMENT BEGIN is not alone in its block",
     "#COMMENT BEGIN steht nicht allein im Satz",
-    remedy_en="put it into a block of its own",
-    remedy_de="in einen eigenen Satz schreiben",
+    remedy_en="Put it into a block of its own.",
+    remedy_de="In einen eigenen Satz schreiben.",
     reaction=2,
     clearing=3,
 )
@@ -224,8 +224,8 @@ _add(
     ERROR,
     "#COMMENT END is not alone in its block",
     "#COMMENT END steht nicht allein im Satz",
-    remedy_en="put it into a block of its own",
-    remedy_de="in einen eigenen Satz schreiben",
+    remedy_en="Put it into a block of its own.",
+    remedy_de="In einen eigenen Satz schreiben.",
     reaction=2,
     clearing=3,
 )
@@ -234,8 +234,8 @@ _add(
     ERROR,
     "#RT CYCLE has no keyword {keyword}",
     "#RT CYCLE hat kein Schlüsselwort {keyword}",
-    remedy_en="DEF, END, START, HOLD, CONTINUE, ABORT ACTION, DELETE; ID, SCOPE, END_ACTION",
-    remedy_de="DEF, END, START, HOLD, CONTINUE, ABORT ACTION, DELETE; ID, SCOPE, END_ACTION",
+    remedy_en="DEF, END, START, HOLD, CONTINUE, ABORT ACTION, DELETE; ID, SCOPE, END_ACTION.",
+    remedy_de="DEF, END, START, HOLD, CONTINUE, ABORT ACTION, DELETE; ID, SCOPE, END_ACTION.",
     cause_en="The brackets of #RT CYCLE hold ID, SCOPE and END_ACTION, each once and in any order.",
     cause_de="In den Klammern von #RT CYCLE stehen ID, SCOPE und END_ACTION, jedes einmal und in "
     "beliebiger Folge.",
@@ -248,8 +248,8 @@ _add(
     ERROR,
     "begin and end of realtime cycles do not fit together at this {found}",
     "Beginn und Ende der Echtzeit-Zyklen passen bei diesem {found} nicht zusammen",
-    remedy_en="close each #RT CYCLE with #RT CYCLE END before the next one begins",
-    remedy_de="jedes #RT CYCLE mit #RT CYCLE END schließen, bevor das nächste beginnt",
+    remedy_en="Close each #RT CYCLE with #RT CYCLE END before the next one begins.",
+    remedy_de="Jedes #RT CYCLE mit #RT CYCLE END schließen, bevor das nächste beginnt.",
     cause_en="Definitions do not nest: each begins with #RT CYCLE and ends with #RT CYCLE END.",
     cause_de="Definitionen lassen sich nicht schachteln: jede beginnt mit #RT CYCLE und endet mit "
     "#RT CYCLE END.",
@@ -262,8 +262,8 @@ _add(
     ERROR,
     "the expression is nested deeper than {limit} levels",
     "der Ausdruck ist tiefer als {limit} Ebenen geschachtelt",
-    remedy_en="assign a part of it to a variable first",
-    remedy_de="einen Teil davon vorher einer Variablen zuweisen",
+    remedy_en="Assign a part of it to a variable first.",
+    remedy_de="Einen Teil davon vorher einer Variablen zuweisen.",
     cause_en="Evaluation must need little memory in the realtime part, so the depth has a limit.",
     cause_de="Die Auswertung darf im Echtzeit-Teil wenig Speicher brauchen; darum ist die Tiefe "
     "begrenzt.",

@@ -169,8 +169,8 @@ _add(
     ERROR,
     "there is no variable {name}",
     "es gibt keine Variable {name}",
-    remedy_en="see the machine's variables list for the names",
-    remedy_de="die Namen stehen in der Variablenliste der Maschine",
+    remedy_en="See the machine's variables list for the names.",
+    remedy_de="Die Namen stehen in der Variablenliste der Maschine.",
     parameters={"name": "the name"},
 )
 _add(
@@ -178,8 +178,8 @@ _add(
     ERROR,
     "there is no variable {name}",
     "es gibt keine Variable {name}",
-    remedy_en="did you mean {nearest}?",
-    remedy_de="war {nearest} gemeint?",
+    remedy_en="Did you mean {nearest}?",
+    remedy_de="War {nearest} gemeint?",
     parameters={"name": "the name", "nearest": "the nearest known name"},
 )
 _add(
@@ -187,8 +187,8 @@ _add(
     ERROR,
     "{name} belongs to the controller and cannot be set from outside",
     "{name} gehört der Steuerung und kann nicht von außen gesetzt werden",
-    remedy_en="set V.E or V.CH variables; write V.RT* variables in a program or a realtime cycle",
-    remedy_de="V.E- oder V.CH-Variablen setzen; V.RT* in Programm oder Echtzeit-Zyklus schreiben",
+    remedy_en="Set V.E or V.CH variables; write V.RT* variables in a program or a realtime cycle.",
+    remedy_de="V.E- oder V.CH-Variablen setzen; V.RT* in Programm oder Echtzeit-Zyklus schreiben.",
     parameters={"name": "the name"},
 )
 _add(
@@ -196,8 +196,8 @@ _add(
     ERROR,
     "{name} of type {type} does not take the value {value}",
     "{name} vom Typ {type} nimmt den Wert {value} nicht",
-    remedy_en="give a number to a number, a text to a text",
-    remedy_de="einer Zahl eine Zahl geben, einem Text einen Text",
+    remedy_en="Give a number to a number, a text to a text.",
+    remedy_de="Einer Zahl eine Zahl geben, einem Text einen Text.",
     parameters={"name": "the variable", "type": "its type", "value": "the value"},
 )
 _add(
@@ -205,8 +205,8 @@ _add(
     ERROR,
     "there is no signal {name}",
     "es gibt kein Signal {name}",
-    remedy_en="signals are X.ACS.ACT_POS and its kin, PATH.SPEED, BLOCK, V.E and V.CH variables",
-    remedy_de="Signale sind X.ACS.ACT_POS und andere, PATH.SPEED, BLOCK, V.E- und V.CH-Variablen",
+    remedy_en="Signals are X.ACS.ACT_POS and its kin, PATH.SPEED, BLOCK, V.E and V.CH variables.",
+    remedy_de="Signale sind X.ACS.ACT_POS und andere, PATH.SPEED, BLOCK, V.E- und V.CH-Variablen.",
     parameters={"name": "the name"},
 )
 _add(
@@ -214,8 +214,8 @@ _add(
     ERROR,
     "there is no signal {name}",
     "es gibt kein Signal {name}",
-    remedy_en="did you mean {nearest}?",
-    remedy_de="war {nearest} gemeint?",
+    remedy_en="Did you mean {nearest}?",
+    remedy_de="War {nearest} gemeint?",
     parameters={"name": "the name", "nearest": "the nearest known name"},
 )
 _add(
@@ -223,8 +223,8 @@ _add(
     ERROR,
     "'{word}' is known to nobody here",
     "'{word}' kennt hier niemand",
-    remedy_en="nctakt explain without a word lists what can be asked for",
-    remedy_de="nctakt explain ohne Wort zeigt, wonach gefragt werden kann",
+    remedy_en="nctakt explain without a word lists what can be asked for.",
+    remedy_de="nctakt explain ohne Wort zeigt, wonach gefragt werden kann.",
     parameters={"word": "the word as it was given"},
 )
 _add(
@@ -232,8 +232,8 @@ _add(
     ERROR,
     "'{word}' is known to nobody here",
     "'{word}' kennt hier niemand",
-    remedy_en="did you mean {nearest}?",
-    remedy_de="ist {nearest} gemeint?",
+    remedy_en="Did you mean {nearest}?",
+    remedy_de="Ist {nearest} gemeint?",
     parameters={"word": "the word as it was given", "nearest": "the nearest known word"},
 )
 _add(
@@ -241,8 +241,8 @@ _add(
     ERROR,
     "there is no realtime cycle {cycle} in this run",
     "es gibt in diesem Lauf keinen Echtzeit-Zyklus {cycle}",
-    remedy_en="name one of: {known}",
-    remedy_de="einen von diesen nennen: {known}",
+    remedy_en="Name one of: {known}",
+    remedy_de="Einen von diesen nennen: {known}",
     parameters={"cycle": "the ID that was given", "known": "the IDs of the run's cycles"},
 )
 _add(
@@ -250,8 +250,8 @@ _add(
     ERROR,
     "line {line} belongs to no realtime cycle",
     "Zeile {line} gehört zu keinem Echtzeit-Zyklus",
-    remedy_en="the nearest line that does is {nearest}",
-    remedy_de="die nächste Zeile, die zu einem gehört, ist {nearest}",
+    remedy_en="The nearest line that does is {nearest}",
+    remedy_de="Die nächste Zeile, die zu einem gehört, ist {nearest}",
     parameters={"line": "the line that was given", "nearest": "the nearest line of a cycle"},
 )
 _add(
@@ -259,8 +259,8 @@ _add(
     ERROR,
     "tick {tick} is not in the run, which went from tick {first} to tick {last}",
     "Takt {tick} liegt nicht im Lauf, der von Takt {first} bis Takt {last} ging",
-    remedy_en="give a time within the run",
-    remedy_de="eine Zeit innerhalb des Laufs angeben",
+    remedy_en="Give a time within the run.",
+    remedy_de="Eine Zeit innerhalb des Laufs angeben.",
     parameters={"tick": "the tick", "first": "the run's first tick", "last": "its last tick"},
 )
 _add(
@@ -268,8 +268,8 @@ _add(
     ERROR,
     "there is no realtime cycle {cycle}: this run has defined none",
     "es gibt keinen Echtzeit-Zyklus {cycle}: dieser Lauf hat keinen angelegt",
-    remedy_en="ask without a cycle to see which definitions were not reached",
-    remedy_de="ohne Zyklus fragen, um zu sehen, welche Definitionen nicht erreicht wurden",
+    remedy_en="Ask without a cycle to see which definitions were not reached.",
+    remedy_de="Ohne Zyklus fragen, um zu sehen, welche Definitionen nicht erreicht wurden.",
     parameters={"cycle": "the ID that was given"},
 )
 _add(
@@ -277,8 +277,8 @@ _add(
     ERROR,
     "line {line} belongs to no realtime cycle: the programs have none",
     "Zeile {line} gehört zu keinem Echtzeit-Zyklus: die Programme haben keinen",
-    remedy_en="name a program that defines realtime cycles",
-    remedy_de="ein Programm nennen, das Echtzeit-Zyklen definiert",
+    remedy_en="Name a program that defines realtime cycles.",
+    remedy_de="Ein Programm nennen, das Echtzeit-Zyklen definiert.",
     parameters={"line": "the line that was given"},
 )
 _add(
@@ -286,8 +286,8 @@ _add(
     NOTE,
     "the listing ends at the limit of the run, tick {ticks}; what is decoded later is missing",
     "die Auflistung endet an der Grenze des Laufs, Takt {ticks}; später Dekodiertes fehlt",
-    remedy_en="give another limit with --until or --ticks",
-    remedy_de="mit --until oder --ticks eine andere Grenze setzen",
+    remedy_en="Give another limit with --until or --ticks.",
+    remedy_de="Mit --until oder --ticks eine andere Grenze setzen.",
     parameters={"ticks": "the ticks that were run"},
 )
 _add(
@@ -295,6 +295,6 @@ _add(
     NOTE,
     "no realtime cycle was defined",
     "kein Echtzeit-Zyklus wurde definiert",
-    remedy_en="branches that were not taken are not decoded: --set gives variables other values",
-    remedy_de="nicht genommene Zweige werden nicht dekodiert: --set gibt Variablen andere Werte",
+    remedy_en="Branches that were not taken are not decoded: --set gives variables other values.",
+    remedy_de="Nicht genommene Zweige werden nicht dekodiert: --set gibt Variablen andere Werte.",
 )

@@ -13,8 +13,8 @@ _add(
     ERROR,
     "the realtime cycles need {steps} elementary instructions in a tick, {limit} are allowed",
     "die Echtzeit-Zyklen brauchen {steps} Elementar-Anweisungen im Takt, erlaubt sind {limit}",
-    remedy_en="shorten cycle {cycle} or another one, or raise rt_cycles.max_steps (P-CHAN-00427)",
-    remedy_de="Zyklus {cycle} oder andere kürzen oder rt_cycles.max_steps (P-CHAN-00427) erhöhen",
+    remedy_en="Shorten cycle {cycle} or another one, or raise rt_cycles.max_steps (P-CHAN-00427).",
+    remedy_de="Zyklus {cycle} oder andere kürzen oder rt_cycles.max_steps (P-CHAN-00427) erhöhen.",
     cause_en="Each operator, function, variable, assignment, condition and action counts one; "
     "nctakt list shows the counts.",
     cause_de="Operator, Funktion, Variable, Zuweisung, Bedingung und Aktion zählen je eins; nctakt"
@@ -28,8 +28,10 @@ _add(
     ERROR,
     "no memory for another realtime cycle: {needed} bytes needed, {free} are free",
     "kein Speicher für einen weiteren Echtzeit-Zyklus: {needed} Byte nötig, {free} frei",
-    remedy_en="delete cycles that are done, or raise configuration.rt_cycles.memory (P-CHAN-00407)",
-    remedy_de="erledigte Zyklen löschen oder configuration.rt_cycles.memory (P-CHAN-00407) erhöhen",
+    remedy_en="Delete cycles that are done, or raise configuration.rt_cycles.memory "
+    "(P-CHAN-00407).",
+    remedy_de="Erledigte Zyklen löschen oder configuration.rt_cycles.memory "
+    "(P-CHAN-00407) erhöhen.",
     parameters={"needed": "bytes of the cycle", "free": "bytes that are left"},
     reaction=6,
     clearing=6,
@@ -39,8 +41,8 @@ _add(
     ERROR,
     "this realtime cycle needs {needed} bytes, more than the whole memory; {free} are free",
     "dieser Echtzeit-Zyklus braucht {needed} Byte, mehr als der ganze Speicher; {free} sind frei",
-    remedy_en="shorten the cycle, or raise configuration.rt_cycles.memory (P-CHAN-00407)",
-    remedy_de="den Zyklus kürzen oder configuration.rt_cycles.memory (P-CHAN-00407) erhöhen",
+    remedy_en="Shorten the cycle, or raise configuration.rt_cycles.memory (P-CHAN-00407).",
+    remedy_de="Den Zyklus kürzen oder configuration.rt_cycles.memory (P-CHAN-00407) erhöhen.",
     parameters={"needed": "bytes of the cycle", "free": "bytes that are left"},
     reaction=6,
     clearing=6,
@@ -50,8 +52,9 @@ _add(
     ERROR,
     "no realtime cycle has the ID {id}",
     "kein Echtzeit-Zyklus hat die ID {id}",
-    remedy_en="define the cycle before, and mind its scope: it may have ended already",
-    remedy_de="den Zyklus vorher definieren; seine Gültigkeit beachten: er kann schon beendet sein",
+    remedy_en="Define the cycle before, and mind its scope: it may have ended already.",
+    remedy_de="Den Zyklus vorher definieren; seine Gültigkeit beachten: er kann schon beendet "
+    "sein.",
     cause_en="PROG cycles end with the main program, BLOCK cycles with their block. A GLOBAL one "
     "lives until DELETE.",
     cause_de="PROG-Zyklen enden mit dem Hauptprogramm, BLOCK-Zyklen mit ihrem Satz. Ein GLOBAL-"
@@ -65,8 +68,8 @@ _add(
     ERROR,
     "more than {count} realtime cycles at once",
     "mehr als {count} Echtzeit-Zyklen zugleich",
-    remedy_en="delete cycles that are no longer needed with #RT CYCLE DELETE",
-    remedy_de="nicht mehr gebrauchte Zyklen mit #RT CYCLE DELETE löschen",
+    remedy_en="Delete cycles that are no longer needed with #RT CYCLE DELETE.",
+    remedy_de="Nicht mehr gebrauchte Zyklen mit #RT CYCLE DELETE löschen.",
     cause_en="Cycles without an ID count, too, and definitions in a loop make a new one each time.",
     cause_de="Auch Zyklen ohne ID zählen, und eine Definition in einer Schleife legt jedes Mal "
     "einen neuen an.",
@@ -79,8 +82,8 @@ _add(
     ERROR,
     "'{operation}' in realtime cycle {cycle} has no usable result",
     "'{operation}' im Echtzeit-Zyklus {cycle} hat kein brauchbares Ergebnis",
-    remedy_en="test the operands with $IF before; '=' stands for a result that is too large",
-    remedy_de="die Operanden vorher mit $IF prüfen; '=' steht für ein zu großes Ergebnis",
+    remedy_en="Test the operands with $IF before; '=' stands for a result that is too large.",
+    remedy_de="Die Operanden vorher mit $IF prüfen; '=' steht für ein zu großes Ergebnis.",
     cause_en="Division by zero, root or logarithm out of range, or a result beyond all numbers. "
     "The statement assigns nothing.",
     cause_de="Division durch null, Wurzel oder Logarithmus außerhalb des Bereichs oder ein zu "
@@ -94,8 +97,8 @@ _add(
     ERROR,
     "{value} is outside the range {low} … {high} of {variable}",
     "{value} liegt außerhalb des Bereichs {low} … {high} von {variable}",
-    remedy_en="limit the value, or give the variable a larger type",
-    remedy_de="den Wert begrenzen oder der Variablen einen größeren Typ geben",
+    remedy_en="Limit the value, or give the variable a larger type.",
+    remedy_de="Den Wert begrenzen oder der Variablen einen größeren Typ geben.",
     cause_en="An integer variable takes the nearest whole number (half to even) inside its type's "
     "range; nothing is stored here.",
     cause_de="Eine ganzzahlige Variable nimmt die nächste ganze Zahl (halbe zur geraden) im "
@@ -114,8 +117,8 @@ _add(
     ERROR,
     "{value} is not a finite number and cannot be given to {name}",
     "{value} ist keine endliche Zahl und kann {name} nicht zugewiesen werden",
-    remedy_en="give a finite number",
-    remedy_de="eine endliche Zahl angeben",
+    remedy_en="Give a finite number.",
+    remedy_de="Eine endliche Zahl angeben.",
     cause_en="Variables hold finite numbers only.",
     cause_de="Variablen halten nur endliche Zahlen.",
     parameters={"name": "the variable", "value": "the value"},
@@ -127,8 +130,8 @@ _add(
     ERROR,
     "the ID {id} belongs to another realtime cycle already",
     "die ID {id} gehört schon einem anderen Echtzeit-Zyklus",
-    remedy_en="choose another ID, or delete the other cycle before with #RT CYCLE DELETE",
-    remedy_de="eine andere ID wählen oder den anderen Zyklus vorher mit #RT CYCLE DELETE löschen",
+    remedy_en="Choose another ID, or delete the other cycle before with #RT CYCLE DELETE.",
+    remedy_de="Eine andere ID wählen oder den anderen Zyklus vorher mit #RT CYCLE DELETE löschen.",
     cause_en="A cycle keeps its ID until its scope ends: PROG until the main program's end, GLOBAL"
     " until DELETE, in later programs too.",
     cause_de="Ein Zyklus behält seine ID, bis seine Gültigkeit endet: PROG bis zum "
@@ -142,8 +145,8 @@ _add(
     ERROR,
     "the realtime cycles take too long: {steps} elementary instructions, time is for {limit}",
     "die Echtzeit-Zyklen dauern zu lange: {steps} Elementar-Anweisungen, Zeit ist für {limit}",
-    remedy_en="shorten cycle {cycle} or others, or raise rt_cycles.max_duration (P-CHAN-00425)",
-    remedy_de="Zyklus {cycle} oder andere kürzen, rt_cycles.max_duration (P-CHAN-00425) erhöhen",
+    remedy_en="Shorten cycle {cycle} or others, or raise rt_cycles.max_duration (P-CHAN-00425).",
+    remedy_de="Zyklus {cycle} oder andere kürzen, rt_cycles.max_duration (P-CHAN-00425) erhöhen.",
     cause_en="All cycles of a tick share the time. In virtual time each elementary instruction is "
     "taken to cost 10 ns.",
     cause_de="Alle Zyklen eines Takts teilen sich die Zeit. In virtueller Zeit gilt jede "
@@ -162,8 +165,8 @@ _add(
     ERROR,
     "{function} cannot be handed to the PLC: all {slots} places of the interface are taken",
     "{function} kann der SPS nicht übergeben werden: alle {slots} Plätze der Schnittstelle belegt",
-    remedy_en="let the PLC acknowledge in every tick, or output fewer functions",
-    remedy_de="die SPS in jedem Takt quittieren lassen oder weniger Funktionen ausgeben",
+    remedy_en="Let the PLC acknowledge in every tick, or output fewer functions.",
+    remedy_de="Die SPS in jedem Takt quittieren lassen oder weniger Funktionen ausgeben.",
     cause_en="A cycle does not wait: a function that finds no place would be lost, so this is an "
     "error.",
     cause_de="Ein Zyklus wartet nicht: eine Funktion ohne Platz ginge verloren; darum ist es ein "
@@ -177,8 +180,8 @@ _add(
     ERROR,
     "{function} is one function too many in this tick: the interface holds {slots}",
     "{function} ist in diesem Takt eine Funktion zu viel: die Schnittstelle fasst {slots}",
-    remedy_en="spread the functions over several ticks",
-    remedy_de="die Funktionen auf mehrere Takte verteilen",
+    remedy_en="Spread the functions over several ticks.",
+    remedy_de="Die Funktionen auf mehrere Takte verteilen.",
     cause_en="What is put out in one tick stands in the interface at the same time; the PLC frees "
     "places only behind the tick.",
     cause_de="Was in einem Takt ausgegeben wird, steht gleichzeitig in der Schnittstelle; die SPS "
@@ -234,8 +237,8 @@ _add(
     ERROR,
     "there is no timer {timer}: timers are numbered 0 … 127",
     "es gibt keinen Timer {timer}: Timer haben die Nummern 0 … 127",
-    remedy_en="give #TIMER an ID from 0 to 127",
-    remedy_de="#TIMER eine ID von 0 bis 127 geben",
+    remedy_en="Give #TIMER an ID from 0 to 127.",
+    remedy_de="#TIMER eine ID von 0 bis 127 geben.",
     parameters={"timer": "the ID"},
     reaction=6,
     clearing=6,
@@ -245,8 +248,8 @@ _add(
     ERROR,
     "the block does not begin where the axes stand",
     "der Satz beginnt nicht dort, wo die Achsen stehen",
-    remedy_en="let the decoder read the positions anew before, with #FLUSH WAIT or #CHANNEL INIT",
-    remedy_de="den Dekoder die Positionen vorher neu lesen lassen: #FLUSH WAIT, #CHANNEL INIT",
+    remedy_en="Let the decoder read the positions anew before, with #FLUSH WAIT or #CHANNEL INIT.",
+    remedy_de="Den Dekoder die Positionen vorher neu lesen lassen: #FLUSH WAIT, #CHANNEL INIT",
     cause_en="Something other than the path has moved an axis since the block was decoded; the "
     "path never jumps.",
     cause_de="Etwas anderes als die Bahn hat eine Achse bewegt, seit der Satz dekodiert wurde; die"

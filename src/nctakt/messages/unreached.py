@@ -11,8 +11,8 @@ from nctakt.messages.catalogue import ERROR, Catalogue
 
 MESSAGES = Catalogue()
 
-_REMEDY_EN = "nothing to do: nctakt never reports it"
-_REMEDY_DE = "nichts zu tun: nctakt meldet das nie"
+_REMEDY_EN = "Nothing to do: nctakt never reports it."
+_REMEDY_DE = "Nichts zu tun: nctakt meldet das nie."
 
 
 def _add(

@@ -111,6 +111,26 @@ def test_statement_by_statement_finds_what_the_whole_tree_tells(chunk: Chunk) ->
     assert sorted(found) == sorted(one.headline() for one in findings(chunk.lines))
 
 
+WORDS = tuple("N10 G00 G1 G01 G2 G04 G90 G17 X1 X2.5 Y-3 F100 F0 M100".split())
+MORE = ("Q1", "S5", "M30", "M17", "/G01", "%L S", "%", "X", "XP1", "G4.5", "G41", "T3", "M5 X3")
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_blocks_of_a_shape_that_was_seen_are_checked_all_the_same(seed: int) -> None:
+    """Many blocks of few shapes, right and wrong: each mistake is told each time."""
+    chance = random.Random(seed)
+    lines = tuple(
+        " ".join(chance.choices((*WORDS, *WORDS, *MORE[: 3 + seed % 10]), k=chance.randint(1, 3)))
+        for _ in range(150)
+    )
+    collector = Collector()
+    channel = demo_channel()
+    source = Source("p.nc", lines)
+    check_program(source, channel.names, channel.parameters, BUDGET, collector)
+    found = [one.headline() for one in collector.diagnostics if one.id not in LINTS]
+    assert sorted(found) == sorted(one.headline() for one in findings(lines))
+
+
 # --- sets of programs ----------------------------------------------------------------------------
 
 

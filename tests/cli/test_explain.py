@@ -58,6 +58,9 @@ def test_command_of_two_words(capsys: Captured) -> None:
     together = capsys.readouterr().out
     assert main(["explain", "#RT", "CYCLE"]) == 0
     assert capsys.readouterr().out == together
+    assert main(["explain", "ONCE", "#RT", "CYCLE", "#FLUSH", "G01"]) == 0
+    heads = [line for line in capsys.readouterr().out.split("\n") if line and line[0] != " "]
+    assert [head.split(":")[0] for head in heads] == ["ONCE", "#RT CYCLE", "#FLUSH", "G01"]
 
 
 def test_misspelt(capsys: Captured) -> None:

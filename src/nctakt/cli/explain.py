@@ -56,12 +56,18 @@ def command(words: tuple[str, ...], language: Language) -> int:
     return EXIT_USAGE if unknown else EXIT_RAN
 
 
-def _phrases(words: Sequence[str]) -> Sequence[str]:
-    """The words one by one, or as one where only all of them together are known: ``#RT CYCLE``."""
-    together = " ".join(words)
-    if together.startswith("#"):
-        return (together,)
-    return words
+def _phrases(words: Sequence[str]) -> Iterator[str]:
+    """The words one by one; several that are the name of a command together: ``#RT CYCLE``."""
+    begin = 0
+    while begin < len(words):
+        end = begin + 1
+        for longer in range(len(words), end, -1) if words[begin].startswith("#") else ():
+            phrase = " ".join(words[begin:longer]).upper()
+            if any(article.name.upper() == phrase for article in explain(phrase)):
+                end = longer
+                break
+        yield " ".join(words[begin:end])
+        begin = end
 
 
 def _lines(word: str, language: Language) -> Iterator[str]:

@@ -15,7 +15,7 @@ from nctakt.diagnostics import Text
 #: What an error does.
 REACTIONS: Mapping[int, Text] = MappingProxyType(
     {
-        1: Text("nothing: it is a warning", "nichts: es ist eine Warnung"),
+        1: Text("none, it is a warning", "keine, es ist eine Warnung"),
         2: Text(
             "the program is given up; what is prepared is still finished; error state",
             "das Programm wird abgebrochen; Vorbereitetes wird noch beendet; Fehlerzustand",
@@ -39,7 +39,7 @@ REACTIONS: Mapping[int, Text] = MappingProxyType(
 #: What clears it.
 CLEARINGS: Mapping[int, Text] = MappingProxyType(
     {
-        1: Text("nothing to clear", "nichts zu löschen"),
+        1: Text("nothing: there is nothing to clear", "nichts: es gibt nichts zu löschen"),
         3: Text("a reset of the channel", "ein Reset des Kanals"),
         6: Text("a reset of the channel", "ein Reset des Kanals"),
         7: Text("a restart of the controller", "ein Neustart der Steuerung"),

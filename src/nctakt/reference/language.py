@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 
 from nctakt.diagnostics import Text
 from nctakt.nc import support
@@ -48,6 +49,71 @@ _INFIX = Text("operator between two values", "Operator zwischen zwei Werten")
 _CONSTANT = Text("constant of expressions", "Konstante in Ausdrücken")
 _COUNTS = Text("one elementary instruction", "eine Elementar-Anweisung")
 
+_WAITS = Text(
+    "at once; a synchronous one is read when the path stands, and written in its turn",
+    "sofort; eine synchrone wird gelesen, wenn die Bahn steht, und der Reihe nach geschrieben",
+)
+_LIVE_OR_FROZEN = Text(
+    "synchronous, or with Vs.: the value of each tick; else that of the moment of decoding",
+    "synchron oder mit Vs.: der Wert jedes Takts; sonst der beim Dekodieren",
+)
+_PUT_OUT = Text(
+    "put out in the tick, without waiting for the PLC",
+    "wird im Takt ausgegeben, ohne auf die SPS zu warten",
+)
+#: What there is to say beyond the support table.
+_FURTHER: Mapping[str, tuple[Fact, ...]] = MappingProxyType(
+    {
+        "V.E": (
+            fact("In programs", "In Programmen", _WAITS),
+            fact("In realtime cycles", "In Echtzeit-Zyklen", _LIVE_OR_FROZEN),
+            fact("PLC", "SPS", Text("sees it", "sieht sie")),
+        ),
+        "V.CH": (
+            fact("In programs", "In Programmen", _WAITS),
+            fact("In realtime cycles", "In Echtzeit-Zyklen", _LIVE_OR_FROZEN),
+            fact("PLC", "SPS", Text("does not see it", "sieht sie nicht")),
+            fact("Memory", "Speicher", "P-CHAN-00424 configuration.decoder.v_ch_memory"),
+        ),
+        "P": (
+            fact("In programs", "In Programmen", Text("at once", "sofort")),
+            fact(
+                "In realtime cycles",
+                "In Echtzeit-Zyklen",
+                Text(
+                    "the value of the moment of decoding; cannot be written",
+                    "der Wert beim Dekodieren; nicht beschreibbar",
+                ),
+            ),
+        ),
+        "M": (fact("In realtime cycles", "In Echtzeit-Zyklen", _PUT_OUT),),
+        "H": (fact("In realtime cycles", "In Echtzeit-Zyklen", _PUT_OUT),),
+        "$IF": (
+            fact("Written", "Schreibweise", "$IF … $ELSEIF … $ELSE … $ENDIF"),
+            fact(
+                "In realtime cycles",
+                "In Echtzeit-Zyklen",
+                Text("also $IF ONCE, EDGE or ALWAYS", "auch $IF ONCE, EDGE oder ALWAYS"),
+            ),
+            fact("True", "Wahr", Text("|value| ≥ 0.5", "|Wert| ≥ 0,5")),
+        ),
+        "#RT CYCLE": (
+            fact(
+                "Written",
+                "Schreibweise",
+                "#RT CYCLE [DEF] [ID=… SCOPE=… END_ACTION=…] … #RT CYCLE END",
+            ),
+            fact(
+                "Management",
+                "Verwaltung",
+                "#RT CYCLE START | HOLD | CONTINUE | ABORT ACTION | DELETE [ID=…]",
+            ),
+            fact("Switched on by", "Eingeschaltet durch", "P-CHAN-00406"),
+            fact("Limits", "Grenzen", "P-CHAN-00407, P-CHAN-00425, P-CHAN-00426, P-CHAN-00427"),
+        ),
+    }
+)
+
 _NUMBERED = re.compile(r"([GMH])0*(\d+)")
 _PARAMETER = re.compile(r"P\d+|P\[.*\]")
 _FAMILY = re.compile(r"(V)S?(\.[A-Z_]+)(\..*)?")
@@ -58,7 +124,7 @@ _FAMILY = re.compile(r"(V)S?(\.[A-Z_]+)(\..*)?")
 
 def entry_article(entry: Entry) -> Article:
     """The article of a row of the support table."""
-    facts = [fact("In nctakt", "In nctakt", ANSWERS[entry.answer])]
+    facts = [*_FURTHER.get(entry.name, ()), fact("In nctakt", "In nctakt", ANSWERS[entry.answer])]
     if entry.group:
         others = ", ".join(
             other.name

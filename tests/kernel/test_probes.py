@@ -30,7 +30,7 @@ def rows_of(condition: str, values: list[float]) -> tuple[Controller, list[tuple
     controller.start(NcText("p.nc", text))
     found = machine.names.resolve_text("V.E.VALUE")
     assert isinstance(found, tuple)
-    machine.post_writes()
+    machine.access.post_writes()
     machine.kernel.run(0)
     controller._feed.refill()
     rows: list[tuple[int, int]] = []
@@ -40,7 +40,8 @@ def rows_of(condition: str, values: list[float]) -> tuple[Controller, list[tuple
         machine.kernel.run(1)
         machine.record.take_events()
         data = struct.iter_unpack("=4d", machine.record.take_probes())
-        rows += [(int(tick), int(probe) & 1) for tick, probe, _, _ in data if probe >= 0]
+        # Number 0 is the cycle, 1 its condition; behind it are the parts of && and ||.
+        rows += [(int(tick), int(probe) & 1) for tick, probe, _, _ in data if probe // 2 == 1]
     return controller, rows
 
 

@@ -1,0 +1,4 @@
+P1 = 9
+#TIME 0.002
+#RT CYCLE DELETE [ID = 1]
+M30

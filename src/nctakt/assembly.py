@@ -191,6 +191,8 @@ class Machine:
         ]
         self.kernel = Kernel(self.memory, self.axes, self.channels, self.record)
         self.names = layout.tables[0]
+        self.external_cells = layout.external
+        self._tables = layout.tables
         self.parameters: ChannelParameters = configuration.channels[0].parameters
         self.members = [axis.index for axis in configuration.channels[0].axes]
         self.files = SourceFiles()
@@ -272,7 +274,8 @@ class Machine:
 
     def _name_of_cell(self, cell: int) -> str:
         if not self._cell_names:
-            self._cell_names = {place: name for name, place, _ in self.names.values()}
+            for table in reversed(self._tables):
+                self._cell_names.update((place, name) for name, place, _ in table.values())
             self._cell_names.update((place, name) for name, place in self.names.realtime())
         return self._cell_names[cell]
 

@@ -17,6 +17,7 @@ from nctakt.decoder.cycles import CycleDefinition
 from nctakt.diagnostics import Diagnostic
 from nctakt.failure import Failure
 from nctakt.feed import Feed
+from nctakt.image import ExternalImage
 from nctakt.interface import Interface
 from nctakt.kernel import kernel as reasons
 from nctakt.kernel.cycles import DEFINED, HELD
@@ -70,6 +71,7 @@ class Controller:
         self._plc: Plc | None = None
         self._on_message: Callable[[SaidMessage], None] | None = None
         self._probes: ProbeLog | None = None
+        self._image: ExternalImage | None = None
         self._loaded: list[Program] = []
 
     # --- state and variables --------------------------------------------------------------------
@@ -104,6 +106,15 @@ class Controller:
         Raises ``Failure`` for an unknown name and for a value that the variable cannot hold.
         """
         self._machine.write(name, value)
+
+    def external_image(self, name: str | None = None) -> ExternalImage:
+        """The packed memory of V.E from now on until it is closed, shared under ``name`` if given.
+
+        Raises ``Failure`` where there is one already or the shared memory cannot be had.
+        """
+        machine = self._machine
+        self._image = ExternalImage(self.machine, machine.kernel, machine.external_cells, name)
+        return self._image
 
     # --- tick by tick ---------------------------------------------------------------------------
 

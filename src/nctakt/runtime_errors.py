@@ -54,6 +54,8 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic | None:
             values = {"count": machine.channels[0].manager.capacity}
         case 900421:
             values = {"timer": int(a)}
+        case 900346:
+            values = {"variable": machine.registry.variable(machine.kernel.image.next_refused())}
         case 900420:
             values = {}
         case _:

@@ -34,7 +34,11 @@ cdef class ExternalImage:
     cdef long long[::1] is_stale
     cdef long long[::1] was_refused
     cdef long long[::1] refused_cells
+    cdef Py_ssize_t shadow_count
+    cdef Py_ssize_t stale_count
     cdef long long[::1] shadow
+    cdef long long[::1] shadowed_cell
+    cdef long long[::1] shadowed_entry
 
     @cython.locals(i=Py_ssize_t)
     cdef void latch(self) noexcept nogil
@@ -48,10 +52,12 @@ cdef class ExternalImage:
     cdef void take_number(self, Py_ssize_t entry) noexcept nogil
     cdef void refuse(self, Py_ssize_t entry) noexcept nogil
     cdef double number(self, int kind) noexcept nogil
-    @cython.locals(i=Py_ssize_t, shadow=Py_ssize_t, cell=Py_ssize_t, is_new=int)
-    cdef int remember(self, Py_ssize_t entry) noexcept nogil
+    @cython.locals(i=Py_ssize_t, first=Py_ssize_t, cell=Py_ssize_t)
+    cdef void remember(self, Py_ssize_t entry) noexcept nogil
+    cdef void mark_stale(self, Py_ssize_t entry) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void publish(self) noexcept nogil
+    cdef void put(self, Py_ssize_t entry) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t, place=Py_ssize_t)
     cdef void put_string(self, Py_ssize_t entry) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t)

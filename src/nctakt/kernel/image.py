@@ -70,17 +70,24 @@ class ExternalImage:
         self.is_stale = memoryview(bytearray(8 * count + 8)).cast("q")
         self.was_refused = memoryview(bytearray(8 * count + 8)).cast("q")
         self.refused_cells = memoryview(bytearray(8 * count + 8)).cast("q")
-        shadows = 0
+        cells = sum(-(-row[3] // 8) for row in table)
+        self.shadow = memoryview(bytearray(8 * cells + 8)).cast("q")
+        self.shadowed_cell = memoryview(bytearray(8 * cells + 8)).cast("q")
+        self.shadowed_entry = memoryview(bytearray(8 * cells + 8)).cast("q")
+        self.shadow_count = 0
+        self.stale_count = count
         for i, (offset, kind, cell, size) in enumerate(table):
             self.offset[i] = offset
             self.kind[i] = kind
             self.cell[i] = cell
             self.size[i] = size
-            self.first_shadow[i] = shadows
-            self.is_stale[i] = 1
+            self.first_shadow[i] = self.shadow_count
             self.cell_count[i] = -(-size // 8)
-            shadows += -(-size // 8)
-        self.shadow = memoryview(bytearray(8 * shadows + 8)).cast("q")
+            self.is_stale[i] = 1
+            for further in range(-(-size // 8)):
+                self.shadowed_cell[self.shadow_count] = cell + further
+                self.shadowed_entry[self.shadow_count] = i
+                self.shadow_count += 1
         self.count = count
         self.event_bound = sum(1 for row in table if row[1] == KINDS["REAL64"])
         self.refused_count = 0
@@ -94,6 +101,8 @@ class ExternalImage:
         nothing = memoryview(bytearray(8))
         self.is_attached = False
         self.count = 0
+        self.shadow_count = 0
+        self.stale_count = 0
         self.event_bound = 0
         self.refused_count = 0
         self.refused_told = 0
@@ -112,6 +121,8 @@ class ExternalImage:
         self.was_refused = nothing.cast("q")
         self.refused_cells = nothing.cast("q")
         self.shadow = nothing.cast("q")
+        self.shadowed_cell = nothing.cast("q")
+        self.shadowed_entry = nothing.cast("q")
 
     def next_refused(self) -> int:
         """The cell of the next 900346 that was not asked for yet, in the order of the events."""
@@ -170,11 +181,11 @@ class ExternalImage:
         self.cells[cell] = value
         self.remember(entry)
         if self.kind[entry] == 0 and self.scratch[0] > 1:
-            self.is_stale[entry] = 1
+            self.mark_stale(entry)
 
     def refuse(self, entry: int) -> None:
         """A number that is not finite."""
-        self.is_stale[entry] = 1
+        self.mark_stale(entry)
         if self.was_refused[entry] == 0:
             self.was_refused[entry] = 1
             self.event_bound -= 1
@@ -200,26 +211,39 @@ class ExternalImage:
             return self.as_unsigned_32[0]
         return self.as_real[0]
 
-    def remember(self, entry: int) -> int:
-        """Note what the variable's cells hold: whether that is new."""
-        is_new = 0
-        shadow = self.first_shadow[entry]
+    def remember(self, entry: int) -> None:
+        """Note what the variable's cells hold: that is in the image now."""
+        first = self.first_shadow[entry]
         cell = self.cell[entry]
         for i in range(self.cell_count[entry]):
-            if self.shadow[shadow + i] != self.words[cell + i]:
-                self.shadow[shadow + i] = self.words[cell + i]
-                is_new = 1
-        return is_new
+            self.shadow[first + i] = self.words[cell + i]
+
+    def mark_stale(self, entry: int) -> None:
+        """The image must be written although the cell is as it was."""
+        if self.is_stale[entry] == 0:
+            self.is_stale[entry] = 1
+            self.stale_count += 1
 
     def publish(self) -> None:
         """Write what has changed since the image was published last."""
-        for i in range(self.count):
-            if self.remember(i) or self.is_stale[i]:
-                self.is_stale[i] = 0
-                if self.kind[i] == 8:
-                    self.put_string(i)
-                else:
-                    self.put_number(i)
+        for i in range(self.shadow_count):
+            if self.words[self.shadowed_cell[i]] != self.shadow[i]:
+                self.put(self.shadowed_entry[i])
+        if self.stale_count > 0:
+            for i in range(self.count):
+                if self.is_stale[i]:
+                    self.put(i)
+
+    def put(self, entry: int) -> None:
+        """Write a variable into the image."""
+        self.remember(entry)
+        if self.is_stale[entry]:
+            self.is_stale[entry] = 0
+            self.stale_count -= 1
+        if self.kind[entry] == 8:
+            self.put_string(entry)
+        else:
+            self.put_number(entry)
 
     def put_string(self, entry: int) -> None:
         """Copy a string into the image."""

@@ -15,7 +15,8 @@ of ours, from 900000 on. One module per stage declares them:
 ``checked_values``    checked program: variables and expressions (900213 … 900221, 900227 … 900228)
 ``checked_cycles``    checked program: control statements and realtime cycles (900222 … 900226)
 ``lints``             checked program: what is likely meant otherwise (900235 … 900259)
-``decoder``           the decoder, while it evaluates (900300 … 900399)
+``decoder``           the decoder, while it evaluates (900300 … 900339)
+``memory``            texts, wholes and the packed image of V.E (900340 … 900359)
 ``realtime``          the realtime part (900400 … 900499)
 ``outside``           command line, files, PLC, stimuli (900500 … 900549, 900570 … 900579)
 ``checking``          the command ``nctakt check`` (900580 … 900599)
@@ -39,6 +40,7 @@ from nctakt.messages import (
     lints,
     lists,
     machine,
+    memory,
     nc_text,
     outside,
     realtime,
@@ -64,6 +66,7 @@ for _stage in (
     checked_cycles,
     lints,
     decoder,
+    memory,
     realtime,
     outside,
     checking,

@@ -283,6 +283,7 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the tick": "der Takt",
         "the run's first tick": "der erste Takt des Laufs",
         "its last tick": "sein letzter Takt",
+        "the name that was given": "der angegebene Name",
         "the variable, or the text": "die Variable oder der Text",
         "the expression as written": "der Ausdruck, wie geschrieben",
         "the most characters that it takes": "die meisten Zeichen, die sie fasst",

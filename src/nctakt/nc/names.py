@@ -174,7 +174,8 @@ def _row_cells(rows: Sequence[RealtimeVariable]) -> int:
 class Layout:
     """The places of all variables in the machine's memory; ``size`` cells in all.
 
-    Channels first, then axes, then V.E with scope GLOBAL, then each channel's V.E and V.CH.
+    Channels first, then axes, then the variables of the lists. ``external``: the first cell of each
+    V.E variable by channel, counted from 1, and name; 0 stands for GLOBAL.
     """
 
     def __init__(self, channels: Sequence[ChannelNames], axis_count: int) -> None:
@@ -184,6 +185,7 @@ class Layout:
         self.size = self.first_axis + self.axis_cells * axis_count
         self._names: list[tuple[int, str]] = []
         self._global: dict[str, tuple[Variable, int]] = {}
+        self.external: dict[tuple[int, str], int] = {}
         self.tables = [NameTable(self, i, channel) for i, channel in enumerate(channels)]
 
     def channel_cell(self, channel: int) -> int:
@@ -216,9 +218,13 @@ class NameTable:
         self._axes = dict(channel.axes)
         self._linear = channel.linear
         self._variables: dict[str, dict[str, tuple[Node, int]]] = {"E": {}, "CH": {}}
-        for family, variables in (("E", channel.external), ("CH", channel.channel)):
-            for variable in variables:
-                self._variables[family][variable.name] = (variable.node, layout.place(variable))
+        for variable in channel.external:
+            cell = layout.place(variable)
+            owner = 0 if variable.scope is VariableScope.GLOBAL else index + 1
+            layout.external[(owner, variable.name)] = cell
+            self._variables["E"][variable.name] = (variable.node, cell)
+        for variable in channel.channel:
+            self._variables["CH"][variable.name] = (variable.node, layout.place(variable))
         self._rtg = _offsets(CHANNEL_VARIABLES)
         self._rta = _offsets(AXIS_VARIABLES)
 

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: MIT
+"""Pictures and traces of S1: what they hold."""
+
+from __future__ import annotations
+
+import csv
+import itertools
+import json
+from pathlib import Path
+
+import pytest
+from schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
+
+from nctakt.schedule.figure import Box, Label, Stroke
+from nctakt.schedule.gantt import gantt, tick_times, windows_times
+from nctakt.schedule.model import Model
+from nctakt.schedule.results import Simulation
+from nctakt.schedule.simulate import simulate
+from nctakt.schedule.tracebits import calls_of, trace_bits
+from nctakt.schedule.traces import write_csv, write_perfetto, write_vcd
+
+US = 1000
+
+
+def s1() -> Simulation:
+    """Three cycles of S1."""
+    return simulate(make(EXAMPLE_1, load_text(TIGHT))[0], 3, record=3)
+
+
+def changes(path: Path) -> dict[str, list[tuple[int, object]]]:
+    """The changes of each variable of a VCD file, times in µs."""
+    reader = pytest.importorskip("vcd.reader")
+    names: dict[str, str] = {}
+    found: dict[str, list[tuple[int, object]]] = {}
+    now = 0
+    with path.open("rb") as file:
+        for token in reader.tokenize(file):
+            kind = token.kind.name
+            if kind == "VAR":
+                names[token.data.id_code] = token.data.reference
+                found.setdefault(token.data.reference, [])
+            elif kind == "CHANGE_TIME":
+                now = token.data
+            elif kind in ("CHANGE_SCALAR", "CHANGE_STRING"):
+                name = names[token.data.id_code]
+                found[name].append((now // US, token.data.value))
+    return found
+
+
+def test_vcd_of_s1(tmp_path: Path) -> None:
+    """The trace bits of S1, the processor's task, interrupts and suspensions."""
+    pytest.importorskip("vcd")
+    write_vcd(s1(), tmp_path / "a.vcd")
+    found = changes(tmp_path / "a.vcd")
+    high = [(time, value) for time, value in found["bit4"] if value in ("0", "1")]
+    assert high == [(0, "0"), (3400, "1"), (5450, "0")]
+    ran = found["cpu1"]
+    assert (1500, "Windows") in ran
+    assert (400, "external_sps") in ran
+    assert [time for time, value in found["NC"] if value == "1"] == [0, 2000, 4000]
+    assert "date" not in (tmp_path / "a.vcd").read_text("utf-8").split("$end")[0]
+
+
+def test_calls_that_touch_are_shown_apart(tmp_path: Path) -> None:
+    """Four calls back to back are four pulses."""
+    pytest.importorskip("vcd")
+    text = with_line(EXAMPLE_1, "thread[1].function[0].calls_per_cycle 4")
+    model, _ = make(text, load_text(TIGHT | {"task_rnd": 100}))
+    run = simulate(model, 1, record=1)
+    assert len(trace_bits(model, run.record)[2]) == 4
+    write_vcd(run, tmp_path / "a.vcd")
+    high = [time for time, value in changes(tmp_path / "a.vcd")["bit2"] if value == "1"]
+    assert high == [600, 701, 801, 901]
+
+
+def test_two_functions_on_one_bit() -> None:
+    """A bit is high while either of its functions runs."""
+    text = with_line(EXAMPLE_1, "thread[3].function[0].trace_bit 2")
+    model, _ = make(text, load_text(TIGHT))
+    high = trace_bits(model, simulate(model, 3, record=3).record)[2]
+    assert [(a // US, b // US) for a, b in high] == [(600, 1300), (2600, 3300), (3400, 5450)]
+
+
+def test_calls_of_jobs_with_overheads() -> None:
+    """Overheads come before the calls, empty calls end where they begin."""
+    text = with_line(
+        EXAMPLE_1,
+        "thread[1].function[0].calls_per_cycle 2",
+        "thread[1].function[1].name task_com",
+    )
+    load = load_text(
+        TIGHT | {"task_rnd": 0, "task_com": 50}, extra="[overheads]\nswitch = 2\nactivation = 3\n"
+    )
+    model, _ = make(text, load)
+    calls = [one for one in calls_of(model, simulate(model, 1, record=1).record) if one.task == 1]
+    begin = 405 + 205 + 5
+    assert [(one.begin // US, (one.end or 0) // US) for one in calls] == [
+        (begin, begin),
+        (begin, begin),
+        (begin, begin + 50),
+    ]
+
+
+def test_call_that_does_not_end() -> None:
+    """A call that still runs at the end of the record has no end."""
+    model, _ = make(EXAMPLE_1, load_text(TIGHT | {"task_int": 2100}))
+    first = calls_of(model, simulate(model, 1, record=1).record)[0]
+    assert (first.begin, first.end) == (0, None)
+
+
+def test_csv_of_s1(tmp_path: Path) -> None:
+    """All events with their times in µs."""
+    write_csv(s1(), tmp_path / "a.csv")
+    with (tmp_path / "a.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    found = [(row["time_us"], row["event"], row["thread"], row["value"]) for row in rows]
+    assert ("1500", "SUSPEND", "MMI_DRIVER", "100") in found
+    assert ("2000", "RESUME", "COM", "250") in found
+    assert ("4000", "OVERFLOW", "COM", "150") in found
+    assert ("5450", "END", "COM", "5450") in found
+    assert ("3400", "RUN", "COM", "100") in found
+    assert found[0] == ("0", "NC", "", "0")
+    assert sum(row["event"] == "TICK" for row in rows) == 13
+    assert [float(row["time_us"]) for row in rows] == sorted(float(row["time_us"]) for row in rows)
+
+
+def test_perfetto_of_s1(tmp_path: Path) -> None:
+    """Slices, instants and counters; slices of one track never overlap."""
+    write_perfetto(s1(), tmp_path / "a.json")
+    events = json.loads((tmp_path / "a.json").read_text("utf-8"))["traceEvents"]
+    slices = [one for one in events if one["ph"] == "X"]
+    tracks: dict[tuple[int, int], list[tuple[float, float]]] = {}
+    for one in slices:
+        track = tracks.setdefault((one["pid"], one["tid"]), [])
+        track.append((one["ts"], one["ts"] + one["dur"]))
+    for spans in tracks.values():
+        spans.sort()
+        assert all(a[1] <= b[0] for a, b in itertools.pairwise(spans))
+    assert {one["name"] for one in events if one["ph"] == "i"} >= {"NC", "OVERFLOW", "SUSPEND"}
+    assert any(one["name"] == "trace bit 4" for one in events if one["ph"] == "C")
+
+
+def shapes_of(model: Model, cycles: int = 6) -> list[Box | Stroke | Label]:
+    """The shapes of a picture."""
+    return list(gantt(simulate(model, cycles, record=cycles), "en").shapes)
+
+
+def test_picture_of_s1() -> None:
+    """F9: bars, suspensions, the overflow, Windows, dimensions, arrows and trace bits."""
+    shapes = shapes_of(make(EXAMPLE_1, load_text(TIGHT))[0])
+    boxes = [one for one in shapes if isinstance(one, Box)]
+    assert sum(one.hatched for one in boxes) == 5
+    assert sum(one.tip.startswith("Windows") for one in boxes) == 6
+    strokes = [one for one in shapes if isinstance(one, Stroke)]
+    assert sum(one.arrows == "end" for one in strokes) == 6
+    assert sum(one.arrows == "both" for one in strokes) == 3
+    assert sum(one.tip == "COM: 4000 µs, 150 µs" for one in strokes) == 2
+    texts = [one.text for one in shapes if isinstance(one, Label)]
+    assert "cycle_time 2000" in texts
+    assert "windows_time 500" in texts
+    assert "task_com  4" in texts
+    assert "12000" in texts
+
+
+def test_pictures_of_odd_models() -> None:
+    """Without guarantee, with late interrupts, with many cycles: still a picture."""
+    for text, load in (
+        (EXAMPLE_1.replace("windows_time 500", "windows_time 0"), load_text(TIGHT)),
+        (EXAMPLE_1, load_text(TIGHT, extra="[interrupt]\nperiod = 2003\nphase = 137\n")),
+        (EXAMPLE_1, load_text(TIGHT | {"task_int": 1700})),
+    ):
+        model, _ = make(text, load, convention="field")
+        assert len(shapes_of(model, 200)) > 100
+
+
+def test_ticks_and_windows_of_the_record() -> None:
+    """Timer interrupts at multiples of time_slice, Windows between the tasks."""
+    run = s1()
+    assert list(tick_times(run.model, 0, 2000 * US)) == [
+        0,
+        500_000,
+        1_000_000,
+        1_500_000,
+        2_000_000,
+    ]
+    free = [(begin // US, end // US) for begin, end in windows_times(run, 1)]
+    assert free == [(1500, 2000), (3500, 4000), (5450, 6000)]

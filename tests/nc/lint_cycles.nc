@@ -30,11 +30,11 @@ M30
 P1 = 5
 P2 = V.E.VALUE
 #RT CYCLE
-  $IF V.E.ASYNC == V.E.VALUE ; warning 900235 "V.E.ASYNC is asynchronous: this condition sees the value"
+  $IF V.E.ASYNC == V.E.VALUE ; warning 900235 "V.E.ASYNC is asynchronous: in every tick this condition sees the value"
     V.E.COUNT = V.E.ASYNC
   $ENDIF
-  $IF V.E.VALUE > P1 ; note 900236 "P1 is read once: the realtime cycle sees 5 of line 1 in"
-    V.E.COUNT = P2 ; note 900236 "P2 is read once: the realtime cycle sees the value that it has"
+  $IF V.E.VALUE > P1 ; note 900236 "P1 is read once: in every tick the realtime cycle sees 5, set in line 1"
+    V.E.COUNT = P2 ; note 900236 "P2 is read once: in every tick the realtime cycle sees the value that it has"
     V.E.COUNT = P2 + P1
   $ENDIF
   $IF ONCE V.CH.VarTest1 == 3 ; warning 900235 "V.CH.VarTest1 is asynchronous"
@@ -46,7 +46,7 @@ P2 = V.E.VALUE
   V.E.LIST[P1] = V.E.LEVEL_1_A[1].FROZEN ; note 900236 "V.E.LEVEL_1_A[1].FROZEN"
 #RT CYCLE END
 #RT CYCLE
-  $IF V.E.VALUE > P1 ; note 900236 "5 of line 1"
+  $IF V.E.VALUE > P1 ; note 900236 "5, set in line 1"
     V.E.COUNT = 2 ; note 900244 "V.E.COUNT is written by the realtime cycle of line 3"
   $ENDIF
 #RT CYCLE END

@@ -67,10 +67,10 @@ $CASE 1
   P4 = 1
 $ENDSWITCH
 #RT CYCLE
-  V.E.VALUE = P1 ; note 900236 "P1 is read once: the realtime cycle sees the value"
-  V.E.VALUE = P2 ; note 900236 "P2 is read once: the realtime cycle sees the value"
-  V.E.VALUE = P3 ; note 900236 "sees 3 of line 3"
-  V.E.VALUE = P4 ; note 900236 "P4 is read once: the realtime cycle sees the value"
+  V.E.VALUE = P1 ; note 900236 "P1 is read once: in every tick the realtime cycle sees the value"
+  V.E.VALUE = P2 ; note 900236 "P2 is read once: in every tick the realtime cycle sees the value"
+  V.E.VALUE = P3 ; note 900236 "sees 3, set in line 3"
+  V.E.VALUE = P4 ; note 900236 "P4 is read once: in every tick the realtime cycle sees the value"
   V.E.VALUE = P9 ; note 900236 "P9"
 #RT CYCLE END
 $FOR P5 = 1, 3, 1
@@ -88,7 +88,7 @@ $WHILE 0
   P3 = 6
 $ENDWHILE
 #RT CYCLE [SCOPE=BLOCK]
-  V.E.TIME = P3 ; note 900236 "sees 5 of line"
+  V.E.TIME = P3 ; note 900236 "sees 5, set in line"
 #RT CYCLE END
 P3 += 1
 #RT CYCLE [SCOPE=BLOCK]

@@ -25,21 +25,29 @@ _STEPS = {
 _add(
     900235,
     WARNING,
-    "{name} is asynchronous: this condition sees {meaning_en} in every tick",
-    "{name} ist asynchron: diese Bedingung sieht in jedem Takt {meaning_de}",
+    "{name} is asynchronous: in every tick this condition sees {meaning_en}",
+    "{name} ist asynchron: in jedem Takt sieht diese Bedingung {meaning_de}",
     remedy_en="For the value of each tick: synchronisation TRUE in the variables list, or Vs. "
     "here.",
     remedy_de="Für den Wert jedes Takts: synchronisation TRUE in der Variablenliste, oder Vs. "
     "hier.",
+    cause_en="The decoder builds a cycle from its definition; what is asynchronous becomes a "
+    "number then.",
+    cause_de="Der Dekoder baut den Zyklus aus seiner Definition; Asynchrones wird dabei zu einer "
+    "Zahl.",
     parameters=_FROZEN,
 )
 _add(
     900236,
     NOTE,
-    "{name} is read once: the realtime cycle sees {meaning_en} in every tick",
-    "{name} wird einmal gelesen: der Echtzeit-Zyklus sieht in jedem Takt {meaning_de}",
+    "{name} is read once: in every tick the realtime cycle sees {meaning_en}",
+    "{name} wird einmal gelesen: in jedem Takt sieht der Echtzeit-Zyklus {meaning_de}",
     remedy_en="What shall change while the cycle runs belongs into a synchronous V.E or V.CH.",
     remedy_de="Was sich ändern soll, während der Zyklus läuft, gehört in ein synchrones V.E, V.CH.",
+    cause_en="The decoder builds a cycle from its definition; what is asynchronous becomes a "
+    "number then.",
+    cause_de="Der Dekoder baut den Zyklus aus seiner Definition; Asynchrones wird dabei zu einer "
+    "Zahl.",
     parameters=_FROZEN,
 )
 _add(
@@ -84,6 +92,10 @@ _add(
     "with &&.",
     remedy_de="Richtig, wenn es so gemeint ist; sonst nach außen setzen oder die Bedingungen mit "
     "&& verbinden.",
+    cause_en="An $IF that is not reached keeps what it knows: a latched ALWAYS stays latched, "
+    "EDGE compares with the tick in which it was last reached.",
+    cause_de="Ein $IF, das nicht erreicht wird, behält, was es weiß: ALWAYS bleibt gesetzt, EDGE "
+    "vergleicht mit dem Takt, in dem es zuletzt erreicht wurde.",
     parameters={"word": "ONCE, EDGE or ALWAYS"},
 )
 _add(
@@ -102,6 +114,10 @@ _add(
     "{name} wird unter $IF {word} geschrieben: der Override gilt einen Takt, dann wieder 100 %",
     remedy_en="Write it in each tick in which it shall hold: under a plain $IF or $IF ALWAYS",
     remedy_de="In jedem Takt schreiben, in dem er gelten soll: unter einfachem $IF oder $IF ALWAYS",
+    cause_en="The CYCLE overrides are 100 % at the start of each tick; whoever wants another "
+    "value writes it in each tick.",
+    cause_de="Die CYCLE-Overrides sind am Anfang jedes Takts 100 %; wer einen anderen Wert will, "
+    "schreibt ihn in jedem Takt.",
     parameters={**_NAME, "word": "ONCE or EDGE"},
 )
 _add(
@@ -111,6 +127,10 @@ _add(
     "{word} wird in jedem Takt neu ausgegeben; die Schnittstelle zur SPS hat wenige Plätze",
     remedy_en="Put it under $IF EDGE or $IF ONCE; too many that wait for the PLC are 50942.",
     remedy_de="Unter $IF EDGE oder $IF ONCE setzen; warten zu viele auf die SPS, kommt 50942.",
+    cause_en="Each output takes a place of the realtime section of the interface until the PLC "
+    "acknowledges it.",
+    cause_de="Jede Ausgabe belegt einen Platz im Echtzeit-Bereich der Schnittstelle, bis die SPS "
+    "sie quittiert.",
     parameters={"word": "the M or H function"},
 )
 _add(
@@ -121,6 +141,10 @@ _add(
     remedy_en="Let one cycle write it, or mind that they run in the order of their definition.",
     remedy_de="Nur einen Zyklus schreiben lassen oder bedenken: sie laufen in der Reihenfolge "
     "ihrer Definition.",
+    cause_en="All cycles run once in each tick, in the order of their definition; what the last "
+    "one has written stays.",
+    cause_de="Alle Zyklen laufen in jedem Takt einmal, in der Reihenfolge ihrer Definition; es "
+    "bleibt, was der letzte geschrieben hat.",
     parameters={**_NAME, "line": "the line in which the other cycle begins"},
 )
 _add(
@@ -133,6 +157,8 @@ _add(
     remedy_en="#RT CYCLE DELETE [ID={id}] ends it; until then the program cannot define it again.",
     remedy_de="#RT CYCLE DELETE [ID={id}] beendet ihn; bis dahin kann ihn das Programm nicht neu "
     "definieren.",
+    cause_en="A GLOBAL cycle outlives its program and runs between programs, too.",
+    cause_de="Ein GLOBAL-Zyklus überlebt sein Programm und läuft auch zwischen Programmen.",
     parameters={"id": "the ID of the cycle"},
 )
 _add(
@@ -143,6 +169,10 @@ _add(
     "{limit}",
     remedy_en="Shorten it, or raise rt_cycles.max_steps; beyond it the cycle ends with 50854.",
     remedy_de="Kürzen oder rt_cycles.max_steps erhöhen; darüber endet der Zyklus mit 50854.",
+    cause_en="The dearest way through its branches is counted: each operator, function, access, "
+    "assignment, condition and action is one.",
+    cause_de="Gezählt wird der teuerste Weg durch die Zweige: jeder Operator, jede Funktion, "
+    "jeder Zugriff, jede Zuweisung, Bedingung und Aktion ist eine.",
     parameters=_STEPS,
 )
 _add(
@@ -154,6 +184,10 @@ _add(
     "für {limit}",
     remedy_en="Shorten it, or raise rt_cycles.max_duration; beyond it the cycle ends with 50939.",
     remedy_de="Kürzen oder rt_cycles.max_duration erhöhen; darüber endet der Zyklus mit 50939.",
+    cause_en="In virtual time each elementary instruction takes 10 ns; more than the share of "
+    "P-CHAN-00425 in the tick ends the cycle.",
+    cause_de="In virtueller Zeit dauert jede Elementar-Anweisung 10 ns; mehr als der Anteil von "
+    "P-CHAN-00425 am Takt beendet den Zyklus.",
     parameters=_STEPS,
 )
 _add(
@@ -163,6 +197,10 @@ _add(
     "{name} wird exakt verglichen: eine bewegte Achse trifft den Wert kaum genau in einem Takt",
     remedy_en="Ask for passing the value: >= or <=",
     remedy_de="Nach dem Überschreiten fragen: >= oder <=",
+    cause_en="Positions are numbers with all their digits; from tick to tick a moving axis goes "
+    "many of them further.",
+    cause_de="Positionen sind Zahlen mit allen Stellen; von Takt zu Takt überspringt eine bewegte "
+    "Achse die meisten.",
     parameters=_NAME,
 )
 _add(
@@ -172,6 +210,10 @@ _add(
     "{command} entleert den Kanal, was nicht geht, solange {word} aktiv ist",
     remedy_en="Move it in front of {word} or behind G40; realtime cycles may read such variables.",
     remedy_de="Vor {word} oder hinter G40 verlegen; Echtzeit-Zyklen dürfen solche Variablen lesen.",
+    cause_en="A contour with compensation needs the blocks behind it. nctakt refuses G41 and G42 "
+    "by name; a check tells this all the same.",
+    cause_de="Eine Kontur mit Korrektur braucht die Sätze dahinter. nctakt weist G41 und G42 "
+    "namentlich ab; eine Prüfung meldet es trotzdem.",
     parameters={"command": "the variable or command", "word": "G41 or G42"},
     reaction=2,
     clearing=3,

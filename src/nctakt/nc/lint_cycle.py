@@ -290,7 +290,7 @@ class CycleLinter:
             known = self._known.get(number)
             if known is not None:
                 value = f"{known.value:.15g}"
-                return f"{value} of line {known.line}", f"{value} aus Zeile {known.line}"
+                return f"{value}, set in line {known.line}", f"{value} aus Zeile {known.line}"
         return _THEN_EN, _THEN_DE
 
 

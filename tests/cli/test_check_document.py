@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""docs/checking.md: what it shows is what the command does."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from nctakt.checking.inputs import PROGRAM_SUFFIXES
+from nctakt.cli import main
+from nctakt.messages import CATALOGUE, lints
+
+DOCUMENT = Path(__file__).parents[2] / "docs" / "checking.md"
+TEXT = DOCUMENT.read_text("utf-8")
+_FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+def blocks(language: str) -> list[str]:
+    """The fenced blocks of a language, ``""``: of none."""
+    return [body for found, body in _FENCE.findall(TEXT) if found == language]
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The command runs in a folder of its own."""
+    monkeypatch.chdir(tmp_path)
+
+
+def test_the_output_is_that_of_the_command(capsys: pytest.CaptureFixture[str]) -> None:
+    """The program at the top has the findings below it, letter by letter."""
+    program, output = blocks("")
+    Path("watch.nc").write_text(program, encoding="utf-8")
+    assert main(["check", "watch.nc"]) == 1
+    assert capsys.readouterr().out == output
+
+
+def test_each_finding_beyond_errors_has_its_row() -> None:
+    """Number and severity stand in the table, and no others."""
+    rows = re.findall(r"^\| (\d+) \| (\w+) \|", TEXT, re.MULTILINE)
+    assert sorted(int(number) for number, _ in rows) == sorted(one.id for one in lints.MESSAGES)
+    for number, severity in rows:
+        assert CATALOGUE[int(number)].severity.label("en") == severity
+
+
+def test_the_suffixes_of_programs_are_named() -> None:
+    """All that folders are searched for."""
+    assert [suffix for suffix in PROGRAM_SUFFIXES if f"`{suffix}`" not in TEXT] == []
+
+
+def test_the_python_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    """As it stands, on a folder with a program."""
+    Path("programs").mkdir()
+    Path("programs/bad.nc").write_text("Q1\n", encoding="utf-8")
+    (code,) = blocks("python")
+    exec(compile(code, "checking.md", "exec"), {})
+    assert "programs/bad.nc:1:1: error 900203" in capsys.readouterr().out

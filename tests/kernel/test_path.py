@@ -146,6 +146,23 @@ def test_an_override_step_acts_in_its_tick_within_the_acceleration() -> None:
     assert rig.x[-1] == 300.0
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_overrides_of_cycles_keep_the_limits(seed: int) -> None:
+    """A cycle that writes another override at each of some positions: no step in speed (MO-5)."""
+    chance = random.Random(seed)
+    branches = "".join(
+        f"$IF V.RTA.ACS.ACT_POS.X > {chance.uniform(0, 100):.3f}\n"
+        f"V.RTG.OVERRIDE.VEL.CYCLE = {chance.choice((1, 5, 20, 50, 80, 110))}\n$ENDIF\n"
+        for _ in range(6)
+    )
+    text = f"#RT CYCLE\n{branches}#RT CYCLE END\nG00 X100\nM30"
+    run = Controller(DEMO).run(NcText("p.nc", text), signals=["X.ACS.ACT_POS"], ticks=100_000)
+    assert run.state == "ended"
+    assert run.trace is not None
+    assert_within_limits(run.trace["X.ACS.ACT_POS"].tolist(), RAPID)
+    assert run.trace.at(run.ticks - 1, "X.ACS.ACT_POS") == 100.0
+
+
 def test_a_block_end_is_passed_with_the_override_that_holds() -> None:
     """At 50 % a block that passes its end with 100 mm/s passes it with 50: no jump there."""
     rig = Rig()

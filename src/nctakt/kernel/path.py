@@ -144,13 +144,14 @@ class Path:
             self.axes.command[self.members[i]] = start + (end - start) * part
 
     def abandon(self) -> None:
-        """Reset: the rest of the segment is dropped where the axes stand."""
+        """Reset: the rest of the segment is dropped where the axes stand, to be read at once."""
         self.is_active = False
         self.speed_v = 0.0
         for i in range(self.count):
             axis = self.members[i]
             self.axes.target[axis] = self.axes.command[axis]
         self.axes.has_moved = True
+        self.axes.publish()
 
     def stands(self) -> int:
         """Whether nothing moves on the path."""

@@ -15,7 +15,7 @@ from nctakt.decoder.memory import memory_bytes
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
 from nctakt.kernel import expressions, instructions
-from nctakt.kernel.conditions import Condition
+from nctakt.kernel.conditions import Combination, Condition
 from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
 from nctakt.kernel.instructions import Branch, Reaction, Statement
 from nctakt.lists.variables import SCALARS
@@ -207,6 +207,9 @@ class CycleBuilder:
     def _condition(self, node: Condition) -> Condition:
         self._conditions += 1
         node.probe = self._first_probe + self._conditions
+        if isinstance(node, Combination):
+            self._condition(node.first)
+            self._condition(node.second)
         return node
 
     def _assignment(self, statement: syntax.Assignment) -> Statement:

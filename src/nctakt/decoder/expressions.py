@@ -76,6 +76,12 @@ _COMPARISONS: dict[
     "!=": (conditions.IsNotEqual, conditions.IsNotEqualCellConstant, "!="),
 }
 
+#: What combines conditions into one.
+COMBINATIONS: dict[str, type[conditions.Combination]] = {
+    "&&": conditions.Both,
+    "||": conditions.Either,
+}
+
 _FUSED: dict[
     str,
     tuple[
@@ -168,18 +174,29 @@ class ExpressionBuilder:
         raise AssertionError(expression)
 
     def condition(self, expression: syntax.Expression) -> Condition:
-        """The condition of an ``$IF``."""
+        """The condition of an ``$IF``; ``&&`` and ``||`` combine conditions."""
+        if isinstance(expression, syntax.Binary) and expression.operator in COMBINATIONS:
+            left, right = self._part(expression.left), self._part(expression.right)
+            return COMBINATIONS[expression.operator](left, right)
         if not isinstance(expression, syntax.Binary) or expression.operator not in _COMPARISONS:
             built = self.build(expression)
             return conditions.IsTrue(built.node)
         operator = expression.operator
-        left, right = self.build(expression.left), self.build(expression.right)
+        one, other = self.build(expression.left), self.build(expression.right)
         general, fused, mirrored = _COMPARISONS[operator]
-        if left.cell is not None and right.constant is not None:
-            return fused(left.cell, right.constant)
-        if left.constant is not None and right.cell is not None:
-            return _COMPARISONS[mirrored][1](right.cell, left.constant)
-        return general(left.node, right.node)
+        if one.cell is not None and other.constant is not None:
+            return fused(one.cell, other.constant)
+        if one.constant is not None and other.cell is not None:
+            return _COMPARISONS[mirrored][1](other.cell, one.constant)
+        return general(one.node, other.node)
+
+    def _part(self, expression: syntax.Expression) -> Condition:
+        """An operand of ``&&`` or ``||``."""
+        if isinstance(expression, syntax.Binary) and (
+            expression.operator in COMBINATIONS or expression.operator in _COMPARISONS
+        ):
+            return self.condition(expression)
+        return conditions.IsTruePart(self.build(expression).node)
 
     def combine(self, operator: str, left: Built, right: Built) -> Built:
         """``left operator right``."""

@@ -15,6 +15,7 @@ cdef class Condition:
     cdef readonly double nearest_right
     cdef readonly long long nearest_tick
     cdef int decide(self, Context context) noexcept nogil
+    cdef void forget(self) noexcept nogil
 
 @cython.locals(distance=double)
 cdef void note(Condition condition, Context context, int truth, double left, double right) noexcept nogil
@@ -30,6 +31,23 @@ cdef class CellComparison(Condition):
 cdef class IsTrue(Condition):
     cdef Expression operand
     @cython.locals(value=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class IsTruePart(IsTrue):
+    @cython.locals(value=double, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class Combination(Condition):
+    cdef readonly Condition first
+    cdef readonly Condition second
+    cdef void forget(self) noexcept nogil
+
+cdef class Both(Combination):
+    @cython.locals(first=int, second=int, truth=int)
+    cdef int decide(self, Context context) noexcept nogil
+
+cdef class Either(Combination):
+    @cython.locals(first=int, second=int, truth=int)
     cdef int decide(self, Context context) noexcept nogil
 
 cdef class IsLess(Comparison):

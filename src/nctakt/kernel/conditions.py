@@ -6,7 +6,8 @@
 A condition keeps its last truth and records a probe row (``record.py``) when its truth changes, and
 where asked for one when a series of evaluations in consecutive ticks begins. While it has never
 been true it keeps the nearest miss: the smallest distance between its two sides, and when that was.
-A condition that is no comparison compares its value with 0.5. What a fault leaves is not recorded.
+A condition that is no comparison compares its value with 0.5. ``&&`` and ``||`` combine conditions
+with probes of their own. What a fault leaves is not recorded.
 """
 
 from __future__ import annotations
@@ -39,6 +40,10 @@ class Condition:
     def decide(self, context: Context) -> int:
         """Evaluate: 1 true, 0 false. A fault is noted in the context."""
         return 1
+
+    def forget(self) -> None:
+        """START: the next evaluation is as the first one (RC-111)."""
+        self.truth = -1
 
 
 def note(condition: Condition, context: Context, truth: int, left: float, right: float) -> None:
@@ -96,6 +101,52 @@ class IsTrue(Condition):
             return 0
         truth = 1 if arithmetic.is_true(value) else 0
         note(self, context, truth, value, 0.5)
+        return truth
+
+
+class IsTruePart(IsTrue):
+    """An operand of ``&&`` or ``||``, which may be infinite as in an expression."""
+
+    def decide(self, context: Context) -> int:
+        value = self.operand.value(context)
+        truth = 1 if arithmetic.is_true(value) else 0
+        note(self, context, truth, value, 0.5)
+        return truth
+
+
+class Combination(Condition):
+    """Base of what combines two conditions, both of which are evaluated (RC-501)."""
+
+    def __init__(self, first: Condition, second: Condition) -> None:
+        super().__init__()
+        self.first = first
+        self.second = second
+
+    def forget(self) -> None:
+        self.truth = -1
+        self.first.forget()
+        self.second.forget()
+
+
+class Both(Combination):
+    """``first && second``."""
+
+    def decide(self, context: Context) -> int:
+        first = self.first.decide(context)
+        second = self.second.decide(context)
+        truth = 1 if first == 1 and second == 1 else 0
+        note(self, context, truth, truth, 0.5)
+        return truth
+
+
+class Either(Combination):
+    """``first || second``."""
+
+    def decide(self, context: Context) -> int:
+        first = self.first.decide(context)
+        second = self.second.decide(context)
+        truth = 1 if first == 1 or second == 1 else 0
+        note(self, context, truth, truth, 0.5)
         return truth
 
 

@@ -319,7 +319,7 @@ class Reaction(Counted):
 
     def restart(self) -> None:
         self.last_run = -2
-        self.condition.truth = -1
+        self.condition.forget()
         self.body.restart()
 
 
@@ -436,7 +436,7 @@ class IfOnce(Reaction):
     def restart(self) -> None:
         self.is_done = False
         self.last_run = -2
-        self.condition.truth = -1
+        self.condition.forget()
         self.body.restart()
 
 
@@ -458,7 +458,7 @@ class IfEdge(Reaction):
     def restart(self) -> None:
         self.was_true = 0
         self.last_run = -2
-        self.condition.truth = -1
+        self.condition.forget()
         self.body.restart()
 
 
@@ -480,5 +480,5 @@ class IfAlways(Reaction):
     def restart(self) -> None:
         self.is_latched = False
         self.last_run = -2
-        self.condition.truth = -1
+        self.condition.forget()
         self.body.restart()

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from html import escape
 from typing import Literal
 
+#: The distance of the lines of a hatched box.
+_HATCH = 6.0
 FONT = "DejaVu Sans, Verdana, sans-serif"
 
 
@@ -66,16 +68,10 @@ class Figure:
 
 def svg(figure: Figure) -> str:
     """The picture as the text of an SVG file."""
-    colours = dict.fromkeys(
-        shape.fill for shape in figure.shapes if isinstance(shape, Box) and shape.hatched
-    )
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{figure.width}" '
         f'height="{figure.height}" viewBox="0 0 {figure.width} {figure.height}" '
         f'font-family="{FONT}">',
-        "<defs>",
-        *(_pattern(colour) for colour in colours),
-        "</defs>",
         f'<rect width="{figure.width}" height="{figure.height}" fill="#ffffff"/>',
     ]
     for shape in figure.shapes:
@@ -92,23 +88,30 @@ def _number(value: float) -> str:
     return f"{value:.2f}".rstrip("0").rstrip(".")
 
 
-def _pattern(colour: str) -> str:
-    return (
-        f'<pattern id="hatch{colour[1:]}" width="6" height="6" patternUnits="userSpaceOnUse" '
-        f'patternTransform="rotate(45)"><rect width="6" height="6" fill="#ffffff"/>'
-        f'<rect width="2" height="6" fill="{colour}"/></pattern>'
-    )
-
-
 def _tip(text: str) -> str:
     return f"<title>{escape(text)}</title>" if text else ""
 
 
 def _box(box: Box) -> str:
-    fill = f"url(#hatch{box.fill[1:]})" if box.hatched else box.fill
+    fill = "#ffffff" if box.hatched else box.fill
     x, y, width, height = (_number(one) for one in (box.x, box.y, box.width, box.height))
     place = f'x="{x}" y="{y}" width="{width}" height="{height}"'
-    return f'<rect {place} fill="{fill}">{_tip(box.tip)}</rect>'
+    rectangle = f'<rect {place} fill="{fill}">{_tip(box.tip)}</rect>'
+    return rectangle + (_hatching(box) if box.hatched else "")
+
+
+def _hatching(box: Box) -> str:
+    """Slanting lines; drawn one by one, since not every viewer knows patterns."""
+    bottom = box.y + box.height
+    moves = []
+    start = box.x - box.height + _HATCH
+    while start < box.x + box.width:
+        left, right = max(start, box.x), min(start + box.height, box.x + box.width)
+        if right > left:
+            low, high = bottom - (left - start), bottom - (right - start)
+            moves.append(f"M{_number(left)},{_number(low)}L{_number(right)},{_number(high)}")
+        start += _HATCH
+    return f'<path d="{"".join(moves)}" stroke="{box.fill}" stroke-width="1.4" fill="none"/>'
 
 
 def _stroke(stroke: Stroke) -> Iterator[str]:

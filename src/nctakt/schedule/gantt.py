@@ -33,8 +33,8 @@ _SCOPE = Text("Trace bits", "Trace-Bits")
 _NC = Text("NC interrupt", "NC-Interrupt")
 _TICK = Text("timer interrupt", "Timer-Interrupt")
 _LEGEND = Text(
-    "hatched: suspended    red mark: overflow    thin line: due, not running",
-    "schraffiert: suspendiert    rote Marke: Überlauf    dünne Linie: fällig, läuft nicht",
+    "hatched: suspended · red mark: overflow · thin line: due, not running",
+    "schraffiert: suspendiert · rote Marke: Überlauf · dünne Linie: fällig, läuft nicht",
 )
 
 
@@ -126,7 +126,7 @@ class _Gantt:
         model, begin = self._model, self._record.begin
         yield Label(10, 20, _TITLE.get(self._language), 14, bold=True)
         yield Label(10, 38, _LEGEND.get(self._language), 10)
-        wide = model.cycle * self._scale > 60
+        wide = model.cycle * self._scale > 200
         if not wide:
             return
         ticks = tick_times(model, begin, begin + 2 * model.slice)
@@ -141,12 +141,7 @@ class _Gantt:
                 continue
             yield Stroke(((left, y), (right, y)), _INK, 0.8, arrows="both")
             text = f"{name} {us(stop - start)}"
-            if right - left > 6 * len(text):
-                yield Label((left + right) / 2, y - 4, text, 9, "middle")
-            elif name == "windows_time":
-                yield Label(right + 6, y + 3, text, 9)
-            else:
-                yield Label(left - 6, y + 3, text, 9, "end")
+            yield Label((left + right) / 2, y - 4, text, 9, "middle")
 
     def _rows(self) -> Iterator[Shape]:
         names = [f"{task.name} (CPU {task.cpu or '*'})" for task in self._model.tasks] + [
@@ -243,7 +238,7 @@ class _Gantt:
             if cycle % every == 0:
                 text = us(time // NS_PER_US * NS_PER_US)
                 yield Label(self._x(time), self._bottom + 16, text, 10, "middle")
-        yield Label(_LEFT - 10, self._bottom + 16, "µs", 10, "end")
+        yield Label(_LEFT - 40, self._bottom + 16, "µs", 10, "end")
 
 
 def _short(name: str) -> str:

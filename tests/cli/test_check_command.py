@@ -210,6 +210,18 @@ def test_a_machine_folder_is_checked_as_a_whole(check: Check) -> None:
     assert checked.lines[-1].startswith("14 files: ")
 
 
+def test_lists_that_a_machine_names_and_nctakt_does_not_read(check: Check) -> None:
+    """Tools and offsets: neither checked nor told to be of no known kind; missing ones are told."""
+    shutil.copytree(DEMO, "mine")
+    startup = Path("mine/hochlauf.lis")
+    named = "werkz_data[0] ./tools.lis\nnullp_data[0] ./gone.lis\nEnde"
+    startup.write_text(startup.read_text("utf-8").replace("Ende", named), "utf-8")
+    write("mine/tools.lis", "wz[0].laenge 5\nEnde\n")
+    checked = check("mine")
+    assert checked.ids == [900062]
+    assert checked.lines[-1].startswith("12 files: ")
+
+
 def test_what_a_machine_cannot_do_without_is_told_with_its_folder(check: Check) -> None:
     """A machine without channel lists: the reason, and its start-up list counts as checked."""
     write("mine/hochlauf.lis", "listen ASCII\nkanal_anzahl 1\nEnde\n")
@@ -347,6 +359,25 @@ def test_a_file_that_fails_while_it_is_read(check: Check, monkeypatch: pytest.Mo
     assert "Input/output error" in checked.out
 
 
+def test_a_folder_that_fails_while_it_is_read(
+    check: Check, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The others are searched all the same."""
+    scan = os.scandir
+
+    def fail(path: str) -> object:
+        if str(path).endswith("locked"):
+            raise PermissionError(13, "Permission denied", str(path))
+        return scan(path)
+
+    write("set/locked/part.nc", BAD)
+    write("set/part.nc", GOOD)
+    monkeypatch.setattr(os, "scandir", fail)
+    checked = check("set")
+    assert (checked.ids, checked.code) == ([900503], 1)
+    assert checked.lines[-1].startswith("1 file: 1 error")
+
+
 def test_standard_input(check: Check, monkeypatch: pytest.MonkeyPatch) -> None:
     """'-' is a program, once."""
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(BAD.encode())))
@@ -365,6 +396,14 @@ def test_a_named_pipe_is_read_once(check: Check) -> None:
     checked = check("pipe")
     writer.join()
     assert checked.ids == [900203, 900200]
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes here")
+def test_a_named_pipe_in_a_folder_is_left_alone(check: Check) -> None:
+    """Nobody may be writing to it."""
+    write("set/good.nc", GOOD)
+    os.mkfifo("set/pipe.nc")
+    assert check("set").lines[-1].startswith("1 file: 0 errors")
 
 
 def test_an_empty_program_is_told(check: Check) -> None:

@@ -47,7 +47,7 @@ P2 = V.E.VALUE
 #RT CYCLE END
 #RT CYCLE
   $IF V.E.VALUE > P1 ; note 900236 "5, set in line 1"
-    V.E.COUNT = 2 ; note 900244 "V.E.COUNT is written by the realtime cycle of line 3"
+    V.E.COUNT = 2 ; note 900244 "the realtime cycle of line 3 writes V.E.COUNT, too"
   $ENDIF
 #RT CYCLE END
 ; --- timers
@@ -135,7 +135,7 @@ P[P1] = 3
 #RT CYCLE END
 ; --- M and H functions in each tick (RC-403)
 #RT CYCLE
-  M100 H101 ; warning 900243 "M100" ; warning 900243 "H101"
+  M100 H101 ; warning 900243 "M100"
   $IF V.E.TRIGGER
     M101 ; warning 900243 "M101"
     V.E.COUNT = 1

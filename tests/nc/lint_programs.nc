@@ -5,17 +5,22 @@
   V.RTG.OVERRIDE.VEL.CYCLE = 50
 #RT CYCLE END
 #RT CYCLE [SCOPE=BLOCK]
-  V.E.COUNT = 2 ; note 900244 "V.E.COUNT is written by the realtime cycle of line 2"
+  V.E.VALUE1 = 1
+  V.E.COUNT = 2 ; note 900244 "line 2 writes V.E.COUNT, V.RTG.OVERRIDE.VEL.CYCLE, too"
   V.E.LIST[2] = 1
+  V.RTG.OVERRIDE.VEL.CYCLE = 40
   V.E.VALUE = 1
 #RT CYCLE END
 #RT CYCLE [SCOPE=BLOCK]
   V.E.VALUE = 1
-  V.RTG.OVERRIDE.VEL.CYCLE = 40 ; note 900244 "V.RTG.OVERRIDE.VEL.CYCLE"
 #RT CYCLE END
-#RT CYCLE DELETE [ID=1]
 #RT CYCLE [ID=1]
   V.E.LIST[1] = 1
+#RT CYCLE END
+#RT CYCLE DELETE [ID=1]
+#RT CYCLE
+  V.E.LIST[1] = 1
+  V.E.VALUE1 = 2 ; note 900244 "line 7 writes V.E.VALUE1"
 #RT CYCLE END
 M30
 #RT CYCLE
@@ -94,7 +99,18 @@ P3 += 1
 #RT CYCLE [SCOPE=BLOCK]
   V.E.TIME = P3 ; note 900236 "the value"
 #RT CYCLE END
+P3 = 7
+P[P1] = 1
+#RT CYCLE [SCOPE=BLOCK]
+  V.E.TIME = P3 ; note 900236 "the value"
+#RT CYCLE END
+P3 = 7
+P[P1] = 1
+P4 = 8
 L "other.nc"
+#RT CYCLE [SCOPE=BLOCK]
+  V.E.TIME = P4 ; note 900236 "the value"
+#RT CYCLE END
 ; --- what empties the channel between G41 and G40 (RC-308)
 P1 = V.RTA.ACS.ACT_POS.X
 G41 X10

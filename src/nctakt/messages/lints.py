@@ -136,8 +136,8 @@ _add(
 _add(
     900244,
     NOTE,
-    "{name} is written by the realtime cycle of line {line}, too; in each tick the last one wins",
-    "{name} schreibt auch der Echtzeit-Zyklus von Zeile {line}; in jedem Takt gewinnt der letzte",
+    "the realtime cycle of line {line} writes {names}, too; in each tick the last one wins",
+    "auch der Echtzeit-Zyklus von Zeile {line} schreibt {names}; in jedem Takt gewinnt der letzte",
     remedy_en="Let one cycle write it, or mind that they run in the order of their definition.",
     remedy_de="Nur einen Zyklus schreiben lassen oder bedenken: sie laufen in der Reihenfolge "
     "ihrer Definition.",
@@ -145,7 +145,7 @@ _add(
     "one has written stays.",
     cause_de="Alle Zyklen laufen in jedem Takt einmal, in der Reihenfolge ihrer Definition; es "
     "bleibt, was der letzte geschrieben hat.",
-    parameters={**_NAME, "line": "the line in which the other cycle begins"},
+    parameters={"names": "the variables", "line": "the line in which the other cycle begins"},
 )
 _add(
     900245,

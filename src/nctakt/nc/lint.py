@@ -22,7 +22,7 @@ from nctakt.nc.findings import Findings
 from nctakt.nc.frames import is_false
 from nctakt.nc.lint_channel import ChannelUse
 from nctakt.nc.lint_cycle import Budget, CycleLinter, Known
-from nctakt.nc.lint_values import whole
+from nctakt.nc.lint_values import element_text, whole
 from nctakt.nc.names import NameTable
 from nctakt.nc.source import Source
 from nctakt.nc.syntax import (
@@ -209,11 +209,9 @@ class Linter:
         target, known = statement.target, self._state.known
         if not isinstance(target, Parameter) or target.call:
             return
-        if not isinstance(target.index, Number):
-            known.clear()
-            return
         number = whole(target.index)
         if number is None:
+            known.clear()
             return
         known.pop(number, None)
         if isinstance(statement.value, Number) and statement.operator == "=":
@@ -233,14 +231,17 @@ class Linter:
             self._defined.append(GlobalCycle(identity, cycle.span, line))
 
     def _writes(self, writes: dict[str, Variable], writer: _Writer) -> None:
-        """Two cycles that can live at the same time and write the same."""
+        """Two cycles that can live at the same time and write the same: told once for both."""
+        common: dict[_Writer, list[Variable]] = {}
         for name, target in writes.items():
             first = self._writers.setdefault(name, writer)
-            if first is writer or (first.identity and first.identity == writer.identity):
+            if first is writer or first.scope == writer.scope == "BLOCK":
                 continue
-            if first.scope == writer.scope == "BLOCK":
-                continue
-            self._findings.report(900244, target.span, name=name, line=first.line)
+            if first.identity is None or first.identity != writer.identity:
+                common.setdefault(first, []).append(target)
+        for first, targets in common.items():
+            names = ", ".join(element_text(target) for target in targets)
+            self._findings.report(900244, targets[0].span, names=names, line=first.line)
 
     def _control(self, control: CycleControl) -> None:
         if control.action != "DELETE":
@@ -251,6 +252,11 @@ class Linter:
             self._deletes_any = True
         else:
             self._deleted.append(identity)
+            self._writers = {
+                name: writer
+                for name, writer in self._writers.items()
+                if writer.identity is None or writer.identity != identity
+            }
 
     def _identity(self, value: Expression | None) -> int | None:
         """The value of an ID where it is known; ``None`` for one that is not, or not given."""

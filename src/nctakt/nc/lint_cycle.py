@@ -177,12 +177,14 @@ class CycleLinter:
         self._frozen(statement.value)
 
     def _block(self, block: Block, around: _Around) -> None:
+        """The first of its functions stands for all of them."""
         if around.single or around.resets:
             return
         for word in block.words:
             if isinstance(word, Word) and word.name in ("M", "H"):
                 written = self._findings.written(word.span)
                 self._findings.report(900243, word.span, word=written)
+                return
 
     # --- conditions ------------------------------------------------------------------------------
 

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import json
+import os
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -135,6 +137,18 @@ def test_sarif_of_files_without_a_place(capsys: pytest.CaptureFixture[str]) -> N
         "gone.nc",
     ]
     assert all(place["region"] == {"startLine": 1} for place in places)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="names of files that are no text")
+@pytest.mark.parametrize("format", ["text", "json", "github", "sarif"])
+def test_names_that_are_no_text(capsys: pytest.CaptureFixture[str], format: str) -> None:
+    """A file name of bytes that are no UTF-8 is told in every format."""
+    name = os.fsdecode(b"part\xff.nc")
+    Path(name).write_text(PART, encoding="utf-8")
+    capsys.readouterr()
+    assert main(["check", name, "--format", format, "--output", "out"]) == 1
+    shown = Path("out").read_text("utf-8")
+    assert ("part%FF.nc" if format == "sarif" else "part\\udcff.nc") in shown
 
 
 def fingerprints(capsys: pytest.CaptureFixture[str]) -> dict[str, list[str]]:

@@ -79,7 +79,7 @@ def _counted(number: int, texts: tuple[Text, Text], language: Language) -> str:
 
 
 def as_json(result: CheckResult, language: Language, root: Path) -> str:
-    """One object; its keys are the same in every language."""
+    """One object; its keys are the same in every language, its text is ASCII for any terminal."""
     document = {
         "nctakt": __version__,
         "files": [
@@ -93,7 +93,7 @@ def as_json(result: CheckResult, language: Language, root: Path) -> str:
             "notes": result.count(Severity.NOTE),
         },
     }
-    return json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+    return json.dumps(document, indent=2) + "\n"
 
 
 def _json_of(found: Found, language: Language, root: Path) -> dict[str, object]:

@@ -56,7 +56,7 @@ def as_sarif(result: CheckResult, language: Language, root: Path) -> str:
         "results": [_result(found, language, root, index, seen) for found in result.found],
     }
     log: Json = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
-    return json.dumps(log, ensure_ascii=False, indent=2) + "\n"
+    return json.dumps(log, indent=2) + "\n"
 
 
 def _rule(message: Message, language: Language) -> Json:
@@ -101,7 +101,7 @@ def _location(file: str, root: Path) -> Json:
     path = relative(file, root)
     if path.is_absolute():
         return {"uri": path.as_uri()}
-    return {"uri": quote(path.as_posix()), "uriBaseId": BASE}
+    return {"uri": quote(path.as_posix(), errors="surrogateescape"), "uriBaseId": BASE}
 
 
 def _fingerprint(found: Found, root: Path, seen: dict[str, int]) -> str:

@@ -120,6 +120,8 @@ def test_csv_of_s1(tmp_path: Path) -> None:
     assert ("5450", "END", "COM", "5450") in found
     assert ("3400", "RUN", "COM", "100") in found
     assert found[0] == ("0", "NC", "", "0")
+    shares = [(row["time_us"], row["value"]) for row in rows if row["event"] == "WINDOWS"]
+    assert shares == [("0", "500"), ("2000", "500"), ("4000", "550")]
     assert sum(row["event"] == "TICK" for row in rows) == 13
     assert [float(row["time_us"]) for row in rows] == sorted(float(row["time_us"]) for row in rows)
 

@@ -54,7 +54,7 @@ class Places:
             free = [True] * len(idle)
             for i, cpu in running:
                 free[cpu] = False
-                state.advance(i, cpu, now, until)
+                state.advance(i, cpu, now, until, state.switch(i, cpu))
                 if until > stop and cpu in self._model.windows_cpus:
                     state.counters.runs_late(cpu, i)
             for cpu in self._cpus:

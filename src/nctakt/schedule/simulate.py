@@ -211,9 +211,11 @@ class SchedulerState:
             if left[i] == IDLE:
                 continue
             got, limit = now, stop if self.suspendable[i] else end
-            while left[i] != IDLE and now < limit:
-                now = self.advance(i, cpu, now, min(now + left[i] + self.switch(i, cpu), limit))
-            if now > max(got, stop):
+            while now < limit and left[i] != IDLE:
+                overhead = self.switch(i, cpu)
+                until = now + left[i] + overhead
+                now = self.advance(i, cpu, now, until if until < limit else limit, overhead)
+            if now > stop and now > got:
                 self.counters.runs_late(cpu, i)
         return end - now
 
@@ -221,9 +223,8 @@ class SchedulerState:
         """What it costs to give ``cpu`` to task ``i``."""
         return 0 if self._last[cpu] == i else self.model.overheads.switch
 
-    def advance(self, i: int, cpu: int, now: int, until: int) -> int:
+    def advance(self, i: int, cpu: int, now: int, until: int, overhead: int) -> int:
         """Task ``i`` has the processor from ``now`` to ``until``, which is returned."""
-        overhead = self.switch(i, cpu)
         self._last[cpu] = i
         if self.recorder.is_open:
             self.recorder.segment(cpu, now, until, i, overhead)

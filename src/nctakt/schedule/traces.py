@@ -9,6 +9,7 @@ from __future__ import annotations
 import csv
 import importlib.util
 import json
+from collections import deque
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +24,7 @@ from nctakt.schedule.tracebits import BITS, calls_of, trace_bits
 #: Between two calls that touch a bit is shown low for so long, and an interrupt high, in ns.
 GAP = 1000
 
-_EVENT_ORDER = ("END", "SUSPEND", "NC", "RESUME", "RELEASE", "OVERFLOW", "TICK", "RUN")
+_EVENT_ORDER = ("END", "SUSPEND", "NC", "RESUME", "RELEASE", "OVERFLOW", "TICK", "RUN", "WINDOWS")
 
 
 def check_vcd() -> None:
@@ -201,8 +202,27 @@ def _counters(run: Simulation) -> list[dict[str, Any]]:
     return found
 
 
+def windows_shares(run: Simulation) -> list[tuple[int, int, int]]:
+    """For each recorded cycle its begin, and what Windows gets on each of its processors."""
+    events = run.record.events
+    begins = [one.time for one in events if one.kind is EventKind.INTERRUPT]
+    ends = [*begins[1:], run.record.end]
+    found: list[tuple[int, int, int]] = []
+    for cpu in run.model.windows_cpus:
+        free = deque(windows_times(run, cpu))
+        for begin, end in zip(begins, ends, strict=True):
+            share = 0
+            while free and free[0][0] < end:
+                start, stop = free.popleft()
+                share += min(stop, end) - max(start, begin)
+                if stop > end:
+                    free.appendleft((end, stop))
+            found.append((begin, cpu, share))
+    return found
+
+
 def write_csv(run: Simulation, path: Path) -> None:
-    """All events and pieces of execution in the order of time, times in µs."""
+    """All events, pieces of execution and shares of Windows in the order of time, in µs."""
     tasks, record = run.model.tasks, run.record
     rows: list[tuple[int, str, str, str, str, str]] = []
     for event in record.events:
@@ -215,6 +235,8 @@ def write_csv(run: Simulation, path: Path) -> None:
     for one in record.segments:
         cells = (tasks[one.task].name, str(one.cpu), str(one.job), us(one.end - one.begin))
         rows.append((one.begin, "RUN", *cells))
+    for begin, cpu, share in windows_shares(run):
+        rows.append((begin, "WINDOWS", "", str(cpu), "", us(share)))
     rows.sort(key=lambda row: (row[0], _EVENT_ORDER.index(row[1])))
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")

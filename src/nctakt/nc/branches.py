@@ -43,6 +43,13 @@ def branch_places(statement: syntax.RealtimeCycle) -> list[BranchPlace]:
     return found
 
 
+def combined(condition: syntax.Expression) -> list[syntax.Expression]:
+    """What ``&&`` and ``||`` combine in a condition; the condition itself where there is none."""
+    if isinstance(condition, syntax.Binary) and condition.operator in ("&&", "||"):
+        return [*combined(condition.left), *combined(condition.right)]
+    return [condition]
+
+
 def lines_without_branch(statement: syntax.RealtimeCycle) -> list[int]:
     """The lines of the definition and of its statements that stand in no branch."""
     return [statement.span.line, *_own_lines(statement.body)]

@@ -135,14 +135,29 @@ class LifeEvent:
 
 
 @dataclass(frozen=True, slots=True)
-class BranchHistory:
-    """One branch of a cycle and its condition, which ``$ELSE`` has none.
+class ConditionHistory:
+    """A condition, or a part of one that ``&&`` or ``||`` combines.
 
-    ``text`` is its source line without blanks around, ``operator`` that of the comparison, empty
-    where the condition is none. ``outer`` and ``earlier`` are positions in the cycle's branches.
-    ``evaluated``: when the condition was. ``changes``: its changes of truth, the newest
-    ``CHANGES_KEPT``. ``was_true``: its truth before the run, ``None`` when it had none. ``bodies``:
-    when the body ran. ``nearest``: ``None`` if it was true once or never evaluated.
+    ``operator`` is that of the comparison, ``&&`` or ``||``, empty for a value alone. ``changes``
+    are its changes of truth, the newest ``CHANGES_KEPT``. ``was_true``: its truth before the run,
+    ``None`` when it had none. ``nearest``: ``None`` if it was true once or never evaluated.
+    """
+
+    text: str = ""
+    operator: str = ""
+    changes: tuple[Change, ...] = ()
+    changes_left_out: int = 0
+    was_true: bool | None = None
+    nearest: Nearest | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class BranchHistory:
+    """One branch of a cycle; the condition of ``$ELSE`` is empty.
+
+    ``text`` is its source line without blanks around. ``outer`` and ``earlier`` are positions in
+    the cycle's branches. ``parts`` are what ``&&`` and ``||`` combine in the condition. In the
+    ticks ``evaluated`` the condition was, in the ticks ``bodies`` the body ran.
     """
 
     span: Span
@@ -150,15 +165,12 @@ class BranchHistory:
     text: str
     word: BranchWord
     frequency: str
-    operator: str
     outer: int | None
     earlier: tuple[int, ...]
+    condition: ConditionHistory = ConditionHistory()
+    parts: tuple[ConditionHistory, ...] = ()
     evaluated: Times = Times()
-    changes: tuple[Change, ...] = ()
-    changes_left_out: int = 0
-    was_true: bool | None = None
     bodies: Times = Times()
-    nearest: Nearest | None = None
 
 
 @dataclass(frozen=True, slots=True)

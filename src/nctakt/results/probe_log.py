@@ -3,7 +3,7 @@
 
 In: the probe and event rows of ``kernel/record.py`` as they come, the definitions of the cycles, at
 the end the counters of their nodes. Out: ``CycleHistory`` for each cycle. Memory is bounded by the
-constants below, the newest is kept, and histories say how much was dropped.
+constants here and in ``branch_log.py``, the newest is kept, and histories say how much was dropped.
 """
 
 from __future__ import annotations
@@ -14,29 +14,24 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from nctakt.decoder.cycles import BuiltReaction, CycleDefinition
+from nctakt.decoder.cycles import CycleDefinition
 from nctakt.diagnostics import Span
-from nctakt.kernel import conditions, record
+from nctakt.kernel import record
 from nctakt.kernel.cycles import DEFINED, HELD
-from nctakt.nc.branches import BranchPlace, branch_places, lines_without_branch, realtime_cycles
+from nctakt.nc.branches import (
+    branch_places,
+    lines_without_branch,
+    realtime_cycles,
+)
 from nctakt.nc.syntax import Program, RealtimeCycle
+from nctakt.results.branch_log import BranchLog, ConditionLog, SeriesLog, continued
 from nctakt.results.histories import (
     BranchHistory,
-    Change,
     CycleHistory,
     EndedBy,
     LifeEvent,
     LifeKind,
-    Nearest,
-    Series,
-    Times,
 )
-
-#: Changes of truth that are kept for each condition.
-CHANGES_KEPT = 1000
-
-#: Series of consecutive ticks that are kept for each condition, body and cycle.
-SERIES_KEPT = 1000
 
 #: Steps in a cycle's life that are kept.
 LIFE_KEPT = 1000
@@ -49,21 +44,6 @@ _PROBE = struct.Struct(f"={record.PROBE_WIDTH}d")
 
 #: Level-2 message of a BLOCK cycle whose program ended before its block came.
 _BLOCK_NEVER_CAME = 900413
-
-_OPERATORS: dict[type[conditions.Condition], str] = {
-    conditions.IsLess: "<",
-    conditions.IsLessCellConstant: "<",
-    conditions.IsLessEqual: "<=",
-    conditions.IsLessEqualCellConstant: "<=",
-    conditions.IsGreater: ">",
-    conditions.IsGreaterCellConstant: ">",
-    conditions.IsGreaterEqual: ">=",
-    conditions.IsGreaterEqualCellConstant: ">=",
-    conditions.IsEqual: "==",
-    conditions.IsEqualCellConstant: "==",
-    conditions.IsNotEqual: "!=",
-    conditions.IsNotEqualCellConstant: "!=",
-}
 
 _LIFE: dict[int, LifeKind] = {
     record.CREATED: "created",
@@ -95,85 +75,12 @@ class CycleNames(Protocol):
         """The source line of a span."""
 
 
-class _SeriesLog:
-    """Begins of series, each with the tick behind the one before -> closed series."""
-
-    def __init__(self, first_tick: int | None) -> None:
-        self._first_tick = first_tick
-        self._kept: deque[Series] = deque(maxlen=SERIES_KEPT)
-        self._ticks = 0
-        self._left_out = 0
-
-    def begin(self, tick: int, next_tick: int) -> None:
-        self._close(next_tick)
-        self._first_tick = tick
-
-    def _close(self, next_tick: int) -> None:
-        """The series that is open ended before ``next_tick``; it may have no tick in this run."""
-        if self._first_tick is not None and next_tick > self._first_tick:
-            self._left_out += len(self._kept) == SERIES_KEPT
-            self._kept.append(Series(self._first_tick, next_tick - 1))
-            self._ticks += next_tick - self._first_tick
-        self._first_tick = None
-
-    def finish(self, next_tick: int) -> Times:
-        self._close(next_tick)
-        return Times(tuple(self._kept), self._ticks, self._left_out)
-
-
-def _continued(next_tick: int, first_tick: int) -> int | None:
-    """Where a series that an earlier run has begun goes on."""
-    return first_tick if next_tick == first_tick else None
-
-
-class _BranchLog:
-    """One branch: its node in the realtime part and what came from it."""
-
-    def __init__(self, built: BuiltReaction, first_tick: int) -> None:
-        self.reaction = built.node
-        node = built.node.condition
-        self.probe = node.probe
-        self.evaluated = _SeriesLog(_continued(node.next_tick, first_tick))
-        self.bodies = _SeriesLog(_continued(built.node.next_tick, first_tick))
-        self._was_true = None if node.truth == conditions.UNKNOWN else node.truth == 1
-        self._changes: deque[Change] = deque(maxlen=CHANGES_KEPT)
-        self._left_out = 0
-
-    def change(self, tick: int, truth: bool, left: float, right: float) -> None:
-        self._left_out += len(self._changes) == CHANGES_KEPT
-        self._changes.append(Change(tick, truth, left, right))
-
-    def history(self, place: BranchPlace, text: str) -> BranchHistory:
-        node = self.reaction.condition
-        nearest = None
-        if node.nearest_tick >= 0 and not node.was_ever_true:
-            nearest = Nearest(
-                node.nearest_tick, node.nearest_left, node.nearest_right, node.nearest
-            )
-        return BranchHistory(
-            place.span,
-            place.lines,
-            text,
-            place.word,
-            place.frequency,
-            _OPERATORS.get(type(node), ""),
-            place.outer,
-            place.earlier,
-            self.evaluated.finish(node.next_tick),
-            tuple(self._changes),
-            self._left_out,
-            self._was_true,
-            self.bodies.finish(self.reaction.next_tick),
-            nearest,
-        )
-
-
 @dataclass(slots=True)
 class _CycleLog:
     name: str
     definition: CycleDefinition
-    runs: _SeriesLog
-    branches: dict[Span, _BranchLog]
+    runs: SeriesLog
+    branches: dict[Span, BranchLog]
     life: deque[LifeEvent] = field(default_factory=lambda: deque(maxlen=LIFE_KEPT))
     life_left_out: int = 0
     missed_its_block: bool = False
@@ -198,9 +105,9 @@ class ProbeLog:
         self._names = names
         self._first_tick = first_tick
         self._cycles: dict[int, _CycleLog] = {}
-        self._evaluated: dict[int, _SeriesLog] = {}
-        self._bodies: dict[int, _SeriesLog] = {}
-        self._branches: dict[int, _BranchLog] = {}
+        self._evaluated: dict[int, SeriesLog] = {}
+        self._bodies: dict[int, SeriesLog] = {}
+        self._conditions: dict[int, ConditionLog] = {}
         self._stops: deque[tuple[int, LifeEvent]] = deque(maxlen=LIFE_KEPT)
         self._seen: dict[Span, None] = {}
         self.left_out = 0
@@ -219,9 +126,9 @@ class ProbeLog:
         for tick, code, left, right in _PROBE.iter_unpack(probes):
             number = int(code)
             if number >= 0:
-                branch = self._branches.get(number // 2)
-                if branch is not None:
-                    branch.change(int(tick), bool(number % 2), left, right)
+                condition = self._conditions.get(number // 2)
+                if condition is not None:
+                    condition.change(int(tick), bool(number % 2), left, right)
                 continue
             number = -1 - number
             series = (self._bodies if number % 2 else self._evaluated).get(number // 2)
@@ -259,9 +166,9 @@ class ProbeLog:
 
     def _add(self, definition: CycleDefinition) -> _CycleLog:
         cycle = definition.cycle
-        runs = _SeriesLog(_continued(cycle.next_tick, self._first_tick))
+        runs = SeriesLog(continued(cycle.next_tick, self._first_tick))
         branches = {
-            built.span: _BranchLog(built, self._first_tick) for built in definition.reactions
+            built.span: BranchLog(built, self._first_tick) for built in definition.reactions
         }
         name = self._names.cycle(definition.serial)
         made = _CycleLog(name, definition, runs, branches)
@@ -270,7 +177,7 @@ class ProbeLog:
         for branch in branches.values():
             self._evaluated[branch.probe] = branch.evaluated
             self._bodies[branch.probe] = branch.bodies
-            self._branches[branch.probe] = branch
+            self._conditions |= branch.conditions
         self._seen[definition.span] = None
         return made
 
@@ -285,8 +192,10 @@ class ProbeLog:
         cycle = self._cycles.pop(serial)
         del self._evaluated[cycle.definition.cycle.probe]
         for branch in cycle.branches.values():
-            for table in (self._evaluated, self._bodies, self._branches):
-                del table[branch.probe]
+            del self._evaluated[branch.probe]
+            del self._bodies[branch.probe]
+            for probe in branch.conditions:
+                del self._conditions[probe]
         self.left_out += 1
 
     # --- at its end -----------------------------------------------------------------------------
@@ -329,7 +238,6 @@ class ProbeLog:
                 self._text(place.span),
                 place.word,
                 place.frequency,
-                "",
                 place.outer,
                 place.earlier,
             )

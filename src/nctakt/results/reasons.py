@@ -10,6 +10,7 @@ from __future__ import annotations
 from nctakt.results.histories import (
     BranchHistory,
     Change,
+    ConditionHistory,
     CycleHistory,
     LifeEvent,
     Reason,
@@ -50,18 +51,18 @@ def _ended(event: LifeEvent) -> Reason:
     return Reason("ended", event.tick, event.span, ended_by=event.ended_by, number=event.number)
 
 
-def last_change(branch: BranchHistory, tick: int) -> Change | None:
+def last_change(condition: ConditionHistory, tick: int) -> Change | None:
     """What the condition saw at its last change of truth up to ``tick``."""
-    before = [change for change in branch.changes if change.tick <= tick]
+    before = [change for change in condition.changes if change.tick <= tick]
     return before[-1] if before else None
 
 
-def truth_at(branch: BranchHistory, tick: int) -> bool | None:
+def truth_at(condition: ConditionHistory, tick: int) -> bool | None:
     """The truth of the condition after ``tick``; ``None`` if it had none or it is not known."""
-    change = last_change(branch, tick)
+    change = last_change(condition, tick)
     if change is not None:
         return change.truth
-    return None if branch.changes_left_out else branch.was_true
+    return None if condition.changes_left_out else condition.was_true
 
 
 def why_branch_idle(cycle: CycleHistory, branch: BranchHistory, tick: int) -> Reason | None:
@@ -96,8 +97,8 @@ def _without_evaluation(cycle: CycleHistory, branch: BranchHistory) -> Reason:
 
 def _why_without_body(branch: BranchHistory, tick: int) -> Reason:
     """The condition was evaluated, the body did not run."""
-    change = last_change(branch, tick)
-    truth = truth_at(branch, tick)
+    change = last_change(branch.condition, tick)
+    truth = truth_at(branch.condition, tick)
     if truth is None:
         return Reason("fault", tick)
     if truth:
@@ -147,9 +148,10 @@ def why_branch_never(cycle: CycleHistory, branch: BranchHistory, last_tick: int)
 
 
 def _why_never_true(cycle: CycleHistory, branch: BranchHistory) -> Reason:
-    was_true = branch.was_true or any(change.truth for change in branch.changes)
-    if was_true:
-        return Reason("no rise", branch.changes[0].tick if branch.changes else None)
-    if branch.changes or branch.was_true is False:
-        return Reason("false", nearest=branch.nearest)
+    condition = branch.condition
+    changes = condition.changes
+    if condition.was_true or any(change.truth for change in changes):
+        return Reason("no rise", changes[0].tick if changes else None)
+    if changes or condition.was_true is False:
+        return Reason("false", nearest=condition.nearest)
     return _stopped_by_fault(cycle) or _FORGOTTEN

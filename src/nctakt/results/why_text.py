@@ -11,10 +11,15 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from nctakt.diagnostics import Text
-from nctakt.results.histories import BranchHistory, CycleHistory, LifeEvent, Reason
+from nctakt.results.histories import (
+    BranchHistory,
+    ConditionHistory,
+    CycleHistory,
+    LifeEvent,
+    Reason,
+)
 from nctakt.results.reasons import (
     last_change,
-    truth_at,
     why_branch_idle,
     why_branch_never,
     why_cycle_idle,
@@ -43,8 +48,9 @@ _OUTSIDE = Text(
     "what stands in no $IF runs in each run-through", "was in keinem $IF steht, läuft jedes Mal"
 )
 _EVALUATED = Text("evaluated in {times}", "ausgewertet: {times}")
-_TRUE_FROM = Text("true from {tick}: {values}", "wahr ab {tick}: {values}")
-_FALSE_FROM = Text("false from {tick}: {values}", "falsch ab {tick}: {values}")
+_TRUE_FROM = Text("true from {seen}", "wahr ab {seen}")
+_FALSE_FROM = Text("false from {seen}", "falsch ab {seen}")
+_PART = Text("part {text}", "Teil {text}")
 _BODY_ONCE = Text("body ran once, in {times}", "Rumpf lief einmal: {times}")
 _BODY = Text("body ran {count} times, in {times}", "Rumpf lief {count} mal: {times}")
 _BODY_NEVER = Text("body never ran: {reason}", "Rumpf lief nie: {reason}")
@@ -61,8 +67,8 @@ _AT_RAN = Text("ran in this tick", "lief in diesem Takt")
 _AT_IDLE = Text("did not run in this tick: {reason}", "lief nicht in diesem Takt: {reason}")
 _AT_EVALUATED = Text("evaluated in this tick", "in diesem Takt ausgewertet")
 _AT_NOT_EVALUATED = Text("not evaluated in this tick", "in diesem Takt nicht ausgewertet")
-_AT_TRUE = Text("true since {tick}: {values}", "wahr seit {tick}: {values}")
-_AT_FALSE = Text("false since {tick}: {values}", "falsch seit {tick}: {values}")
+_AT_TRUE = Text("true since {seen}", "wahr seit {seen}")
+_AT_FALSE = Text("false since {seen}", "falsch seit {seen}")
 _AT_BODY = Text("body ran", "Rumpf lief")
 _AT_NO_BODY_FALSE = Text("body did not run", "Rumpf lief nicht")
 _AT_NO_BODY = Text("body did not run: {reason}", "Rumpf lief nicht: {reason}")
@@ -185,36 +191,42 @@ def _history(cycle: CycleHistory, branch: BranchHistory, last_tick: int, words: 
     lines: list[str] = []
     if branch.evaluated.ticks:
         lines.append(words.get(_EVALUATED, times=words.times(branch.evaluated)))
+        for part in branch.parts:
+            lines.append(words.get(_PART, text=part.text))
+            lines += [f"  {line}" for line in _truths(part, words)]
     if branch.bodies.ticks:
-        lines += _changes(branch, words)
+        lines += _changes(branch.condition, words)
         count = branch.bodies.ticks
         times = words.times(branch.bodies)
         lines.append(words.get(_BODY_ONCE if count == 1 else _BODY, count=count, times=times))
         return [*lines, *_frequency(branch, words)]
     chain = _chain(cycle, branch, lambda one: why_branch_never(cycle, one, last_tick))
-    if branch.changes and chain[0].kind != "false":
-        lines += _changes(branch, words)
+    if chain[0].kind != "false":
+        lines += _changes(branch.condition, words)
     reason = words.branch_reason(cycle, branch, chain)
     return [*lines, words.get(_BODY_NEVER, reason=reason)]
 
 
-def _changes(branch: BranchHistory, words: Words) -> list[str]:
+def _truths(part: ConditionHistory, words: Words) -> list[str]:
+    """The changes of a part, or how near it came."""
+    if part.nearest is not None:
+        return [words.nearest(part, part.nearest)]
+    return _changes(part, words)
+
+
+def _changes(condition: ConditionHistory, words: Words) -> list[str]:
     texts = [
-        words.get(
-            _TRUE_FROM if change.truth else _FALSE_FROM,
-            tick=words.tick(change.tick),
-            values=words.seen(branch, change),
-        )
-        for change in branch.changes
+        words.get(_TRUE_FROM if change.truth else _FALSE_FROM, seen=words.seen(condition, change))
+        for change in condition.changes
     ]
-    return words.ends(texts, branch.changes_left_out)
+    return words.ends(texts, condition.changes_left_out)
 
 
 def _frequency(branch: BranchHistory, words: Words) -> list[str]:
     """From when on a condition is no longer evaluated, though its body has run."""
     if branch.frequency == "ONCE":
         return [words.get(_DONE)]
-    true = [change.tick for change in branch.changes if change.truth]
+    true = [change.tick for change in branch.condition.changes if change.truth]
     if branch.frequency == "ALWAYS" and true:
         return [words.get(_LATCHED, tick=words.tick(true[-1]))]
     return []
@@ -242,15 +254,22 @@ def _state(cycle: CycleHistory, branch: BranchHistory, tick: int, words: Words) 
     if branch.word != "$ELSE":
         evaluated = branch.evaluated.holds(tick)
         lines.append(words.get(_AT_EVALUATED if evaluated else _AT_NOT_EVALUATED))
-    change = last_change(branch, tick)
-    if change is not None:
-        text = _AT_TRUE if truth_at(branch, tick) else _AT_FALSE
-        values = words.seen(branch, change)
-        lines.append(words.get(text, tick=words.tick(change.tick), values=values))
+    lines += _truth(branch.condition, tick, words)
+    for part in branch.parts:
+        lines.append(words.get(_PART, text=part.text))
+        lines += [f"  {line}" for line in _truth(part, tick, words)]
     chain = _chain(cycle, branch, lambda one: why_branch_idle(cycle, one, tick))
     if not chain:
         return [*lines, words.get(_AT_BODY)]
-    if chain[0].kind == "false" and change is not None:
+    if chain[0].kind == "false" and chain[0].change is not None:
         return [*lines, words.get(_AT_NO_BODY_FALSE)]
     reason = words.branch_reason(cycle, branch, chain)
     return [*lines, words.get(_AT_NO_BODY, reason=reason)]
+
+
+def _truth(condition: ConditionHistory, tick: int, words: Words) -> list[str]:
+    """Since when a condition is true or false, if that is known."""
+    change = last_change(condition, tick)
+    if change is None:
+        return []
+    return [words.get(_AT_TRUE if change.truth else _AT_FALSE, seen=words.seen(condition, change))]

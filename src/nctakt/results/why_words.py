@@ -12,6 +12,7 @@ from nctakt.diagnostics import Language, Span, Text
 from nctakt.results.histories import (
     BranchHistory,
     Change,
+    ConditionHistory,
     CycleHistory,
     Nearest,
     Reason,
@@ -27,13 +28,14 @@ _TICK = Text("tick {tick} ({time})", "Takt {tick} ({time})")
 _TICKS = Text("ticks {ticks}", "Takte {ticks}")
 _TO = Text("{first} to {last}", "{first} bis {last}")
 _MORE = Text("… {count} more …", "… {count} weitere …")
-_TRUE_FROM_HALF = Text("{value}, true from 0.5 on", "{value}, wahr ab 0.5")
+_TRUE_FROM_HALF = Text("{value} (true from 0.5 on)", "{value} (wahr ab 0.5)")
 _LINE = Text("line {line}", "Zeile {line}")
 _ERROR = Text("error {number}", "Fehler {number}")
 _NEAREST = Text(
     "nearest at {tick}: {values}, {distance} away",
     "am nächsten in {tick}: {values}, Abstand {distance}",
 )
+_NEVER_TRUE = Text("never true", "nie wahr")
 _AT_COMMAND = Text("{text}, {line}", "{text}, {line}")
 
 _ENDED_BY = {
@@ -78,9 +80,8 @@ _BRANCH_REASONS = {
     "done": Text("ONCE: done since {tick}", "ONCE: erledigt seit {tick}"),
     "done before": Text("ONCE: done before the run", "ONCE: vor dem Lauf erledigt"),
     "fault": Text("an error ended the cycle at {tick}", "ein Fehler beendete den Zyklus in {tick}"),
-    "false since": Text("false since {tick}: {values}", "falsch seit {tick}: {values}"),
+    "false since": Text("false since {seen}", "falsch seit {seen}"),
     "false": Text("false since before the run", "falsch seit vor dem Lauf"),
-    "never true": Text("never true", "nie wahr"),
     "forgotten": Text("too long ago to be known", "zu lange her, nicht mehr bekannt"),
 }
 
@@ -137,22 +138,29 @@ class Words:
         """``line 4``."""
         return self.get(_LINE, line=span.line)
 
-    def values(self, branch: BranchHistory, left: float, right: float) -> str:
-        """What a condition compared: ``200.25 > 200``."""
-        if not branch.operator:
+    def values(self, condition: ConditionHistory, left: float, right: float) -> str:
+        """What a condition compared: ``200.25 > 200``; empty where it combines others."""
+        if condition.operator in ("&&", "||"):
+            return ""
+        if not condition.operator:
             return self.get(_TRUE_FROM_HALF, value=number_text(left))
-        return f"{number_text(left)} {branch.operator} {number_text(right)}"
+        return f"{number_text(left)} {condition.operator} {number_text(right)}"
 
-    def seen(self, branch: BranchHistory, change: Change) -> str:
-        """What a condition saw at a change."""
-        return self.values(branch, change.left, change.right)
+    def seen(self, condition: ConditionHistory, change: Change) -> str:
+        """From or since when a condition has its truth, and what it compared then."""
+        values = self.values(condition, change.left, change.right)
+        return self.tick(change.tick) + (f": {values}" if values else "")
 
-    def nearest(self, branch: BranchHistory, nearest: Nearest) -> str:
-        """How near a condition came to be true."""
-        values = self.values(branch, nearest.left, nearest.right)
+    def nearest(self, condition: ConditionHistory, nearest: Nearest) -> str:
+        """How near a condition that was never true came to be it."""
+        values = self.values(condition, nearest.left, nearest.right)
+        never = self.get(_NEVER_TRUE)
+        if not values:
+            return never
         distance = number_text(nearest.distance)
         tick = self.tick(nearest.tick)
-        return self.get(_NEAREST, tick=tick, values=values, distance=distance)
+        near = self.get(_NEAREST, tick=tick, values=values, distance=distance)
+        return f"{never}, {near}"
 
     # --- reasons --------------------------------------------------------------------------------
 
@@ -199,7 +207,7 @@ class Words:
                 line = self.line(cycle.branches[reason.branch].span)
                 return self.get(_BRANCH_REASONS[reason.kind], line=line)
             case "false":
-                return self._false(branch, reason, tick)
+                return self._false(branch.condition, reason)
             case "no rise" | "done":
                 kind = reason.kind if tick else f"{reason.kind} before"
                 return self.get(_BRANCH_REASONS[kind], tick=tick)
@@ -207,13 +215,12 @@ class Words:
                 return self._fault(reason, tick)
         return self.get(_BRANCH_REASONS[reason.kind])
 
-    def _false(self, branch: BranchHistory, reason: Reason, tick: str) -> str:
+    def _false(self, condition: ConditionHistory, reason: Reason) -> str:
         if reason.change is not None:
-            seen = self.seen(branch, reason.change)
-            return self.get(_BRANCH_REASONS["false since"], tick=tick, values=seen)
+            seen = self.seen(condition, reason.change)
+            return self.get(_BRANCH_REASONS["false since"], seen=seen)
         if reason.nearest is not None:
-            never = self.get(_BRANCH_REASONS["never true"])
-            return f"{never}, {self.nearest(branch, reason.nearest)}"
+            return self.nearest(condition, reason.nearest)
         return self.get(_BRANCH_REASONS["false"])
 
     def _fault(self, reason: Reason, tick: str) -> str:

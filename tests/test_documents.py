@@ -193,6 +193,13 @@ def anchors(file: Path) -> set[str]:
     return {re.sub(r"[^\w\- ]", "", one.lower()).replace(" ", "-") for one in headings}
 
 
+def test_the_python_names_of_the_readme_exist() -> None:
+    """What the README names with its module can be imported."""
+    for named in re.findall(r"`nctakt\.([\w.]+)`", text_of("README.md")):
+        assert exists(named), named
+    assert hasattr(Controller, "external_image")
+
+
 def members(path: Path) -> set[str]:
     """The classes and functions of a module: ``Name``, ``Name.method``."""
     found: set[str] = set()

@@ -20,7 +20,7 @@ from math import lcm
 from nctakt.schedule.model import ANY_CPU, Model, Task, TaskClass
 
 #: Steps of the search for one response; a schedule that needs more counts as unbounded.
-MOST_STEPS = 100_000
+MOST_STEPS = 10_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,10 +158,15 @@ def _response(model: Model, i: int, supply: _Supply, *, reaches: bool) -> int | 
     suspended = _on_windows(task, supply) and task.kind is TaskClass.ASYNCHRONOUS
     if suspended and not supply.each:
         return None
-    limit = _limit(model, above, supply, supply.each if suspended else supply.cycle)
-    time = 1
+    work = _work(model, task)
+    if suspended:
+        limit = _limit(model, above, supply, supply.each)
+        time = _start(model, above, supply, supply.each, work - supply.each)
+    else:
+        limit = _limit(model, above, supply, supply.cycle)
+        always = [one for one in above if one.kind is not TaskClass.ASYNCHRONOUS]
+        time = _start(model, always, supply, supply.cycle, work)
     for _ in range(MOST_STEPS):
-        work = _work(model, task)
         fixed, stoppable = _demand(model, above, time, supply)
         if suspended:
             needed = supply.moment(work + fixed + stoppable)
@@ -194,14 +199,26 @@ def _demand(model: Model, above: Sequence[Task], time: int, supply: _Supply) -> 
     return fixed, stoppable
 
 
+def _hyperperiod(model: Model, above: Sequence[Task]) -> tuple[int, int]:
+    """After how many cycles the same tasks are due again, and their work up to then."""
+    cycles = lcm(1, *(task.every for task in above))
+    return cycles, sum(cycles // task.every * _work(model, task) for task in above)
+
+
 def _limit(model: Model, above: Sequence[Task], supply: _Supply, each: int) -> int | None:
     """Where the search may end without a result; ``None``: there is always one.
 
     When one hyperperiod brings at least as much work as time, the next one finds the same, or more.
     """
-    cycles = lcm(1, *(task.every for task in above))
-    work = sum(cycles // task.every * _work(model, task) for task in above)
-    return cycles * supply.cycle if work >= cycles * each else None
+    cycles, brought = _hyperperiod(model, above)
+    return cycles * supply.cycle if brought >= cycles * each else None
+
+
+def _start(model: Model, above: Sequence[Task], supply: _Supply, each: int, work: int) -> int:
+    """A time before which there is no response: ``work`` at the rate that the others leave."""
+    cycles, brought = _hyperperiod(model, above)
+    left = cycles * each - brought
+    return max(1, work * cycles * supply.cycle // left) if left > 0 else 1
 
 
 def _analyse_cpu(model: Model, cpu: int, supply: _Supply) -> CpuAnalysis:

@@ -30,7 +30,7 @@ from nctakt.results.run import Run, RunState, RunStatistics, SaidMessage
 from nctakt.results.why import WhyReport
 from nctakt.runtime_errors import realtime_diagnostic
 from nctakt.stimuli import Stimulus
-from nctakt.trace.events import EventChunk, EventDecoder
+from nctakt.trace.events import Event, EventChunk, EventDecoder
 from nctakt.trace.recorded import MemorySink
 from nctakt.trace.sinks import Signal, Sink, TraceHeader
 
@@ -280,8 +280,8 @@ class Controller:
         while self.tick < min(stop, end):
             self._advance(min(stop, end, self.tick + PROGRESS_TICKS))
             self._tell_progress(on_progress, min(stop, end))
-            if self._channel.is_stopped:
-                return "error"
+        if self._channel.is_stopped:
+            return "error"
         return "limit" if self.tick < stop else "ended"
 
     def _tell_progress(
@@ -366,10 +366,13 @@ class Controller:
             if event.kind == "message" and self._on_message is not None:
                 style = self._machine.registry.message_style(subject)
                 self._on_message(SaidMessage(event.time_us, event.text, *style))
-            elif event.kind in ("error", "warning"):
-                found = realtime_diagnostic(event, self._machine)
-                if found is not None:
-                    self.diagnostics.append(found)
+            elif event.kind == "error" and not self._is_told(event):
+                self.diagnostics.append(realtime_diagnostic(event, self._machine))
+
+    def _is_told(self, event: Event) -> bool:
+        """Whether the error is the decoder's, whose diagnostic is there since it gave up."""
+        given_up = None if self._feed is None else self._feed.given_up
+        return given_up is not None and not event.cycle and event.text == str(given_up.id)
 
     def _select(
         self, names: Sequence[str] | None, records: bool, record_writes: bool

@@ -44,6 +44,7 @@ class Feed:
             self._surroundings, state, registry.next_cycle, registry.keep
         )
         self._decoded: Generator[Command, Answer] = self._decoder.decode(program)
+        self.given_up: Diagnostic | None = None
         self._waiting: Command | None = None
         self._pending: commands.LoadCycle | None = None
         self._channel.decoder_open = True
@@ -94,6 +95,7 @@ class Feed:
 
     def _give_up(self, found: Diagnostic) -> None:
         """A mistake that only values show: the channel stops behind what was prepared."""
+        self.given_up = found
         self._report(found)
         source = 0 if found.span is None else self._surroundings.place(found.span)
         self._put(commands.GiveUp(source, 0, found.id), 0)

@@ -13,8 +13,8 @@ from nctakt.messages import diagnostic
 from nctakt.trace.events import Event, number_text
 
 
-def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic | None:
-    """The diagnostic of an error event; ``None`` for one of the decoder, which is told already.
+def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
+    """The diagnostic of an error event of a cycle or of the path.
 
     The values come from the context of the cycle at fault, which keeps them until the next tick.
     """
@@ -59,7 +59,7 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic | None:
         case 900420:
             values = {}
         case _:
-            return None
+            raise AssertionError(number)
     line = "" if event.span is None else machine.files.line_at(event.span)
     return diagnostic(number, event.span, line, **values)
 

@@ -43,8 +43,8 @@ def assert_is_a_motion(profile: Profile, slope: float, highest: float) -> None:
         assert -fuzz <= v1 <= highest + fuzz
         assert x1 >= x0 - tolerance
         # Within one sample the mean speed lies between its bounds.
-        assert min(v0, v1) - slope * step <= (x1 - x0) / step + tolerance / step
-        assert (x1 - x0) / step <= max(v0, v1) + slope * step + tolerance / step
+        assert (min(v0, v1) - slope * step) * step <= x1 - x0 + tolerance
+        assert x1 - x0 <= (max(v0, v1) + slope * step) * step + tolerance
 
 
 @often

@@ -270,7 +270,9 @@ class ProgramDecoder:
         if keyword is None or keyword.value is None:
             return None
         value = yield from self._values.evaluate(keyword.value, number)
-        return int(arithmetic.round_half_even(value))
+        if arithmetic.floor(value) != value:
+            self._values.fail(50875, keyword.value.span, id=value)
+        return int(value)
 
     def _message(
         self, statement: syntax.UserMessage, source: int, number: int

@@ -315,6 +315,7 @@ class Channel:
         pct = min(pct, self.max_override_pct)
         stops = self.is_stopped or self.is_resetting or self.hli.feed_hold
         self.publish_block()
+        self.path.publish_overrides(self.hli.operator_override_pct)
         if self.path.step(pct / 100.0, stops):
             self.go_on(pct / 100.0, stops)
         self.cells[self.first_cell + 1] = arithmetic.round_half_even(pct)

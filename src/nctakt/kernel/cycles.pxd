@@ -43,6 +43,8 @@ cdef class CycleManager:
     cdef public long long memory_limit
     cdef readonly long long memory_used
     cdef readonly list loaded
+    cdef long long[::1] order
+    cdef readonly Py_ssize_t loaded_count
     cdef RunThrough root
     cdef readonly long long latest_start
     cdef readonly long long running_count
@@ -52,29 +54,30 @@ cdef class CycleManager:
     cdef readonly Py_ssize_t events_bound
     cdef readonly Py_ssize_t probes_bound
 
-    @cython.locals(slot=Py_ssize_t)
+    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef Py_ssize_t find(self, long long identity) noexcept nogil
     @cython.locals(before=cython.longlong)
     cdef void enter(self, Py_ssize_t slot, int state) noexcept nogil
+    cdef int awaits_block(self, Py_ssize_t slot) noexcept nogil
     cdef int define(self, Py_ssize_t slot, int starts, long long tick) noexcept nogil
     cdef long long wanted(self, Py_ssize_t slot, int message) noexcept nogil
     cdef void start(self, Py_ssize_t slot, long long tick, long long source) noexcept nogil
-    @cython.locals(slot=Py_ssize_t)
+    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef int is_fresh(self, long long identity, long long tick) noexcept nogil
-    @cython.locals(slot=Py_ssize_t)
+    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef int has_fresh(self, long long tick) noexcept nogil
-    @cython.locals(slot=Py_ssize_t)
+    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef int control(self, int action, long long identity, long long tick, long long source) noexcept nogil
     cdef void hold(self, Py_ssize_t slot, long long source) noexcept nogil
     cdef void resume(self, Py_ssize_t slot, long long source) noexcept nogil
-    @cython.locals(slot=Py_ssize_t)
+    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef void enter_block(self, long long serial) noexcept nogil
-    @cython.locals(slot=Py_ssize_t)
+    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef void leave_blocks(self, long long serial) noexcept nogil
     cdef void end(self, Py_ssize_t slot, int reason) noexcept nogil
     cdef void end_program(self) noexcept nogil
     cdef void reset(self) noexcept nogil
-    @cython.locals(slot=Py_ssize_t)
+    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef void delete_local(self, int reason) noexcept nogil
     cdef int run_cycles(self, Context context) noexcept nogil
     cdef void fail(self, Py_ssize_t slot, Context context) noexcept nogil

@@ -115,6 +115,8 @@ class CycleManager:
         self.memory_limit = 1 << 62
         self.memory_used = 0
         self.loaded: list[RealtimeCycle] = []
+        self.order = memoryview(bytearray(8 * capacity)).cast("q")
+        self.loaded_count = 0
         self.root = RunThrough()
         self.latest_start = -1
         self.running_count = 0
@@ -170,13 +172,16 @@ class CycleManager:
                 self.state[cycle.slot] = DEAD
 
     def arrange(self) -> None:
-        """Build the tree of groups over the loaded cycles, in the order of creation."""
+        """Put the loaded cycles in the order of creation: the tree of groups, and their slots."""
         level: list[RunThrough] = list(self.loaded)
         nothing = RunThrough()
         while len(level) > 1:
             level += [nothing] * ((4 - len(level) % 4) % 4)
             level = [Group(*level[i : i + 4]) for i in range(0, len(level), 4)]
         self.root = level[0] if level else nothing
+        self.loaded_count = len(self.loaded)
+        for place, cycle in enumerate(self.loaded):
+            self.order[place] = cycle.slot
         self.events_bound = sum(cycle.events for cycle in self.loaded)
         self.probes_bound = sum(cycle.probes for cycle in self.loaded)
 
@@ -188,7 +193,8 @@ class CycleManager:
 
     def find(self, identity: int) -> int:
         """The slot of the living cycle with this ID, -1 if there is none."""
-        for slot in range(self.capacity):
+        for place in range(self.loaded_count):
+            slot = self.order[place]
             if self.identity[slot] == identity and 2 <= self.state[slot] <= 5:
                 return slot
         return -1
@@ -198,20 +204,24 @@ class CycleManager:
         before = self.state[slot]
         if before == 4:
             self.running_count -= 1
-        if before == 3:
-            self.armed_count -= 1
+        self.armed_count -= self.awaits_block(slot)
         self.state[slot] = state
         if self.block[slot] != 0 and state not in (4, 5):
             self.block[slot] = 0
             self.in_block_count -= 1
         if state == 4:
             self.running_count += 1
-        if state == 3:
-            self.armed_count += 1
+        self.armed_count += self.awaits_block(slot)
         if state == 6:
             self.dead_count += 1
             if before != 1:
                 self.memory_used -= self.size[slot]
+
+    def awaits_block(self, slot: int) -> int:
+        """Whether a cycle with scope BLOCK was started, or held, and its block is still to come."""
+        if self.scope[slot] != 0 or self.block[slot] != 0:
+            return 0
+        return 1 if self.state[slot] == 3 or self.state[slot] == 5 else 0
 
     def define(self, slot: int, starts: int, tick: int) -> int:
         """The definition is taken: 0, or the message that refuses it (RC-102, RC-108, RC-504)."""
@@ -252,7 +262,8 @@ class CycleManager:
         """RC-004: whether a cycle that the program's end deletes was started in this tick."""
         if self.latest_start != tick:
             return 0
-        for slot in range(self.capacity):
+        for place in range(self.loaded_count):
+            slot = self.order[place]
             if 2 <= self.state[slot] <= 5 and self.scope[slot] != 2:
                 if self.started_tick[slot] == tick:
                     return 1
@@ -296,20 +307,27 @@ class CycleManager:
             self.record.notice(source, self.serial[slot], 900412)
 
     def enter_block(self, serial: int) -> None:
-        """A block that takes time was taken: armed cycles run with it."""
+        """A block that takes time was taken: armed cycles run with it.
+
+        A cycle that is held before its block belongs to that block all the same (RC-105).
+        """
         if self.armed_count == 0:
             return
-        for slot in range(self.capacity):
-            if self.state[slot] == 3:
-                self.enter(slot, 4)
+        for place in range(self.loaded_count):
+            slot = self.order[place]
+            if self.awaits_block(slot):
+                self.armed_count -= 1
                 self.block[slot] = serial
                 self.in_block_count += 1
+                if self.state[slot] == 3:
+                    self.enter(slot, 4)
 
     def leave_blocks(self, serial: int) -> None:
         """BLOCK cycles whose block is no longer current (``serial``; 0: none) have ended."""
         if self.in_block_count == 0:
             return
-        for slot in range(self.capacity):
+        for place in range(self.loaded_count):
+            slot = self.order[place]
             if self.block[slot] != 0 and self.block[slot] != serial:
                 self.end(slot, 0)
 
@@ -328,7 +346,8 @@ class CycleManager:
 
     def delete_local(self, reason: int) -> None:
         """Delete all cycles that do not outlive the program."""
-        for slot in range(self.capacity):
+        for place in range(self.loaded_count):
+            slot = self.order[place]
             if 2 <= self.state[slot] <= 5 and self.scope[slot] != 2:
                 if self.state[slot] == 3 and reason == 0:
                     self.record.notice(self.source[slot], self.serial[slot], 900413)

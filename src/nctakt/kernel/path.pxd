@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of path.py.
 cimport cython
+from nctakt.kernel cimport arithmetic
 from nctakt.kernel.axis cimport Axes
 from nctakt.kernel.motion cimport Profile
 
@@ -34,6 +35,8 @@ cdef class Path:
     cdef int starts_where_axes_stand(self, Py_ssize_t queue_base, double[::1] queue) noexcept nogil
     @cython.locals(limit_v=double)
     cdef int step(self, double factor, int is_stopping) noexcept nogil
+    @cython.locals(i=Py_ssize_t, base=Py_ssize_t, pct=double)
+    cdef void publish_overrides(self, double operator_pct) noexcept nogil
     cdef int step_carried(self, double factor, int is_stopping) noexcept nogil
     cdef double highest_speed(self, double factor, int is_stopping) noexcept nogil
     @cython.locals(rest_d=double)

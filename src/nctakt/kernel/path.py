@@ -13,6 +13,7 @@ carried into the next one.
 
 from __future__ import annotations
 
+from nctakt.kernel import arithmetic
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.motion import Profile
 
@@ -96,6 +97,14 @@ class Path:
             self.replan(limit_v)
         self.ticks += 1
         return self.advance()
+
+    def publish_overrides(self, operator_pct: float) -> None:
+        """TOTAL of the members' independent motions: operator's and CYCLE part (RC-305)."""
+        for i in range(self.count):
+            base = self.axes.first_cell + self.members[i] * 20
+            pct = operator_pct * self.axes.cells[base + 15] / 100.0
+            if pct != self.axes.cells[base + 16]:
+                self.axes.cells[base + 16] = arithmetic.round_half_even(pct)
 
     def step_carried(self, factor: float, is_stopping: int) -> int:
         """The rest of a tick in the segment that has just begun: 1 when that has ended, too."""

@@ -1,0 +1,3 @@
+P1 = V.RTA.OVERRIDE.VEL.TOTAL.X
+#MSG ["%g", P1]
+M30

@@ -342,3 +342,11 @@ def test_loading_twice_gives_the_same(tmp_path: Path) -> None:
     """Nothing is kept between two loads."""
     folder = write(tmp_path, {"x.lis": "kopf.achs_nr 1\nbogus 1\n"})
     assert load_machine(folder) == load_machine(folder)
+
+
+def test_contexts_of_a_channel_need_their_threads(tmp_path: Path) -> None:
+    """P-RTCF-00017 with P-CHAN-00410: a context without a thread is a warning."""
+    channel = f"{CHANNEL}schedule.context.geo 1\n"
+    assert load(write(tmp_path, {"kanal.lis": channel}))[1] == [900611]
+    rtconf = RTCONF.replace("thread[0].cycle", "thread[0].context_info 1\nthread[0].cycle")
+    assert load(write(tmp_path, {"rtconf.lis": rtconf}))[1] == []

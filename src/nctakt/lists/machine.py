@@ -23,6 +23,7 @@ from nctakt.lists.channel_configuration import (
 from nctakt.lists.files import find_entry, find_list, read_file
 from nctakt.lists.parameter import Schema
 from nctakt.lists.rtconf import RtconfConfiguration
+from nctakt.lists.rtconf_checks import check_contexts
 from nctakt.lists.rtconf_effective import load_rtconf
 from nctakt.lists.schema import Values, load_list
 from nctakt.lists.startup import (
@@ -163,6 +164,8 @@ class _Loader:
         rtconf = self._rtconf(startup)
         axes = self._axes(startup)
         parameters = self._channel_parameters(startup)
+        if rtconf is not None:
+            check_contexts(rtconf, parameters, self.collector)
         variables = tuple(self._variables(channel) for channel in startup.channels)
         shared, variables = self._share(variables)
         channels = tuple(

@@ -9,7 +9,7 @@ import json
 from pathlib import Path
 
 import pytest
-from schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
+from schedule_examples import EXAMPLE_1, TIGHT, change, load_text, make, with_line
 
 from nctakt.schedule.figure import Box, Label, Stroke
 from nctakt.schedule.gantt import gantt, tick_times, windows_times
@@ -187,3 +187,12 @@ def test_ticks_and_windows_of_the_record() -> None:
     ]
     free = [(begin // US, end // US) for begin, end in windows_times(run, 1)]
     assert free == [(1500, 2000), (3500, 4000), (5450, 6000)]
+
+
+def test_too_many_ticks_are_left_out(tmp_path: Path) -> None:
+    """A timer of 1 µs in a cycle of an hour would fill the disk: its ticks are not written."""
+    text = change(EXAMPLE_1, cycle_time=3_600_000_000, time_slice=1, windows_time=1)
+    model, _ = make(text, load_text(TIGHT))
+    write_csv(simulate(model, 1, record=1), tmp_path / "a.csv")
+    assert "TICK" not in (tmp_path / "a.csv").read_text("utf-8")
+    assert len(shapes_of(model, 1)) < 200

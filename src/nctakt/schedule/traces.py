@@ -24,6 +24,9 @@ from nctakt.schedule.tracebits import BITS, calls_of, trace_bits
 #: Between two calls that touch a bit is shown low for so long, and an interrupt high, in ns.
 GAP = 1000
 
+#: More timer interrupts than this are left out.
+MOST_TICKS = 100_000
+
 _EVENT_ORDER = ("END", "SUSPEND", "NC", "RESUME", "RELEASE", "OVERFLOW", "TICK", "RUN", "WINDOWS")
 
 
@@ -54,7 +57,7 @@ def write_vcd(run: Simulation, path: Path) -> None:
             level("trace", f"bit{bit}", _apart(times))
         nc = [one.time for one in record.events if one.kind is EventKind.INTERRUPT]
         level("interrupts", "NC", [(time, time + GAP) for time in nc])
-        ticks = tick_times(run.model, record.begin, record.end)
+        ticks = _ticks(run)
         level("interrupts", "timer", [(time, time + GAP) for time in ticks])
         for i, task in enumerate(tasks):
             ran = [(one.begin, one.end) for one in record.segments if one.task == i]
@@ -70,6 +73,12 @@ def write_vcd(run: Simulation, path: Path) -> None:
                 changes.append((begin, 0, variable, rest))
         for time, _, variable, value in sorted(changes, key=lambda one: one[:2]):
             writer.change(variable, time, value)
+
+
+def _ticks(run: Simulation) -> range:
+    """The timer interrupts of the record; none where they are too many."""
+    ticks = tick_times(run.model, run.record.begin, run.record.end)
+    return ticks if len(ticks) <= MOST_TICKS else range(0)
 
 
 def _identifier(name: str) -> str:
@@ -230,7 +239,7 @@ def write_csv(run: Simulation, path: Path) -> None:
         is_count = event.kind in (EventKind.INTERRUPT, EventKind.RELEASE)
         value = str(event.value) if is_count else us(event.value)
         rows.append((event.time, event.kind.value, name, "", "", value))
-    for time in tick_times(run.model, record.begin, record.end):
+    for time in _ticks(run):
         rows.append((time, "TICK", "", "", "", ""))
     for one in record.segments:
         cells = (tasks[one.task].name, str(one.cpu), str(one.job), us(one.end - one.begin))

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: MIT
+"""Random programs, run by the product and by the interpreter of ``reference.py``, which is not its.
+
+What both must agree on: every event in its order, and the position of X after each tick.
+"""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from reference import Assign, Branch, Command, Divide, Function, If, Reference, Statement
+
+from nctakt.controller import Controller, NcText
+from nctakt.stimuli import Stimulus
+
+#: Each seed makes a run of its own; the later half of them may have faults in it.
+SEEDS = range(160, 360)
+COUNTERS = ("COUNT", "COUNT_POS", "COUNT_NEG", "COUNT_NULL")
+INPUTS = ("TRIGGER", "CONDITION")
+
+
+class Writer:
+    """Makes programs up and writes them down."""
+
+    def __init__(self, seed: int) -> None:
+        self.random = random.Random(seed)
+        self.faults = False
+        self.lines: list[str] = []
+        self.moved = 0
+        #: What the IDs stand for, as far as the text tells: scope and state.
+        self.alive: dict[int, tuple[str, str]] = {}
+
+    def program(self) -> list[Command]:
+        """A program; its text is in ``lines`` behind it."""
+        self.lines = []
+        commands = [self._command() for _ in range(self.random.randint(3, 14))]
+        self.lines.append("M30")
+        self.alive = {one: of for one, of in self.alive.items() if of[0] == "GLOBAL"}
+        return [*commands, Command("end")]
+
+    def stimuli(self) -> list[tuple[int, str, int]]:
+        """Ticks, variables and values, in order of time."""
+        ticks = sorted(self.random.sample(range(80), self.random.randint(0, 16)))
+        return [(tick, self.random.choice(INPUTS), self.random.randint(0, 2)) for tick in ticks]
+
+    def _command(self) -> Command:
+        kinds = ["block"] * 4 + ["cycle"] * 3 + ["manage"] * 5 + ["other"] * 2
+        match self.random.choice(kinds):
+            case "cycle" if len(self.alive) < 6:
+                return self._definition()
+            case "manage" if self.alive:
+                return self._management()
+            case "other":
+                return self._other()
+        if self.random.random() < 0.5:
+            ticks = self.random.randint(1, 4)
+            self._write(f"#TIME 0.00{ticks}")
+            command = Command("dwell", ticks=ticks)
+        else:
+            self.moved += 1
+            self._write(f"G00 X{self.moved / 10}")
+            command = Command("move")
+        self._pass_block()
+        return command
+
+    def _pass_block(self) -> None:
+        """BLOCK cycles end with the block; those without DEF are gone."""
+        for one, (scope, state) in list(self.alive.items()):
+            if (scope, state) == ("BLOCK", "running"):
+                del self.alive[one]
+            elif (scope, state) == ("BLOCK", "lasting"):
+                self.alive[one] = ("BLOCK", "sleeping")
+
+    def _other(self) -> Command:
+        number = self.random.randint(0, 3)
+        match self.random.randint(0, 3):
+            case 0:
+                self._write(self.random.choice(("#FLUSH", "#FLUSH WAIT")))
+                return Command("flush")
+            case 1:
+                variable = self.random.choice((*COUNTERS, *INPUTS))
+                self._write(f"V.E.{variable} = {number}")
+                return Command("set", variable=variable, number=number)
+            case 2:
+                self._write("P1 = V.E.COUNT")
+                return Command("read")
+        self._write(f'#MSG ["{number}"]')
+        return Command("message", number=number)
+
+    def _definition(self) -> Command:
+        one = self.random.choice([n for n in range(1, 12) if n not in self.alive])
+        scope = self.random.choice(("BLOCK", "PROG", "PROG", "GLOBAL"))
+        only = self.random.random() < 0.3
+        self._write(f"#RT CYCLE {'DEF ' if only else ''}[ID = {one} SCOPE = {scope}]")
+        body = self._body(self.random.randint(1, 3), 0)
+        self._write("#RT CYCLE END")
+        self.alive[one] = (scope, "sleeping" if only else "running")
+        return Command("define only" if only else "define", one, scope, body)
+
+    def _management(self) -> Command:
+        one = self.random.choice(sorted(self.alive))
+        scope, state = self.alive[one]
+        kinds = ["delete", "start" if scope != "BLOCK" or state != "running" else "delete"]
+        if scope != "BLOCK" and state != "sleeping":
+            kinds += ["hold", "continue", "abort"] * 2
+        kind = self.random.choice(kinds)
+        word = "ABORT ACTION" if kind == "abort" else kind.upper()
+        self._write(f"#RT CYCLE {word} [ID = {one}]")
+        if kind == "delete":
+            del self.alive[one]
+        elif kind == "start":
+            self.alive[one] = (scope, "lasting" if scope == "BLOCK" else "running")
+        return Command(kind, one)
+
+    def _body(self, size: int, depth: int) -> list[Statement]:
+        return [self._statement(depth) for _ in range(size)]
+
+    def _statement(self, depth: int) -> Statement:
+        if self.faults and self.random.random() < 0.2:
+            source = self.random.choice(INPUTS)
+            self._write(f"V.E.VALUE1 = 6 / [V.E.{source} - 2]")
+            return Divide(source)
+        match self.random.randint(0, 5 if depth < 3 else 2):
+            case 0:
+                self._write(f"M{100 + depth}")
+                return Function(100 + depth)
+            case 1 | 2:
+                return self._assignment()
+        return self._if(depth)
+
+    def _assignment(self) -> Assign:
+        target, source = self.random.choices(COUNTERS, k=2)
+        if target == "COUNT" or self.random.random() < 0.5:
+            self._write(f"V.E.{target} += 1")
+            return Assign(target, "", 1)
+        number = self.random.randint(0, 2)
+        self._write(f"V.E.{target} = V.E.{source} + {number}")
+        return Assign(target, source, number)
+
+    def _if(self, depth: int) -> If:
+        frequency = self.random.choice(("", "", "ONCE", "EDGE", "ALWAYS"))
+        branches = [self._branch(f"$IF {frequency}".strip(), frequency, depth)]
+        if not frequency:
+            for _ in range(self.random.choice((0, 0, 1, 2))):
+                branches.append(self._branch("$ELSEIF", "", depth))
+            if self.random.random() < 0.4:
+                self._write("$ELSE")
+                line = len(self.lines)
+                branches.append(Branch(None, self._body(1, depth + 1), "", line))
+        self._write("$ENDIF")
+        return If(branches)
+
+    def _branch(self, words: str, frequency: str, depth: int) -> Branch:
+        variable = self.random.choice((*INPUTS, *INPUTS, *COUNTERS))
+        operator = self.random.choice(("<", ">", "=="))
+        number = self.random.randint(0, 2 if variable in INPUTS else 12)
+        self._write(f"{words} V.E.{variable} {operator} {number}")
+        line = len(self.lines)
+        body = self._body(self.random.randint(0, 2), depth + 1)
+        return Branch((variable, operator, number), body, frequency, line)
+
+    def _write(self, line: str) -> None:
+        self.lines.append(line)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_both_interpreters_agree(seed: int) -> None:
+    """RC-001 … 005, 102 … 113, 201 … 207, 308, 403, 505 in programs that chance has written."""
+    writer = Writer(seed)
+    programs: list[list[Command]] = []
+    texts: list[NcText] = []
+    count = writer.random.randint(1, 3)
+    for number in range(1, count + 1):
+        writer.faults = number == count and seed >= SEEDS[len(SEEDS) // 2]
+        programs.append(writer.program())
+        texts.append(NcText(f"program{number}.nc", "\n".join(writer.lines)))
+    stimuli = writer.stimuli()
+    reference = Reference(programs, stimuli)
+    reference.run()
+    run = Controller().run(
+        *texts,
+        stimuli=[Stimulus(tick * 1000, f"V.E.{name}", value) for tick, name, value in stimuli],
+        signals=["X.ACS.ACT_POS"],
+    )
+    found = [f"{event.tick} {event}" for event in run.events if event.kind != "notice"]
+    assert found == reference.events
+    assert run.trace is not None
+    assert run.ticks == reference.tick
+    assert list(run.trace["X.ACS.ACT_POS"]) == pytest.approx(reference.way_mm, abs=1e-9)

@@ -366,7 +366,7 @@ class Controller:
             if event.kind == "message" and self._on_message is not None:
                 style = self._machine.registry.message_style(subject)
                 self._on_message(SaidMessage(event.time_us, event.text, *style))
-            elif event.kind == "error" and not self._is_told(event):
+            elif event.kind in ("error", "warning") and not self._is_told(event):
                 self.diagnostics.append(realtime_diagnostic(event, self._machine))
 
     def _is_told(self, event: Event) -> bool:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The live image of V.E: what the tick takes from it and puts into it, shared with others or not."""
+"""The live image of V.E: what the tick takes from it and puts into it, shared or not."""
 
 from __future__ import annotations
 

@@ -152,7 +152,7 @@ class Controller:
         until_us: int | None = None,
         ticks: int | None = None,
         after_us: int = 0,
-        initial: Mapping[str, float] | None = None,
+        initial: Mapping[str, float | str] | None = None,
         stimuli: Sequence[Stimulus] = (),
         sinks: Sequence[Sink] = (),
         signals: Sequence[str] | None = None,

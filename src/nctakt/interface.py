@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from nctakt.assembly import Machine
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,12 +70,12 @@ class Interface:
             self.acknowledge(entry)
 
     def read(self, name: str) -> float | bool | str:
-        """The value of a V. variable after this tick."""
-        return self._machine.read(name)
+        """The value of a V. variable after this tick; V.CH is not the PLC's to see (RC-309)."""
+        return self._machine.read(_seen(name))
 
     def write(self, name: str, value: float | bool | str) -> None:
         """A value for a V.E variable; raises ``Failure`` for a wrong name or value."""
-        self._machine.write(name, value)
+        self._machine.write(_seen(name), value)
 
     @property
     def override_pct(self) -> float:
@@ -94,3 +96,10 @@ class Interface:
     @feed_hold.setter
     def feed_hold(self, value: bool) -> None:
         self._hli.feed_hold = value
+
+
+def _seen(name: str) -> str:
+    """The name, unless it is that of a variable that a PLC does not see."""
+    if name.upper().replace(" ", "").startswith(("V.CH.", "VS.CH.")):
+        raise Failure(diagnostic(900351, name=name))
+    return name

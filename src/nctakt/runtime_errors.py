@@ -14,7 +14,7 @@ from nctakt.trace.events import Event, number_text
 
 
 def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
-    """The diagnostic of an error event of a cycle or of the path.
+    """The diagnostic of an error or warning of a cycle, of the path or of the PLC's image.
 
     The values come from the context of the cycle at fault, which keeps them until the next tick.
     """

@@ -34,7 +34,7 @@ class Stimulus:
 
     time_us: int
     name: str
-    value: float
+    value: float | str
 
 
 def parse_time(text: str) -> int:
@@ -49,8 +49,8 @@ def parse_time(text: str) -> int:
     return int(time_us.to_integral_value(ROUND_CEILING))
 
 
-def parse_assignment(text: str) -> tuple[str, float]:
-    """Name and value of ``V.E.VALUE=5``; TRUE is 1 and FALSE is 0.
+def parse_assignment(text: str) -> tuple[str, float | str]:
+    """Name and value of ``V.E.VALUE=5`` or ``V.E.TEXT="part"``; TRUE is 1 and FALSE is 0.
 
     Raises ``Failure``: no assignment (900511), no value (900512).
     """
@@ -67,7 +67,9 @@ def parse_stimulus(time: str, assignment: str) -> Stimulus:
     return Stimulus(time_us, *parse_assignment(assignment))
 
 
-def _parse_value(name: str, text: str) -> float:
+def _parse_value(name: str, text: str) -> float | str:
+    if len(text) > 1 and text[0] == text[-1] == '"':
+        return text[1:-1]
     truth = _TRUTH.get(text.upper())
     if truth is not None:
         return truth

@@ -56,7 +56,7 @@ class Request:
     """What the controller is asked for; times in microseconds, ``signals`` ``None``: its choice."""
 
     programs: tuple[Path | NcText, ...]
-    initial: dict[str, float]
+    initial: dict[str, float | str]
     stimuli: tuple[Stimulus, ...]
     until_us: int | None
     after_us: int

@@ -8,7 +8,7 @@ result ``MachineError`` is raised; everything else is mended and reported.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from nctakt.diagnostics import Diagnostic
@@ -33,6 +33,7 @@ from nctakt.lists.startup import (
     StartupConfiguration,
     startup_configuration,
 )
+from nctakt.lists.variable_layout import overlaps, pack_of, place
 from nctakt.lists.variable_tree import (
     Variable,
     VariablesConfiguration,
@@ -168,6 +169,7 @@ class _Loader:
             check_contexts(rtconf, parameters, self.collector)
         variables = tuple(self._variables(channel) for channel in startup.channels)
         shared, variables = self._share(variables)
+        self._overlapping(startup, variables)
         channels = tuple(
             self._channel(startup, index, parameters[index], variables[index], axes)
             for index in range(len(startup.channels))
@@ -279,8 +281,20 @@ class _Loader:
                         900078, None, name=variable.name, channel=number, first=first
                     )
                 external.append(known)
-            settled.append(VariablesConfiguration(tuple(external), variables.channel))
+            settled.append(replace(variables, external=tuple(external)))
         return tuple(known for _, known in shared.values()), tuple(settled)
+
+    def _overlapping(
+        self, startup: StartupConfiguration, lists: tuple[VariablesConfiguration, ...]
+    ) -> None:
+        """P-EXTV-00011: tell variables of one scope that share bytes."""
+        pack = pack_of(startup.member_alignment)
+        for variables in lists:
+            for scope in VariableScope if variables.checks_overlapping else ():
+                placed = place([one for one in variables.external if one.scope is scope], pack)
+                for one, other in overlaps(placed):
+                    names = {"name": other.variable.name, "other": one.variable.name}
+                    self.collector.report(900087, None, **names, offset=other.offset)
 
     def _channel(
         self,

@@ -102,6 +102,16 @@ def place(variables: Sequence[Variable], pack: int) -> tuple[Placed, ...]:
     return tuple(placed)
 
 
+def overlaps(placed: Sequence[Placed]) -> Iterator[tuple[Placed, Placed]]:
+    """Variables that share bytes: each that begins within another one, with that one."""
+    furthest: Placed | None = None
+    for one in sorted(placed, key=lambda each: each.offset):
+        if furthest is not None and one.offset < furthest.end:
+            yield furthest, one
+        if furthest is None or one.end > furthest.end:
+            furthest = one
+
+
 def size_bytes(placed: Sequence[Placed]) -> int:
     """Bytes of a memory: up to the end of the variable that reaches furthest."""
     return max((one.end for one in placed), default=0)

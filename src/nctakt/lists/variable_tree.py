@@ -22,6 +22,8 @@ from nctakt.messages import Collector
 MOST_LEAVES = 65_536
 #: How deep structures may contain structures.
 MOST_NESTING = 32
+#: The highest place that a list may give a variable.
+MOST_OFFSET = 0xFFFFFF
 #: Bytes that V.CH memory needs for the management of each variable, beside its data.
 MANAGEMENT_BYTES = 64
 _STRING_BYTES, _EXTENDED_STRING_BYTES, _VSTRING_BYTES = 24, 128, 128
@@ -139,10 +141,14 @@ class Variable:
 
 @dataclass(frozen=True, slots=True)
 class VariablesConfiguration:
-    """The variables of a list, in the order of their indices."""
+    """The variables of a list, in the order of their indices.
+
+    ``checks_overlapping``: P-EXTV-00011, whether overlapping places are told.
+    """
 
     external: tuple[Variable, ...]
     channel: tuple[Variable, ...]
+    checks_overlapping: bool = False
 
 
 def variables_configuration(values: Values, collector: Collector) -> VariablesConfiguration:
@@ -158,7 +164,7 @@ def variables_configuration(values: Values, collector: Collector) -> VariablesCo
         "var[]", VariableSpace.EXTERNAL, tuple(index for index in indices if index < count)
     )
     channel = builder.variables("vch[]", VariableSpace.CHANNEL, values.indices("vch[]"))
-    return VariablesConfiguration(external, channel)
+    return VariablesConfiguration(external, channel, values.flag("check_overlapping_variables"))
 
 
 def channel_memory_bytes(variables: tuple[Variable, ...]) -> int:
@@ -225,6 +231,11 @@ class _Builder:
             scope = VariableScope(values.text(f"{prefix}.scope", index))
         node = self._node(prefix, (index,), name, synchronous, rights)
         offset = values.integer(f"{prefix}.byte_offset", index) if external else -1
+        if offset > MOST_OFFSET:
+            at = (f"{prefix}.byte_offset", index)
+            key = with_indices(at[0], (index,))
+            values.report(self.collector, 900088, at, key=key, value=offset, limit=MOST_OFFSET)
+            offset = -1
         return Variable(space, scope, node, offset)
 
     def _node(

@@ -83,6 +83,17 @@ _GENERAL = (
         ),
         restart=True,
     ),
+    Parameter(
+        "P-EXTV-00011",
+        "check_overlapping_variables",
+        ValueType.BOOLEAN,
+        False,
+        Text(
+            "Tell variables whose places overlap in the memory that the PLC sees",
+            "Variablen melden, deren Orte sich im Speicher der SPS überlappen",
+        ),
+        restart=True,
+    ),
 )
 
 
@@ -209,12 +220,6 @@ _INTERFACE_NAMES = tuple(
 )
 
 _ACCEPTED = (
-    _accepted(
-        "P-EXTV-00011",
-        "check_overlapping_variables",
-        "Check of places that overlap",
-        "Prüfung auf Überlappung im Speicher",
-    ),
     _accepted(
         "P-EXTV-00012", "auto_memory_mode", "Layout of the memory", "Aufteilung des Speichers"
     ),

@@ -127,3 +127,12 @@ _add(
     remedy_de="Einen kurzen Namen aus Buchstaben, Ziffern und Unterstrichen wählen.",
     parameters={"name": "the name that was given", "reason": "what the system says"},
 )
+_add(
+    900351,
+    ERROR,
+    "{name} belongs to the channel; a PLC does not see it",
+    "{name} gehört dem Kanal; eine SPS sieht sie nicht",
+    remedy_en="Use a V.E variable, which programs, cycles and the PLC share.",
+    remedy_de="Eine V.E-Variable verwenden, die Programme, Zyklen und SPS gemeinsam haben.",
+    parameters={"name": "the variable"},
+)

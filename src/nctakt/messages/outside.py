@@ -104,8 +104,8 @@ _add(
     ERROR,
     "{name}: '{value}' is no value",
     "{name}: '{value}' ist kein Wert",
-    remedy_en="Write a number, TRUE or FALSE.",
-    remedy_de="Eine Zahl, TRUE oder FALSE schreiben.",
+    remedy_en='Write a number, TRUE, FALSE or a text between "…".',
+    remedy_de='Eine Zahl, TRUE, FALSE oder einen Text zwischen "…" schreiben.',
     parameters={"name": "the variable", "value": "the value as it was given"},
 )
 _add(

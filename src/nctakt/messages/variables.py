@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of the variables lists: V.E and V.CH (900080 … 900085)."""
+"""Messages of the variables lists: V.E and V.CH (900080 … 900085, 900087 … 900099)."""
 
 from __future__ import annotations
 
@@ -130,5 +130,31 @@ _add(
     parameters={
         "name": "the outermost structure",
         "limit": "the deepest nesting",
+    },
+)
+_add(
+    900087,
+    WARNING,
+    "V.E.{name} at byte {offset} overlaps V.E.{other} in the memory that the PLC sees",
+    "V.E.{name} bei Byte {offset} überlappt V.E.{other} im Speicher, den die SPS sieht",
+    remedy_en="Leave byte_offset out, or give each variable a place of its own.",
+    remedy_de="byte_offset weglassen oder jeder Variablen einen eigenen Ort geben.",
+    parameters={
+        "name": "the variable that lies further behind",
+        "other": "the one in front of it",
+        "offset": "its first byte",
+    },
+)
+_add(
+    900088,
+    WARNING,
+    "{key}: byte {value} is too far; the variable stands behind the one before",
+    "{key}: Byte {value} ist zu weit; die Variable steht hinter der davor",
+    remedy_en="Give a place up to {limit}, or leave it to the controller with -1.",
+    remedy_de="Einen Ort bis {limit} angeben oder ihn mit -1 der Steuerung überlassen.",
+    parameters={
+        "key": "the entry's name",
+        "value": "P-EXTV-00002 as written",
+        "limit": "the last possible place",
     },
 )

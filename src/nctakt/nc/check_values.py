@@ -13,11 +13,19 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 
 from nctakt.nc import strings, support
+from nctakt.nc.cells import leaf_cells
 from nctakt.nc.check_wholes import WholeChecker
 from nctakt.nc.findings import Findings
 from nctakt.nc.names import Access, Location, NameTable, NotFound, Problem, Whole
 from nctakt.nc.operators import CONSTANTS, FUNCTIONS
-from nctakt.nc.resolution import indices_of, is_text, path_text, resolve, variables_in
+from nctakt.nc.resolution import (
+    indices_of,
+    is_text,
+    path_text,
+    resolve,
+    resolve_whole,
+    variables_in,
+)
 from nctakt.nc.support import Answer
 from nctakt.nc.syntax import (
     ArrayLiteral,
@@ -69,12 +77,21 @@ class ValueChecker:
         for name, variables in found.items():
             if not any(variable.synchronous for variable in variables):
                 continue
-            location = resolve(variables[0], self._names)
-            if isinstance(location, NotFound) or location.synchronous:
+            if self._is_synchronous(variables[0]):
                 continue
             for variable in variables:
                 if not variable.synchronous:
                     self._findings.report(900228, variable.span, name=name)
+
+    def _is_synchronous(self, variable: Variable) -> bool:
+        """Whether a variable is synchronous by its list; a structure: all that is in it."""
+        location = resolve(variable, self._names)
+        if isinstance(location, Location):
+            return location.synchronous
+        whole = resolve_whole(variable, self._names)
+        if isinstance(whole, NotFound):
+            return True
+        return all(leaf.synchronous for _, leaf, _ in leaf_cells(whole.node, "", 0))
 
     def value(self, expression: Expression) -> None:
         """An expression whose value is needed."""

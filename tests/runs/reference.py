@@ -131,13 +131,14 @@ class Reference:
             if tick == self.tick:
                 self._values[variable] = number
         waiting: Command | None = command
-        answers = False
+        answers = reads = False
         if not self._left and self._braking < 0:
             self._leave_block()
             while waiting is not None and not self._left and not answers:
                 if self._waits(waiting):
                     break
                 answers = self._take(waiting)
+                reads = waiting.kind == "read"
                 if waiting.kind == "end":
                     self._tell("end", name)
                     waiting = None
@@ -146,7 +147,8 @@ class Reference:
         self._run_cycles()
         self._interpolate()
         self._cycles = [cycle for cycle in self._cycles if cycle.state != "gone"]
-        self._read = self._values.get("COUNT", 0) if answers else self._read
+        if reads:
+            self._read = self._values.get("COUNT", 0)
         return waiting
 
     def _run_cycles(self) -> None:
@@ -199,10 +201,15 @@ class Reference:
                     cycle.armed = False
             case "flush" | "read":
                 return True
+            case "function":
+                self._tell("output", f"m {command.number}")
+            case "waiting function":
+                self._tell("output", f"m {command.number}")
+                return True
             case "set":
                 self._values[command.variable] = command.number
             case "set read":
-                self._values[command.variable] = self._read
+                self._values[command.variable] = self._read + 1
             case "message":
                 self._tell("message", command.number)
             case "define" | "define only":

@@ -15,7 +15,7 @@ from nctakt.controller import Controller, NcText
 from nctakt.stimuli import Stimulus
 
 #: Each seed makes a run of its own; the later half of them may have faults in it.
-SEEDS = range(160, 360)
+SEEDS = range(200)
 COUNTERS = ("COUNT", "COUNT_POS", "COUNT_NEG", "COUNT_NULL")
 INPUTS = ("TRIGGER", "CONDITION")
 
@@ -28,12 +28,14 @@ class Writer:
         self.faults = False
         self.lines: list[str] = []
         self.moved = 0
+        self.has_read = False
         #: What the IDs stand for, as far as the text tells: scope and state.
         self.alive: dict[int, tuple[str, str]] = {}
 
     def program(self) -> list[Command]:
         """A program; its text is in ``lines`` behind it."""
         self.lines = []
+        self.has_read = False
         commands = [self._command() for _ in range(self.random.randint(3, 14))]
         self.lines.append("M30")
         self.alive = {one: of for one, of in self.alive.items() if of[0] == "GLOBAL"}
@@ -74,15 +76,28 @@ class Writer:
 
     def _other(self) -> Command:
         number = self.random.randint(0, 3)
-        match self.random.randint(0, 3):
+        match self.random.randint(0, 6):
             case 0:
                 self._write(self.random.choice(("#FLUSH", "#FLUSH WAIT")))
                 return Command("flush")
+            case 4:
+                self._write(self.random.choice((f"G00 X{self.moved / 10}", "G90", "#TIME 0")))
+                return Command("nothing")
+            case 5:
+                self._write("M100")
+                return Command("function", number=100)
+            case 6:
+                self._write(f"M{111 + number % 3}")
+                return Command("waiting function", number=111 + number % 3)
             case 1:
                 variable = self.random.choice((*COUNTERS, *INPUTS))
                 self._write(f"V.E.{variable} = {number}")
                 return Command("set", variable=variable, number=number)
             case 2:
+                if self.has_read and number:
+                    self._write("V.E.COUNT_NEG = P1 + 1")
+                    return Command("set read", variable="COUNT_NEG")
+                self.has_read = True
                 self._write("P1 = V.E.COUNT")
                 return Command("read")
         self._write(f'#MSG ["{number}"]')
@@ -102,7 +117,7 @@ class Writer:
         one = self.random.choice(sorted(self.alive))
         scope, state = self.alive[one]
         kinds = ["delete", "start" if scope != "BLOCK" or state != "running" else "delete"]
-        if scope != "BLOCK" and state != "sleeping":
+        if state != "sleeping":
             kinds += ["hold", "continue", "abort"] * 2
         kind = self.random.choice(kinds)
         word = "ABORT ACTION" if kind == "abort" else kind.upper()

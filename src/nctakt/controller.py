@@ -121,9 +121,8 @@ class Controller:
     def start(self, program: str | Path | NcText) -> None:
         """Start a program; ``step`` runs it. Raises ``Failure`` with its diagnostics.
 
-        An error of the program before is reset first.
+        What the program before has left, an error or itself still running, is reset first.
         """
-        assert self._feed is None, "a program is running"
         loaded = loading.load(program, self._machine, self.diagnostics)
         self._begin(loaded)
 

@@ -116,3 +116,15 @@ def test_an_error_stops_the_channel_until_a_reset() -> None:
     assert controller.read("V.RTA.ACS.ACT_POS.X") == 0
     controller.reset()
     assert controller.state == "ready"
+
+
+def test_a_program_that_starts_while_another_runs_resets_first() -> None:
+    """RC-007: the path brakes to a stand, the rest is given up, then the new program begins."""
+    controller = Controller()
+    controller.start(NcText("first.nc", "G00 X100\nM30"))
+    controller.step(10)
+    controller.start(NcText("second.nc", "G00 X0\nM30"))
+    controller.step(300)
+    assert controller.state == "ready"
+    assert controller.read("V.RTA.ACS.ACT_POS.X") == 0.0
+    assert controller.diagnostics == []

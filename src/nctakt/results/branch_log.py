@@ -76,17 +76,18 @@ class SeriesLog:
         return Times(tuple(self._kept), self._ticks, self._left_out)
 
 
-def continued(next_tick: int, first_tick: int) -> int | None:
-    """Where a series that an earlier run has begun goes on."""
-    return first_tick if next_tick == first_tick else None
+def continued(next_tick: int, living_from: int | None) -> int | None:
+    """The first tick of a series that an earlier run has begun and that may go on."""
+    return living_from if next_tick == living_from else None
 
 
 class ConditionLog:
     """One condition: its node in the realtime part and its changes of truth."""
 
-    def __init__(self, node: conditions.Condition) -> None:
+    def __init__(self, node: conditions.Condition, is_living: bool) -> None:
         self.node = node
-        self._was_true = None if node.truth == conditions.UNKNOWN else node.truth == 1
+        has_truth = is_living and node.truth != conditions.UNKNOWN
+        self._was_true = node.truth == 1 if has_truth else None
         self._changes: deque[Change] = deque(maxlen=CHANGES_KEPT)
         self._left_out = 0
 
@@ -121,19 +122,23 @@ def _leaves(node: conditions.Condition) -> list[conditions.Condition]:
 
 
 class BranchLog:
-    """One branch: its node in the realtime part and what came from it."""
+    """One branch: its node in the realtime part and what came from it.
 
-    def __init__(self, built: BuiltReaction, first_tick: int) -> None:
+    ``living_from`` is the run's first tick for a branch that lives since before it, else ``None``.
+    """
+
+    def __init__(self, built: BuiltReaction, living_from: int | None) -> None:
         node = built.node.condition
+        is_living = living_from is not None
         self._reaction = built.node
-        self._condition = ConditionLog(node)
+        self._condition = ConditionLog(node, is_living)
         self._parts: list[ConditionLog] = []
         if isinstance(node, conditions.Combination):
-            self._parts = [ConditionLog(leaf) for leaf in _leaves(node)]
+            self._parts = [ConditionLog(leaf, is_living) for leaf in _leaves(node)]
         self.probe = node.probe
         self.conditions = {one.node.probe: one for one in (self._condition, *self._parts)}
-        self.evaluated = SeriesLog(continued(node.next_tick, first_tick))
-        self.bodies = SeriesLog(continued(built.node.next_tick, first_tick))
+        self.evaluated = SeriesLog(continued(node.next_tick, living_from))
+        self.bodies = SeriesLog(continued(built.node.next_tick, living_from))
 
     def history(self, place: BranchPlace, text: str) -> BranchHistory:
         """What was gathered; ``text`` is the source line."""

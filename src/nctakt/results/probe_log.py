@@ -103,7 +103,6 @@ class ProbeLog:
         living: Iterable[tuple[CycleDefinition, int]],
     ) -> None:
         self._names = names
-        self._first_tick = first_tick
         self._cycles: dict[int, _CycleLog] = {}
         self._evaluated: dict[int, SeriesLog] = {}
         self._bodies: dict[int, SeriesLog] = {}
@@ -112,7 +111,7 @@ class ProbeLog:
         self._seen: dict[Span, None] = {}
         self.left_out = 0
         for definition, state in living:
-            cycle = self._add(definition)
+            cycle = self._add(definition, first_tick)
             cycle.live(LifeEvent(first_tick, "created" if state == DEFINED else "living"))
             if state == HELD:
                 cycle.live(LifeEvent(first_tick, "held"))
@@ -141,7 +140,7 @@ class ProbeLog:
         serial = int(subject)
         if kind == record.CREATED:
             self._make_room()
-            self._add(self._names.definition(serial))
+            self._add(self._names.definition(serial), None)
         cycle = self._cycles.get(serial)
         if cycle is None:
             return
@@ -164,12 +163,10 @@ class ProbeLog:
             span, number = self._stops[-1][1].span, self._stops[-1][1].number
         cycle.live(LifeEvent(tick, "ended", span, ended_by, number))
 
-    def _add(self, definition: CycleDefinition) -> _CycleLog:
+    def _add(self, definition: CycleDefinition, living_from: int | None) -> _CycleLog:
         cycle = definition.cycle
-        runs = SeriesLog(continued(cycle.next_tick, self._first_tick))
-        branches = {
-            built.span: BranchLog(built, self._first_tick) for built in definition.reactions
-        }
+        runs = SeriesLog(continued(cycle.next_tick, living_from))
+        branches = {built.span: BranchLog(built, living_from) for built in definition.reactions}
         name = self._names.cycle(definition.serial)
         made = _CycleLog(name, definition, runs, branches)
         self._cycles[definition.serial] = made

@@ -73,14 +73,24 @@ def why_branch_idle(cycle: CycleHistory, branch: BranchHistory, tick: int) -> Re
     idle = why_cycle_idle(cycle, tick)
     if idle is not None:
         return Reason("cycle", cycle=idle)
-    if branch.outer is not None and not cycle.branches[branch.outer].bodies.holds(tick):
-        return Reason("outer", branch=branch.outer)
-    for earlier in branch.earlier:
-        if cycle.branches[earlier].bodies.holds(tick):
-            return Reason("earlier", branch=earlier)
+    if ran is None:
+        return _FORGOTTEN
     if branch.evaluated.holds(tick):
-        return _why_without_body(branch, tick)
-    if ran is None or branch.evaluated.holds(tick) is None:
+        return _why_without_body(cycle, branch, tick)
+    return _why_not_evaluated(cycle, branch, tick)
+
+
+def _why_not_evaluated(cycle: CycleHistory, branch: BranchHistory, tick: int) -> Reason:
+    """The cycle ran, the condition was not evaluated, and the body did not run."""
+    if branch.outer is not None:
+        outer_ran = cycle.branches[branch.outer].bodies.holds(tick)
+        if not outer_ran:
+            return _FORGOTTEN if outer_ran is None else Reason("outer", branch=branch.outer)
+    earlier_ran = {one: cycle.branches[one].bodies.holds(tick) for one in branch.earlier}
+    for earlier, ran in earlier_ran.items():
+        if ran:
+            return Reason("earlier", branch=earlier)
+    if None in (branch.evaluated.holds(tick), *earlier_ran.values()):
         return _FORGOTTEN
     if branch.frequency == "ONCE" and (done := _done_tick(branch, tick)) is not None:
         return Reason("done", done)
@@ -95,12 +105,13 @@ def _without_evaluation(cycle: CycleHistory, branch: BranchHistory) -> Reason:
     return Reason("done") if branch.frequency == "ONCE" else _FORGOTTEN
 
 
-def _why_without_body(branch: BranchHistory, tick: int) -> Reason:
+def _why_without_body(cycle: CycleHistory, branch: BranchHistory, tick: int) -> Reason:
     """The condition was evaluated, the body did not run."""
     change = last_change(branch.condition, tick)
     truth = truth_at(branch.condition, tick)
     if truth is None:
-        return Reason("fault", tick)
+        fault = None if branch.condition.changes_left_out else _stopped_by_fault(cycle)
+        return fault or _FORGOTTEN
     if truth:
         return Reason("no rise", change.tick if change else None, change=change)
     return Reason("false", change.tick if change else None, change=change)

@@ -225,11 +225,18 @@ class NameTable:
             self._variables["E"][variable.name] = (variable.node, cell)
         for variable in channel.channel:
             self._variables["CH"][variable.name] = (variable.node, layout.place(variable))
+        self._locations: dict[tuple[object, ...], Location | NotFound] = {}
         self._rtg = _offsets(CHANNEL_VARIABLES)
         self._rta = _offsets(AXIS_VARIABLES)
 
     def resolve(self, family: str, parts: Sequence[tuple[str, int]]) -> Location | NotFound:
         """The location of ``V.<family>.<parts>``; each part is a name and its number of indices."""
+        key = (family, *parts)
+        if key not in self._locations:
+            self._locations[key] = self._resolve(family, parts)
+        return self._locations[key]
+
+    def _resolve(self, family: str, parts: Sequence[tuple[str, int]]) -> Location | NotFound:
         if family in self._variables:
             return self._resolve_external(family, parts)
         if family == "RTG":
@@ -242,9 +249,11 @@ class NameTable:
         """A structure or a whole array of V.E or V.CH: a path that ``resolve`` refuses as such."""
         if family not in self._variables:
             return NotFound(Problem.UNKNOWN, f"V.{family}")
+        location = self.resolve(family, parts)
+        if isinstance(location, Location):
+            return NotFound(Problem.STRUCTURE, location.name)
         found = self._walk(family, parts)
-        if isinstance(found, Whole) and not (found.node.members or found.node.array_elements):
-            return NotFound(Problem.STRUCTURE, found.name)
+        assert isinstance(found, NotFound) or found.node.members or found.node.array_elements
         return found
 
     def _resolve_external(

@@ -33,6 +33,7 @@ DOCUMENTS = [
     *sorted((ROOT / "docs").glob("*.md")),
     ROOT / "examples" / "README.md",
 ]
+README = (ROOT / "README.md").read_text("utf-8")
 NAMES = [document.relative_to(ROOT).as_posix() for document in DOCUMENTS]
 
 _FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -201,6 +202,12 @@ def test_the_python_names_of_the_readme_exist() -> None:
         module, _, name = named.rpartition(".")
         assert hasattr(importlib.import_module(module), name), named
     assert hasattr(Controller, "external_image")
+
+
+def test_the_readme_leads_to_each_document() -> None:
+    """No document stands where nobody finds it."""
+    missing = [name for name in NAMES if name.startswith("docs/") and f"({name})" not in README]
+    assert missing == []
 
 
 def members(path: Path) -> set[str]:

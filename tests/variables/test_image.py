@@ -15,7 +15,7 @@ from multiprocessing.shared_memory import SharedMemory
 from pathlib import Path
 
 import pytest
-from machines import NESTED, machine_with
+from machines import DEMO, NESTED, folder_with, machine_with
 
 from nctakt.controller import Controller, NcText
 from nctakt.failure import Failure
@@ -419,3 +419,35 @@ def test_an_image_is_told_from_what_describes_it() -> None:
     with controller.external_image() as image:
         assert isinstance(image, ExternalImage)
         assert image.name is None
+
+
+def two_channels(tmp_path: Path) -> Controller:
+    """The demo machine twice: two channels with GLOBAL variables in common."""
+    folder = folder_with(
+        tmp_path,
+        (DEMO / "ext_var1.lis").read_text("utf-8").replace("Ende", ""),
+        kanal_anzahl=2,
+        **{"sda_mds[1]": "./sda_mds2.lis", "ve_var[1]": "./ext_var1.lis"},
+    )
+    (folder / "sda_mds2.lis").write_text("Ende\n", "utf-8")
+    return Controller(folder)
+
+
+def test_each_channel_has_a_section_of_its_own(tmp_path: Path) -> None:
+    """GLOBAL variables are there once, those of the channels once for each."""
+    controller = two_channels(tmp_path)
+    machine = controller.machine
+    assert [one.channel for one in sections(machine)] == [0, 1, 2]
+    assert describe(machine, 1) == describe(machine, 2)
+    with controller.external_image() as image:
+        place = next(field.offset for field in describe(machine, 2) if field.path == "SYNC")
+        second = sections(machine)[2].offset + place
+        struct.pack_into("=d", image.memory, second, 8.0)
+        controller.step(1)
+        assert controller.read("V.E.SYNC") == 0.0
+        assert struct.unpack_from("=d", image.memory, second) == (8.0,)
+        struct.pack_into("=d", image.memory, second, float("nan"))
+        controller.step(1)
+        assert struct.unpack_from("=d", image.memory, second) == (8.0,)
+        assert controller.diagnostics[-1].id == 900346
+        assert "V.E.SYNC" in controller.diagnostics[-1].text("en")

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from random import Random
 
 import pytest
 from programs import Machine, demo, errors, machine, messages
@@ -308,3 +309,58 @@ def test_texts_are_values_at_times() -> None:
     assert messages(run) == ["first"]
     run = controller.run(program, stimuli=[Stimulus(5000, "V.E.TEXT", "then")])
     assert messages(run) == ["then"]
+
+
+# --- anything ---------------------------------------------------------------------------------
+
+_LEAVES = (
+    '"a"',
+    '""',
+    "V.E.SYNC",
+    "Vs.E.FROZEN",
+    "V.CH.OWN",
+    "V.E.LIST[P1]",
+    "1",
+    "P1",
+    "V.E.CELL[0].NUMBER",
+)
+_OPERATORS = ("+", "+", "==", "!=", "-", "&&", "<", "MOD")
+_TARGETS = ("V.E.SYNC", "V.CH.LATER", "V.E.LIST[P1 + 1]", "P2", "V.E.CELL[1].NUMBER", "V.E.CELL[1]")
+
+
+def _expression(chance: Random, depth: int) -> str:
+    if depth == 0 or chance.random() < 0.3:
+        return chance.choice(_LEAVES)
+    left, right = _expression(chance, depth - 1), _expression(chance, depth - 1)
+    return f"[{left} {chance.choice(_OPERATORS)} {right}]"
+
+
+def _line(chance: Random) -> str:
+    value = _expression(chance, 3)
+    match chance.randrange(4):
+        case 0 | 1:
+            return f"{chance.choice(_TARGETS)} {chance.choice(('=', '+='))} {value}"
+        case 2:
+            return f"$IF {value}\n$ENDIF"
+    return f'#MSG ["%s", {value}]'
+
+
+def test_what_passes_the_checker_runs(tmp_path: Path) -> None:
+    """Random texts and numbers: a line is told before the run, or it runs to its end or limit."""
+    chance = Random(7)
+    m = machine(tmp_path, TEXTS)
+    passed = 0
+    for _ in range(400):
+        line = _line(chance)
+        told = len(m.controller.diagnostics)
+        first = m.controller.tick
+        run = m.run(f"{line}\nM30")
+        new = {one.id for one in m.controller.diagnostics[told:]}
+        if m.controller.tick > first:
+            passed += 1
+            assert new <= {900343, 900300, 50892}, line
+        else:
+            assert new <= {900340, 900341, 900342, 900215, 900228}, line
+            assert new, line
+        assert run.state in ("ended", "error"), line
+    assert 40 < passed < 300

@@ -233,12 +233,13 @@ class Controller:
 
     def _why(self, first_tick: int) -> WhyReport | None:
         """What was gathered, if it was asked for."""
-        log = self._probes
+        log, loaded = self._probes, self._loaded
+        self._loaded = []
         if log is None:
             return None
         self._probes = None
         self._machine.record.records_series = False
-        histories = log.histories(self._loaded)
+        histories = log.histories(loaded)
         ticks = self.tick - first_tick
         return WhyReport(self.cycle_time_us, first_tick, ticks, histories, log.left_out)
 

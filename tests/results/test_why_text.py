@@ -199,3 +199,13 @@ def test_a_tick_outside_of_the_run(tick: int) -> None:
     with pytest.raises(Failure) as failure:
         report.render_at(tick)
     assert failure.value.diagnostics[0].id == 900576
+
+
+def test_a_frozen_value_is_told() -> None:
+    """RC-302: V.E.ASYNC is 7 when the definition is decoded; that it becomes 0 changes nothing."""
+    text = "V.E.ASYNC = 7\n#RT CYCLE\n$IF V.E.VALUE > V.E.ASYNC\n$ENDIF\n#RT CYCLE END\n"
+    report = why(f"{text}V.E.ASYNC = 0\n#TIME 0.01\nM30\n", initial={"V.E.VALUE": 5})
+    told = "    V.E.ASYNC is 7, frozen when the definition was decoded\n"
+    assert told in report.render()
+    assert told in report.render_at(3)
+    assert "5 > 7, 2 away" in report.render()

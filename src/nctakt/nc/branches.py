@@ -50,6 +50,27 @@ def combined(condition: syntax.Expression) -> list[syntax.Expression]:
     return [condition]
 
 
+def accesses_in(expression: syntax.Expression) -> Iterator[syntax.Variable | syntax.Parameter]:
+    """The variables and parameters in an expression, those in their indices included."""
+    match expression:
+        case syntax.Variable():
+            yield expression
+            for part in expression.parts:
+                for index in part.indices:
+                    yield from accesses_in(index)
+        case syntax.Parameter():
+            yield expression
+            yield from accesses_in(expression.index)
+        case syntax.Unary():
+            yield from accesses_in(expression.operand)
+        case syntax.Binary():
+            yield from accesses_in(expression.left)
+            yield from accesses_in(expression.right)
+        case syntax.Call():
+            for argument in expression.arguments:
+                yield from accesses_in(argument)
+
+
 def lines_without_branch(statement: syntax.RealtimeCycle) -> list[int]:
     """The lines of the definition and of its statements that stand in no branch."""
     return [statement.span.line, *_own_lines(statement.body)]

@@ -8,10 +8,11 @@ The newest rows are kept, up to the bounds below.
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Sequence
 
-from nctakt.decoder.cycles import BuiltReaction
+from nctakt.decoder.cycles import BuiltReaction, Frozen
 from nctakt.kernel import conditions
-from nctakt.nc.branches import BranchPlace, combined
+from nctakt.nc.branches import BranchPlace, accesses_in, combined
 from nctakt.nc.printer import format_expression
 from nctakt.nc.syntax import Expression
 from nctakt.results.histories import (
@@ -140,10 +141,11 @@ class BranchLog:
         self.evaluated = SeriesLog(continued(node.next_tick, living_from))
         self.bodies = SeriesLog(continued(built.node.next_tick, living_from))
 
-    def history(self, place: BranchPlace, text: str) -> BranchHistory:
-        """What was gathered; ``text`` is the source line."""
+    def history(self, place: BranchPlace, text: str, frozen: Sequence[Frozen]) -> BranchHistory:
+        """What was gathered; ``text`` is the source line, ``frozen`` what the whole cycle froze."""
         node = self._condition.node
         expressions = [] if place.condition is None else combined(place.condition)
+        places = [access.span for one in expressions for access in accesses_in(one)]
         return BranchHistory(
             place.span,
             place.lines,
@@ -159,4 +161,5 @@ class BranchLog:
             ),
             self.evaluated.finish(node.next_tick),
             self.bodies.finish(self._reaction.next_tick),
+            tuple(one for one in frozen if one.span in places),
         )

@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from nctakt.decoder.cycles import Frozen
 from nctakt.diagnostics import Span
 from nctakt.nc.branches import BranchWord
 
@@ -157,7 +158,8 @@ class BranchHistory:
 
     ``text`` is its source line without blanks around. ``outer`` and ``earlier`` are positions in
     the cycle's branches. ``parts`` are what ``&&`` and ``||`` combine in the condition. In the
-    ticks ``evaluated`` the condition was, in the ticks ``bodies`` the body ran.
+    ticks ``evaluated`` the condition was, in the ticks ``bodies`` the body ran. ``frozen`` are the
+    asynchronous values in the condition (RC-302).
     """
 
     span: Span
@@ -171,6 +173,7 @@ class BranchHistory:
     parts: tuple[ConditionHistory, ...] = ()
     evaluated: Times = Times()
     bodies: Times = Times()
+    frozen: tuple[Frozen, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

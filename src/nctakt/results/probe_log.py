@@ -210,7 +210,7 @@ class ProbeLog:
     def _history(self, serial: int, cycle: _CycleLog) -> CycleHistory:
         definition = cycle.definition
         branches = tuple(
-            cycle.branches[place.span].history(place, self._text(place.span))
+            cycle.branches[place.span].history(place, self._text(place.span), definition.frozen)
             for place in branch_places(definition.statement)
         )
         return CycleHistory(

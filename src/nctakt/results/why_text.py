@@ -26,6 +26,7 @@ from nctakt.results.reasons import (
     why_cycle_never,
 )
 from nctakt.results.why_words import Words
+from nctakt.trace.events import number_text
 
 #: A source line is shown up to so many characters.
 _WIDTH = 90
@@ -46,6 +47,10 @@ _RAN_IN = Text("ran in {times}", "lief: {times}")
 _NEVER_RAN = Text("never ran: {reason}", "lief nie: {reason}")
 _OUTSIDE = Text(
     "what stands in no $IF runs in each run-through", "was in keinem $IF steht, läuft jedes Mal"
+)
+_FROZEN = Text(
+    "{name} is {value}, frozen when the definition was decoded",
+    "{name} ist {value}, eingefroren, als die Definition dekodiert wurde",
 )
 _EVALUATED = Text("evaluated in {times}", "ausgewertet: {times}")
 _TRUE_FROM = Text("true from {seen}", "wahr ab {seen}")
@@ -188,7 +193,7 @@ def _depth(cycle: CycleHistory, branch: BranchHistory) -> int:
 
 def _history(cycle: CycleHistory, branch: BranchHistory, last_tick: int, words: Words) -> list[str]:
     """What a branch did in the run."""
-    lines: list[str] = []
+    lines = _frozen(branch, words)
     if branch.evaluated.ticks:
         lines.append(words.get(_EVALUATED, times=words.times(branch.evaluated)))
         for part in branch.parts:
@@ -205,6 +210,12 @@ def _history(cycle: CycleHistory, branch: BranchHistory, last_tick: int, words: 
         lines += _changes(branch.condition, words)
     reason = words.branch_reason(cycle, branch, chain)
     return [*lines, words.get(_BODY_NEVER, reason=reason)]
+
+
+def _frozen(branch: BranchHistory, words: Words) -> list[str]:
+    """The values in the condition that are the same in each tick (RC-302)."""
+    values = {one.name: number_text(one.value) for one in branch.frozen}
+    return [words.get(_FROZEN, name=name, value=value) for name, value in values.items()]
 
 
 def _truths(part: ConditionHistory, words: Words) -> list[str]:
@@ -250,7 +261,7 @@ def _chain(
 
 def _state(cycle: CycleHistory, branch: BranchHistory, tick: int, words: Words) -> list[str]:
     """How a branch stood in one tick."""
-    lines: list[str] = []
+    lines = _frozen(branch, words)
     if branch.word != "$ELSE":
         evaluated = branch.evaluated.holds(tick)
         lines.append(words.get(_AT_EVALUATED if evaluated else _AT_NOT_EVALUATED))

@@ -162,7 +162,7 @@ class Controller:
         on_progress: Callable[[int, int | None], None] | None = None,
         on_cycle: Callable[[str, CycleDefinition], None] | None = None,
     ) -> Run:
-        """Run programs one after another; their GLOBAL cycles, V.E and V.S variables live on.
+        """Run programs one after another; their GLOBAL cycles and V.E and V.CH variables live on.
 
         ``until_us`` and ``ticks`` limit the run (``DEFAULT_LIMIT_US``), ``after_us`` is how long
         the channel goes on behind the last program. ``initial`` are values before the first tick,

@@ -297,7 +297,12 @@ class Values:
         value = arithmetic.round_half_even(value)
         if not scalar.low <= value <= scalar.high:
             self.fail(
-                50892, span, variable=location.name, value=value, low=scalar.low, high=scalar.high
+                50892,
+                span,
+                variable=location.name,
+                value=int(value),
+                low=scalar.low,
+                high=scalar.high,
             )
         return value
 

@@ -291,3 +291,12 @@ def test_a_segment_that_does_not_start_where_the_axes_stand_is_refused() -> None
     rig.run(60)
     assert rig.channel.error_pending
     assert rig.x[-1] == 1.0
+
+
+def test_used_segments_stay_in_the_ring() -> None:
+    """The latest segments can still be looked up when the path has left them, the last one first."""
+    controller = Controller()
+    controller.run(NcText("part.nc", "G00 X1\nG00 X3\nG00 X3 Y4\nM30"))
+    path = controller._channel.path
+    assert path.used == 3
+    assert [path.segment_row(back)[3] for back in range(3)] == [4.0, 2.0, 1.0]

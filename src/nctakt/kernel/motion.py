@@ -129,10 +129,6 @@ class Profile:
             return self.cruise_v
         return self.cruise_v - self.last_a * (since - self.cruise_t)
 
-    def phases(self) -> tuple[float, float, float, float]:
-        """First, cruise and total time in seconds, and the cruise speed: for Python's side."""
-        return (self.first_t, self.cruise_t, self.duration_t, self.cruise_v)
-
     def at(self, time_t: float) -> tuple[float, float]:
         """Distance and speed at a time: for Python's side."""
         return (self.position(time_t), self.speed(time_t))

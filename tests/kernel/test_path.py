@@ -294,7 +294,7 @@ def test_a_segment_that_does_not_start_where_the_axes_stand_is_refused() -> None
 
 
 def test_used_segments_stay_in_the_ring() -> None:
-    """The latest segments can still be looked up when the path has left them, the last one first."""
+    """The latest segments can be looked up when the path has left them, the last one first."""
     controller = Controller()
     controller.run(NcText("part.nc", "G00 X1\nG00 X3\nG00 X3 Y4\nM30"))
     path = controller._channel.path

@@ -362,6 +362,9 @@ class _Names:
     def message(self, number: int) -> str:
         return str(number)
 
+    def variable_text(self, number: int) -> str:
+        return str(number)
+
     def program(self, number: int) -> str:
         return str(number)
 

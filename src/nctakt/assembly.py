@@ -29,7 +29,6 @@ from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.nc.names import ChannelNames, Layout, Location
 from nctakt.nc.source import Source
-from nctakt.results.instruction_tree import distinct
 from nctakt.results.run import FrozenValue, Reaction
 from nctakt.sources import SourceFiles, pack
 from nctakt.text import nearest
@@ -54,6 +53,8 @@ class Registry:
         self._probes = 0
         self._messages: list[UserMessage] = []
         self._programs: list[str] = []
+        self._variable_texts: list[str] = []
+        self._variable_numbers: dict[str, int] = {}
         self._latest: dict[str, CycleDefinition] = {}
         self._living: dict[int, CycleDefinition] = {}
         self._past_runs: dict[str, int] = {}
@@ -77,6 +78,10 @@ class Registry:
         """Whether a message stands in the message file without time stamp, without line end."""
         message = self._messages[number]
         return message.exclusive, message.unbroken
+
+    def variable_text(self, number: int) -> str:
+        """The text of a variable whose value was frozen."""
+        return self._variable_texts[number]
 
     def program(self, number: int) -> str:
         """The file name of a program."""
@@ -128,6 +133,13 @@ class Registry:
         self._messages.append(message)
         return len(self._messages) - 1
 
+    def add_variable(self, text: str) -> int:
+        """The number of a variable's text, the same each time."""
+        if text not in self._variable_numbers:
+            self._variable_numbers[text] = len(self._variable_texts)
+            self._variable_texts.append(text)
+        return self._variable_numbers[text]
+
     def add_program(self, name: str) -> int:
         """The number of a program."""
         self._programs.append(name.replace("\\", "/").rsplit("/", 1)[-1])
@@ -144,8 +156,8 @@ class Registry:
         """What was frozen into the latest living cycle of this name and place (RC-302)."""
         for serial, definition in reversed(self._living.items()):
             if self._cycle_names[serial] == name and _begins_at(definition.span, span):
-                frozen = distinct(definition.frozen)
-                return [FrozenValue(one.name, one.value, one.span) for one in frozen]
+                found = definition.frozen
+                return [FrozenValue(one.name, one.value, one.span) for one in found]
         return ()
 
     def runs(self) -> dict[str, int]:

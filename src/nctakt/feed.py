@@ -108,6 +108,8 @@ class Feed:
         place = 0
         if isinstance(command, commands.UserMessage):
             place = self._machine.registry.add_message(command)
+        if isinstance(command, commands.Freeze):
+            place = self._machine.registry.add_variable(command.name)
         if isinstance(command, commands.ProgramEnd):
             place = self._number
         self._put(command, place)

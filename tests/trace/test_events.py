@@ -29,6 +29,9 @@ class Names:
     def message(self, number: int) -> str:
         return {3: "tool; worn <out>"}[number]
 
+    def variable_text(self, number: int) -> str:
+        return {4: "V.E.ASYNC"}[number]
+
     def program(self, number: int) -> str:
         return {0: "part.nc"}[number]
 
@@ -69,6 +72,7 @@ def row(kind: int, subject: int = 0, a: float = 0.0, b: float = 0.0, tick: int =
         (row(record.ERROR, 0, 900531), "warning", "900531", ""),
         (row(record.PROGRAM_END, 0), "end", "part.nc", ""),
         (row(record.NOTICE, 1, 900531), "notice", "900531", "17"),
+        (row(record.FROZEN, 2, 4, 16.5), "frozen", "V.E.ASYNC 16.5", "#1"),
     ],
 )
 def test_each_kind_of_row_has_its_text(data: bytes, kind: str, text: str, cycle: str) -> None:

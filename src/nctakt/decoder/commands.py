@@ -123,6 +123,15 @@ class UserMessage(Command):
 
 
 @dataclass(frozen=True, slots=True)
+class Freeze(Command):
+    """The cycle ``serial``, defined just before, has this variable as a constant (RC-302)."""
+
+    serial: int
+    name: str
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
 class Flush(Command):
     """The path stands before what follows is taken; ``waits``: the decoder, too (RC-005)."""
 
@@ -182,6 +191,8 @@ def pack(command: Command, place: int = 0) -> list[float]:
             return [*row, command.zeros, *command.data]
         case UserMessage():
             return [channel.MESSAGE, *head, place]
+        case Freeze():
+            return [channel.FREEZE, *head, command.serial, place, command.value]
         case Flush():
             return [channel.FLUSH, *head, 0, 0, command.waits]
         case ReadRealtime():

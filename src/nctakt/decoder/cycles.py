@@ -68,7 +68,7 @@ class CycleDefinition:
     cycle: RealtimeCycle
     statement: syntax.RealtimeCycle
     reactions: list[BuiltReaction] = field(default_factory=list)
-    frozen: list[Frozen] = field(default_factory=list)
+    frozen: tuple[Frozen, ...] = ()
 
 
 #: Probe rows that a condition can record in a tick: a change, and the begins of two series.
@@ -111,8 +111,13 @@ class CycleBuilder:
             cycle,
             statement,
             sorted(self._reactions, key=lambda one: one.span),
-            self._frozen,
+            self._distinct_frozen(),
         )
+
+    def _distinct_frozen(self) -> tuple[Frozen, ...]:
+        """In the order of the text, each access once: ``+=`` builds its target's index twice."""
+        by_span = {one.span: one for one in self._frozen}
+        return tuple(by_span[span] for span in sorted(by_span))
 
     # --- statements -----------------------------------------------------------------------------
 

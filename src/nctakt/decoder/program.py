@@ -16,6 +16,7 @@ from nctakt.decoder.commands import (
     Command,
     CycleControl,
     Flush,
+    Freeze,
     LoadCycle,
     PositionRequest,
     ProgramEnd,
@@ -249,6 +250,9 @@ class ProgramDecoder:
         yield LoadCycle(
             source, number, built.cycle, built.identity, scope, statement.definition_only
         )
+        for one in built.frozen:
+            place = self._surroundings.place(one.span)
+            yield Freeze(place, number, serial, one.name, one.value)
 
     def _control(
         self, statement: syntax.CycleControl, source: int, number: int

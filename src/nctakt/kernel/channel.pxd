@@ -55,6 +55,8 @@ cdef class Channel:
     cdef void take_write(self, Py_ssize_t base) noexcept nogil
     @cython.locals(first=Py_ssize_t, count=Py_ssize_t, zeros=Py_ssize_t, i=Py_ssize_t)
     cdef void take_characters(self, Py_ssize_t base, Py_ssize_t place) noexcept nogil
+    @cython.locals(source=cython.longlong, name=cython.longlong)
+    cdef void take_frozen(self, Py_ssize_t base) noexcept nogil
     cdef int take_program_end(self, long long tick, Py_ssize_t base) noexcept nogil
     cdef void report(self, long long source, int message, double detail) noexcept nogil
     cdef void run_cycles(self) noexcept nogil
@@ -62,7 +64,7 @@ cdef class Channel:
     cdef void interpolate(self) noexcept nogil
     @cython.locals(number=double)
     cdef void publish_block(self) noexcept nogil
-    @cython.locals(position=Py_ssize_t, base=Py_ssize_t)
+    @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int)
     cdef void go_on(self, double factor, int stops) noexcept nogil
     cdef void end_tick(self) noexcept nogil
     cdef void end_reset(self) noexcept nogil

@@ -34,6 +34,7 @@ FLUSH = 9
 READ = 10
 PROGRAM_END = 11
 GIVE_UP = 12
+FREEZE = 60
 
 #: The kinds that take or may take time.
 TIMED_KINDS = (SEGMENT, DWELL, AWAIT_ACKNOWLEDGE, FLUSH, READ, PROGRAM_END, GIVE_UP)
@@ -208,6 +209,9 @@ class Channel:
             return 1
         if kind == 11:
             return self.take_program_end(tick, base)
+        if kind == 60:
+            self.take_frozen(base)
+            return 1
         if kind == 12:
             self.timed_count -= 1
             self.report(int(self.queue[base + 1]), int(self.queue[base + 3]), 0.0)
@@ -283,6 +287,12 @@ class Channel:
         for i in range(count, count + zeros):
             self.characters[first + i] = 0
 
+    def take_frozen(self, base: int) -> None:
+        """What the definition before it has frozen: told where it is taken (RC-302)."""
+        source = int(self.queue[base + 1])
+        name = int(self.queue[base + 4])
+        self.record.frozen(source, int(self.queue[base + 3]), name, self.queue[base + 5])
+
     def take_program_end(self, tick: int, base: int) -> int:
         """M30; not in the tick in which a cycle that it deletes was started (RC-004, RC-106)."""
         if self.manager.has_fresh(tick):
@@ -333,13 +343,14 @@ class Channel:
         position = max(self.head, self.begun + 1)
         while position < self.tail:
             base = position % self.capacity * self.width
-            if self.queue[base] == 1.0:
+            kind = int(self.queue[base])
+            if kind == 1:
                 self.begun = position
                 self.path.begin(base, self.queue, self.path.left_t)
                 self.publish_block()
                 if not self.path.step_carried(factor, stops):
                     return
-            elif self.queue[base] > 8.0 or self.queue[base] == 2.0 or self.queue[base] == 6.0:
+            elif kind not in (3, 4, 5, 7, 8, 60):
                 return
             position += 1
 

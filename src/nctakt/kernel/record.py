@@ -35,6 +35,7 @@ MESSAGE = 11  # number of the text (subject)
 ERROR = 12  # serial (0: the path), message ID, detail; the source is the statement
 PROGRAM_END = 13  # number of the program (subject)
 NOTICE = 14  # serial, message ID: diagnosis level 2
+FROZEN = 40  # serial, number of the variable's text, value; the source is the access
 
 ENDED_BY_SCOPE = 0
 ENDED_BY_DELETE = 1
@@ -155,6 +156,10 @@ class Record:
     def notice(self, source: int, serial: int, message: int) -> None:
         """Something without effect that may be a mistake: diagnosis level 2."""
         self.event(14, source, serial, message, 0.0)
+
+    def frozen(self, source: int, serial: int, name: int, value: float) -> None:
+        """An asynchronous variable became a constant of a realtime cycle (RC-302)."""
+        self.event(40, source, serial, name, value)
 
     def probe(self, number: int, truth: int, left: float, right: float) -> None:
         """Append a change of a condition's truth."""

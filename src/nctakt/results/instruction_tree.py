@@ -70,15 +70,7 @@ def list_cycle(definition: CycleDefinition) -> ListedCycle:
     lister = _Lister(definition.frozen)
     most = lister.sequence(definition.statement.body, 0)
     text = next(print_statement(dataclasses.replace(definition.statement, body=())))
-    return ListedCycle(
-        text, definition.span, tuple(lister.listed), most, distinct(definition.frozen)
-    )
-
-
-def distinct(frozen: Sequence[Frozen]) -> tuple[Frozen, ...]:
-    """The frozen variables by place, each once: ``+=`` builds the index of its target twice."""
-    by_span = {one.span: one for one in frozen}
-    return tuple(by_span[span] for span in sorted(by_span))
+    return ListedCycle(text, definition.span, tuple(lister.listed), most, definition.frozen)
 
 
 class _Lister:

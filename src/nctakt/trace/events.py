@@ -60,6 +60,9 @@ class EventNames(Protocol):
     def message(self, number: int) -> str:
         """The text of the message with this number."""
 
+    def variable_text(self, number: int) -> str:
+        """The text of a variable whose value was frozen."""
+
     def program(self, number: int) -> str:
         """The file name of a program."""
 
@@ -92,6 +95,7 @@ class EventDecoder:
             record.ERROR: self._error,
             record.PROGRAM_END: self._program_end,
             record.NOTICE: self._notice,
+            record.FROZEN: self._frozen,
         }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
@@ -151,6 +155,9 @@ class EventDecoder:
 
     def _notice(self, _kind: int, _serial: int, number: float, _b: float) -> tuple[str, str]:
         return "notice", str(int(number))
+
+    def _frozen(self, _kind: int, _serial: int, number: float, value: float) -> tuple[str, str]:
+        return "frozen", f"{self._names.variable_text(int(number))} {number_text(value)}"
 
     def _program_end(self, _kind: int, number: int, _a: float, _b: float) -> tuple[str, str]:
         return "end", self._names.program(number)

@@ -169,3 +169,21 @@ M30
 %L SUB
 P1 = V.E.VALUE
 M17
+; ---
+; What the program has given an asynchronous variable is told with its line (RC-302).
+V.E.ASYNC = 11
+V.E.LEVEL_1_A[1].FROZEN = 2.5
+#RT CYCLE [SCOPE = PROG]
+  V.E.VALUE = V.E.ASYNC ; note 900236 "sees 11, set in line 2"
+  V.E.VALUE1 = V.E.LEVEL_1_A[1].FROZEN ; note 900236 "sees 2.5, set in line 3"
+#RT CYCLE END
+M30
+; ---
+; An index that is computed, or a whole structure, leaves nothing certain.
+V.E.LEVEL_1_A[1].FROZEN = 2.5
+P1 = 0
+V.E.LEVEL_1_A[P1].FROZEN = 4
+#RT CYCLE [SCOPE = PROG]
+  V.E.VALUE1 = V.E.LEVEL_1_A[1].FROZEN ; note 900236 "the value that it has"
+#RT CYCLE END
+M30

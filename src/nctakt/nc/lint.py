@@ -22,7 +22,7 @@ from nctakt.nc.findings import Findings
 from nctakt.nc.frames import is_false
 from nctakt.nc.lint_channel import ChannelUse
 from nctakt.nc.lint_cycle import Budget, CycleLinter, Known
-from nctakt.nc.lint_values import element_text, whole
+from nctakt.nc.lint_values import element_text, place_text, whole
 from nctakt.nc.names import NameTable
 from nctakt.nc.source import Source
 from nctakt.nc.syntax import (
@@ -81,10 +81,10 @@ def never_deleted(programs: Sequence[GlobalCycles], collector: Collector) -> Non
 
 @dataclass(slots=True)
 class _State:
-    """What is certain at a place: active compensation (``G41``, ``G42``), values of parameters."""
+    """What is certain at a place: active compensation (``G41``, ``G42``), values that were set."""
 
     compensation: str = ""
-    known: dict[int, Known] = field(default_factory=dict)
+    known: dict[str, Known] = field(default_factory=dict)
 
     def copy(self) -> _State:
         return _State(self.compensation, dict(self.known))
@@ -193,7 +193,7 @@ class Linter:
         return self._state
 
     def _loop(self, loop: For | While | Do | Repeat) -> None:
-        """Parameters may have changed in a round before; the body may not run at all."""
+        """Values may have changed in a round before; the body may not run at all."""
         if isinstance(loop, While) and is_false(loop.condition):
             return
         self._state.known.clear()
@@ -203,19 +203,23 @@ class Linter:
         if isinstance(loop, For | While):
             self._state.join(before)
 
-    # --- parameters ------------------------------------------------------------------------------
+    # --- values ----------------------------------------------------------------------------------
 
     def _assignment(self, statement: Assignment) -> None:
-        target, known = statement.target, self._state.known
-        if not isinstance(target, Parameter) or target.call:
+        """The target and what lies within it have other values; of a number that is known."""
+        target = statement.target
+        if isinstance(target, Parameter) and target.call:
             return
-        number = whole(target.index)
-        if number is None:
-            known.clear()
-            return
-        known.pop(number, None)
-        if isinstance(statement.value, Number) and statement.operator == "=":
-            known[number] = Known(statement.value.value, statement.span.line)
+        place = place_text(target)
+        root = place.split("[]")[0]
+        known = {
+            name: value
+            for name, value in self._state.known.items()
+            if name != root and not name.startswith((f"{root}.", f"{root}["))
+        }
+        if isinstance(statement.value, Number) and statement.operator == "=" and root == place:
+            known[place] = Known(statement.value.value, statement.span.line)
+        self._state.known = known
 
     # --- realtime cycles -------------------------------------------------------------------------
 
@@ -261,7 +265,7 @@ class Linter:
     def _identity(self, value: Expression | None) -> int | None:
         """The value of an ID where it is known; ``None`` for one that is not, or not given."""
         if isinstance(value, Parameter):
-            known = self._state.known.get(whole(value.index) or 0)
+            known = self._state.known.get(place_text(value))
             return None if known is None or not isfinite(known.value) else int(known.value)
         return whole(value)
 

@@ -22,8 +22,8 @@ from nctakt.nc.lint_values import (
     is_override,
     is_position,
     operands_of,
+    place_text,
     targets,
-    whole,
 )
 from nctakt.nc.names import Location, NameTable
 from nctakt.nc.resolution import indices_of, path_text, resolve
@@ -62,7 +62,7 @@ class Budget:
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """The value of a parameter, and the line that has set it."""
+    """The value that the program gave to something, and the line that did it."""
 
     value: float
     line: int
@@ -90,10 +90,10 @@ class CycleLinter:
         self._names = names
         self._findings = findings
         self._budget = budget
-        self._known: Mapping[int, Known] = {}
+        self._known: Mapping[str, Known] = {}
         self._told: dict[str, None] = {}
 
-    def cycle(self, cycle: RealtimeCycle, known: Mapping[int, Known]) -> dict[str, Variable]:
+    def cycle(self, cycle: RealtimeCycle, known: Mapping[str, Known]) -> dict[str, Variable]:
         """Report; the variables that the cycle writes, by their text."""
         self._known = known
         self._told = {}
@@ -287,12 +287,11 @@ class CycleLinter:
 
     def _value(self, operand: Expression) -> tuple[str, str]:
         """With which value it is read, where that can be told, in both languages."""
-        number = whole(operand.index) if isinstance(operand, Parameter) else None
-        if number is not None:
-            known = self._known.get(number)
-            if known is not None:
-                value = f"{known.value:.15g}"
-                return f"{value}, set in line {known.line}", f"{value} aus Zeile {known.line}"
+        assert isinstance(operand, Variable | Parameter)
+        known = self._known.get(place_text(operand))
+        if known is not None:
+            value = f"{known.value:.15g}"
+            return f"{value}, set in line {known.line}", f"{value} aus Zeile {known.line}"
         return _THEN_EN, _THEN_DE
 
 

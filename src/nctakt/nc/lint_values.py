@@ -48,6 +48,14 @@ def element_text(variable: Variable) -> str:
     return ".".join((f"V.{variable.family}", *parts))
 
 
+def place_text(place: Variable | Parameter) -> str:
+    """A variable or parameter as a key; with ``[]`` in it where an index is computed."""
+    if isinstance(place, Variable):
+        return element_text(place)
+    number = whole(place.index)
+    return "P[]" if number is None else f"P[{number}]"
+
+
 def targets(statements: Sequence[Statement]) -> Iterator[Variable | Parameter]:
     """What these statements and those inside them write."""
     for statement in statements:

@@ -210,16 +210,16 @@ def test_a_machine_folder_is_checked_as_a_whole(check: Check) -> None:
     assert checked.lines[-1].startswith("14 files: ")
 
 
-def test_lists_that_a_machine_names_and_nctakt_does_not_read(check: Check) -> None:
-    """Tools and offsets: neither checked nor told to be of no known kind; missing ones are told."""
+def test_tools_and_offsets_that_a_machine_names_are_checked(check: Check) -> None:
+    """Tools and offsets belong to the machine: not checked alone; missing ones are told."""
     shutil.copytree(DEMO, "mine")
     startup = Path("mine/hochlauf.lis")
     named = "werkz_data[0] ./tools.lis\nnullp_data[0] ./gone.lis\nEnde"
     startup.write_text(startup.read_text("utf-8").replace("Ende", named), "utf-8")
     write("mine/tools.lis", "wz[0].laenge 5\nEnde\n")
     checked = check("mine")
-    assert checked.ids == [900062]
-    assert checked.lines[-1].startswith("12 files: ")
+    assert checked.ids == [900062, 900740]
+    assert checked.lines[-1].startswith("13 files: ")
 
 
 def test_what_a_machine_cannot_do_without_is_told_with_its_folder(check: Check) -> None:
@@ -260,7 +260,7 @@ def test_a_start_up_list_alone_names_lists_that_exist(check: Check) -> None:
 
 def test_a_list_of_no_known_kind_is_told(check: Check) -> None:
     """A note; where nothing else is checked that is exit code 2."""
-    write("tools.lis", "wz[0].laenge 5\nEnde\n")
+    write("tools.lis", "magazine[0].place 5\nEnde\n")
     assert (check("tools.lis").ids, check("tools.lis").code) == ([900584], 2)
     write("good.nc", GOOD)
     assert check(".").code == 0

@@ -317,18 +317,23 @@ def test_spindles_need_an_axis_list_unless_the_plc_turns_them(tmp_path: Path) ->
     ]
 
 
-def test_lists_that_are_not_read_yet_must_exist(tmp_path: Path) -> None:
-    """Tools and offsets are found, or reported as missing."""
+def test_tools_and_offsets_belong_to_their_channel(tmp_path: Path) -> None:
+    """What the start-up list names for a channel is in its configuration; a missing list is told.
+
+    X is linear: 0.1 µm; the list of clamp offsets does not exist.
+    """
     files = {
         "hochlauf.lis": f"{STARTUP}werkz_data[0] t.lis\nnullp_data[0] n.lis\npzv_data[0] p.lis\n",
-        "t.lis": "",
-        "p.lis": "",
+        "t.lis": "wz[3].gueltig 1\nwz[3].laenge 1234500\nwz[3].radius 50000\n",
+        "n.lis": "np_grp[1].achse[0].versch -250000\n",
     }
     machine, found = load(write(tmp_path, files))
     channel = machine.channels[0]
     assert found == [900062]
-    assert (channel.tools, channel.zero_offsets) == (tmp_path / "t.lis", None)
-    assert channel.clamp_offsets == tmp_path / "p.lis"
+    tool = channel.tools[3]
+    assert (tool.valid, tool.length, tool.radius) == (True, 123.45, 5.0)
+    assert channel.zero_offsets.offset(1, 0) == -25.0
+    assert channel.clamp_offsets.groups == {}
 
 
 def test_verbose_names_each_unknown_entry(tmp_path: Path) -> None:

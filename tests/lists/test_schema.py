@@ -10,7 +10,7 @@ import pytest
 from nctakt.diagnostics import Text
 from nctakt.lists.axis import AXIS
 from nctakt.lists.channel import CHANNEL
-from nctakt.lists.parameter import Parameter, Schema, ValueType, shown
+from nctakt.lists.parameter import Effect, Parameter, Schema, ValueType, shown
 from nctakt.lists.parameters import SCHEMAS, find_parameters
 from nctakt.lists.reader import ListDialect
 from nctakt.lists.schema import Values, load_list
@@ -163,7 +163,7 @@ def test_old_names(old: str, new: str, numbers: list[int]) -> None:
 
 def test_unknown_entries_are_counted_in_one_note() -> None:
     """One note per file counts the unknown entries; with verbose each is a warning."""
-    text = "feed_to_weakest_axis 1\nmesstyp 2\nmass_einh 0\n"
+    text = "feed_to_weakest_axis 1\nmesstyp 2\nmax_vb_override 1000\n"
     assert load(CHANNEL, text)[1] == [900010]
     found = load(CHANNEL, text, verbose=True)[1]
     assert len(found) == 2 and set(found) <= {900008, 900009}
@@ -261,7 +261,11 @@ def _check_default(parameter: Parameter) -> None:
         assert isinstance(default, bool)
     elif parameter.type is ValueType.STRING:
         assert isinstance(default, str)
-    elif default is not None and parameter.id != "P-RTCF-00001" and parameter.modelled:
+    elif (
+        default is not None
+        and parameter.id != "P-RTCF-00001"
+        and parameter.effect is not Effect.ACCEPTED
+    ):
         low, high = parameter.bounds
         assert isinstance(default, int | float) and low <= default <= high
 

@@ -141,8 +141,7 @@ class _Checker:
             path = find_file(reference.path, startup.parent)
             if path is not None:
                 self._covered[path.resolve()] = None
-                if kind:
-                    self._files[path.as_posix()] = kind
+                self._files[path.as_posix()] = kind
         self._keep(startup.as_posix(), machine.diagnostics)
 
     def _list(self, path: Path) -> None:

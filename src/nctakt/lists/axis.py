@@ -9,7 +9,7 @@ angles of rotary axes share their parameters. Gear steps: ``getriebe[i]``.
 from __future__ import annotations
 
 from nctakt.diagnostics import Text
-from nctakt.lists.parameter import Parameter, Schema, Value, ValueType
+from nctakt.lists.parameter import Effect, Parameter, Schema, Value, ValueType
 from nctakt.lists.reader import ListDialect
 
 GEAR_STEPS = 10
@@ -35,8 +35,11 @@ def _axis(
     low: int | None = None,
     high: int | None = None,
     unit: str = "",
+    effect: Effect = Effect.TAKEN,
 ) -> Parameter:
-    return Parameter(id_, path, type_, default, Text(en, de), low=low, high=high, unit=unit)
+    return Parameter(
+        id_, path, type_, default, Text(en, de), low=low, high=high, unit=unit, effect=effect
+    )
 
 
 def _gear(
@@ -49,21 +52,45 @@ def _gear(
     low: int = 0,
     high: int | None = None,
     unit: str,
+    effect: Effect = Effect.TAKEN,
 ) -> Parameter:
     path = f"getriebe[0..{GEAR_STEPS - 1}].{path}"
-    return _axis(id_, path, ValueType.UNS32, default, en, de, low=low, high=high, unit=unit)
+    type_ = ValueType.UNS32
+    return _axis(id_, path, type_, default, en, de, low=low, high=high, unit=unit, effect=effect)
 
 
-def _speed(id_: str, path: str, default: int, en: str, de: str, low: int = 1) -> Parameter:
-    return _gear(id_, path, default, en, de, low=low, high=_FASTEST, unit=_SPEED)
+def _speed(
+    id_: str,
+    path: str,
+    default: int,
+    en: str,
+    de: str,
+    *,
+    low: int = 1,
+    effect: Effect = Effect.TAKEN,
+) -> Parameter:
+    return _gear(id_, path, default, en, de, low=low, high=_FASTEST, unit=_SPEED, effect=effect)
 
 
-def _acceleration(id_: str, path: str, default: int, en: str, de: str, low: int = 1) -> Parameter:
-    return _gear(id_, path, default, en, de, low=low, high=_STEEPEST, unit=_ACCELERATION)
+def _acceleration(
+    id_: str,
+    path: str,
+    default: int,
+    en: str,
+    de: str,
+    *,
+    low: int = 1,
+    effect: Effect = Effect.TAKEN,
+) -> Parameter:
+    return _gear(
+        id_, path, default, en, de, low=low, high=_STEEPEST, unit=_ACCELERATION, effect=effect
+    )
 
 
-def _ramp(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
-    return _gear(id_, path, default, en, de, unit="µs")
+def _ramp(
+    id_: str, path: str, default: int, en: str, de: str, *, effect: Effect = Effect.TAKEN
+) -> Parameter:
+    return _gear(id_, path, default, en, de, unit="µs", effect=effect)
 
 
 _HEADER = (
@@ -111,6 +138,7 @@ _CHARACTER = (
         False,
         "The axis may be moved on its own, beside the path",
         "Die Achse darf für sich, neben der Bahn, bewegt werden",
+        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00491",
@@ -120,6 +148,7 @@ _CHARACTER = (
         "Override of independent motions: 0 channel, 1 the lesser of both, 2 axis",
         "Override unabhängiger Bewegungen: 0 Kanal, 1 der kleinere von beiden, 2 Achse",
         high=2,
+        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00177",
@@ -147,6 +176,7 @@ _CHARACTER = (
         "How far actual positions may pass the software limits",
         "Wie weit Istpositionen die Softwareendschalter überfahren dürfen",
         unit=_POSITION,
+        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00109",
@@ -158,6 +188,7 @@ _CHARACTER = (
         low=1,
         high=MOST_OVERRIDE,
         unit="0.1 %",
+        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00079",
@@ -175,6 +206,7 @@ _CHARACTER = (
         False,
         "The drives allow output without a delay of one cycle (schedule COMPLETE)",
         "Die Antriebe erlauben die Ausgabe ohne einen Takt Verzug (schedule COMPLETE)",
+        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00096",
@@ -183,6 +215,7 @@ _CHARACTER = (
         False,
         "The simulated drive follows exactly: actual position = command position",
         "Der simulierte Antrieb folgt genau: Istposition = Sollposition",
+        effect=Effect.CHECKED,
     ),
 )
 
@@ -218,6 +251,7 @@ _GEAR_STEP = (
         "Deceleration of an emergency stop; 0: as a_max",
         "Verzögerung beim Nothalt; 0: wie a_max",
         low=0,
+        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00201",
@@ -225,6 +259,7 @@ _GEAR_STEP = (
         10_000,
         "Shortest ramp time of the acceleration",
         "Kürzeste Rampenzeit der Beschleunigung",
+        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00199",
@@ -232,6 +267,7 @@ _GEAR_STEP = (
         10_000,
         "Ramp time of the acceleration along a curved contour",
         "Rampenzeit der Beschleunigung entlang einer gekrümmten Kontur",
+        effect=Effect.CHECKED,
     ),
     _speed("P-AXIS-00209", "vb_eilgang", 166_666, "Rapid speed", "Eilganggeschwindigkeit"),
     _speed(
@@ -241,6 +277,7 @@ _GEAR_STEP = (
         "Speed that the PLC can reduce feed motions to",
         "Geschwindigkeit, auf die die SPS Vorschubbewegungen begrenzen kann",
         low=0,
+        effect=Effect.CHECKED,
     ),
     _speed(
         "P-AXIS-00155",
@@ -249,6 +286,7 @@ _GEAR_STEP = (
         "Speed that the PLC can reduce rapid motions to",
         "Geschwindigkeit, auf die die SPS Eilgangbewegungen begrenzen kann",
         low=0,
+        effect=Effect.CHECKED,
     ),
     _gear(
         "P-AXIS-00099",
@@ -258,6 +296,7 @@ _GEAR_STEP = (
         "Verstärkung der Lageregelung",
         low=1,
         unit="0.01/s",
+        effect=Effect.CHECKED,
     ),
     _gear(
         "P-AXIS-00236",
@@ -267,6 +306,7 @@ _GEAR_STEP = (
         "Fenster, in dem ein Genauhalt erreicht ist",
         high=_MAX_SGN32,
         unit=_POSITION,
+        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00126",
@@ -276,6 +316,7 @@ _GEAR_STEP = (
         "Upper end of the modulo range",
         "Obere Grenze des Modulobereichs",
         unit=_POSITION,
+        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00127",
@@ -285,6 +326,7 @@ _GEAR_STEP = (
         "Lower end of the modulo range",
         "Untere Grenze des Modulobereichs",
         unit=_POSITION,
+        effect=Effect.CHECKED,
     ),
 )
 
@@ -295,6 +337,7 @@ _RAMPS = (
         1000,
         "Acceleration at feed, jerk-limited slope",
         "Beschleunigung bei Vorschub, ruckbegrenzter Slope",
+        effect=Effect.CHECKED,
     ),
     _acceleration(
         "P-AXIS-00002",
@@ -302,6 +345,7 @@ _RAMPS = (
         1000,
         "Deceleration at feed, jerk-limited slope",
         "Verzögerung bei Vorschub, ruckbegrenzter Slope",
+        effect=Effect.CHECKED,
     ),
     _acceleration(
         "P-AXIS-00004",
@@ -309,6 +353,7 @@ _RAMPS = (
         1000,
         "Acceleration and deceleration at rapid, jerk-limited slope",
         "Beschleunigung und Verzögerung im Eilgang, ruckbegrenzter Slope",
+        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00196",
@@ -316,6 +361,7 @@ _RAMPS = (
         50_000,
         "Ramp time while the acceleration builds up",
         "Rampenzeit, während die Beschleunigung zunimmt",
+        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00195",
@@ -323,6 +369,7 @@ _RAMPS = (
         50_000,
         "Ramp time while the acceleration fades",
         "Rampenzeit, während die Beschleunigung abnimmt",
+        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00198",
@@ -330,6 +377,7 @@ _RAMPS = (
         50_000,
         "Ramp time while the deceleration builds up",
         "Rampenzeit, während die Verzögerung zunimmt",
+        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00197",
@@ -337,6 +385,7 @@ _RAMPS = (
         50_000,
         "Ramp time while the deceleration fades",
         "Rampenzeit, während die Verzögerung abnimmt",
+        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00200",
@@ -344,6 +393,7 @@ _RAMPS = (
         10_000,
         "Ramp time at rapid",
         "Rampenzeit im Eilgang",
+        effect=Effect.CHECKED,
     ),
     _acceleration(
         "P-AXIS-00011",

@@ -8,7 +8,16 @@ What they yield is in ``channel_configuration.py``; the tables of M and H functi
 from __future__ import annotations
 
 from nctakt.diagnostics import Text
-from nctakt.lists.parameter import MAX_UNS16, MAX_UNS32, Alias, Parameter, Schema, Value, ValueType
+from nctakt.lists.parameter import (
+    MAX_UNS16,
+    MAX_UNS32,
+    Alias,
+    Effect,
+    Parameter,
+    Schema,
+    Value,
+    ValueType,
+)
 from nctakt.lists.reader import ListDialect
 from nctakt.lists.technology import SPINDLE_FUNCTIONS, TECHNOLOGY
 
@@ -37,6 +46,7 @@ def _channel(
     unit: str = "",
     restart: bool = False,
     aliases: tuple[Alias, ...] = (),
+    effect: Effect = Effect.TAKEN,
 ) -> Parameter:
     return Parameter(
         id_,
@@ -49,6 +59,7 @@ def _channel(
         unit=unit,
         restart=restart,
         aliases=aliases,
+        effect=effect,
     )
 
 
@@ -59,7 +70,7 @@ _AXES = (
         ValueType.STRING,
         "",
         Text("Name of the group of axes", "Name der Achsgruppe"),
-        modelled=False,
+        effect=Effect.ACCEPTED,
     ),
     Parameter(
         "P-CHAN-00023",
@@ -67,7 +78,7 @@ _AXES = (
         ValueType.UNS16,
         1,
         Text("Number of groups of axes, always 1", "Anzahl der Achsgruppen, immer 1"),
-        modelled=False,
+        effect=Effect.ACCEPTED,
     ),
     _channel(
         "P-CHAN-00003",
@@ -114,6 +125,7 @@ _SPINDLES = (
         0,
         "Logical number of the main spindle",
         "Logische Nummer der Hauptspindel",
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00053",
@@ -123,6 +135,7 @@ _SPINDLES = (
         "Name of the main spindle in NC programs; begins with S",
         "Name der Hauptspindel in NC-Programmen; beginnt mit S",
         high=NAME_LENGTH,
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00007",
@@ -132,6 +145,7 @@ _SPINDLES = (
         "Name of a spindle in NC programs; begins with S",
         "Name einer Spindel in NC-Programmen; beginnt mit S",
         high=NAME_LENGTH,
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00036",
@@ -140,6 +154,7 @@ _SPINDLES = (
         0,
         "Logical number of a spindle",
         "Logische Nummer einer Spindel",
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00069",
@@ -148,6 +163,7 @@ _SPINDLES = (
         False,
         "The PLC turns the spindle; no axis list is needed",
         "Die SPS dreht die Spindel; eine Achsliste ist nicht nötig",
+        effect=Effect.CHECKED,
     ),
 )
 
@@ -160,6 +176,7 @@ _PROGRAMS = (
         "Folder that is searched for NC programs",
         "Verzeichnis, in dem NC-Programme gesucht werden",
         high=_PATH_LENGTH,
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00402",
@@ -168,6 +185,7 @@ _PROGRAMS = (
         0,
         "Number of the folder, unique in the controller",
         "Nummer des Verzeichnisses, in der Steuerung eindeutig",
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00403",
@@ -177,6 +195,7 @@ _PROGRAMS = (
         "What the folder holds, as bits: 1 main, 2 subprograms, 4 message files, 8 debug data",
         "Inhalt des Verzeichnisses, als Bits: 1 Haupt-, 2 Unterprogramme, 4 Meldedateien, 8 Debug",
         high=15,
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00404",
@@ -185,6 +204,7 @@ _PROGRAMS = (
         0,
         "Order of the search, the lowest first",
         "Reihenfolge der Suche, die kleinste zuerst",
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00119",
@@ -194,6 +214,7 @@ _PROGRAMS = (
         "Subprogram that runs at program start",
         "Unterprogramm, das bei Programmstart läuft",
         high=_FILE_LENGTH,
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00252",
@@ -203,6 +224,7 @@ _PROGRAMS = (
         "Subprogram that runs at program end",
         "Unterprogramm, das bei Programmende läuft",
         high=_FILE_LENGTH,
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00118",
@@ -212,6 +234,7 @@ _PROGRAMS = (
         "Subprogram that M6 calls",
         "Unterprogramm, das M6 ruft",
         high=_FILE_LENGTH,
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00187",
@@ -221,6 +244,7 @@ _PROGRAMS = (
         "Subprogram that G800 and the following call",
         "Unterprogramm, das G800 und folgende rufen",
         high=_FILE_LENGTH,
+        effect=Effect.CHECKED,
     ),
 )
 
@@ -233,6 +257,7 @@ _DEFAULTS = (
         "Unit of the channel's own lengths: 0 mm, 1 inch",
         "Einheit der kanaleigenen Längen: 0 mm, 1 Inch",
         high=1,
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00079",
@@ -242,6 +267,7 @@ _DEFAULTS = (
         "Unit of angles: 0 degree, 1 gon",
         "Einheit der Winkel: 0 Grad, 1 Neugrad",
         high=1,
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00056",
@@ -262,6 +288,7 @@ _DEFAULTS = (
         "Slope bei Programmstart: 0 linear, 1 ruckbegrenzt, 2 Sinusquadrat, 3 HSC",
         low=0,
         high=3,
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00099",
@@ -298,6 +325,7 @@ _DEFAULTS = (
         False,
         "Each rapid block ends with an exact stop",
         "Jeder Eilgangsatz endet mit einem Genauhalt",
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00030",
@@ -308,6 +336,7 @@ _DEFAULTS = (
         "Kantenanleimen: Weg, der nach dem Messsignal bleibt",
         low=0,
         unit="0.1 µm",
+        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00029",
@@ -316,6 +345,7 @@ _DEFAULTS = (
         False,
         "Edge banding across blocks",
         "Kantenanleimen über Sätze hinweg",
+        effect=Effect.CHECKED,
     ),
 )
 

@@ -9,6 +9,7 @@ checked here but with the machine's folder (``machine.py``).
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -35,6 +36,9 @@ _NAMES = {
     "channel": re.compile("sda_mds|default_sda|kanal|channel"),
     "axis": re.compile("achs_mds|default_achs|ax_mds|axis|achse"),
     "variables": re.compile("ext_var|ve_var|v_ch|extv"),
+    "tools": re.compile("werkz|tool"),
+    "zero_offsets": re.compile("nullp|zero"),
+    "clamp_offsets": re.compile("pzv|platz|clamp"),
     "rtconf": re.compile("rtconf"),
 }
 
@@ -44,18 +48,31 @@ def kind_of(name: str, data: bytes) -> Schema | None:
 
     The schema that knows most of the entries counts; of several the one that the name fits.
     """
-    entries = read_list(name, data, ListDialect(), Collector())
-    patterns = [entry.pattern for entry in entries if entry.is_well_formed]
-    known = {
-        schema.kind: sum(schema.find(pattern) is not None for pattern in patterns)
-        for schema in SCHEMAS
-    }
+    known = _known_entries(name, data)
     most = max(known.values())
     best = [schema for schema in SCHEMAS if known[schema.kind] == most]
     named = [schema for schema in best if _NAMES[schema.kind].search(name.casefold())]
     if named:
         return named[0]
     return best[0] if most else None
+
+
+def other_kind(schema: Schema, name: str, data: bytes) -> Schema | None:
+    """The kind of a list that is named as one of ``schema`` and has no entry of it at all."""
+    known = _known_entries(name, data)
+    if known[schema.kind] or not any(known.values()):
+        return None
+    return kind_of(name, data)
+
+
+def _known_entries(name: str, data: bytes) -> dict[str, int]:
+    """How many entries each kind of list knows."""
+    entries = read_list(name, data, ListDialect(), Collector())
+    patterns = Counter(entry.pattern for entry in entries if entry.is_well_formed)
+    return {
+        schema.kind: sum(count for one, count in patterns.items() if schema.find(one) is not None)
+        for schema in SCHEMAS
+    }
 
 
 def check_list_alone(
@@ -78,13 +95,14 @@ def check_list_alone(
 
 
 def references(startup: StartupConfiguration) -> Iterator[tuple[str, ListReference]]:
-    """The lists that a start-up list names, each with its kind; empty for one that is not read."""
+    """The lists that a start-up list names, each with its kind."""
     named = [("rtconf", startup.rtconf), ("axis", startup.axis_defaults)]
     named += [("axis", reference) for reference in startup.axes]
     named.append(("channel", startup.channel_defaults))
     for channel in startup.channels:
         named += [("channel", channel.parameters), ("variables", channel.variables)]
-        named += [("", channel.tools), ("", channel.zero_offsets), ("", channel.clamp_offsets)]
+        named += [("tools", channel.tools), ("zero_offsets", channel.zero_offsets)]
+        named.append(("clamp_offsets", channel.clamp_offsets))
     for kind, reference in named:
         if reference is not None:
             yield kind, reference

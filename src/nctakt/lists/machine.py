@@ -8,6 +8,7 @@ result ``MachineError`` is raised; everything else is mended and reported.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -20,19 +21,22 @@ from nctakt.lists.channel_configuration import (
     Spindle,
     channel_parameters,
 )
-from nctakt.lists.files import find_entry, find_list, read_file
-from nctakt.lists.parameter import Schema
-from nctakt.lists.rtconf import RtconfConfiguration
+from nctakt.lists.files import find_entry
+from nctakt.lists.linked import LinkedLists
+from nctakt.lists.offsets import (
+    CLAMP_OFFSETS,
+    ZERO_OFFSETS,
+    ClampOffsets,
+    ZeroOffsets,
+    clamp_offsets_configuration,
+    zero_offsets_configuration,
+)
+from nctakt.lists.rtconf import RTCONF, RtconfConfiguration
 from nctakt.lists.rtconf_checks import check_contexts
 from nctakt.lists.rtconf_effective import load_rtconf
-from nctakt.lists.schema import Values, load_list
-from nctakt.lists.startup import (
-    STARTUP,
-    ChannelStartup,
-    ListReference,
-    StartupConfiguration,
-    startup_configuration,
-)
+from nctakt.lists.schema import Values
+from nctakt.lists.startup import ChannelStartup, StartupConfiguration, startup_configuration
+from nctakt.lists.tools import TOOLS, Tool, tools_configuration
 from nctakt.lists.variable_layout import overlaps, pack_of, place
 from nctakt.lists.variable_tree import (
     Variable,
@@ -86,8 +90,7 @@ class ChannelConfiguration:
     """One channel; ``number`` counts from 1.
 
     ``external_variables`` holds the channel's own V.E variables and the GLOBAL ones that its list
-    declares. ``tools``, ``zero_offsets``, ``clamp_offsets``: the files that the start-up list
-    names for it.
+    declares. ``tools``: by number, the valid ones and the others.
     """
 
     number: int
@@ -97,9 +100,9 @@ class ChannelConfiguration:
     spindles: tuple[ChannelSpindle, ...]
     external_variables: tuple[Variable, ...]
     channel_variables: tuple[Variable, ...]
-    tools: Path | None
-    zero_offsets: Path | None
-    clamp_offsets: Path | None
+    tools: Mapping[int, Tool]
+    zero_offsets: ZeroOffsets
+    clamp_offsets: ClampOffsets
 
     @property
     def main_spindle(self) -> ChannelSpindle | None:
@@ -158,7 +161,7 @@ class _Loader:
         self.startup_file = startup_file
         self.folder = startup_file.parent
         self.collector = collector
-        self.verbose = verbose
+        self.lists = LinkedLists(startup_file, collector, verbose=verbose)
 
     def machine(self) -> MachineConfiguration:
         startup = self._startup()
@@ -189,22 +192,8 @@ class _Loader:
     def _fail(self) -> MachineError:
         return MachineError(tuple(self.collector.diagnostics))
 
-    def _load(self, schema: Schema, path: Path | None, base: Values | None = None) -> Values | None:
-        """The values of the list in ``path``, ``None`` if there is none or it is unreadable."""
-        data = read_file(path, self.collector) if path is not None else None
-        if path is None or data is None:
-            return None
-        return load_list(
-            schema, path.as_posix(), data, self.collector, base=base, verbose=self.verbose
-        )
-
-    def _find(self, reference: ListReference | None) -> Path | None:
-        if reference is None:
-            return None
-        return find_list(reference, self.folder, self.collector)
-
     def _startup(self) -> StartupConfiguration:
-        values = self._load(STARTUP, self.startup_file)
+        values = self.lists.startup()
         if values is None:
             raise self._fail()
         format_ = values.text("listen")
@@ -214,23 +203,23 @@ class _Loader:
         return startup_configuration(values, self.collector)
 
     def _rtconf(self, startup: StartupConfiguration) -> RtconfConfiguration | None:
-        path = self._find(startup.rtconf)
-        data = read_file(path, self.collector) if path is not None else None
-        if path is None or data is None:
+        found = self.lists.data(RTCONF, startup.rtconf)
+        if found is None:
             self.collector.report(900068, None, cycle=DEFAULT_CYCLE_TIME_US)
             return None
+        path, data = found
         return load_rtconf(path.as_posix(), data, self.collector)
 
     def _missing(self, key: str) -> None:
         self.collector.report(900065, None, key=key)
 
     def _axes(self, startup: StartupConfiguration) -> tuple[AxisConfiguration, ...]:
-        base = self._load(AXIS, self._find(startup.axis_defaults))
+        base = self.lists.values(AXIS, startup.axis_defaults)
         axes: list[AxisConfiguration] = []
         for index, reference in enumerate(startup.axes):
             if reference is None:
                 self._missing(f"achs_mds[{index}]")
-            values = self._load(AXIS, self._find(reference), base)
+            values = self.lists.values(AXIS, reference, base)
             if values is None:
                 continue
             axis = axis_configuration(values, self.collector)
@@ -242,13 +231,13 @@ class _Loader:
         return tuple(axes)
 
     def _channel_parameters(self, startup: StartupConfiguration) -> tuple[ChannelParameters, ...]:
-        base = self._load(CHANNEL, self._find(startup.channel_defaults))
+        base = self.lists.values(CHANNEL, startup.channel_defaults)
         any_list = base is not None
         parameters: list[ChannelParameters] = []
         for channel in startup.channels:
             if channel.parameters is None and base is None:
                 self._missing(f"sda_mds[{channel.index}]")
-            values = self._load(CHANNEL, self._find(channel.parameters), base)
+            values = self.lists.values(CHANNEL, channel.parameters, base)
             any_list = any_list or values is not None
             values = values or base or Values(CHANNEL, self.startup_file.as_posix())
             parameters.append(channel_parameters(values, self.collector))
@@ -258,7 +247,7 @@ class _Loader:
         return tuple(parameters)
 
     def _variables(self, channel: ChannelStartup) -> VariablesConfiguration:
-        values = self._load(VARIABLES, self._find(channel.variables))
+        values = self.lists.values(VARIABLES, channel.variables)
         if values is None:
             return VariablesConfiguration((), ())
         return variables_configuration(values, self.collector)
@@ -305,18 +294,36 @@ class _Loader:
         axes: tuple[AxisConfiguration, ...],
     ) -> ChannelConfiguration:
         channel = startup.channels[index]
+        members = self._channel_axes(parameters, axes)
+        linear = tuple(axes[one.index].is_linear for one in members)
         return ChannelConfiguration(
             index + 1,
             channel,
             parameters,
-            self._channel_axes(parameters, axes),
+            members,
             self._channel_spindles(parameters, axes),
             variables.external,
             self._channel_variables(parameters, variables),
-            self._find(channel.tools),
-            self._find(channel.zero_offsets),
-            self._find(channel.clamp_offsets),
+            self._tools(channel, linear),
+            self._zero_offsets(channel, len(linear)),
+            self._clamp_offsets(channel, len(linear)),
         )
+
+    def _tools(self, channel: ChannelStartup, linear: tuple[bool, ...]) -> Mapping[int, Tool]:
+        values = self.lists.values(TOOLS, channel.tools)
+        return {} if values is None else tools_configuration(values, linear, self.collector)
+
+    def _zero_offsets(self, channel: ChannelStartup, axis_count: int) -> ZeroOffsets:
+        values = self.lists.values(ZERO_OFFSETS, channel.zero_offsets)
+        if values is None:
+            return ZeroOffsets()
+        return zero_offsets_configuration(values, axis_count, self.collector)
+
+    def _clamp_offsets(self, channel: ChannelStartup, axis_count: int) -> ClampOffsets:
+        values = self.lists.values(CLAMP_OFFSETS, channel.clamp_offsets)
+        if values is None:
+            return ClampOffsets()
+        return clamp_offsets_configuration(values, axis_count, self.collector)
 
     def _axis_index(
         self, name: str, number: int, axes: tuple[AxisConfiguration, ...]

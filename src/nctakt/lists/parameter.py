@@ -42,6 +42,20 @@ class ValueType(enum.Enum):
     FLAGS = "FLAGS"
 
 
+class Effect(enum.Enum):
+    """What nctakt does with a parameter's value.
+
+    Whoever makes a parameter effective sets ``TAKEN`` in its declaration: nothing else says so.
+    """
+
+    #: It changes what a run does, or what the machine consists of.
+    TAKEN = "taken"
+    #: It is read and checked, and changes nothing in a run.
+    CHECKED = "checked"
+    #: Any value is accepted, none is looked at.
+    ACCEPTED = "accepted"
+
+
 _BITS = {"08": 8, "16": 16, "32": 32}
 
 
@@ -70,7 +84,7 @@ class Parameter:
     ``None`` stands for the bound of the type; for a STRING ``high`` is the greatest length.
     ``names`` are the values of a NAME or the flags of a FLAGS parameter with their numbers, where
     a number is known. ``restart``: a change counts from the next start of the controller.
-    ``modelled``: nctakt does what the parameter says, otherwise it accepts any value of it.
+    ``effect``: what nctakt does with it.
     ``invalid`` replaces a defective value where that is not the default, and ``invalid_message``
     reports it.
     """
@@ -86,7 +100,7 @@ class Parameter:
     names: Mapping[str, int | None] = field(default_factory=dict)
     aliases: tuple[Alias, ...] = ()
     restart: bool = False
-    modelled: bool = True
+    effect: Effect = Effect.TAKEN
     invalid: Value = None
     invalid_message: int | None = None
 

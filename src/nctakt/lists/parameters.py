@@ -11,13 +11,24 @@ from dataclasses import dataclass
 
 from nctakt.lists.axis import AXIS
 from nctakt.lists.channel import CHANNEL
+from nctakt.lists.offsets import CLAMP_OFFSETS, ZERO_OFFSETS
 from nctakt.lists.parameter import Parameter, Schema
 from nctakt.lists.rtconf import RTCONF
 from nctakt.lists.startup import STARTUP
+from nctakt.lists.tools import TOOLS
 from nctakt.lists.variables import VARIABLES
 
 #: Every kind of list, in the order in which a controller reads them.
-SCHEMAS: tuple[Schema, ...] = (STARTUP, CHANNEL, AXIS, VARIABLES, RTCONF)
+SCHEMAS: tuple[Schema, ...] = (
+    STARTUP,
+    CHANNEL,
+    AXIS,
+    VARIABLES,
+    TOOLS,
+    ZERO_OFFSETS,
+    CLAMP_OFFSETS,
+    RTCONF,
+)
 
 _INDEX = re.compile(r"\[[^]]*\]")
 

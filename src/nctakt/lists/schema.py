@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 
 from nctakt.diagnostics import Diagnostic, Span
 from nctakt.lists.convert import convert
-from nctakt.lists.parameter import Parameter, Schema, Value, ValueType, shown, with_indices
+from nctakt.lists.parameter import Effect, Parameter, Schema, Value, ValueType, shown, with_indices
 from nctakt.lists.reader import Entry, read_list
 from nctakt.messages import Collector
 
@@ -159,10 +159,10 @@ def check_list(
     """Check ``entries`` against ``schema``; see ``load_list``."""
     taken: dict[Key, Taken] = dict(base.taken) if base is not None else {}
     for key, (parameter, entry) in _select(schema, entries, collector, verbose).items():
-        if not parameter.modelled:
-            if verbose:
-                place = entry.key_span
-                collector.report(900026, place, entry.line, key=entry.path, id=parameter.id)
+        if verbose and parameter.effect is not Effect.TAKEN:
+            name = parameter.id or "–"
+            collector.report(900026, entry.key_span, entry.line, key=entry.path, id=name)
+        if parameter.effect is Effect.ACCEPTED:
             continue
         default = taken[key].value if key in taken else parameter.default
         reference = _reference(parameter, entry) if schema.dialect.references else ""

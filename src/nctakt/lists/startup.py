@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nctakt.diagnostics import Span, Text
-from nctakt.lists.parameter import Alias, Parameter, Schema, ValueType
+from nctakt.lists.parameter import Alias, Effect, Parameter, Schema, ValueType
 from nctakt.lists.reader import ListDialect
 from nctakt.lists.schema import Values
 from nctakt.messages import Collector
@@ -150,7 +150,12 @@ _LISTS = (
         "Variablen eines Kanals",
         "ext_var[0..11]",
     ),
-    _list("P-STUP-00010", "werkz_data[0..11]", "Tools of a channel", "Werkzeuge eines Kanals"),
+    _list(
+        "P-STUP-00010",
+        "werkz_data[0..11]",
+        "Tools of a channel",
+        "Werkzeuge eines Kanals",
+    ),
     _list(
         "P-STUP-00011",
         "nullp_data[0..11]",
@@ -178,6 +183,7 @@ _CONTROLLER = (
         ),
         unit="byte",
         restart=True,
+        effect=Effect.CHECKED,
     ),
     Parameter(
         "P-STUP-00037",
@@ -190,6 +196,7 @@ _CONTROLLER = (
         ),
         unit="24 byte",
         restart=True,
+        effect=Effect.CHECKED,
     ),
     Parameter(
         "P-STUP-00145",
@@ -214,6 +221,7 @@ _CONTROLLER = (
         ),
         names=_INTERPOLATOR_FLAGS,
         restart=True,
+        effect=Effect.CHECKED,
     ),
     Parameter(
         "P-STUP-00071",
@@ -230,6 +238,7 @@ _CONTROLLER = (
             Alias("configuration.channel[0..11].interpolator.param", silent=True),
         ),
         restart=True,
+        effect=Effect.CHECKED,
     ),
     Parameter(
         "P-STUP-00169",
@@ -238,6 +247,7 @@ _CONTROLLER = (
         "",
         Text("File with the texts of user errors", "Datei mit den Texten der Anwenderfehler"),
         high=_PATH_LENGTH,
+        effect=Effect.CHECKED,
     ),
     Parameter(
         "P-STUP-00170",
@@ -246,6 +256,7 @@ _CONTROLLER = (
         "",
         Text("File to which errors are logged", "Datei, in die Fehler protokolliert werden"),
         high=_PATH_LENGTH,
+        effect=Effect.CHECKED,
     ),
     Parameter(
         "P-STUP-00111",
@@ -254,6 +265,7 @@ _CONTROLLER = (
         "",
         Text("Folder of the diagnosis data", "Verzeichnis der Diagnosedaten"),
         high=_PATH_LENGTH,
+        effect=Effect.CHECKED,
     ),
     Parameter(
         "P-STUP-00112",
@@ -262,6 +274,7 @@ _CONTROLLER = (
         "diag_data.txt",
         Text("File of the diagnosis data", "Datei der Diagnosedaten"),
         high=_PATH_LENGTH,
+        effect=Effect.CHECKED,
     ),
 )
 
@@ -270,7 +283,7 @@ def _accepted(id_: str, path: str) -> Parameter:
     """A parameter of the preparation of blocks that nctakt accepts without effect."""
     text = Text("Set-up of the preparation of blocks", "Einstellung der Satzaufbereitung")
     path = f"configuration.channel[0..11].{path}"
-    return Parameter(id_, path, ValueType.STRING, "", text, restart=True, modelled=False)
+    return Parameter(id_, path, ValueType.STRING, "", text, restart=True, effect=Effect.ACCEPTED)
 
 
 _ACCEPTED = (

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nctakt.diagnostics import Text
-from nctakt.lists.parameter import Parameter, ValueType
+from nctakt.lists.parameter import Effect, Parameter, ValueType
 from nctakt.lists.schema import Values
 
 MOST_FUNCTIONS = 1000
@@ -65,7 +65,9 @@ class TechnologyFunction:
     axis_name: str
 
 
-def _synchronisation(id_: str, path: str, default: str, en: str, de: str) -> Parameter:
+def _synchronisation(
+    id_: str, path: str, default: str, en: str, de: str, effect: Effect = Effect.TAKEN
+) -> Parameter:
     return Parameter(
         id_,
         path,
@@ -75,15 +77,19 @@ def _synchronisation(id_: str, path: str, default: str, en: str, de: str) -> Par
         names=_FLAGS,
         invalid=_REPLACEMENT,
         invalid_message=20965,
+        effect=effect,
     )
 
 
 def _process_time(id_: str, path: str, en: str, de: str) -> Parameter:
-    return Parameter(id_, path, ValueType.UNS32, 0, Text(en, de), unit="0.1 µs")
+    return Parameter(
+        id_, path, ValueType.UNS32, 0, Text(en, de), unit="0.1 µs", effect=Effect.CHECKED
+    )
 
 
 def _axis_name(id_: str, path: str, en: str, de: str) -> Parameter:
-    return Parameter(id_, path, ValueType.STRING, "", Text(en, de), high=16)
+    text = Text(en, de)
+    return Parameter(id_, path, ValueType.STRING, "", text, high=16, effect=Effect.CHECKED)
 
 
 _INDEX = f"[0..{MOST_FUNCTIONS - 1}]"
@@ -149,6 +155,7 @@ def _spindle_function(name: str) -> tuple[Parameter, Parameter]:
             "NO_SYNCH",
             f"Synchronisation type of a spindle's {word}",
             f"Synchronisationsart von {word} einer Spindel",
+            Effect.CHECKED,
         ),
         _process_time(
             process_time,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nctakt.diagnostics import Text
-from nctakt.lists.parameter import MAX_UNS16, Alias, Parameter, Schema, ValueType
+from nctakt.lists.parameter import MAX_UNS16, Alias, Effect, Parameter, Schema, ValueType
 from nctakt.lists.reader import ListDialect
 
 #: Names are addressed as V.E.name, 30 characters in all.
@@ -150,7 +150,7 @@ def _size(id_: str, path: str) -> Parameter:
 
 
 def _accepted(id_: str, path: str, en: str, de: str) -> Parameter:
-    return Parameter(id_, path, ValueType.STRING, "", Text(en, de), modelled=False)
+    return Parameter(id_, path, ValueType.STRING, "", Text(en, de), effect=Effect.ACCEPTED)
 
 
 _VAR = f"var[0..{_LAST_VARIABLE}]"

@@ -20,6 +20,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``realtime``          the realtime part (900400 … 900499)
 ``outside``           command line, files, PLC, stimuli (900500 … 900549, 900570 … 900579)
 ``checking``          the command ``nctakt check`` (900580 … 900599)
+``folders``           how lists name each other, tools, offsets (900740 … 900769)
 ``diagnosis``         the lines of the realtime cycles' diagnosis data (900550 … 900569)
 ``unreached``         numbers of the controller that no program of nctakt reaches
 ====================  ==============================================================================
@@ -37,6 +38,7 @@ from nctakt.messages import (
     checking,
     decoder,
     diagnosis,
+    folders,
     lints,
     lists,
     machine,
@@ -59,6 +61,7 @@ for _stage in (
     schedule,
     scheduling,
     machine,
+    folders,
     variables,
     nc_text,
     checked_blocks,

@@ -12,6 +12,12 @@ from types import MappingProxyType
 
 _GERMAN: Mapping[str, str] = MappingProxyType(
     {
+        "the index in the list": "der Index in der Liste",
+        "how many axes the channel has": "wie viele Achsen der Kanal hat",
+        "P-ZERO-00002": "P-ZERO-00002",
+        "the files, the first one at both ends": "die Dateien, die erste an beiden Enden",
+        "the kind of list that belongs here": "die Art von Liste, die hierher gehört",
+        "the kind of list that the file holds": "die Art von Liste, die die Datei enthält",
         "the encoding that was taken": "die angenommene Kodierung",
         "the word as it stands in the list": "das Wort, wie es in der Liste steht",
         "the entry's name": "der Name des Eintrags",

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.diagnostics import Text
-from nctakt.lists.parameter import Parameter, Schema, ValueType, shown
+from nctakt.lists.parameter import Effect, Parameter, Schema, ValueType, shown
 from nctakt.lists.parameters import SCHEMAS, find_parameters
 from nctakt.reference.article import Article, Fact, Topic, fact
 
@@ -80,9 +80,13 @@ def _bound(value: int | float) -> str:
 
 def effect(parameter: Parameter) -> Text:
     """Whether nctakt does what it says."""
-    if parameter.modelled:
-        return Text("takes effect", "wirkt")
-    return Text("accepted, has no effect", "wird angenommen, wirkt nicht")
+    match parameter.effect:
+        case Effect.TAKEN:
+            return Text("takes effect", "wirkt")
+        case Effect.CHECKED:
+            return Text("read and checked, changes nothing", "gelesen und geprüft, ändert nichts")
+        case Effect.ACCEPTED:
+            return Text("accepted, has no effect", "wird angenommen, wirkt nicht")
 
 
 def _all() -> Iterator[Article]:

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""Messages of machine folders: how lists name each other, tools, offsets (900740 … 900769)."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import ERROR, WARNING, Catalogue
+
+MESSAGES = Catalogue()
+_add = MESSAGES.add
+
+_add(
+    900740,
+    WARNING,
+    "tool 0 has no dimensions: D0 takes those of the tool before away; its entries are left out",
+    "Werkzeug 0 hat keine Maße: D0 nimmt die des Werkzeugs davor weg; seine Einträge entfallen",
+    remedy_en="Give the tool a number from 1 on.",
+    remedy_de="Dem Werkzeug eine Nummer ab 1 geben.",
+)
+_add(
+    900741,
+    WARNING,
+    "there is no axis with index {index}: the channel has {count} axes; the entry is left out",
+    "eine Achse mit dem Index {index} gibt es nicht: der Kanal hat {count} Achsen; der Eintrag "
+    "entfällt",
+    remedy_en="Count the axes of the channel from 0, in the order of its list.",
+    remedy_de="Die Achsen des Kanals ab 0 zählen, in der Reihenfolge seiner Liste.",
+    parameters={"index": "the index in the list", "count": "how many axes the channel has"},
+)
+_add(
+    900742,
+    WARNING,
+    "G53 deselects all zero offsets here; the offsets of group 0 are left out",
+    "G53 wählt hier alle Nullpunktverschiebungen ab; die Verschiebungen der Gruppe 0 entfallen",
+    remedy_en="Set g53_verfuegbar to 1, or use another group.",
+    remedy_de="g53_verfuegbar auf 1 setzen oder eine andere Gruppe verwenden.",
+)
+_add(
+    900743,
+    WARNING,
+    "the default group {group} has no offsets",
+    "die voreingestellte Gruppe {group} hat keine Verschiebungen",
+    remedy_en="Name a group that the list describes, or 0 for none.",
+    remedy_de="Eine Gruppe nennen, die die Liste beschreibt, oder 0 für keine.",
+    parameters={"group": "P-ZERO-00002"},
+)
+_add(
+    900744,
+    ERROR,
+    "lists name each other in a circle: {circle}; it is not followed",
+    "Listen nennen einander im Kreis: {circle}; ihm wird nicht gefolgt",
+    remedy_en="Name a list that does not lead back to this one.",
+    remedy_de="Eine Liste nennen, die nicht hierher zurückführt.",
+    parameters={"circle": "the files, the first one at both ends"},
+)
+_add(
+    900745,
+    ERROR,
+    "{path} is left out: it has no entry of the kind {meaning_en}, but some of {found_en}",
+    "{path} entfällt: kein Eintrag ist von der Art {meaning_de}, einige aber von {found_de}",
+    remedy_en="Name the right file, or correct the entry's name.",
+    remedy_de="Die richtige Datei nennen oder den Namen des Eintrags berichtigen.",
+    parameters={
+        "path": "the path as written",
+        "meaning_en": "the kind of list that belongs here",
+        "meaning_de": "the same in German",
+        "found_en": "the kind of list that the file holds",
+        "found_de": "the same in German",
+    },
+)

@@ -19,7 +19,8 @@ class TechnologyEntry:
     """A function that waits for its acknowledgement.
 
     ``letter`` is M or H, ``sequence`` its number among those of the same tick and section,
-    ``time_us`` the stamp, ``is_realtime`` tells that a realtime cycle has commanded it (POS_RT).
+    ``time_us`` the stamp, ``is_realtime`` tells that a realtime cycle has commanded it (POS_RT),
+    ``process_time_us`` is the time that the channel list gives it (P-CHAN-00040, P-CHAN-00026).
     """
 
     letter: str
@@ -27,6 +28,7 @@ class TechnologyEntry:
     sequence: int
     time_us: int
     is_realtime: bool
+    process_time_us: float
     slot: int
 
 
@@ -54,10 +56,15 @@ class Interface:
     def _waiting(self, *, is_realtime: bool) -> Iterator[TechnologyEntry]:
         section = self._hli.realtime if is_realtime else self._hli.program
         cycle_time_us = self._machine.configuration.cycle_time_us
+        parameters = self._machine.parameters
         for slot, function, sequence, tick in section.entries():
             letter, number = ("H", -function - 1) if function < 0 else ("M", function)
             stamp_us = tick * cycle_time_us
-            yield TechnologyEntry(letter, number, sequence, stamp_us, is_realtime, slot)
+            table = parameters.m_functions if letter == "M" else parameters.h_functions
+            duration_us = table[number].process_time_us
+            yield TechnologyEntry(
+                letter, number, sequence, stamp_us, is_realtime, duration_us, slot
+            )
 
     def acknowledge(self, entry: TechnologyEntry) -> None:
         """The PLC has taken this function."""

@@ -66,10 +66,10 @@ M110=130 ; error 900200 "M110=130"
 M@P6 ; error 900200 "M@P6"
 GP1 X1 ; error 900200 "GP1"
 HV.E.VALUE ; error 900200 "HV.E.VALUE"
-M114 ; error 900200 "M114 (late waiting, at the next motion)"
-M115 ; error 900200 "M115"
-M116 ; error 900200 "M116 (output at a measuring event)"
-H116 ; error 900200 "H116"
+M114
+M115
+M116
+H116
 M200 ; error 900200 "M200 (M or H function of one axis)"
 H200 ; error 900200 "H200"
 "MACRO" ; error 900200 "macro"

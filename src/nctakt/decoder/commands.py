@@ -73,9 +73,10 @@ class CycleControl(Command):
 
 @dataclass(frozen=True, slots=True)
 class TechnologyOutput(Command):
-    """An M function, or as -number - 1 an H function, for the PLC."""
+    """An M function, or as -number - 1 an H function, for the PLC; ``ticks``: how long it takes."""
 
     function: int
+    ticks: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,7 +182,7 @@ def pack(command: Command, place: int = 0) -> list[float]:
         case CycleControl():
             return [channel.CONTROL_CYCLE, *head, command.action, command.identity]
         case TechnologyOutput():
-            return [channel.TECHNOLOGY, *head, command.function]
+            return [channel.TECHNOLOGY, *head, command.function, command.ticks]
         case AwaitAcknowledge():
             return [channel.AWAIT_ACKNOWLEDGE, *head, command.function]
         case WriteVariable():

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from nctakt.decoder.expressions import Built, ExpressionBuilder, constant, load
 from nctakt.decoder.memory import memory_bytes
+from nctakt.decoder.technology import process_ticks
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
 from nctakt.kernel import expressions, instructions
@@ -146,13 +147,19 @@ class CycleBuilder:
 
     def _technology(self, block: syntax.Block) -> list[Statement]:
         """The M and H functions of a block, in their order (RC-403)."""
+        surroundings = self._values.surroundings
         built: list[Statement] = []
         for word in block.words:
             assert isinstance(word, syntax.Word)
             assert isinstance(word.value, syntax.Number)
             number = int(word.value.value)
-            function = number if word.name == "M" else -number - 1
-            built.append(instructions.IssueTechnology(function, self._place(word.span), 1))
+            is_m = word.name == "M"
+            table = (
+                surroundings.parameters.m_functions if is_m else surroundings.parameters.h_functions
+            )
+            ticks = process_ticks(table[number], surroundings.cycle_time_us)
+            function = number if is_m else -number - 1
+            built.append(instructions.IssueTechnology(function, ticks, self._place(word.span), 1))
         self._statements += len(built)
         return built
 

@@ -40,6 +40,9 @@ Decoded = Generator[Command, Answer, Signal]
 #: Blocks that may be decoded in a row without one that takes time (a loop that never moves).
 MOST_BLOCKS_WITHOUT_TIME = 100_000
 
+#: The words of the command that waits for functions of the type MVS_SLP.
+EXPLICIT = ["EXPL", "SYN"]
+
 _SCOPE_NAMES = {BLOCK: "BLOCK", PROG: "PROG", GLOBAL: "GLOBAL"}
 
 
@@ -228,6 +231,8 @@ class ProgramDecoder:
                 yield from self._words.dwell(seconds, statement.span, number)
             case syntax.UserMessage():
                 yield from self._message(statement, source, number)
+            case syntax.HashCommand() if [word.name for word in statement.words] == EXPLICIT:
+                yield from self._words.technology.explicit(number)
             case syntax.ProgramStart() | syntax.HashCommand():
                 pass  # the checker lets only those pass that have no effect
             case _:

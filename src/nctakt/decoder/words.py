@@ -10,17 +10,13 @@ from __future__ import annotations
 from collections.abc import Generator
 from dataclasses import dataclass, field
 
-from nctakt.decoder.commands import (
-    Answer,
-    AwaitAcknowledge,
-    Command,
-    Dwell,
-    TechnologyOutput,
-)
+from nctakt.decoder.commands import Answer, Command, Dwell
 from nctakt.decoder.preparation import prepare
+from nctakt.decoder.technology import Issued, TechnologyOutputs, process_ticks
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
+from nctakt.lists.technology import TechnologyFunction
 from nctakt.nc import syntax
 
 #: The G function whose X, or whose own value, is a time.
@@ -29,17 +25,13 @@ DWELL = 4
 #: M functions that end the main program.
 PROGRAM_ENDS = (2, 30)
 
-#: Before or after the motion, and whether the program waits for the PLC before what follows.
-_BEFORE = {"MOS": False, "MVS_SVS": True, "MVS_SNS": False}
-_AWAITED_BEHIND = ("MVS_SNS", "MNS_SNS")
-
 
 @dataclass(slots=True)
 class _Content:
     """A block's words sorted by what they do."""
 
     axes: list[tuple[syntax.AxisWord, float]] = field(default_factory=list)
-    functions: list[tuple[Span, int, str]] = field(default_factory=list)
+    functions: list[Issued] = field(default_factory=list)
     dwell_s: float | None = None
     ends_program: bool = False
 
@@ -51,26 +43,17 @@ class Words:
         self._values = values
         self._surroundings = values.surroundings
         self._state = values.state
+        self.technology = TechnologyOutputs()
 
     def block(self, block: syntax.Block, number: int) -> Generator[Command, Answer, bool]:
         """The commands of a block; true when it ends the program."""
         content = yield from self._sort(block, number)
         source = self._surroundings.place(block.span)
-        for span, function, synchronisation in content.functions:
-            if synchronisation in _BEFORE:
-                place = self._surroundings.place(span)
-                yield TechnologyOutput(place, number, function)
-                if _BEFORE[synchronisation]:
-                    yield AwaitAcknowledge(place, number, function)
+        yield from self.technology.before(content.functions, number)
         yield from self._motion(content, source, number)
         if content.dwell_s is not None:
             yield from self.dwell(content.dwell_s, block.span, number)
-        for span, function, synchronisation in content.functions:
-            place = self._surroundings.place(span)
-            if synchronisation == "MNS_SNS":
-                yield TechnologyOutput(place, number, function)
-            if synchronisation in _AWAITED_BEHIND:
-                yield AwaitAcknowledge(place, number, function)
+        yield from self.technology.behind(content.functions, number)
         return content.ends_program
 
     def _sort(self, block: syntax.Block, number: int) -> Generator[Command, Answer, _Content]:
@@ -123,8 +106,15 @@ class Words:
         parameters = self._surroundings.parameters
         table = parameters.m_functions if word.name == "M" else parameters.h_functions
         if number in table:
-            function = number if word.name == "M" else -number - 1
-            content.functions.append((word.span, function, table[number].synchronisation))
+            content.functions.append(self._issued(word, number, table[number]))
+
+    def _issued(self, word: syntax.Word, number: int, function: TechnologyFunction) -> Issued:
+        return Issued(
+            self._surroundings.place(word.span),
+            number if word.name == "M" else -number - 1,
+            function.synchronisation,
+            process_ticks(function, self._surroundings.cycle_time_us),
+        )
 
     def _feed(self, value: float) -> float:
         """F in mm/s; in inch per minute under G70, whatever P-CHAN-00108 says."""
@@ -147,6 +137,8 @@ class Words:
             return
         if feed is not None and feed <= 0.0:
             self._values.fail(20008, content.axes[0][0].span)
+        if feed is not None:
+            yield from self.technology.before_feed(number)
         yield segment
 
     def _set_target(self, target: list[float], word: syntax.AxisWord, value: float) -> None:

@@ -261,7 +261,7 @@ class Channel:
     def take_technology(self, tick: int, base: int) -> int:
         """An M or H function of the main program; waits while no slot is free."""
         function = int(self.queue[base + 3])
-        if self.hli.program.issue(function, tick) <= 0:
+        if self.hli.program.issue(function, tick, int(self.queue[base + 4])) <= 0:
             return 0
         self.record.technology(int(self.queue[base + 1]), function)
         return 1
@@ -361,7 +361,7 @@ class Channel:
                 self.answer_waiting()
             if self.is_resetting:
                 self.end_reset()
-        self.hli.run_default_plc()
+        self.hli.run_default_plc(self.context.tick)
         self.cells[self.first_cell + 6] = self.path.speed_v
         self.cells[self.first_cell + 8] = self.manager.running_count
         self.cells[self.first_cell + 9] = self.path.rest_d()

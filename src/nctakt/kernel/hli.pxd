@@ -8,17 +8,18 @@ cdef class Section:
     cdef long long[::1] function
     cdef long long[::1] sequence
     cdef long long[::1] tick
+    cdef long long[::1] done
     cdef readonly long long issued_in_tick
     cdef readonly long long taken_count
 
     @cython.locals(i=Py_ssize_t)
     cdef void latch(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
-    cdef long long issue(self, long long function, long long tick) noexcept nogil
+    cdef long long issue(self, long long function, long long tick, long long ticks) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef int is_waiting(self, long long function) noexcept nogil
     @cython.locals(i=Py_ssize_t)
-    cdef void acknowledge_all(self) noexcept nogil
+    cdef void acknowledge_done(self, long long tick) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void clear(self) noexcept nogil
 
@@ -30,5 +31,5 @@ cdef class Hli:
     cdef public bint feed_hold
 
     cdef void latch(self) noexcept nogil
-    cdef void run_default_plc(self) noexcept nogil
+    cdef void run_default_plc(self, long long tick) noexcept nogil
     cdef void clear(self) noexcept nogil

@@ -7,7 +7,8 @@ The realtime section (POS_RT) takes what realtime cycles command, in order, in t
 never waits: no free slot is an error (RC-403). The main program's functions go through a section
 of their own, for whose slots and acknowledgements the program may wait. What the PLC answers in
 tick n counts from tick n+1: ``latch`` at the start of a tick moves the answers into force. Without
-a scripted PLC the default one acknowledges everything in the tick in which it appears.
+a scripted PLC the default one acknowledges each function in the tick in which it appears, or later
+by the ticks that the function takes (P-CHAN-00040, P-CHAN-00026).
 """
 
 from __future__ import annotations
@@ -33,6 +34,7 @@ class Section:
         self.function = memoryview(bytearray(8 * slot_count)).cast("q")
         self.sequence = memoryview(bytearray(8 * slot_count)).cast("q")
         self.tick = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.done = memoryview(bytearray(8 * slot_count)).cast("q")
         self.issued_in_tick = 0
         self.taken_count = 0
 
@@ -46,8 +48,8 @@ class Section:
                 self.state[i] = 0
                 self.taken_count -= 1
 
-    def issue(self, function: int, tick: int) -> int:
-        """Put a function into a free slot: its number within the tick.
+    def issue(self, function: int, tick: int, ticks: int) -> int:
+        """Put a function that takes so many ticks into a free slot: its number within the tick.
 
         0 where the section holds no more in one tick (50943), -1 where no slot is free (50942).
         """
@@ -61,6 +63,7 @@ class Section:
                 self.function[i] = function
                 self.sequence[i] = self.issued_in_tick
                 self.tick[i] = tick
+                self.done[i] = tick + ticks
                 return self.issued_in_tick
         return -1
 
@@ -73,12 +76,12 @@ class Section:
                 return 1
         return 0
 
-    def acknowledge_all(self) -> None:
-        """The PLC has taken everything that waits."""
+    def acknowledge_done(self, tick: int) -> None:
+        """The default PLC has taken what waits and has had its time."""
         if self.taken_count == 0:
             return
         for i in range(self.slot_count):
-            if self.state[i] == 1:
+            if self.state[i] == 1 and self.done[i] <= tick:
                 self.state[i] = 2
 
     def clear(self) -> None:
@@ -119,11 +122,11 @@ class Hli:
         self.realtime.latch()
         self.program.latch()
 
-    def run_default_plc(self) -> None:
+    def run_default_plc(self, tick: int) -> None:
         """The PLC phase of a tick, where no script plays the PLC."""
         if self.acknowledges_itself:
-            self.realtime.acknowledge_all()
-            self.program.acknowledge_all()
+            self.realtime.acknowledge_done(tick)
+            self.program.acknowledge_done(tick)
 
     def clear(self) -> None:
         """Reset."""

@@ -74,6 +74,7 @@ cdef class Read(Counted):
 
 cdef class IssueTechnology(Counted):
     cdef long long function
+    cdef long long ticks
     @cython.locals(sequence=cython.longlong, number=int)
     cdef int run(self, Context context) noexcept nogil
 

@@ -263,16 +263,20 @@ class Read(Counted):
 
 
 class IssueTechnology(Counted):
-    """An M or H function: into the realtime section of the HLI, in this tick (RC-403)."""
+    """An M or H function: into the realtime section of the HLI, in this tick (RC-403).
 
-    def __init__(self, function: int, source: int, cost: int) -> None:
+    ``ticks``: how long the function takes.
+    """
+
+    def __init__(self, function: int, ticks: int, source: int, cost: int) -> None:
         super().__init__(source, cost)
         self.function = function
+        self.ticks = ticks
 
     def run(self, context: Context) -> int:
         if begin(self, context):
             return 1
-        sequence = context.hli.realtime.issue(self.function, context.tick)
+        sequence = context.hli.realtime.issue(self.function, context.tick, self.ticks)
         if sequence <= 0:
             number = 50942 if sequence < 0 else 50943
             context.fail(number, self.source, self.function, context.hli.realtime.slot_count)

@@ -282,6 +282,8 @@ class Checker:
         if entry is None:
             nearest = support.nearest_hash(words) or "–"
             self._findings.report(900202, command.span, word=name, nearest=nearest)
+        elif words == ["EXPL", "SYN"] and not command.arguments:
+            return
         elif entry.answer is Answer.SIMULATED:
             self._findings.report(900233, command.span, command=entry.name)
         else:

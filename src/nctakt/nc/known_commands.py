@@ -75,7 +75,7 @@ COMMANDS = known(
     ("#EDM", "R", "electrical discharge machining", "Erodieren"),
     ("#ENABLE AX LINK", "R", "coupling of axes on", "Achskopplung ein"),
     ("#ERROR", "R", "error of the program", "Fehler des Programms"),
-    ("#EXPL SYN", "R", "explicit synchronisation", "explizite Synchronisation"),
+    ("#EXPL SYN", "S", "explicit synchronisation", "explizite Synchronisation"),
     ("#EXPORT VE", "R", "list of external variables", "Liste der externen Variablen"),
     ("#FACE", "R", "machining on a face", "Stirnflächenbearbeitung"),
     ("#FGROUP", "R", "axes of the feed", "Achsen des Vorschubs"),

@@ -124,6 +124,18 @@ class UserMessage(Command):
 
 
 @dataclass(frozen=True, slots=True)
+class SetOffset(Command):
+    """An offset of a machine axis is another one from here on, in mm or degrees (MO-8).
+
+    ``kind`` as in ``kernel/coordinates.py``.
+    """
+
+    axis: int
+    kind: int
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
 class Freeze(Command):
     """The cycle ``serial``, defined just before, has this variable as a constant (RC-302)."""
 
@@ -192,6 +204,8 @@ def pack(command: Command, place: int = 0) -> list[float]:
             return [*row, command.zeros, *command.data]
         case UserMessage():
             return [channel.MESSAGE, *head, place]
+        case SetOffset():
+            return [channel.SET_OFFSET, *head, command.axis, command.kind, command.value]
         case Freeze():
             return [channel.FREEZE, *head, command.serial, place, command.value]
         case Flush():

@@ -17,4 +17,5 @@ cdef class Axes:
     cdef void begin_tick(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, base=Py_ssize_t)
     cdef void publish(self) noexcept nogil
+    cdef void set_offset(self, Py_ssize_t axis, int kind, double value) noexcept nogil
     cdef void publish_system(self, Py_ssize_t i, Py_ssize_t base, double offset) noexcept nogil

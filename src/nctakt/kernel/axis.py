@@ -5,7 +5,7 @@
 
 Arrays over the axes, since the tick walks over all of them. Each axis has a row of cells in the
 memory, in the order of ``nc/names.py`` (``AXIS_VARIABLES``): positions in ACS, MCS, PCS and IPO
-(RC-304). The systems differ by the offsets in ``coordinates.py``. The simulated drive follows at
+(RC-304). PCS differs by the offsets in ``coordinates.py``. The simulated drive follows at
 once: actual position = command position (MO-15).
 """
 
@@ -43,9 +43,9 @@ class Axes:
             self.cells[base] = self.command[i]
             self.cells[base + 1] = self.command[i]
             self.cells[base + 2] = self.target[i]
-            self.publish_system(i, base + 3, self.offsets.machine[i])
+            self.publish_system(i, base + 3, 0.0)
             self.publish_system(i, base + 7, self.offsets.program[i])
-            self.publish_system(i, base + 11, self.offsets.interpolator[i])
+            self.publish_system(i, base + 11, 0.0)
 
     def publish_system(self, i: int, base: int, offset: float) -> None:
         """Command, actual and target position and distance to go in one system."""
@@ -54,10 +54,20 @@ class Axes:
         self.cells[base + 2] = self.target[i] - offset
         self.cells[base + 3] = self.target[i] - self.command[i]
 
+    def set_offset(self, axis: int, kind: int, value: float) -> None:
+        """Another offset is active: the positions in PCS differ from now on (MO-8)."""
+        self.offsets.set(axis, kind, value)
+        self.has_moved = True
+        self.publish()
+
     def publish_all(self) -> None:
         """``publish`` before the first tick."""
         self.has_moved = True
         self.publish()
+
+    def shift(self, index: int, kind: int, value: float) -> None:
+        """``set_offset`` for Python's side: before the first tick."""
+        self.set_offset(index, kind, value)
 
     def positions(self) -> list[float]:
         """The command positions: for Python's side."""

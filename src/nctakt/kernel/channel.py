@@ -35,6 +35,7 @@ READ = 10
 PROGRAM_END = 11
 GIVE_UP = 12
 FREEZE = 60
+SET_OFFSET = 50
 
 #: The kinds that take or may take time.
 TIMED_KINDS = (SEGMENT, DWELL, AWAIT_ACKNOWLEDGE, FLUSH, READ, PROGRAM_END, GIVE_UP)
@@ -209,6 +210,9 @@ class Channel:
             return 1
         if kind == 11:
             return self.take_program_end(tick, base)
+        if kind == 50:
+            self.take_offset(base)
+            return 1
         if kind == 60:
             self.take_frozen(base)
             return 1
@@ -287,6 +291,11 @@ class Channel:
         for i in range(count, count + zeros):
             self.characters[first + i] = 0
 
+    def take_offset(self, base: int) -> None:
+        """An offset of an axis: the cycles of this tick see it (MO-8)."""
+        kind = int(self.queue[base + 4])
+        self.path.axes.set_offset(int(self.queue[base + 3]), kind, self.queue[base + 5])
+
     def take_frozen(self, base: int) -> None:
         """What the definition before it has frozen: told where it is taken (RC-302)."""
         source = int(self.queue[base + 1])
@@ -350,7 +359,7 @@ class Channel:
                 self.publish_block()
                 if not self.path.step_carried(factor, stops):
                     return
-            elif kind not in (3, 4, 5, 7, 8, 60):
+            elif kind not in (3, 4, 5, 7, 8, 50, 60):
                 return
             position += 1
 

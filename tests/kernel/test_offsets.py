@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+"""Offsets between ACS and PCS (MO-8, RC-407)."""
+
+from nctakt.kernel import coordinates
+from nctakt.kernel.axis import Axes
+
+
+def test_offsets_are_summed_by_their_kinds() -> None:
+    """Each keyword of RC-407 asks for one kind, ALL for all of them."""
+    offsets = coordinates.Offsets(2)
+    axes = Axes(bytearray(8 * 40), 0, 2)
+    assert offsets.of(1, 127) == 0.0
+    for kind in range(coordinates.KINDS):
+        axes.shift(1, kind, 2.0**kind)
+    assert axes.offsets.of(1, 127) == 127.0
+    assert axes.offsets.of(1, 1 << coordinates.CLAMP) == 8.0
+    assert axes.offsets.of(1, (1 << coordinates.ZERO) + (1 << coordinates.TOOL)) == 17.0
+    assert axes.offsets.of(0, 127) == 0.0
+
+
+def test_positions_in_pcs_lack_the_offsets() -> None:
+    """ACS, MCS and IPO stay; PCS is less by the sum of the active offsets; distances stay."""
+    memory = bytearray(8 * 20)
+    cells = memoryview(memory).cast("d")
+    axes = Axes(memory, 0, 1)
+    axes.place(0, 100.0)
+    axes.shift(0, coordinates.ZERO, 11.0)
+    axes.shift(0, coordinates.ADD_ZERO, 0.5)
+    assert list(cells[0:3]) == [100.0] * 3
+    assert list(cells[3:7]) == [100.0, 100.0, 100.0, 0.0]
+    assert list(cells[7:11]) == [88.5, 88.5, 88.5, 0.0]
+    assert list(cells[11:15]) == [100.0, 100.0, 100.0, 0.0]

@@ -29,6 +29,7 @@ STAGES = (
     ("messages",),
     ("failure", "text", "sources", "options"),
     ("lists",),
+    ("machines",),
     ("nc",),
     ("kernel",),
     ("decoder",),

@@ -207,19 +207,22 @@ def test_a_machine_folder_is_checked_as_a_whole(check: Check) -> None:
         ("", 0, 900585),
     ]
     assert "--machine mine/lists checks them for yours" in checked.out
-    assert checked.lines[-1].startswith("14 files: ")
+    assert checked.lines[-1].startswith("17 files: ")
 
 
 def test_tools_and_offsets_that_a_machine_names_are_checked(check: Check) -> None:
     """Tools and offsets belong to the machine: not checked alone; missing ones are told."""
     shutil.copytree(DEMO, "mine")
     startup = Path("mine/hochlauf.lis")
-    named = "werkz_data[0] ./tools.lis\nnullp_data[0] ./gone.lis\nEnde"
-    startup.write_text(startup.read_text("utf-8").replace("Ende", named), "utf-8")
+    text = startup.read_text("utf-8")
+    text = text.replace("./werkz_d1.lis", "./tools.lis").replace("./nullp_d1.lis", "./gone.lis")
+    startup.write_text(text, "utf-8")
+    Path("mine/werkz_d1.lis").unlink()
+    Path("mine/nullp_d1.lis").unlink()
     write("mine/tools.lis", "wz[0].laenge 5\nEnde\n")
     checked = check("mine")
     assert checked.ids == [900062, 900740]
-    assert checked.lines[-1].startswith("13 files: ")
+    assert checked.lines[-1].startswith("14 files: ")
 
 
 def test_what_a_machine_cannot_do_without_is_told_with_its_folder(check: Check) -> None:
@@ -260,8 +263,8 @@ def test_a_start_up_list_alone_names_lists_that_exist(check: Check) -> None:
 
 def test_a_list_of_no_known_kind_is_told(check: Check) -> None:
     """A note; where nothing else is checked that is exit code 2."""
-    write("tools.lis", "magazine[0].place 5\nEnde\n")
-    assert (check("tools.lis").ids, check("tools.lis").code) == ([900584], 2)
+    write("magazine.lis", "magazine[0].place 5\nEnde\n")
+    assert (check("magazine.lis").ids, check("magazine.lis").code) == ([900584], 2)
     write("good.nc", GOOD)
     assert check(".").code == 0
 
@@ -476,3 +479,18 @@ def test_a_reader_that_closes_early_is_no_error() -> None:
     errors = process.stderr.read()
     process.stderr.close()
     assert (process.wait(), errors) == (1, b"")
+
+
+def test_ten_thousand_unknown_entries_are_one_line(check: Check) -> None:
+    """A vendor's set is full of keys that nctakt does not know: one count for the file.
+
+    With --verbose each is named with its place.
+    """
+    entries = "".join(f"lr_param.group[{i % 7}].key_{i} {i}\n" for i in range(10_000))
+    write("x.lis", f"kopf.achs_nr 1\n{entries}Ende\n")
+    checked = check("x.lis")
+    assert (checked.ids, checked.code) == ([900010, 900583], 0)
+    assert "10000" in checked.lines[0]
+    verbose = check("x.lis", "--verbose")
+    assert len(verbose.ids) == 10_001
+    assert verbose.lines[-1].startswith("1 file: 0 errors, 10000 warnings")

@@ -30,6 +30,7 @@ _COMMANDS = {
     "check": "nctakt.cli.check",
     "explain": "nctakt.cli.explain",
     "list": "nctakt.cli.listing",
+    "new": "nctakt.cli.new",
     "why": "nctakt.cli.why",
     "schedule": "nctakt.cli.schedule",
 }

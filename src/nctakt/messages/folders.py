@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import ERROR, WARNING, Catalogue
+from nctakt.messages.catalogue import ERROR, NOTE, WARNING, Catalogue
 
 MESSAGES = Catalogue()
 _add = MESSAGES.add
@@ -65,5 +65,38 @@ _add(
         "meaning_de": "the same in German",
         "found_en": "the kind of list that the file holds",
         "found_de": "the same in German",
+    },
+)
+_add(
+    900746,
+    ERROR,
+    "{folder} is not empty; nothing is written",
+    "{folder} ist nicht leer; es wird nichts geschrieben",
+    remedy_en="Name a folder that does not exist yet.",
+    remedy_de="Einen Ordner nennen, den es noch nicht gibt.",
+    parameters={"folder": "the folder as the user gave it"},
+)
+_add(
+    900747,
+    ERROR,
+    "{folder} cannot be written: {reason}",
+    "{folder} kann nicht geschrieben werden: {reason}",
+    remedy_en="Choose a folder that you may write to.",
+    remedy_de="Einen Ordner wählen, in den geschrieben werden darf.",
+    parameters={
+        "folder": "the folder as the user gave it",
+        "reason": "what the operating system says",
+    },
+)
+_add(
+    900748,
+    NOTE,
+    "{count} lists of a machine are in {folder}",
+    "{count} Listen einer Maschine stehen in {folder}",
+    remedy_en="Change them, then: nctakt check {folder}",
+    remedy_de="Sie ändern, dann: nctakt check {folder}",
+    parameters={
+        "folder": "the folder as the user gave it",
+        "count": "how many lists were written",
     },
 )

@@ -12,6 +12,7 @@ from types import MappingProxyType
 
 _GERMAN: Mapping[str, str] = MappingProxyType(
     {
+        "how many lists were written": "wie viele Listen geschrieben wurden",
         "the index in the list": "der Index in der Liste",
         "how many axes the channel has": "wie viele Achsen der Kanal hat",
         "P-ZERO-00002": "P-ZERO-00002",

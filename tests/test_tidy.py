@@ -35,6 +35,7 @@ STAGES = (
     ("decoder",),
     ("trace",),
     ("reference", "results"),
+    ("hli",),
     ("access", "image"),
     ("assembly",),
     ("interface", "loading", "runtime_errors"),

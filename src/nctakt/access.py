@@ -8,9 +8,11 @@ latches (RC-002). Values are checked when they come (RC-307); what cannot be is 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from nctakt.failure import Failure
+from nctakt.hli.layout import PREFIX, PanelValue
 from nctakt.kernel import arithmetic
 from nctakt.kernel.kernel import Kernel
 from nctakt.lists.variables import SCALARS
@@ -32,8 +34,15 @@ class Write:
 class VariableAccess:
     """The variables of one channel, with the writes that wait for the next tick."""
 
-    def __init__(self, names: NameTable, memory: bytearray, kernel: Kernel) -> None:
+    def __init__(
+        self,
+        names: NameTable,
+        panel: Mapping[str, PanelValue],
+        memory: bytearray,
+        kernel: Kernel,
+    ) -> None:
         self._names = names
+        self._panel = panel
         self._bytes = memoryview(memory)
         self._cells = self._bytes.cast("d")
         self._kernel = kernel
@@ -48,8 +57,23 @@ class VariableAccess:
             raise Failure(diagnostic(900540, name=name))
         return found
 
+    def _find_panel(self, name: str) -> PanelValue | None:
+        """The operator's value of this name; ``None`` for a variable."""
+        upper = name.strip().upper()
+        if not upper.startswith(PREFIX):
+            return None
+        found = self._panel.get(upper)
+        if found is None:
+            raise Failure(diagnostic(900541, name=name, nearest=nearest(upper, self._panel)))
+        return found
+
     def read(self, name: str) -> float | bool | str:
         """The value of a variable; a value that waits for the next tick is read already."""
+        shown = self._find_panel(name)
+        if shown is not None:
+            value = self._pending.get(shown.cell, self._cells[shown.cell])
+            assert isinstance(value, float)
+            return value != 0.0 if shown.entry.type == "BOOLEAN" else value
         location, cell = self._find(name)
         pending = self._pending.get(cell)
         if not location.is_numeric:
@@ -61,6 +85,9 @@ class VariableAccess:
 
     def check(self, name: str, value: float | bool | str) -> Write:
         """The converted value; ``Failure`` where there is no such variable or it cannot hold it."""
+        shown = self._find_panel(name)
+        if shown is not None:
+            return _command(shown, value)
         location, cell = self._find(name)
         if location.family in ("RTG", "RTA"):
             raise Failure(diagnostic(900542, name=name))
@@ -101,6 +128,19 @@ def _characters(name: str, location: Location, text: str) -> bytes:
     if wrong is not None:
         raise Failure(diagnostic(wrong[0], None, "", **wrong[1]))
     return strings.encode(text, size).ljust(-(-size // CELL_BYTES) * CELL_BYTES, b"\0")
+
+
+def _command(shown: PanelValue, value: float | bool | str) -> Write:
+    """An operator's command; the override is no less than 0."""
+    if not shown.is_command:
+        raise Failure(diagnostic(900542, name=shown.name))
+    if isinstance(value, str):
+        raise Failure(diagnostic(900543, name=shown.name, type=shown.entry.type, value=value))
+    number = _number(shown.name, shown.entry.type, float(value))
+    if number < 0.0:
+        largest = SCALARS["REAL64"].high
+        raise Failure(diagnostic(50892, variable=shown.name, value=number, low=0, high=largest))
+    return Write(shown.cell, number)
 
 
 def _number(name: str, type_: str, number: float) -> float:

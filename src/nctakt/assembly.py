@@ -15,11 +15,13 @@ from nctakt.decoder.cycles import CycleDefinition
 from nctakt.decoder.preparation import axis_limits
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.diagnostics import Diagnostic, Span
+from nctakt.hli.layout import PANEL_CELLS, panel_values
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.channel import Channel
 from nctakt.kernel.cycles import CycleManager, RealtimeCycle
 from nctakt.kernel.hli import Hli
 from nctakt.kernel.kernel import Kernel
+from nctakt.kernel.panel import Panel
 from nctakt.kernel.path import Path as KernelPath
 from nctakt.kernel.record import Record
 from nctakt.kernel.timers import Timers
@@ -193,6 +195,7 @@ class Machine:
                 for channel in configuration.channels
             ],
             len(configuration.axes),
+            PANEL_CELLS,
         )
         self.memory = bytearray(8 * layout.size)
         self.cells = memoryview(self.memory).cast("d")
@@ -209,7 +212,8 @@ class Machine:
         self.members = [axis.index for axis in configuration.channels[0].axes]
         self.files = SourceFiles()
         self.registry = Registry(self.files, self._name_of_cell)
-        self.access = VariableAccess(self.names, self.memory, self.kernel)
+        self.panel = {one.name: one for one in panel_values(layout.panel_cell(0))}
+        self.access = VariableAccess(self.names, self.panel, self.memory, self.kernel)
         self._cell_names: dict[int, str] = {}
 
     def _channel(self, index: int, layout: Layout) -> Channel:
@@ -223,7 +227,7 @@ class Machine:
             self.memory,
             first,
             self.record,
-            Hli(),
+            Hli(Panel(self.memory, layout.panel_cell(index))),
             CycleManager(self.record),
             KernelPath(self.axes, members, self.configuration.cycle_time_us),
             Timers(self.memory, timers.cell, self.configuration.cycle_time_us),
@@ -302,6 +306,9 @@ class Machine:
             scalar = SCALARS[type_]
             if scalar.is_numeric:
                 known[name] = (cell, "", scalar.is_integer)
+        for value in self.panel.values():
+            entry = value.entry
+            known[value.name] = (value.cell, entry.unit, entry.type != "REAL64")
         return known
 
     def default_signals(self) -> list[str]:

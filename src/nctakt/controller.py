@@ -63,7 +63,8 @@ class Controller:
         self._channel = self._machine.channels[0]
         self._kernel = self._machine.kernel
         self._feed: Feed | None = None
-        self._state: RunState = "ended"
+        self._selected: Program | None = None
+        self._outcome: RunState | None = None
         self._events = EventDecoder(self.cycle_time_us, self._machine.registry)
         self._sinks: list[Sink] = []
         self._stimuli: list[Stimulus] = []
@@ -87,6 +88,11 @@ class Controller:
         if self._channel.is_stopped:
             return "error"
         return "ready" if self._feed is None else "running"
+
+    @property
+    def hli(self) -> Interface:
+        """The interface image: what a PLC sees and the operator's side."""
+        return Interface(self._machine)
 
     @property
     def instructions_in_tick(self) -> int:
@@ -126,6 +132,10 @@ class Controller:
         loaded = loading.load(program, self._machine, self.diagnostics)
         self._begin(loaded)
 
+    def select(self, program: str | Path | NcText) -> None:
+        """Select a program: START on the HLI begins it. Raises ``Failure`` with its diagnostics."""
+        self._arm(loading.load(program, self._machine, self.diagnostics))
+
     def step(self, ticks: int = 1) -> None:
         """Run so many ticks, whatever the state."""
         end = self.tick + ticks
@@ -134,11 +144,8 @@ class Controller:
 
     def reset(self) -> None:
         """Reset the channel (RC-007): runs until everything stands, at least one tick."""
-        if self._feed is not None:
-            self._feed.stop()
-            self._feed = None
+        self._give_up()
         self._channel.request_reset()
-        self._channel.manager.drop_unborn()
         while self._channel.is_resetting:
             self.step(1)
 
@@ -155,6 +162,7 @@ class Controller:
         stimuli: Sequence[Stimulus] = (),
         sinks: Sequence[Sink] = (),
         signals: Sequence[str] | None = None,
+        waits_for_start: bool = False,
         memory_trace: bool = True,
         record_writes: bool = True,
         why: bool = False,
@@ -166,7 +174,8 @@ class Controller:
 
         ``until_us`` and ``ticks`` limit the run (``DEFAULT_LIMIT_US``), ``after_us`` is how long
         the channel goes on behind the last program. ``initial`` are values before the first tick,
-        ``stimuli`` values at times of the run. ``sinks`` get the trace, which ``memory_trace``
+        ``stimuli`` values at times of the run. With ``waits_for_start`` each program is begun by
+        START on the HLI, again after a RESET. ``sinks`` get the trace, which ``memory_trace``
         keeps in the result, of ``signals`` (positions of all axes, path speed, override, block
         number, active cycles unless given); ``record_writes`` has each new value that a cycle gives
         a variable as an event in it. ``why`` keeps what each condition of the realtime cycles saw
@@ -198,7 +207,9 @@ class Controller:
         self._stimuli_from = first_tick
         limit = self._limit(until_us, ticks)
         try:
-            state = self._run_programs(programs, first_tick + limit, after_us, on_progress)
+            state = self._run_programs(
+                programs, first_tick + limit, after_us, waits_for_start, on_progress
+            )
         except KeyboardInterrupt:
             self._drain()
             state = "interrupted"
@@ -206,6 +217,7 @@ class Controller:
             for sink in self._sinks:
                 sink.close()
             self._sinks = []
+            self._channel.panel.arm(False)
             registry.on_cycle = None
         return Run(
             programs=tuple(loading.name_of(program) for program in programs),
@@ -255,6 +267,7 @@ class Controller:
         programs: Sequence[str | Path | NcText],
         end: int,
         after_us: int,
+        waits_for_start: bool,
         on_progress: Callable[[int, int | None], None] | None,
     ) -> RunState:
         loaded = self._loaded = []
@@ -266,16 +279,9 @@ class Controller:
         if len(loaded) < len(programs):
             return "error"
         for one in loaded:
-            self._begin(one)
-            while self._feed is not None and not self._channel.is_stopped:
-                if self.tick >= end:
-                    return "limit"
-                self._advance(min(end, self.tick + PROGRESS_TICKS))
-                self._tell_progress(on_progress, end)
-            if self._channel.is_stopped:
-                while self.tick < end and not self._machine.path_stands():
-                    self._advance(self.tick + 1)
-                return "error"
+            state = self._run_program(one, end, waits_for_start, on_progress)
+            if state != "ended":
+                return state
         stop = self.tick - (-after_us // self.cycle_time_us)
         while self.tick < min(stop, end):
             self._advance(min(stop, end, self.tick + PROGRESS_TICKS))
@@ -283,6 +289,37 @@ class Controller:
         if self._channel.is_stopped:
             return "error"
         return "limit" if self.tick < stop else "ended"
+
+    def _run_program(
+        self,
+        program: Program,
+        end: int,
+        waits_for_start: bool,
+        on_progress: Callable[[int, int | None], None] | None,
+    ) -> RunState:
+        """One program; where the operator starts it, again after each reset."""
+        if waits_for_start:
+            self._arm(program)
+        else:
+            self._begin(program)
+        while self._outcome is None:
+            if self._channel.is_stopped and not waits_for_start:
+                self._come_to_a_stand(end)
+                return "error"
+            if self.tick >= end:
+                return "error" if self._channel.is_stopped else "limit"
+            self._advance(min(end, self.tick + PROGRESS_TICKS))
+            self._tell_progress(on_progress, end)
+            if self._outcome == "reset":
+                self._come_to_a_stand(end)
+                if waits_for_start:
+                    self._arm(program)
+        return self._outcome
+
+    def _come_to_a_stand(self, end: int) -> None:
+        """Run on until an error or a reset has braked the path."""
+        while self.tick < end and (self._channel.is_resetting or not self._machine.path_stands()):
+            self._advance(self.tick + 1)
 
     def _tell_progress(
         self, on_progress: Callable[[int, int | None], None] | None, end: int
@@ -299,7 +336,23 @@ class Controller:
         """
         if self._channel.is_stopped or self._feed is not None:
             self.reset()
+        self._outcome = None
         self._feed = Feed(self._machine, program, self.diagnostics.append)
+        self._channel.panel.begin_program()
+
+    def _arm(self, program: Program) -> None:
+        """Let a program wait for START."""
+        self._outcome = None
+        self._selected = program
+        self._channel.panel.arm(True)
+
+    def _give_up(self) -> None:
+        """A reset: nothing more of the program is decoded, and what it left is forgotten."""
+        if self._feed is not None:
+            self._feed.stop()
+            self._feed = None
+        self._channel.panel.end_program()
+        self._channel.manager.drop_unborn()
 
     def _advance(self, end: int) -> None:
         """Run up to tick ``end``, at most until something of Python's is due."""
@@ -315,7 +368,16 @@ class Controller:
             self._stop_program()
         elif reason == reasons.PROGRAM_END:
             channel.accept_end()
+            channel.panel.end_program()
             self._feed = None
+            self._outcome = "ended"
+        elif reason == reasons.START:
+            assert self._selected is not None
+            self._begin(self._selected)
+        elif reason == reasons.RESET:
+            self._give_up()
+            channel.panel.accept_reset()
+            self._outcome = "reset"
         elif reason == reasons.ANSWER:
             assert self._feed is not None
             self._feed.answer()
@@ -339,6 +401,7 @@ class Controller:
     def _stop_program(self) -> None:
         """An error of the realtime part: its diagnostic; the program is given up."""
         self._channel.clear_error()
+        self._channel.panel.end_program()
         if self._feed is not None:
             self._feed.stop()
             self._feed = None

@@ -13,6 +13,9 @@ from nctakt.assembly import Machine
 from nctakt.failure import Failure
 from nctakt.messages import diagnostic
 
+#: The states of a channel in the order of their numbers.
+STATES = ("ready", "running", "error", "reset")
+
 
 @dataclass(frozen=True, slots=True)
 class TechnologyEntry:
@@ -87,22 +90,59 @@ class Interface:
     @property
     def override_pct(self) -> float:
         """The operator's override of the path in percent."""
-        return self._hli.operator_override_pct
+        return float(self._machine.read("HLI.OVERRIDE"))
 
     @override_pct.setter
     def override_pct(self, value: float) -> None:
         if not 0.0 <= value < float("inf"):
             raise ValueError(f"an override of {value} % is not possible")
-        self._hli.operator_override_pct = float(value)
+        self._machine.write("HLI.OVERRIDE", value)
 
     @property
     def feed_hold(self) -> bool:
         """Whether the path is held."""
-        return self._hli.feed_hold
+        return bool(self._machine.read("HLI.FEED_HOLD"))
 
     @feed_hold.setter
     def feed_hold(self, value: bool) -> None:
-        self._hli.feed_hold = value
+        self._machine.write("HLI.FEED_HOLD", value)
+
+    @property
+    def single_block(self) -> bool:
+        """Whether the channel stops in front of each block (MO-6)."""
+        return bool(self._machine.read("HLI.SINGLE_BLOCK"))
+
+    @single_block.setter
+    def single_block(self, value: bool) -> None:
+        self._machine.write("HLI.SINGLE_BLOCK", value)
+
+    def start(self) -> None:
+        """Press START: the selected program begins, or single block lets the next block go."""
+        self._machine.write("HLI.START", 1.0)
+
+    def reset(self) -> None:
+        """Press RESET: the program is given up, the path brakes to a stand (RC-007)."""
+        self._machine.write("HLI.RESET", 1.0)
+
+    @property
+    def state(self) -> str:
+        """``ready``, ``running``, ``error`` or ``reset``."""
+        return STATES[int(self._machine.read("HLI.STATE"))]
+
+    @property
+    def is_paused(self) -> bool:
+        """Whether single block waits for START."""
+        return bool(self._machine.read("HLI.PAUSED"))
+
+    @property
+    def is_armed(self) -> bool:
+        """Whether a selected program waits for START."""
+        return bool(self._machine.read("HLI.ARMED"))
+
+    @property
+    def error(self) -> int:
+        """The number of the error that has stopped the channel, 0 without one."""
+        return int(self._machine.read("HLI.ERROR"))
 
 
 def _seen(name: str) -> str:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from kernel_rig import DEMO
 
 from nctakt.controller import Controller, NcText
+from nctakt.kernel.panel import OVERRIDE
 from nctakt.nc.names import AXIS_VARIABLES, CHANNEL_VARIABLES
 
 PROGRAM = """#RT CYCLE [SCOPE=PROG]
@@ -34,7 +35,7 @@ UNWRITTEN = (
 def half_way() -> Controller:
     """In the middle of a motion, with both overrides written, the operator's at 30.5 %."""
     controller = Controller(DEMO)
-    controller._machine.channels[0].hli.operator_override_pct = 30.5
+    controller._machine.channels[0].panel.put(OVERRIDE, 30.5)
     controller.start(NcText("p.nc", PROGRAM))
     controller.step(400)
     return controller

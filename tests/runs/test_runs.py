@@ -61,6 +61,8 @@ def perform(folder: Path, names: set[str], work: Path, programs: str = "*.nc") -
         stimuli=[Stimulus(*stimulus) for stimulus in given.get("at", ())],
         after_us=given.get("after_us", 0),
         ticks=given.get("ticks"),
+        waits_for_start=given.get("waits_for_start", False),
+        record_writes=given.get("record_writes", True),
         signals=sorted(names),
     )
 

@@ -48,6 +48,7 @@ class Options:
     messages: str | None = None
     language: Language
     compiled: bool | None
+    wait_for_start: bool = False
     quiet: bool = False
 
 

@@ -54,6 +54,9 @@ Ctrl-C, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 @click.option("--signals", metavar="NAME,...", help="What to record.")
 @click.option("--diagnosis", metavar="FILE", help="Write the realtime cycles' diagnosis data.")
 @click.option("--messages", metavar="FILE", help="Write what the programs say to a file, too.")
+@click.option(
+    "--wait-for-start", is_flag=True, help="START on the HLI begins each program (HLI.START)."
+)
 @click.option("--quiet", is_flag=True, help="No summary and no notes.")
 def command(**words: Any) -> int:
     """Run NC programs one after another on the same controller ('-': standard input)."""

@@ -141,6 +141,7 @@ def run_programs(
                 stimuli=request.stimuli,
                 sinks=sinks,
                 signals=request.signals,
+                waits_for_start=options.wait_for_start,
                 memory_trace=False,
                 why=why,
                 on_message=show_message,

@@ -5,6 +5,7 @@ from nctakt.kernel cimport arithmetic
 from nctakt.kernel.cycles cimport CycleManager
 from nctakt.kernel.hli cimport Hli
 from nctakt.kernel.memory cimport Context
+from nctakt.kernel.panel cimport Panel
 from nctakt.kernel.path cimport Path
 from nctakt.kernel.record cimport Record
 
@@ -14,6 +15,7 @@ cdef class Channel:
     cdef readonly Py_ssize_t first_cell
     cdef Record record
     cdef readonly Hli hli
+    cdef readonly Panel panel
     cdef readonly CycleManager manager
     cdef readonly Path path
     cdef double max_override_pct
@@ -37,12 +39,16 @@ cdef class Channel:
     cdef readonly bint is_stopped
     cdef readonly bint is_resetting
     cdef bint is_reset_due
+    cdef readonly int error_message
 
     cdef Py_ssize_t event_bound(self) noexcept nogil
     cdef int needs_python(self) noexcept nogil
     cdef int is_idle(self) noexcept nogil
     cdef void begin_tick(self, long long tick) noexcept nogil
+    @cython.locals(base=Py_ssize_t)
     cdef void take_commands(self, long long tick) noexcept nogil
+    @cython.locals(source=cython.longlong, line=cython.longlong, is_begun=bint)
+    cdef int enter_block(self, Py_ssize_t base) noexcept nogil
     @cython.locals(kind=int)
     cdef int take(self, long long tick, Py_ssize_t base) noexcept nogil
     @cython.locals(is_current=bint)
@@ -68,7 +74,9 @@ cdef class Channel:
     cdef void publish_block(self) noexcept nogil
     @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int)
     cdef void go_on(self, double factor, int stops) noexcept nogil
+    @cython.locals(state=int)
     cdef void end_tick(self) noexcept nogil
+    cdef void begin_reset(self) noexcept nogil
     cdef void end_reset(self) noexcept nogil
     @cython.locals(base=Py_ssize_t, cell=Py_ssize_t)
     cdef void answer_waiting(self) noexcept nogil

@@ -68,6 +68,7 @@ class Channel:
         self.first_cell = first_cell
         self.record = record
         self.hli = hli
+        self.panel = hli.panel
         self.manager = manager
         self.path = path
         self.max_override_pct = max_override_pct
@@ -91,6 +92,7 @@ class Channel:
         self.is_stopped = False
         self.is_resetting = False
         self.is_reset_due = False
+        self.error_message = 0
 
     # --- Python's side, between two runs --------------------------------------------------------
 
@@ -147,7 +149,11 @@ class Channel:
     # --- the tick -------------------------------------------------------------------------------
 
     def needs_python(self) -> int:
-        """Why the kernel must return before the next tick: 0 not at all, 1 … 4 (``kernel.py``)."""
+        """Why the kernel must return before the next tick: 0 not at all, 1 … 7 (``kernel.py``)."""
+        if self.panel.reset_taken:
+            return 7
+        if self.panel.start_taken:
+            return 6
         if self.error_pending:
             return 4
         if self.program_ended:
@@ -170,6 +176,10 @@ class Channel:
         """Latch the PLC's answers and a reset; the CYCLE override is 100 % again (RC-305)."""
         self.context.begin(tick)
         self.hli.latch()
+        if self.panel.reset_pressed:
+            self.begin_reset()
+        elif self.panel.start_pressed:
+            self.panel.take_start(not self.is_stopped and not self.is_resetting)
         if self.is_reset_due:
             self.is_reset_due = False
             self.hli.clear()
@@ -179,14 +189,25 @@ class Channel:
     def take_commands(self, tick: int) -> None:
         """Take commands in order until one takes time or has to wait (RC-003, RC-004)."""
         self.manager.leave_blocks(self.path.serial if self.path.is_active else 0)
-        if self.is_stopped or self.is_resetting:
+        if self.is_stopped or self.is_resetting or self.panel.is_paused:
             return
         while self.head < self.tail and self.waiting == 0 and not self.is_stopped:
             if self.path.is_active and self.begun < self.head:
                 return
-            if not self.take(tick, self.head % self.capacity * self.width):
+            base = self.head % self.capacity * self.width
+            if not self.enter_block(base) or not self.take(tick, base):
                 return
             self.head += 1
+
+    def enter_block(self, base: int) -> int:
+        """Whether the command at ``base`` may be taken: single block stops in front of a block."""
+        source = int(self.queue[base + 1])
+        line = source >> 20  # file and line (``sources.py``)
+        is_begun = self.head <= self.begun or self.path.speed_v > 0.0
+        if self.panel.lets_go(line, self.queue[base] <= 2.0, is_begun):
+            return 1
+        self.record.paused(source)
+        return 0
 
     def take(self, tick: int, base: int) -> int:
         """Take the command at ``base``: 0 when it stays at the head of the queue."""
@@ -317,6 +338,7 @@ class Channel:
         """An error of the realtime part: channel in error state, the path brakes (RC-505)."""
         self.record.error(source, 0, message, detail)
         self.error_detail = detail
+        self.error_message = message
         self.error_pending = True
         self.is_stopped = True
 
@@ -325,16 +347,19 @@ class Channel:
         if self.is_resetting:
             return
         if self.manager.run_cycles(self.context):
+            self.error_message = self.context.fault
             self.error_pending = True
             self.is_stopped = True
 
     def interpolate(self) -> None:
         """One increment of the path with this tick's override (RC-305, MO-5)."""
-        pct = self.hli.operator_override_pct * self.cells[self.first_cell] / 100.0
+        pct = self.panel.override_pct * self.cells[self.first_cell] / 100.0
         pct = min(pct, self.max_override_pct)
-        stops = self.is_stopped or self.is_resetting or self.hli.feed_hold
+        stops = self.is_stopped or self.is_resetting or self.panel.feed_hold
         self.publish_block()
-        self.path.publish_overrides(self.hli.operator_override_pct)
+        self.path.publish_overrides(self.panel.override_pct)
+        if self.path.is_single != self.panel.single_block:
+            self.path.set_single(self.panel.single_block)
         if self.path.step(pct / 100.0, stops):
             self.go_on(pct / 100.0, stops)
         self.cells[self.first_cell + 1] = arithmetic.round_half_even(pct)
@@ -350,6 +375,8 @@ class Channel:
         The commands between the blocks are taken in the next tick (RC-003).
         """
         position = max(self.head, self.begun + 1)
+        if self.path.is_single and self.path.speed_v == 0.0:
+            return
         while position < self.tail:
             base = position % self.capacity * self.width
             kind = int(self.queue[base])
@@ -365,12 +392,14 @@ class Channel:
 
     def end_tick(self) -> None:
         """Answer what waits for the path to stand; end a reset; publish (RC-005, RC-007)."""
+        state = 3 if self.is_resetting else 2 if self.is_stopped else 0
         if self.path.stands():
             if self.waiting in (9, 10):
                 self.answer_waiting()
             if self.is_resetting:
                 self.end_reset()
         self.hli.run_default_plc(self.context.tick)
+        self.panel.publish(state, self.error_message)
         self.cells[self.first_cell + 6] = self.path.speed_v
         self.cells[self.first_cell + 8] = self.manager.running_count
         self.cells[self.first_cell + 9] = self.path.rest_d()
@@ -397,12 +426,18 @@ class Channel:
         self.begun = -1
 
     def request_reset(self) -> None:
-        """Latch a reset: from the next tick until the path stands, at least one tick (RC-007)."""
+        """Python asks for a reset, which begins with the next tick."""
+        self.begin_reset()
+
+    def begin_reset(self) -> None:
+        """Latch a reset: until the path stands, at least one tick (RC-007)."""
         self.is_resetting = True
         self.is_reset_due = True
         self.is_stopped = False
         self.error_pending = False
+        self.error_message = 0
         self.waiting = 0
+        self.panel.is_paused = False
 
     def clear_error(self) -> None:
         """Python has read the error; the channel stays stopped until a reset."""

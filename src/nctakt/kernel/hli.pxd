@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of hli.py.
 cimport cython
+from nctakt.kernel.panel cimport Panel
 
 cdef class Section:
     cdef readonly Py_ssize_t slot_count
@@ -24,11 +25,10 @@ cdef class Section:
     cdef void clear(self) noexcept nogil
 
 cdef class Hli:
+    cdef readonly Panel panel
     cdef readonly Section realtime
     cdef readonly Section program
     cdef public bint acknowledges_itself
-    cdef public double operator_override_pct
-    cdef public bint feed_hold
 
     cdef void latch(self) noexcept nogil
     cdef void run_default_plc(self, long long tick) noexcept nogil

@@ -13,6 +13,8 @@ by the ticks that the function takes (P-CHAN-00040, P-CHAN-00026).
 
 from __future__ import annotations
 
+from nctakt.kernel.panel import Panel
+
 #: Slots of a section: a number of ours, no source gives one (RC-403).
 SLOT_COUNT = 20
 
@@ -108,17 +110,20 @@ class Section:
 
 
 class Hli:
-    """One channel's image; ``realtime`` is the section POS_RT, ``program`` the main program's."""
+    """One channel's image; ``realtime`` is the section POS_RT, ``program`` the main program's.
 
-    def __init__(self, slot_count: int = SLOT_COUNT) -> None:
+    ``panel`` is the operator's side.
+    """
+
+    def __init__(self, panel: Panel, slot_count: int = SLOT_COUNT) -> None:
+        self.panel = panel
         self.realtime = Section(slot_count)
         self.program = Section(slot_count)
         self.acknowledges_itself = True
-        self.operator_override_pct = 100.0
-        self.feed_hold = False
 
     def latch(self) -> None:
         """Start of a tick."""
+        self.panel.latch()
         self.realtime.latch()
         self.program.latch()
 

@@ -26,6 +26,8 @@ ANSWER = 2
 PROGRAM_END = 3
 ERROR = 4
 FULL = 5
+START = 6
+RESET = 7
 
 
 class Lane:

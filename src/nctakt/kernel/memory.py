@@ -10,6 +10,7 @@ a channel is its view of that block, with what the channel's cycles need beside 
 from __future__ import annotations
 
 from nctakt.kernel.hli import Hli
+from nctakt.kernel.panel import Panel
 from nctakt.kernel.record import Record
 from nctakt.kernel.timers import Timers
 
@@ -75,5 +76,5 @@ class Context:
 
 def empty_context() -> Context:
     """A context without variables, for expressions whose operands are all known."""
-    memory = bytearray(8)
-    return Context(memory, Record(memory), Hli(), Timers(memory, 0, 1000))
+    memory = bytearray(8 * 9)
+    return Context(memory, Record(memory), Hli(Panel(memory, 0)), Timers(memory, 0, 1000))

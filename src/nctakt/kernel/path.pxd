@@ -28,6 +28,7 @@ cdef class Path:
     cdef double offset_t
     cdef long long ticks
     cdef readonly double left_t
+    cdef readonly bint is_single
 
     @cython.locals(i=Py_ssize_t)
     cdef void begin(self, Py_ssize_t queue_base, double[::1] queue, double offset_t) noexcept nogil
@@ -35,6 +36,9 @@ cdef class Path:
     cdef int starts_where_axes_stand(self, Py_ssize_t queue_base, double[::1] queue) noexcept nogil
     @cython.locals(limit_v=double)
     cdef int step(self, double factor, int is_stopping) noexcept nogil
+    cdef void set_single(self, bint is_single) noexcept nogil
+    @cython.locals(brake_d=double)
+    cdef double end_speed(self, double rest_d) noexcept nogil
     @cython.locals(i=Py_ssize_t, base=Py_ssize_t, pct=double)
     cdef void publish_overrides(self, double operator_pct) noexcept nogil
     cdef int step_carried(self, double factor, int is_stopping) noexcept nogil

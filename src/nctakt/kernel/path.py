@@ -49,6 +49,7 @@ class Path:
         self.offset_t = 0.0
         self.ticks = 0
         self.left_t = 0.0
+        self.is_single = False
 
     def begin(self, queue_base: int, queue: memoryview[float], offset_t: float) -> None:
         """Take the segment in ``queue`` at ``queue_base`` as current, ``offset_t`` of it past."""
@@ -98,6 +99,19 @@ class Path:
         self.ticks += 1
         return self.advance()
 
+    def set_single(self, is_single: bool) -> None:
+        """Single block on or off: the current segment is planned anew where it matters (MO-6)."""
+        self.is_single = is_single
+        if self.is_active and not self.is_dwell and self.ring[self.base + 7] > 0.0:
+            self.limit_v = -1.0
+
+    def end_speed(self, rest_d: float) -> float:
+        """The speed at the segment's end: a stand in single block, if it can still be had."""
+        brake_d = self.speed_v * self.speed_v / (2.0 * self.ring[self.base + 6])
+        if self.is_single and brake_d <= rest_d * 1.000001:
+            return 0.0
+        return self.ring[self.base + 7]
+
     def publish_overrides(self, operator_pct: float) -> None:
         """TOTAL of the members' independent motions: operator's and CYCLE part (RC-305)."""
         for i in range(self.count):
@@ -124,7 +138,7 @@ class Path:
         self.ticks = 0
         rest_d = self.ring[self.base + 3] - self.covered_d
         self.profile.plan(
-            rest_d, self.speed_v, self.ring[self.base + 7], limit_v, self.ring[self.base + 6]
+            rest_d, self.speed_v, self.end_speed(rest_d), limit_v, self.ring[self.base + 6]
         )
 
     def advance(self) -> int:

@@ -36,6 +36,7 @@ cdef class Record:
     cdef void message(self, long long source, long long number) noexcept nogil
     cdef void error(self, long long source, long long serial, int message, double detail) noexcept nogil
     cdef void program_end(self, long long source, long long program) noexcept nogil
+    cdef void paused(self, long long source) noexcept nogil
     cdef void notice(self, long long source, long long serial, int message) noexcept nogil
     cdef void frozen(self, long long source, long long serial, long long name, double value) noexcept nogil
     @cython.locals(base=Py_ssize_t)

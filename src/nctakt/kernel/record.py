@@ -36,6 +36,7 @@ ERROR = 12  # serial (0: the path), message ID, detail; the source is the statem
 PROGRAM_END = 13  # number of the program (subject)
 NOTICE = 14  # serial, message ID: diagnosis level 2
 FROZEN = 40  # serial, number of the variable's text, value; the source is the access
+PAUSED = 31  # nothing; the source is what waits
 
 ENDED_BY_SCOPE = 0
 ENDED_BY_DELETE = 1
@@ -160,6 +161,10 @@ class Record:
     def frozen(self, source: int, serial: int, name: int, value: float) -> None:
         """An asynchronous variable became a constant of a realtime cycle (RC-302)."""
         self.event(40, source, serial, name, value)
+
+    def paused(self, source: int) -> None:
+        """Single block has stopped the channel in front of a block."""
+        self.event(31, source, 0, 0.0, 0.0)
 
     def probe(self, number: int, truth: int, left: float, right: float) -> None:
         """Append a change of a condition's truth."""

@@ -174,15 +174,20 @@ def _row_cells(rows: Sequence[RealtimeVariable]) -> int:
 class Layout:
     """The places of all variables in the machine's memory; ``size`` cells in all.
 
-    Channels first, then axes, then the variables of the lists. ``external``: the first cell of each
+    Channels first, then axes, then ``panel_cells`` of the HLI for each channel, then the variables
+    of the lists. ``external``: the first cell of each
     V.E variable by channel, counted from 1, and name; 0 stands for GLOBAL.
     """
 
-    def __init__(self, channels: Sequence[ChannelNames], axis_count: int) -> None:
+    def __init__(
+        self, channels: Sequence[ChannelNames], axis_count: int, panel_cells: int = 0
+    ) -> None:
         self.channel_cells = _row_cells(CHANNEL_VARIABLES)
         self.axis_cells = _row_cells(AXIS_VARIABLES)
         self.first_axis = self.channel_cells * len(channels)
-        self.size = self.first_axis + self.axis_cells * axis_count
+        self.panel_cells = panel_cells
+        self.first_panel = self.first_axis + self.axis_cells * axis_count
+        self.size = self.first_panel + panel_cells * len(channels)
         self._names: list[tuple[int, str]] = []
         self._global: dict[str, tuple[Variable, int]] = {}
         self.external: dict[tuple[int, str], int] = {}
@@ -195,6 +200,10 @@ class Layout:
     def axis_cell(self, axis: int) -> int:
         """The first cell of an axis."""
         return self.first_axis + self.axis_cells * axis
+
+    def panel_cell(self, channel: int) -> int:
+        """The first cell of a channel's operator's panel."""
+        return self.first_panel + self.panel_cells * channel
 
     def place(self, variable: Variable) -> int:
         """The first cell of a variable; GLOBAL ones are there once for all channels."""

@@ -18,8 +18,8 @@ from nctakt.trace.recorded import Trace
 from nctakt.trace.sinks import TraceHeader
 
 #: ``ended``: all programs ran to their end. ``error``: an NC error stopped the run. ``limit``: the
-#: limit of ticks came first. ``interrupted``: the user broke the run off.
-RunState = Literal["ended", "error", "limit", "interrupted"]
+#: limit of ticks came first. ``reset``: RESET on the HLI. ``interrupted``: the user broke it off.
+RunState = Literal["ended", "error", "limit", "reset", "interrupted"]
 
 #: The frequency of a branch that has none (a plain ``$IF``, ``$ELSEIF``, ``$ELSE``).
 NO_FREQUENCY = ""

@@ -23,6 +23,7 @@ _STATES = {
         "stopped at the limit (--until or --ticks sets another)",
         "an der Grenze angehalten (--until oder --ticks setzt eine andere)",
     ),
+    "reset": Text("reset", "zurückgesetzt"),
     "interrupted": Text("interrupted", "abgebrochen"),
 }
 _NOT_RUN = Text("not run", "nicht gelaufen")

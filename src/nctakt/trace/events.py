@@ -110,6 +110,8 @@ class EventDecoder:
         span = self._place(int(source))
         if kind == record.FIRED:
             word, text = self._fired(serial, span)
+        elif kind == record.PAUSED:
+            word, text = "paused", _line_text(span)
         elif kind == record.TECHNOLOGY_RT:
             word, text = self._technology_rt(a, b, time_us)
         else:
@@ -133,8 +135,7 @@ class EventDecoder:
         return "ended", f"{self._names.cycle(serial)} {_ENDED_BY[int(reason)]}"
 
     def _fired(self, serial: int, span: Span | None) -> tuple[str, str]:
-        line = 0 if span is None else span.line
-        return "fired", f"{self._names.cycle(serial)} line {line}"
+        return "fired", f"{self._names.cycle(serial)} {_line_text(span)}"
 
     def _written(self, _kind: int, _serial: int, cell: float, value: float) -> tuple[str, str]:
         return "written", f"{self._names.variable(int(cell))} {number_text(value)}"
@@ -171,6 +172,10 @@ def _function(code: float) -> tuple[str, int]:
     """Letter and number of a technology function; H functions are coded -number - 1."""
     number = int(code)
     return ("h", -number - 1) if number < 0 else ("m", number)
+
+
+def _line_text(span: Span | None) -> str:
+    return f"line {0 if span is None else span.line}"
 
 
 def _severity_word(number: int) -> str:

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+# C types of panel.py.
+cimport cython
+
+cdef class Panel:
+    cdef double[::1] cells
+    cdef readonly Py_ssize_t first_cell
+    cdef readonly double override_pct
+    cdef readonly bint feed_hold
+    cdef readonly bint single_block
+    cdef readonly bint start_pressed
+    cdef readonly bint reset_pressed
+    cdef readonly bint is_armed
+    cdef readonly bint is_running
+    cdef public bint is_paused
+    cdef bint is_released
+    cdef long long block_line
+    cdef bint block_moves
+    cdef readonly bint start_taken
+    cdef readonly bint reset_taken
+
+    @cython.locals(base=Py_ssize_t)
+    cdef void latch(self) noexcept nogil
+    cdef void take_start(self, int can_start) noexcept nogil
+    cdef int lets_go(self, long long line, bint moves, bint is_begun) noexcept nogil
+    @cython.locals(base=Py_ssize_t)
+    cdef void publish(self, int state, int message) noexcept nogil

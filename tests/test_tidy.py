@@ -42,6 +42,7 @@ STAGES = (
     ("checking", "feed", "plc", "stimuli"),
     ("controller",),
     ("schedule",),
+    ("linux",),
     ("cli", "pytest_plugin"),
     ("__main__",),
 )
@@ -271,10 +272,14 @@ def directives_of(module: str) -> list[str]:
 
 
 def test_exactly_the_realtime_modules_are_built() -> None:
-    """The list of extension modules in pyproject.toml is that of the folder."""
+    """The list of extension modules in pyproject.toml is that of the folder, and the runner."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
     built = project["tool"]["setuptools"]["ext-modules"]
+    runner = built.pop()
     assert [one["name"] for one in built] == [f"nctakt.kernel.{module}" for module in MODULES]
+    assert (runner["name"], runner["optional"]) == ("nctakt.linux.processes", True)
+    written = sorted(path.relative_to(ROOT).as_posix() for path in PACKAGE.glob("linux/*.c"))
+    assert runner["sources"] == written
     for one in built:
         assert one["sources"] == [f"src/{one['name'].replace('.', '/')}.py"]
         assert one["optional"] is True
@@ -299,7 +304,7 @@ def test_nobody_but_the_command_line_reads_a_clock() -> None:
     found = [
         f"{path.relative_to(PACKAGE)}: {name}"
         for path in SOURCES
-        if path.relative_to(PACKAGE).parts[0] not in ("cli", "schedule")
+        if path.relative_to(PACKAGE).parts[0] not in ("cli", "linux", "schedule")
         for name in imports(path)
         if name.split(".")[0] in NOT_DETERMINISTIC
     ]
@@ -389,10 +394,12 @@ def under_type_checking(path: Path, module: str) -> bool:
 def test_every_file_names_its_licence() -> None:
     """The first line of each source and test file is its licence."""
     files = [*SOURCES, *PACKAGE.rglob("*.pxd"), *(ROOT / "tests").rglob("*.py")]
+    files += [*PACKAGE.glob("linux/*.[ch]"), *(ROOT / "examples").rglob("*.c")]
+    line = "# SPDX-License-Identifier: MIT\n"
     missing = [
         str(path.relative_to(ROOT))
         for path in files
-        if not path.read_text("utf-8").startswith("# SPDX-License-Identifier: MIT\n")
+        if not path.read_text("utf-8").startswith((line, line.replace("#", "/*")[:-1] + " */\n"))
     ]
     assert missing == []
 

@@ -7,7 +7,8 @@ of ours, from 900000 on. One module per stage declares them:
 ====================  ==============================================================================
 ``lists``             lists: their text, their entries, their values (900000 … 900029)
 ``schedule``          the scheduling list rtconf.lis (900030 … 900059)
-``scheduling``        scheduling: profiles, load, simulation, analysis (900600 … 900699)
+``scheduling``        scheduling: profiles, load, simulation, analysis (900600 … 900679)
+``scheduling_run``    a schedule that runs for real (900680 … 900699)
 ``machine``           the machine folder and its parameters (900060 … 900079, 900086)
 ``variables``         the variables lists: V.E and V.CH (900080 … 900085, 900087 … 900099)
 ``nc_text``           NC text: lexer and parser (900100 … 900199)
@@ -48,6 +49,7 @@ from nctakt.messages import (
     realtime,
     schedule,
     scheduling,
+    scheduling_run,
     unreached,
     variables,
 )
@@ -60,6 +62,7 @@ for _stage in (
     lists,
     schedule,
     scheduling,
+    scheduling_run,
     machine,
     folders,
     variables,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of scheduling: profiles, load, simulation, analysis, pictures (900600 … 900699)."""
+"""Messages of scheduling: profiles, load, simulation, analysis, pictures (900600 … 900679)."""
 
 from __future__ import annotations
 

@@ -16,7 +16,6 @@ from nctakt.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.schedule.figure import svg
 from nctakt.schedule.gantt import gantt
-from nctakt.schedule.report import simulation_report
 from nctakt.schedule.results import Simulation
 
 _HTML = """\
@@ -42,8 +41,8 @@ def check_picture(path: str) -> None:
         raise Failure(diagnostic(900634, library="matplotlib", what="--plot FILE.png"))
 
 
-def write_picture(run: Simulation, path: Path, language: Language) -> None:
-    """Draw the record of a simulation; raises ``OSError``."""
+def write_picture(run: Simulation, path: Path, language: Language, report: str) -> None:
+    """Draw the record of a simulation; ``report`` stands below in HTML. Raises ``OSError``."""
     figure = gantt(run, language)
     ending = path.suffix.lower()
     if ending == ".png":
@@ -55,7 +54,7 @@ def write_picture(run: Simulation, path: Path, language: Language) -> None:
             language=language,
             title="nctakt schedule",
             picture=svg(figure),
-            report=escape(simulation_report(run, language)),
+            report=escape(report),
         )
         path.write_text(page, "utf-8")
     else:

@@ -160,6 +160,8 @@ class _Gantt:
             if one.kind is EventKind.END
         }
         for job in self._record.jobs:
+            if not job.times:  # it works in a process that is not ours
+                continue
             end = ends.get((job.task, job.due), self._record.end)
             y = self._y(job.task) + _BAR / 2
             yield Stroke(((self._x(job.due), y), (self._x(end), y)), self._colour(job.task), 1.0)

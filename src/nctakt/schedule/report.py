@@ -17,8 +17,8 @@ from nctakt.schedule.findings import culprits, us
 from nctakt.schedule.model import ANY_CPU, Model, TaskClass
 from nctakt.schedule.results import Simulation, TaskNumbers
 
-_NONE = "–"
-_CLASSES = {
+NONE = "–"
+CLASSES = {
     TaskClass.REALTIME: Text("realtime", "Echtzeit"),
     TaskClass.ASYNCHRONOUS: Text("asynchronous", "asynchron"),
     TaskClass.EXTERNAL: Text("external", "extern"),
@@ -51,10 +51,10 @@ def effective_report(rows: Sequence[EffectiveRow], language: Language) -> str:
     )
     cells = [
         [
-            str(row.line) if row.line else _NONE,
+            str(row.line) if row.line else NONE,
             row.id,
             row.key,
-            row.raw or _NONE,
+            row.raw or NONE,
             row.effective,
             row.unit,
             row.reason,
@@ -108,14 +108,19 @@ def simulation_report(run: Simulation, language: Language) -> str:
     )
     if run.repeats_after is not None:
         line += repeats.get(language).format(n=run.repeats_after)
+    return "\n".join([*lines, line, "", *numbers_report(run, language)]) + "\n"
+
+
+def numbers_report(run: Simulation, language: Language) -> list[str]:
+    """The numbers of the threads and of Windows."""
     heads = Text(
         "Thread|Class|CPU|Period|Due|Done|Load %|R min|R mean|R max|Slack|Overflows|Lost|Suspended",
         "Thread|Klasse|CPU|Periode|Fällig|Fertig|Last %|R min|R mittel|R max|Reserve|Überläufe|"
         "Verloren|Suspendiert",
     )
-    rows = [_task_row(run, i, language) for i in range(len(model.tasks))]
-    lines += [line, "", *table(heads.get(language).split("|"), rows, left=2)]
-    return "\n".join([*lines, "", *_windows_table(run, language)]) + "\n"
+    rows = [_task_row(run, i, language) for i in range(len(run.model.tasks))]
+    tasks = table(heads.get(language).split("|"), rows, left=2)
+    return [*tasks, "", *_windows_table(run, language)]
 
 
 def _task_row(run: Simulation, i: int, language: Language) -> list[str]:
@@ -123,23 +128,24 @@ def _task_row(run: Simulation, i: int, language: Language) -> list[str]:
     period = task.every * run.model.train.distance
     return [
         task.name,
-        _CLASSES[task.kind].get(language),
+        CLASSES[task.kind].get(language),
         "any" if task.cpu == ANY_CPU else str(task.cpu),
         us(period),
         str(numbers.due),
         str(numbers.completed),
         f"{100 * numbers.busy / run.duration:.2f}",
-        *_responses(numbers),
-        _NONE if numbers.response_max is None else us(period - numbers.response_max),
+        *responses(numbers),
+        NONE if numbers.response_max is None else us(period - numbers.response_max),
         str(numbers.overflows),
         str(numbers.lost),
         str(numbers.suspensions),
     ]
 
 
-def _responses(numbers: TaskNumbers) -> list[str]:
+def responses(numbers: TaskNumbers) -> list[str]:
+    """Least, mean and longest response in µs."""
     if numbers.response_min is None or numbers.response_max is None:
-        return [_NONE] * 3
+        return [NONE] * 3
     mean = numbers.response_sum // numbers.completed
     return [us(numbers.response_min), us(mean), us(numbers.response_max)]
 
@@ -157,8 +163,8 @@ def _windows_table(run: Simulation, language: Language) -> list[str]:
             us(one.least),
             us(one.total // run.cycles),
             us(one.most),
-            str(one.violated) if run.model.windows else _NONE,
-            culprits(run.model, one) or _NONE,
+            str(one.violated) if run.model.windows else NONE,
+            culprits(run.model, one) or NONE,
         ]
         for one in places
     ]
@@ -176,9 +182,9 @@ def analysis_report(
     )
     rows = []
     for task, one, numbers in zip(analysis.model.tasks, analysis.tasks, run.tasks, strict=True):
-        simulated = _NONE if numbers.response_max is None else us(numbers.response_max)
+        simulated = NONE if numbers.response_max is None else us(numbers.response_max)
         if one is None:
-            rows.append([task.name, us(task.longest), *[_NONE] * 3, simulated, _NONE, _NONE])
+            rows.append([task.name, us(task.longest), *[NONE] * 3, simulated, NONE, NONE])
             continue
         verdict = Text("possible", "möglich") if one.can_overflow else Text("no", "nein")
         rows.append(
@@ -189,7 +195,7 @@ def analysis_report(
                 f"{100 * one.demand / one.period:.2f}",
                 "∞" if one.response is None else us(one.response),
                 simulated,
-                _NONE if one.slack is None else us(one.slack),
+                NONE if one.slack is None else us(one.slack),
                 verdict.get(language),
             ]
         )
@@ -225,7 +231,7 @@ def _answers(answers: Answers, language: Language) -> list[str]:
         "Nichts läuft über bis (jedes für sich)|Jetzt|Grenze",
     )
     rows = [
-        [one.function, us(one.present), _NONE if one.longest is None else us(one.longest)]
+        [one.function, us(one.present), NONE if one.longest is None else us(one.longest)]
         for one in answers.functions
     ]
     lines = table(heads.get(language).split("|"), rows)

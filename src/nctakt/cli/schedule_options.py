@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: MIT
+"""What the subcommands of ``nctakt schedule`` share: options, reading list and load, files.
+
+In: words of the command line. Out: the list, the model, how long, pictures and traces, exit code.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.terminal import print_diagnostics
+from nctakt.diagnostics import Diagnostic, Severity
+from nctakt.failure import Failure
+from nctakt.messages import Collector, diagnostic
+
+if TYPE_CHECKING:
+    from nctakt.lists.rtconf import RtconfConfiguration
+    from nctakt.lists.rtconf_profile import RtconfOptions
+    from nctakt.schedule.load import Load
+    from nctakt.schedule.model import Model
+    from nctakt.schedule.results import Simulation
+
+_DEFAULT_DURATION = "1s"
+#: The most NC cycles that pictures and traces show when nobody says how many.
+_MOST_DRAWN = 60
+
+LIST_OPTIONS = (
+    click.argument("file", metavar="RTCONF.LIS"),
+    click.option(
+        "--os",
+        "system",
+        type=click.Choice(["rtx", "vxworks", "intime", "linux"]),
+        default="rtx",
+        help="Whose priorities the list has [default: rtx].",
+    ),
+    click.option(
+        "--convention",
+        type=click.Choice(["auto", "table", "field"]),
+        default="auto",
+        help="Meaning of interrupt_source 1 and 2: what the line's comment says, 1 hardware and "
+        "2 timer, or 1 timer and 2 hardware.",
+    ),
+    click.option("--hal-timer", type=int, metavar="US", help="The period that RTX is set to."),
+    click.option("--function", "functions", multiple=True, help="A function of your own."),
+    click.option(
+        "--winsmall",
+        type=click.Choice(["slice", "off"]),
+        default="slice",
+        help="A windows_time below time_slice becomes time_slice, or is off.",
+    ),
+    click.option("--ignore-windows", is_flag=True, help="Guarantee no time to Windows."),
+    click.option("--lenient", is_flag=True, help="Missing values are warnings, not errors."),
+    click.option("--strict", is_flag=True, help="Exit code 1 for warnings."),
+    click.option(
+        "--lang", "language", type=click.Choice(["en", "de"]), default="en", help="Language."
+    ),
+    click.option("--quiet", is_flag=True, help="No notes."),
+)
+MODEL_OPTIONS = (
+    click.option("--load", metavar="FILE.toml", help="Execution times and interrupts."),
+    click.option(
+        "--overflow",
+        type=click.Choice(["skip", "pend", "queue"]),
+        default="skip",
+        help="Activations that find their thread busy: lost, one remembered, all remembered.",
+    ),
+    click.option(
+        "--calls",
+        type=click.Choice(["block", "interleave"]),
+        default="block",
+        help="Functions of a thread one after another, or in turn.",
+    ),
+    click.option(
+        "--suspend",
+        "suspension",
+        type=click.Choice(["ticks", "elapsed"]),
+        default="ticks",
+        help="Suspend by counted timer interrupts, or by the time since the NC interrupt.",
+    ),
+    click.option(
+        "--cpu-base", type=click.IntRange(0, 1), default=1, help="Number of the first CPU."
+    ),
+    click.option("--duration", metavar="TIME", help="So long [default: 1s]."),
+    click.option("--cycles", type=click.IntRange(min=1), metavar="N", help="So many NC cycles."),
+)
+OUTPUT_OPTIONS = (
+    click.option("--plot", metavar="FILE", help="Draw the schedule (.svg, .png, .html)."),
+    click.option("--vcd", metavar="FILE", help="Write an oscilloscope trace for GTKWave."),
+    click.option("--perfetto", metavar="FILE", help="Write a trace for ui.perfetto.dev (JSON)."),
+    click.option("--csv", metavar="FILE", help="Write all events as a table."),
+    click.option(
+        "--drawn",
+        type=click.IntRange(min=1, max=100_000),
+        metavar="N",
+        help="NC cycles in pictures and traces [default: one hyperperiod, at most 60].",
+    ),
+)
+
+
+def with_options(*options: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """All options at once, in their order."""
+
+    def add(function: Any) -> Any:
+        return functools.reduce(lambda found, option: option(found), reversed(options), function)
+
+    return add
+
+
+@dataclass(frozen=True, slots=True)
+class ListRead:
+    """A list that was read, and what was found in it."""
+
+    options: RtconfOptions
+    configuration: RtconfConfiguration
+    data: bytes
+    found: list[Diagnostic]
+
+
+def guarded(function: Callable[[dict[str, Any]], int], words: dict[str, Any]) -> int:
+    """``function``, and what cannot be used as diagnostics with exit code 2."""
+    try:
+        return function(words)
+    except Failure as failure:
+        print_diagnostics(failure.diagnostics, words["language"])
+        return EXIT_USAGE
+
+
+def _read(path: str) -> bytes:
+    if not Path(path).exists():
+        raise Failure(diagnostic(900500, file=path))
+    if Path(path).is_dir():
+        raise Failure(diagnostic(900501, file=path))
+    try:
+        return Path(path).read_bytes()
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise Failure(diagnostic(900503, file=path, reason=reason)) from error
+
+
+def read_list(words: dict[str, Any]) -> ListRead:
+    """The list that the words name, and what was found in it; raises ``Failure``."""
+    from nctakt.lists.rtconf_effective import load_rtconf  # noqa: PLC0415 - not for the help
+    from nctakt.lists.rtconf_profile import PROFILES, RtconfOptions  # noqa: PLC0415
+
+    options = RtconfOptions(
+        PROFILES[words["system"]],
+        words["convention"],
+        words["functions"],
+        words["winsmall"] == "off",
+        words["ignore_windows"],
+        words["hal_timer"],
+        words["lenient"],
+    )
+    data = _read(words["file"])
+    collector = Collector()
+    configuration = load_rtconf(words["file"], data, collector, options)
+    return ListRead(options, configuration, data, collector.diagnostics)
+
+
+def tell(found: list[Diagnostic], words: dict[str, Any]) -> None:
+    """Print diagnostics."""
+    lowest = Severity.WARNING if words["quiet"] else Severity.NOTE
+    print_diagnostics(found, words["language"], lowest)
+
+
+def exit_code(listed: list[Diagnostic], found: list[Diagnostic], words: dict[str, Any]) -> int:
+    """The exit code for what was found in the list, and for what was found later."""
+    if any(one.severity is Severity.ERROR for one in listed):
+        return EXIT_USAGE
+    worst = max((one.severity for one in (*listed, *found)), default=Severity.NOTE)
+    fails = worst is Severity.ERROR or (words["strict"] and worst is Severity.WARNING)
+    return EXIT_NC_ERROR if fails else EXIT_RAN
+
+
+def read_model_load(read: ListRead, words: dict[str, Any], collector: Collector) -> Load:
+    """The load that the words name, else the assumed one; raises ``Failure``."""
+    from nctakt.schedule.load import ASSUMED, read_load  # noqa: PLC0415
+    from nctakt.text import decode_text  # noqa: PLC0415
+
+    if words["load"] is None:
+        return ASSUMED
+    text = decode_text(_read(words["load"])).text
+    load = read_load(words["load"], text, collector)
+    if collector.has_errors:
+        raise Failure(*read.found, *collector.diagnostics)
+    return load
+
+
+def make_model(read: ListRead, load: Load, words: dict[str, Any], collector: Collector) -> Model:
+    """The model; raises ``Failure`` when list or load leave nothing to schedule."""
+    from nctakt.schedule.assemble import assemble  # noqa: PLC0415
+    from nctakt.schedule.model import Rules  # noqa: PLC0415
+
+    rules = Rules(words["overflow"], words["calls"], words["suspension"])
+    profile = read.options.profile
+    model = assemble(
+        read.configuration, load, profile, collector, rules=rules, cpu_base=words["cpu_base"]
+    )
+    placed = (1000180, 1000181)
+    errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
+    if any(one.id not in placed for one in errors) or not read.configuration.threads:
+        raise Failure(*read.found, *collector.diagnostics)
+    return model
+
+
+def wanted_cycles(model: Model, words: dict[str, Any]) -> int:
+    """How many NC cycles are simulated."""
+    from nctakt.schedule.model import NS_PER_US  # noqa: PLC0415
+    from nctakt.stimuli import parse_time  # noqa: PLC0415
+
+    if words["cycles"] is not None:
+        return int(words["cycles"])
+    duration = parse_time(words["duration"] or _DEFAULT_DURATION)
+    return max(1, duration * NS_PER_US // model.train.distance)
+
+
+def drawn_cycles(model: Model, words: dict[str, Any]) -> int:
+    """How many NC cycles pictures and traces show."""
+    from nctakt.schedule.simulate import hyperperiod  # noqa: PLC0415
+
+    return words["drawn"] or min(hyperperiod(model), _MOST_DRAWN)
+
+
+def check_outputs(words: dict[str, Any]) -> None:
+    """Whether all files can be made, before anything is simulated; raises ``Failure``."""
+    from nctakt.schedule.draw import check_picture  # noqa: PLC0415
+    from nctakt.schedule.traces import check_vcd  # noqa: PLC0415
+
+    if words["plot"] is not None:
+        check_picture(words["plot"])
+    if words["vcd"] is not None:
+        check_vcd()
+
+
+def write_outputs(run: Simulation, report: str, words: dict[str, Any]) -> None:
+    """Pictures and traces; ``report``: the text beside a picture of HTML. Raises ``Failure``."""
+    from nctakt.schedule.draw import write_picture  # noqa: PLC0415
+    from nctakt.schedule.traces import write_csv, write_perfetto, write_vcd  # noqa: PLC0415
+
+    try:
+        if words["plot"] is not None:
+            write_picture(run, Path(words["plot"]), words["language"], report)
+        for key, write in (("vcd", write_vcd), ("perfetto", write_perfetto), ("csv", write_csv)):
+            if words[key] is not None:
+                write(run, Path(words[key]))
+    except OSError as error:
+        name = str(error.filename or words["file"])
+        reason = error.strerror or str(error)
+        raise Failure(diagnostic(900507, file=name, reason=reason)) from error

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt schedule run``: a scheduling list for real, on this machine.
+
+In: the list, maybe a load, choices. Out: the tables of a run and of its simulation, diagnostics,
+pictures and traces, and the exit code as for a simulation.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nctakt.cli.schedule_options import (
+    LIST_OPTIONS,
+    MODEL_OPTIONS,
+    OUTPUT_OPTIONS,
+    ListRead,
+    check_outputs,
+    drawn_cycles,
+    exit_code,
+    guarded,
+    make_model,
+    read_list,
+    read_model_load,
+    tell,
+    wanted_cycles,
+    with_options,
+    write_outputs,
+)
+from nctakt.failure import Failure
+from nctakt.messages import Collector, diagnostic
+
+if TYPE_CHECKING:
+    from nctakt.linux.measure import Measurement
+    from nctakt.linux.plan import Plan
+    from nctakt.linux.run import RunLog
+    from nctakt.schedule.load import Load
+    from nctakt.schedule.model import Model
+
+_RUN_OPTIONS = (
+    click.option(
+        "--stand-in", is_flag=True, help="Play the external threads, too, as the load says."
+    ),
+    click.option("--no-fifo", is_flag=True, help="Ordinary scheduling even as root."),
+    click.option("--force", is_flag=True, help="Even if a processor would have no time left."),
+    click.option("--dry-run", is_flag=True, help="Say what would run where, and run nothing."),
+)
+
+
+@click.command("run", short_help="The schedule for real (Linux).")
+@with_options(*LIST_OPTIONS, *MODEL_OPTIONS, *_RUN_OPTIONS, *OUTPUT_OPTIONS)
+def run(**words: Any) -> int:
+    """Run the schedule: a process for each thread, that works as long as the load says.
+
+    External threads are other programs, which wait on the named semaphores of the list.
+    """
+    return guarded(_run, words)
+
+
+def _run(words: dict[str, Any]) -> int:
+    from nctakt.linux.machine import check_system  # noqa: PLC0415 - not for the help
+    from nctakt.linux.measure import measure  # noqa: PLC0415
+    from nctakt.linux.names import remove_stale  # noqa: PLC0415
+    from nctakt.linux.report import plan_report, run_report  # noqa: PLC0415
+    from nctakt.linux.run import run_plan  # noqa: PLC0415
+    from nctakt.schedule.findings import simulation_findings  # noqa: PLC0415
+    from nctakt.schedule.simulate import simulate  # noqa: PLC0415
+
+    check_system()
+    read = read_list(words)
+    collector = Collector()
+    load = _here(read_model_load(read, words, collector), collector)
+    model = make_model(read, load, words, collector)
+    plan = _plan(read, model, words, collector)
+    language = words["language"]
+    if words["dry_run"]:
+        tell([*read.found, *collector.diagnostics], words)
+        click.echo(plan_report(plan, language), nl=False)
+        return exit_code(read.found, collector.diagnostics, words)
+    check_outputs(words)
+    if names := remove_stale():
+        collector.report(900692, None, names=", ".join(names))
+    log = run_plan(plan)
+    measurement = measure(log, drawn_cycles(model, words))
+    _report_end(log, measurement, collector)
+    found = [*collector.diagnostics, *simulation_findings(measurement.run)]
+    tell([*read.found, *found], words)
+    simulated = simulate(model, measurement.run.cycles, record=0)
+    report = run_report(measurement, plan, simulated, language)
+    click.echo(report, nl=False)
+    write_outputs(measurement.run, report, words)
+    return exit_code(read.found, found, words)
+
+
+def _here(load: Load, collector: Collector) -> Load:
+    """The load on the processors of this machine."""
+    from nctakt.linux.machine import present_cpus, usable_cpus  # noqa: PLC0415
+
+    present, usable = present_cpus(), usable_cpus()
+    for key, given in (("cpus", load.cpus), ("offline", load.offline)):
+        if given:
+            collector.report(900690, None, key=key, cpus=", ".join(map(str, usable)))
+    offline = tuple(cpu for cpu in present if cpu not in usable)
+    return replace(load, cpus=max(present), offline=offline)
+
+
+def _plan(read: ListRead, model: Model, words: dict[str, Any], collector: Collector) -> Plan:
+    """What runs where; raises ``Failure`` (900687, 900688)."""
+    from nctakt.linux.machine import fifo_refusal  # noqa: PLC0415
+    from nctakt.linux.plan import crowded_cpus, make_plan  # noqa: PLC0415
+    from nctakt.lists.rtconf import InterruptSource  # noqa: PLC0415
+
+    source: str | None = None
+    if model.source is InterruptSource.HARDWARE:
+        collector.report(900683, None)
+    elif model.source is InterruptSource.SEMAPHORE:
+        source = read.configuration.external_object_name
+        if not source:
+            raise Failure(*read.found, diagnostic(900687, name="", reason="–"))
+    is_fifo = not words["no_fifo"]
+    if is_fifo and (reason := fifo_refusal()) is not None:
+        collector.report(900682, None, reason=reason)
+        is_fifo = False
+    plan = make_plan(
+        model,
+        wanted_cycles(model, words),
+        is_fifo=is_fifo,
+        plays_external=words["stand_in"],
+        source=source,
+    )
+    if is_fifo and not words["force"]:
+        crowded = [
+            diagnostic(900688, cpu=cpu, demand=f"{100 * demand:.0f}")
+            for cpu, demand in crowded_cpus(plan)
+        ]
+        if crowded:
+            raise Failure(*read.found, *collector.diagnostics, *crowded)
+    return plan
+
+
+def _report_end(log: RunLog, measurement: Measurement, collector: Collector) -> None:
+    """Report how the run ended, and what it could not have."""
+    from nctakt.linux.measure import late_wakes  # noqa: PLC0415
+    from nctakt.linux.run import placement_refusals  # noqa: PLC0415
+    from nctakt.schedule.findings import us  # noqa: PLC0415
+
+    cycles = measurement.run.cycles
+    for refused in placement_refusals(log):
+        collector.diagnostics.append(refused)
+    if log.was_stopped:
+        collector.report(900693, None, cycles=cycles)
+    if log.is_cut:
+        collector.report(900691, None, cycles=cycles)
+    if late := late_wakes(measurement):
+        collector.report(900694, None, count=len(late), latest=us(max(late)))

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""What the machine that a schedule is to run on can do.
+
+In: the machine. Out: its processors, whether the realtime scheduling class is permitted.
+Nothing is changed.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import sys
+from pathlib import Path
+
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.schedule.load import MOST_CPUS
+
+_ONLINE = Path("/sys/devices/system/cpu/online")
+_PRESENT = Path("/sys/devices/system/cpu/present")
+
+
+def check_system() -> None:
+    """Whether a schedule can run here; raises ``Failure`` (900680, 900681)."""
+    if sys.platform != "linux":
+        raise Failure(diagnostic(900680, system=sys.platform))
+    if importlib.util.find_spec("nctakt.linux.processes") is None:
+        raise Failure(diagnostic(900681))
+
+
+def parse_cpus(text: str) -> tuple[int, ...]:
+    """The processors that the system names (``0-2,4``), from 1 on, as many as a list can name."""
+    found: list[int] = []
+    for part in text.strip().split(","):
+        low, _, high = part.partition("-")
+        found += range(int(low) + 1, int(high or low) + 2)
+    return tuple(cpu for cpu in found if cpu <= MOST_CPUS)
+
+
+def present_cpus() -> tuple[int, ...]:
+    """The processors that the machine has, from 1 on."""
+    return parse_cpus(_PRESENT.read_text("ascii"))
+
+
+def usable_cpus() -> tuple[int, ...]:
+    """Those that are switched on and that this process may use."""
+    assert sys.platform == "linux"
+    allowed = {cpu + 1 for cpu in os.sched_getaffinity(0)}
+    return tuple(cpu for cpu in parse_cpus(_ONLINE.read_text("ascii")) if cpu in allowed)
+
+
+def fifo_refusal() -> str | None:
+    """Why the system does not permit SCHED_FIFO, in its words; ``None`` where it does."""
+    assert sys.platform == "linux"
+    policy, parameter = os.sched_getscheduler(0), os.sched_getparam(0)
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(1))
+    except OSError as error:
+        return error.strerror or str(error)
+    os.sched_setscheduler(0, policy, parameter)
+    return None

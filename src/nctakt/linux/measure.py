@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: MIT
+"""The log of a run -> the same numbers and the same record as a simulation gives.
+
+In: ``RunLog``. Out: ``Measurement``. Responses count from the moment when the NC interrupt should
+have come; what the timer was late is part of them. A cycle that was not finished does not count.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from dataclasses import dataclass, replace
+
+from nctakt.failure import Failure
+from nctakt.linux import area as layout
+from nctakt.linux.recording import RecordOfRun
+from nctakt.linux.run import RunLog
+from nctakt.messages import diagnostic
+from nctakt.schedule.counters import Counters
+from nctakt.schedule.model import NO_OVERHEADS, Model, suspension_point
+from nctakt.schedule.results import Simulation
+
+#: Windows' time counts as kept when no more of it than this part is missing: the timer is late
+#: now and then, and stopping a process takes time.
+TOLERATED = 10
+
+
+@dataclass(frozen=True, slots=True)
+class Measurement:
+    """A run: ``run`` in the form of a simulation.
+
+    ``timer``: how late the scheduler woke, each time, in ns. ``wakes``: for each task of the
+    model, how long after it was woken each of its jobs began.
+    """
+
+    run: Simulation
+    timer: tuple[int, ...]
+    wakes: tuple[tuple[int, ...], ...]
+
+
+def measure(log: RunLog, drawn: int) -> Measurement:
+    """All numbers, and a record of ``drawn`` NC cycles; raises ``Failure`` (900695)."""
+    interrupts = log.entries[log.entries["kind"] == layout.INTERRUPT]
+    begins: list[int] = interrupts["value"].tolist()
+    if len(begins) < 2:
+        raise Failure(diagnostic(900695))
+    return _Measuring(log, begins, drawn).result()
+
+
+class _Measuring:
+    def __init__(self, log: RunLog, begins: list[int], drawn: int) -> None:
+        model = log.plan.model
+        self._log = log
+        self._begins = begins
+        self._cycles = len(begins) - 1
+        self._end = begins[-1]
+        self._model = replace(model, overheads=NO_OVERHEADS)
+        kept = model.windows - model.windows // TOLERATED
+        self._counters = Counters(replace(model, windows=kept))
+        self._record = RecordOfRun(log, begins[: min(drawn, self._cycles) + 1])
+        self._ended = [0] * len(model.tasks)
+        self._released = [0] * len(model.tasks)
+        self._posted: list[dict[int, int]] = [{} for _ in model.tasks]
+        self._wakes: list[list[int]] = [[] for _ in model.tasks]
+        self._timer: list[int] = []
+        self._suspended = [False] * self._cycles
+        #: For each processor and cycle the time in which a task had it, and who was late.
+        places = max(model.cpus) + 1
+        self._taken = [[0] * self._cycles for _ in range(places)]
+        self._late: dict[tuple[int, int], list[int]] = {}
+        self._points = [suspension_point(model, begin) for begin in begins[:-1]]
+
+    def result(self) -> Measurement:
+        """Go through all entries in the order of time."""
+        self._count()
+        for cycle in range(self._cycles):
+            self._end_cycle(cycle)
+        tasks = list(self._counters.task_numbers(self._unfinished()))
+        for i, taken in enumerate(self._log.taken):
+            if taken is not None:
+                tasks[i] = replace(tasks[i], completed=min(taken, self._released[i]))
+        run = Simulation(
+            self._model,
+            self._cycles,
+            self._begins[0],
+            self._end,
+            tuple(tasks),
+            self._counters.windows_numbers(),
+            self._counters.missed,
+            self._counters.suspended_cycles,
+            None,
+            self._record.result(),
+        )
+        return Measurement(run, tuple(self._timer), tuple(tuple(one) for one in self._wakes))
+
+    def _count(self) -> None:
+        cycle = -1
+        for time, value, kind, i, call, cpu in self._log.entries.tolist():
+            if kind == layout.INTERRUPT:
+                cycle += 1
+                self._timer.append(time - value)
+            elif kind == layout.POINT:
+                self._timer.append(time - value)
+            elif kind == layout.SEGMENT:
+                self._segment(i, cpu, time, min(value, self._end))
+            elif kind == layout.END:
+                self._job_ends(i, value, time)
+            elif kind == layout.WAKE:
+                self._job_begins(i, value, time)
+            elif 0 <= cycle < self._cycles:
+                self._scheduled(kind, cycle, time, value, i, call)
+            self._record.entry(cycle, time, value, kind, i, call, cpu)
+
+    def _scheduled(self, kind: int, cycle: int, time: int, value: int, i: int, call: int) -> None:
+        """What the scheduler did in a cycle."""
+        counters = self._counters
+        if kind == layout.RELEASE:
+            counters.due[i] += 1
+            self._released[i] += 1
+            if not call:
+                self._posted[i][value] = time
+        elif kind == layout.OVERFLOW:
+            counters.overflow(i, self._begins[cycle])
+            if not call:
+                counters.due[i] += 1
+                counters.lost[i] += 1
+        elif kind == layout.SUSPEND:
+            counters.suspensions[i] += 1
+            self._suspended[cycle] = True
+
+    def _job_begins(self, i: int, job: int, time: int) -> None:
+        posted = self._posted[i].pop(job, None)
+        if posted is not None:
+            self._wakes[i].append(max(0, time - posted))
+
+    def _job_ends(self, i: int, job: int, time: int) -> None:
+        if time <= self._end:
+            self._counters.finish(i, time - self._log.due[i][job])
+            self._ended[i] += 1
+
+    def _segment(self, i: int, cpu: int, begin: int, end: int) -> None:
+        """A task had a processor for a while; a piece for each NC cycle."""
+        begin = max(begin, self._begins[0])
+        if end <= begin:
+            return
+        self._counters.busy[i] += end - begin
+        if cpu >= len(self._taken):
+            return
+        cycle = bisect_right(self._begins, begin) - 1
+        while begin < end:
+            until = min(end, self._begins[cycle + 1])
+            self._taken[cpu][cycle] += until - begin
+            point = self._points[cycle]
+            if point is not None and until > point:
+                self._late.setdefault((cycle, cpu), []).append(i)
+            begin = until
+            cycle += 1
+
+    def _end_cycle(self, cycle: int) -> None:
+        begin, end, point = self._begins[cycle], self._begins[cycle + 1], self._points[cycle]
+        idle = [max(0, end - begin - taken[cycle]) for taken in self._taken]
+        for cpu in self._model.windows_cpus:
+            for i in self._late.get((cycle, cpu), ()):
+                self._counters.runs_late(cpu, i)
+        self._counters.end_cycle(
+            idle,
+            point,
+            end,
+            is_missed=point is not None and point > end,
+            suspended=self._suspended[cycle],
+        )
+
+    def _unfinished(self) -> list[int | None]:
+        """Since when each task has a job at the end."""
+        return [
+            due[ended] if released > ended and ended < len(due) else None
+            for due, released, ended in zip(self._log.due, self._released, self._ended, strict=True)
+        ]
+
+
+def tolerated(model: Model) -> int:
+    """How much of Windows' time may be missing in a cycle, in ns."""
+    return model.windows // TOLERATED
+
+
+def late_wakes(measurement: Measurement) -> list[int]:
+    """How late the scheduler woke where that was more than one time slice, in ns."""
+    return [late for late in measurement.timer if late > measurement.run.model.slice]

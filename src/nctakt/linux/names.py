@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""The named semaphores of a run, and those that a killed run has left behind.
+
+In: names. Out: semaphores that exist while the run lasts. Before it makes one, a run writes its
+name into a file that it holds locked. The scheduler removes names and file at the end. If all
+processes were killed, the lock is free and the file still there: the next run removes what it
+names.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import os
+from contextlib import suppress
+from pathlib import Path
+
+from nctakt.diagnostics import Diagnostic
+from nctakt.failure import Failure
+from nctakt.linux.area import NAME_SIZE
+from nctakt.messages import diagnostic
+
+#: Where the system keeps named semaphores; gone after a restart, as they are.
+FOLDER = Path("/dev/shm")
+_PREFIX = "nctakt-schedule."
+#: What the system puts before a semaphore's name in ``FOLDER``.
+_SYSTEM_PREFIX = "sem."
+
+
+class SemaphoreNames:
+    """The semaphores of one run; raises ``Failure`` (900684, 900685, 900686)."""
+
+    def __init__(self, names: list[str]) -> None:
+        for name in names:
+            if "/" in name[1:] or len(os.fsencode(name)) > NAME_SIZE - len(_SYSTEM_PREFIX):
+                raise Failure(diagnostic(900684, name=name))
+        self._names = names
+        self._made: list[str] = []
+        self.record = FOLDER / f"{_PREFIX}{os.getpid()}"
+        self._handle = -1
+        if not names:
+            return
+        try:
+            self._handle = _open(self.record, os.O_CREAT | os.O_EXCL | os.O_WRONLY)
+            fcntl.flock(self._handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            raise Failure(_refusal(str(self.record), error)) from error
+        try:
+            for name in names:
+                self._make(name)
+        except Failure:
+            self.remove()
+            raise
+
+    def _make(self, name: str) -> None:
+        from nctakt.linux import processes  # noqa: PLC0415 - it may be missing
+
+        # First the record, then the semaphore: whatever exists is named there.
+        os.write(self._handle, f"{name}\n".encode())
+        try:
+            processes.create(name)
+        except FileExistsError as error:
+            raise Failure(diagnostic(900685, name=name)) from error
+        except OSError as error:
+            raise Failure(_refusal(name, error)) from error
+        self._made.append(name)
+
+    def remove(self) -> None:
+        """Remove all semaphores and the record."""
+        _remove_semaphores(self._made)
+        self._made.clear()
+        if self._names:
+            self.record.unlink(missing_ok=True)
+        self.release()
+
+    def release(self) -> None:
+        """Give the record's lock back; the scheduler has removed everything."""
+        if self._handle >= 0:
+            os.close(self._handle)
+            self._handle = -1
+
+
+def _open(path: Path, flags: int) -> int:
+    return os.open(path, flags | os.O_NOFOLLOW | os.O_CLOEXEC, 0o600)
+
+
+def _refusal(name: str, error: OSError) -> Diagnostic:
+    return diagnostic(900686, name=name, reason=error.strerror or str(error))
+
+
+def _remove_semaphores(names: list[str]) -> None:
+    from nctakt.linux import processes  # noqa: PLC0415 - it may be missing
+
+    for name in names:
+        with suppress(FileNotFoundError):
+            processes.remove(name)
+
+
+def remove_stale() -> list[str]:
+    """Remove what killed runs of this user have left behind; the semaphores' names."""
+    found: list[str] = []
+    for record in sorted(FOLDER.glob(f"{_PREFIX}*")):
+        try:
+            handle = _open(record, os.O_RDWR)
+        except OSError:  # somebody else's, or just gone
+            continue
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            if os.fstat(handle).st_uid == os.geteuid():
+                found += _clear(record, handle)
+        except BlockingIOError:  # its run is alive
+            pass
+        finally:
+            os.close(handle)
+    return found
+
+
+def _clear(record: Path, handle: int) -> list[str]:
+    names = os.read(handle, 1 << 16).decode("utf-8", "replace").split("\n")[:-1]
+    existing = [name for name in names if _file_of(name).exists()]
+    _remove_semaphores(existing)
+    record.unlink(missing_ok=True)
+    return existing
+
+
+def _file_of(name: str) -> Path:
+    return FOLDER / f"{_SYSTEM_PREFIX}{name[1:]}"

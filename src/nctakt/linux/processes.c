@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+/* nctakt.linux.processes: starts the processes of a run; named semaphores. */
+#define PY_SSIZE_T_CLEAN
+#define _GNU_SOURCE
+#include <Python.h>
+
+#include "processes.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#ifndef __linux__
+#error "a schedule runs for real on Linux only"
+#endif
+
+_Static_assert(sizeof(sem_t) <= 8 * sizeof(int64_t), "a semaphore needs more room in a task");
+
+int64_t clock_ns(int clock)
+{
+    struct timespec time;
+    clock_gettime(clock, &time);
+    return time.tv_sec * 1000000000LL + time.tv_nsec;
+}
+
+void write_entry(struct area *area, struct log *log, struct entry entry)
+{
+    int64_t count = atomic_load_explicit(&log->count, memory_order_relaxed);
+    if (count >= log->capacity) {
+        atomic_store(&area->is_full, 1);
+        return;
+    }
+    ((struct entry *)AT(area, log->entries))[count] = entry;
+    atomic_store_explicit(&log->count, count + 1, memory_order_release);
+}
+
+const int64_t *job_times(const struct area *area, const struct task *task, int64_t job)
+{
+    const int64_t *times = AT(area, task->times);
+    return times + job % task->rows * task->calls;
+}
+
+int64_t job_length(const struct area *area, const struct task *task, int64_t job)
+{
+    const int64_t *times = job_times(area, task, job);
+    int64_t length = 0;
+    for (int64_t i = 0; i < task->calls; i++)
+        length += times[i];
+    return length;
+}
+
+int use_fifo(int priority)
+{
+    struct sched_param parameter = {.sched_priority = priority};
+    return sched_setscheduler(0, priority ? SCHED_FIFO : SCHED_OTHER, &parameter) ? errno : 0;
+}
+
+int use_cpu(int cpu)
+{
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    CPU_SET(cpu - 1, &set);
+    return sched_setaffinity(0, sizeof set, &set) ? errno : 0;
+}
+
+static PyObject *spawn(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    Py_buffer buffer;
+    if (!PyArg_ParseTuple(arguments, "w*", &buffer))
+        return NULL;
+    struct area *area = buffer.buf;
+    pid_t parent = getpid(), pid = fork();
+    if (pid == 0) {
+        run_scheduler(area, parent);
+        _exit(0);
+    }
+    int error = errno;
+    PyBuffer_Release(&buffer);
+    if (pid < 0) {
+        errno = error;
+        return PyErr_SetFromErrno(PyExc_OSError);
+    }
+    return PyLong_FromLong(pid);
+}
+
+static PyObject *create(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    const char *name;
+    if (!PyArg_ParseTuple(arguments, "s", &name))
+        return NULL;
+    /* Any process may wait on it, whoever started that. */
+    mode_t mask = umask(0);
+    sem_t *semaphore = sem_open(name, O_CREAT | O_EXCL, 0666, 0);
+    umask(mask);
+    if (semaphore == SEM_FAILED)
+        return PyErr_SetFromErrnoWithFilename(PyExc_OSError, name);
+    sem_close(semaphore);
+    Py_RETURN_NONE;
+}
+
+static PyObject *remove_name(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    const char *name;
+    if (!PyArg_ParseTuple(arguments, "s", &name))
+        return NULL;
+    if (sem_unlink(name) != 0)
+        return PyErr_SetFromErrnoWithFilename(PyExc_OSError, name);
+    Py_RETURN_NONE;
+}
+
+static PyMethodDef methods[] = {
+    {"spawn", spawn, METH_VARARGS, "Start the scheduler over an area; its process ID."},
+    {"create", create, METH_VARARGS, "Make a named semaphore that must not exist; OSError."},
+    {"remove", remove_name, METH_VARARGS, "Remove a named semaphore; OSError."},
+    {NULL, NULL, 0, NULL},
+};
+
+static struct PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT,
+    .m_name = "processes",
+    .m_doc = "Starts the processes of a run; named semaphores.",
+    .m_size = 0,
+    .m_methods = methods,
+};
+
+PyMODINIT_FUNC PyInit_processes(void)
+{
+    PyObject *module = PyModule_Create(&definition);
+    if (module == NULL)
+        return NULL;
+    PyModule_AddIntConstant(module, "AREA_SIZE", sizeof(struct area));
+    PyModule_AddIntConstant(module, "TASK_SIZE", sizeof(struct task));
+    PyModule_AddIntConstant(module, "ENTRY_SIZE", sizeof(struct entry));
+    return module;
+}

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: MIT
+"""Runs a plan: starts the scheduler's process, waits for it, and leaves nothing behind.
+
+In: ``Plan``. Out: ``RunLog``. Raises ``Failure`` where the system refuses something, or when a
+process of the run was ended from outside.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import signal
+import time
+from dataclasses import dataclass
+from types import FrameType
+from typing import Any
+
+from nctakt.diagnostics import Diagnostic, Text
+from nctakt.failure import Failure
+from nctakt.linux import area as layout
+from nctakt.linux.area import AreaPart, Entries, SharedArea, TaskPart
+from nctakt.linux.names import SemaphoreNames
+from nctakt.linux.plan import Plan
+from nctakt.messages import diagnostic
+
+#: The scheduler is asked so often whether it has ended, in seconds.
+_LOOK = 0.02
+#: If it does not end so long after its time, it is killed, in seconds.
+_PATIENCE = 15.0
+_SIGNALS = (signal.SIGINT, signal.SIGTERM)
+
+
+@dataclass(frozen=True, slots=True)
+class RunLog:
+    """What the processes of a run wrote down.
+
+    ``due``: for each task of the model, when its jobs were due, in ns. ``taken``: how many
+    wake-ups of each external thread somebody took. ``was_stopped``: by Ctrl-C, SIGTERM; ``is_cut``:
+    no log had room for more. ``cpu_errors``: task and errno where a processor could not be had.
+    """
+
+    plan: Plan
+    entries: Entries
+    due: tuple[list[int], ...]
+    taken: tuple[int | None, ...]
+    was_stopped: bool
+    is_cut: bool
+    cpu_errors: tuple[tuple[int, int], ...]
+
+
+def run_plan(plan: Plan) -> RunLog:
+    """Run it to its end, or until a signal ends it."""
+    from nctakt.linux import processes  # noqa: PLC0415 - it may be missing
+
+    sizes = (ctypes.sizeof(AreaPart), ctypes.sizeof(TaskPart), layout.ENTRY.itemsize)
+    assert sizes == (processes.AREA_SIZE, processes.TASK_SIZE, processes.ENTRY_SIZE)
+    area = SharedArea(plan)
+    names = SemaphoreNames([task.semaphore for task in plan.tasks if task.semaphore])
+    try:
+        area.head.record = os.fsencode(names.record)
+        _wait(processes.spawn(area.memory), plan)
+    finally:
+        # A scheduler that was killed has cleaned nothing.
+        if area.head.is_clean:
+            names.release()
+        else:
+            names.remove()
+    return _log(plan, area)
+
+
+def _wait(pid: int, plan: Plan) -> None:
+    """Wait for the scheduler; signals to this process end the run, too."""
+
+    def pass_on(number: int, frame: FrameType | None) -> None:
+        os.kill(pid, signal.SIGTERM)
+
+    before = [signal.signal(number, pass_on) for number in _SIGNALS]
+    end = time.monotonic() + plan.moments[-1] / 1e9 + _PATIENCE
+    try:
+        while os.waitpid(pid, os.WNOHANG) == (0, 0):
+            if time.monotonic() > end:
+                os.kill(pid, signal.SIGKILL)
+            time.sleep(_LOOK)
+    finally:
+        for number, handler in zip(_SIGNALS, before, strict=True):
+            signal.signal(number, handler)
+
+
+def _log(plan: Plan, area: SharedArea) -> RunLog:
+    head = area.head
+    if head.status not in (layout.DONE, layout.STOPPED, layout.LOG_FULL):
+        raise Failure(_failure(plan, head))
+    due: list[list[int]] = [[] for _ in plan.tasks]
+    taken: list[int | None] = [None] * len(plan.tasks)
+    errors: list[tuple[int, int]] = []
+    for task, part in zip(plan.tasks, area.tasks, strict=True):
+        due[task.number] = area.due(part)
+        if not task.has_process:
+            taken[task.number] = part.jobs - part.waiting_at_end
+        if part.cpu_error:
+            errors.append((task.number, part.cpu_error))
+    return RunLog(
+        plan,
+        area.entries(),
+        tuple(due),
+        tuple(taken),
+        head.status == layout.STOPPED,
+        head.status == layout.LOG_FULL,
+        tuple(errors),
+    )
+
+
+def placement_refusals(log: RunLog) -> list[Diagnostic]:
+    """1000181 for each thread whose processor the system refused."""
+    names = {task.number: task.task for task in log.plan.tasks}
+    found: list[Diagnostic] = []
+    for number, error in log.cpu_errors:
+        reason = os.strerror(error)
+        task = names[number]
+        found.append(
+            diagnostic(1000181, thread=task.name, cpu=task.cpu, reason_en=reason, reason_de=reason)
+        )
+    return found
+
+
+def _failure(plan: Plan, head: Any) -> Diagnostic:
+    """Why a run could not begin, or did not come to its end."""
+    number = head.status_number
+    names = {task.number: task.task.name for task in plan.tasks}
+    if head.status == layout.NO_SEMAPHORE and head.status_task < 0:
+        return diagnostic(900687, name=plan.source or "", reason=os.strerror(number))
+    name = names.get(head.status_task, "")
+    if head.status == layout.NO_SEMAPHORE:
+        return diagnostic(900686, name=name, reason=os.strerror(number))
+    if head.status == layout.NO_PROCESS:
+        reason = Text(os.strerror(number), os.strerror(number))
+    elif head.status == layout.PROCESS_ENDED:
+        ended = signal.strsignal(number) if number else "exit"
+        reason = Text(f"{name}: {ended}", f"{name}: {ended}")
+    else:
+        reason = Text("the scheduler was killed", "der Scheduler wurde beendet")
+    return diagnostic(900689, reason_en=reason.en, reason_de=reason.de)

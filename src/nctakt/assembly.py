@@ -30,9 +30,10 @@ from nctakt.lists.machine import MachineConfiguration
 from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.nc.names import ChannelNames, Layout, Location
-from nctakt.nc.source import Source
+from nctakt.nc.outline import ProgramText
+from nctakt.results.instruction_tree import distinct
 from nctakt.results.run import FrozenValue, Reaction
-from nctakt.sources import SourceFiles, pack
+from nctakt.sources import SourceFiles
 from nctakt.text import nearest
 
 #: What an elementary instruction is taken to cost in virtual time, in ns (RC-503).
@@ -259,9 +260,13 @@ class Machine:
         """Whether nothing moves on the channel's path."""
         return bool(self.channels[0].path.has_stopped())
 
-    def surroundings(self, source: Source, notice: Callable[[Diagnostic], None]) -> Surroundings:
+    def surroundings(
+        self,
+        subprogram: Callable[[str, str, Span], ProgramText],
+        notice: Callable[[Diagnostic], None],
+        skip_levels: frozenset[int],
+    ) -> Surroundings:
         """What the decoder of a program works with."""
-        file = self.files.add(source.file, source.lines)
         axes = tuple(self.configuration.axes[i] for i in self.members)
         channel = self.configuration.channels[0]
         return Surroundings(
@@ -273,9 +278,11 @@ class Machine:
             self.cells,
             memoryview(self.memory),
             self.configuration.cycle_time_us,
-            lambda span: pack(file, span.line, span.column),
-            source.line_of,
+            self.files.number,
+            self.files.line_at,
             notice,
+            subprogram,
+            skip_levels,
         )
 
     # --- variables by name ----------------------------------------------------------------------

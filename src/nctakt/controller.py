@@ -8,7 +8,7 @@ know of each other: any number lives in one process.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
 from nctakt import loading
@@ -22,8 +22,7 @@ from nctakt.interface import Interface
 from nctakt.kernel import kernel as reasons
 from nctakt.kernel.cycles import DEFINED, HELD
 from nctakt.lists.machine import MachineConfiguration, MachineError, load_machine
-from nctakt.loading import NcText
-from nctakt.nc.syntax import Program
+from nctakt.loading import LoadedProgram, NcText
 from nctakt.plc import Plc
 from nctakt.results.probe_log import ProbeLog
 from nctakt.results.run import Run, RunState, RunStatistics, SaidMessage
@@ -63,7 +62,7 @@ class Controller:
         self._channel = self._machine.channels[0]
         self._kernel = self._machine.kernel
         self._feed: Feed | None = None
-        self._selected: Program | None = None
+        self._selected: LoadedProgram | None = None
         self._outcome: RunState | None = None
         self._events = EventDecoder(self.cycle_time_us, self._machine.registry)
         self._sinks: list[Sink] = []
@@ -73,7 +72,8 @@ class Controller:
         self._on_message: Callable[[SaidMessage], None] | None = None
         self._probes: ProbeLog | None = None
         self._image: ExternalImage | None = None
-        self._loaded: list[Program] = []
+        self._loaded: list[LoadedProgram] = []
+        self._skip_levels: frozenset[int] = frozenset()
 
     # --- state and variables --------------------------------------------------------------------
 
@@ -169,6 +169,7 @@ class Controller:
         on_message: Callable[[SaidMessage], None] | None = None,
         on_progress: Callable[[int, int | None], None] | None = None,
         on_cycle: Callable[[str, CycleDefinition], None] | None = None,
+        skip_levels: Collection[int] = (),
     ) -> Run:
         """Run programs one after another; their GLOBAL cycles and V.E and V.CH variables live on.
 
@@ -181,8 +182,10 @@ class Controller:
         a variable as an event in it. ``why`` keeps what each condition of the realtime cycles saw
         and did. Raises ``Failure`` for a name or value that does not
         fit; mistakes of the programs are in the result. ``on_cycle`` is told the name and the
-        definition of each realtime cycle when it is decoded.
+        definition of each realtime cycle when it is decoded. Blocks of the ``skip_levels`` 1 … 10
+        are left out.
         """
+        self._skip_levels = frozenset(skip_levels)
         first_tick = self.tick
         for name, value in (initial or {}).items():
             self._machine.write(name, value)
@@ -251,7 +254,7 @@ class Controller:
             return None
         self._probes = None
         self._machine.record.records_series = False
-        histories = log.histories(loaded)
+        histories = log.histories([text for one in loaded for text in one.texts])
         ticks = self.tick - first_tick
         return WhyReport(self.cycle_time_us, first_tick, ticks, histories, log.left_out)
 
@@ -329,7 +332,7 @@ class Controller:
 
     # --- the loop decoder <-> kernel ------------------------------------------------------------
 
-    def _begin(self, program: Program) -> None:
+    def _begin(self, program: LoadedProgram) -> None:
         """Put a checked program at the start of the channel.
 
         What an error or a limit of an earlier run has left is reset first.
@@ -337,10 +340,10 @@ class Controller:
         if self._channel.is_stopped or self._feed is not None:
             self.reset()
         self._outcome = None
-        self._feed = Feed(self._machine, program, self.diagnostics.append)
+        self._feed = Feed(self._machine, program, self.diagnostics.append, self._skip_levels)
         self._channel.panel.begin_program()
 
-    def _arm(self, program: Program) -> None:
+    def _arm(self, program: LoadedProgram) -> None:
         """Let a program wait for START."""
         self._outcome = None
         self._selected = program

@@ -17,33 +17,37 @@ from nctakt.decoder.state import state_at_program_start
 from nctakt.decoder.surroundings import DecodeError
 from nctakt.diagnostics import Diagnostic
 from nctakt.kernel.channel import LOW_WATER, TIMED_KINDS
-from nctakt.nc.syntax import Program
+from nctakt.loading import LoadedProgram
 
 #: Commands that take time, up to which the queue is filled.
 HIGH_WATER = 64
 
 
 class Feed:
-    """One program on its way into the machine's channel; ``report`` takes what stops it."""
+    """One program on its way into the machine's channel; ``report`` takes what stops it.
+
+    Blocks of ``skip_levels`` are left out.
+    """
 
     def __init__(
         self,
         machine: Machine,
-        program: Program,
+        program: LoadedProgram,
         report: Callable[[Diagnostic], None],
+        skip_levels: frozenset[int] = frozenset(),
     ) -> None:
         assert LOW_WATER < HIGH_WATER
         self._machine = machine
         self._channel = machine.channels[0]
         self._report = report
-        self._number = machine.registry.add_program(program.source.file)
-        self._surroundings = machine.surroundings(program.source, report)
+        self._number = machine.registry.add_program(program.text.source.file)
+        self._surroundings = machine.surroundings(program.subprogram, report, skip_levels)
         state = state_at_program_start(machine.parameters.program_start, machine.positions())
         registry = machine.registry
         self._decoder = ProgramDecoder(
             self._surroundings, state, registry.next_cycle, registry.keep
         )
-        self._decoded: Generator[Command, Answer] = self._decoder.decode(program)
+        self._decoded: Generator[Command, Answer] = self._decoder.decode(program.text)
         self.given_up: Diagnostic | None = None
         self._waiting: Command | None = None
         self._pending: commands.LoadCycle | None = None

@@ -1,19 +1,28 @@
 # SPDX-License-Identifier: MIT
-"""Program load: a file or text -> a checked program, with all its mistakes reported at once."""
+"""Program load: a file or text -> a checked program with all that it calls.
+
+All mistakes are reported at once: those of the program, of the files that it calls by constant
+names, of the files that these call, and so on. A subprogram whose name is computed is read when it
+is called. Where files are searched: ``search_folders``.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 
 from nctakt.assembly import Machine
-from nctakt.diagnostics import Diagnostic
+from nctakt.decoder.surroundings import DecodeError
+from nctakt.diagnostics import Diagnostic, Span
 from nctakt.failure import Failure
+from nctakt.lists.channel_configuration import ChannelParameters
+from nctakt.lists.files import find_below, find_file
 from nctakt.messages import Collector, diagnostic
-from nctakt.nc.check import check
-from nctakt.nc.parser import parse_program
+from nctakt.nc.check_words import Role
+from nctakt.nc.inspection import inspect
+from nctakt.nc.outline import ProgramText
 from nctakt.nc.source import Source
-from nctakt.nc.syntax import Program
+from nctakt.nc.syntax import StringLiteral
 from nctakt.text import decode_text, split_lines
 
 
@@ -30,26 +39,141 @@ def name_of(program: str | Path | NcText) -> str:
     return program.name if isinstance(program, NcText) else str(program)
 
 
-def load(program: str | Path | NcText, machine: Machine, diagnostics: list[Diagnostic]) -> Program:
-    """Read, parse and check; what is found goes to ``diagnostics``.
+def search_folders(caller: str, parameters: ChannelParameters, machine_folder: Path) -> list[Path]:
+    """Where a subprogram that the file ``caller`` calls is searched, one folder after the other.
+
+    The caller's own folder; then those of the channel list for subprograms, by priority, then in
+    their order (P-CHAN-00401 … 00404), relative to the machine's folder or to the one above it.
+    """
+    folders = [Path(caller).parent]
+    paths = [path for path in parameters.program_paths if path.holds_subprograms]
+    for path in sorted(paths, key=lambda one: one.priority):
+        plain = Path(path.folder.replace("\\", "/"))
+        near, above = machine_folder / plain, machine_folder / ".." / plain
+        folders.append(above if not near.is_dir() and above.is_dir() else near)
+    return list(dict.fromkeys(folders))
+
+
+def find_program(name: str, folders: list[Path]) -> Path | None:
+    """The file of this name in the first folder that has it."""
+    if PureWindowsPath(name).drive or Path(name).is_absolute():
+        return find_file(name.replace("\\", "/"), Path())
+    return next((found for folder in folders if (found := find_below(name, folder))), None)
+
+
+def missing(name: str, folders: list[Path], span: Span, line: str) -> Diagnostic:
+    """The diagnostic of a file that is in none of the folders."""
+    if PureWindowsPath(name).drive or Path(name).is_absolute():
+        searched = name
+    else:
+        searched = ", ".join(folder.as_posix() for folder in folders)
+    return diagnostic(900131, span, line, name=name, folders=searched)
+
+
+class LoadedProgram:
+    """A program with the files that it calls; ``text`` is its own, ``texts`` are all."""
+
+    def __init__(self, machine: Machine) -> None:
+        self._machine = machine
+        self._files: dict[Path, ProgramText] = {}
+        self.texts: list[ProgramText] = []
+
+    @property
+    def text(self) -> ProgramText:
+        """The main program's."""
+        return self.texts[0]
+
+    def add(self, source: Source, collector: Collector, role: Role) -> ProgramText:
+        """Check a text."""
+        machine = self._machine
+        machine.files.add(source.file, source.lines)
+        text = inspect(source, machine.names, machine.parameters, collector, role=role)
+        self.texts.append(text)
+        return text
+
+    def add_called(self, text: ProgramText, collector: Collector) -> None:
+        """Check the files that a text calls, and those that these call."""
+        waiting = [text]
+        while waiting:
+            text = waiting.pop(0)
+            for call in text.calls:
+                assert isinstance(call.name, StringLiteral)
+                known = len(self.texts)
+                self._find(call.name.value, text.source.file, call.span, collector)
+                waiting += self.texts[known:]
+
+    def add_implicit(self, collector: Collector) -> None:
+        """Check the programs that the channel list names, as if the main program called them."""
+        implicit = self._machine.parameters.implicit_programs
+        names = [implicit.program_start, implicit.program_end, implicit.m6]
+        for name in (*names, *implicit.g800.values()):
+            if name:
+                known = len(self.texts)
+                self._find(name, self.text.source.file, self.text.main.span, collector)
+                for text in self.texts[known:]:
+                    self.add_called(text, collector)
+
+    def _find(self, name: str, caller: str, span: Span, collector: Collector) -> ProgramText | None:
+        """The text of a file that is called; what is wrong goes to ``collector``."""
+        folders = search_folders(caller, self._machine.parameters, self._folder)
+        path = find_program(name, folders)
+        if path is None:
+            line = self._machine.files.line_at(span)
+            collector.diagnostics.append(missing(name, folders, span, line))
+            return None
+        key = path.resolve()
+        if key not in self._files:
+            try:
+                source = Source(str(path), split_lines(_read(path)))
+            except Failure as failure:
+                collector.diagnostics += failure.diagnostics
+                return None
+            self._files[key] = self.add(source, collector, "called")
+        return self._files[key]
+
+    @property
+    def _folder(self) -> Path:
+        return self._machine.configuration.folder
+
+    def subprogram(self, name: str, caller: str, span: Span) -> ProgramText:
+        """The text of a file that the file ``caller`` calls at ``span``.
+
+        It is read and checked now if it has not been before. Raises ``DecodeError`` with the first
+        of the errors in it.
+        """
+        collector = Collector()
+        known = len(self.texts)
+        found = self._find(name, caller, span, collector)
+        if found is not None and len(self.texts) > known:
+            self.add_called(found, collector)
+        errors = [one for one in collector.diagnostics if one.severity.name == "ERROR"]
+        if errors:
+            raise DecodeError(errors[0])
+        assert found is not None
+        return found
+
+
+def load(
+    program: str | Path | NcText, machine: Machine, diagnostics: list[Diagnostic]
+) -> LoadedProgram:
+    """Read, parse and check a program with all that it calls; findings go to ``diagnostics``.
 
     Raises ``Failure`` with the errors when there are any.
     """
     collector = Collector()
-    name = name_of(program)
-    text = program.text if isinstance(program, NcText) else _read(Path(program), collector)
-    source = Source(name, split_lines(text))
-    tree = parse_program(source, collector)
-    check(tree, machine.names, machine.parameters, collector)
-    machine.files.add(source.file, source.lines)
+    text = program.text if isinstance(program, NcText) else _read(Path(program))
+    loaded = LoadedProgram(machine)
+    main = loaded.add(Source(name_of(program), split_lines(text)), collector, "main")
+    loaded.add_called(main, collector)
+    loaded.add_implicit(collector)
     diagnostics += collector.diagnostics
     errors = [found for found in collector.diagnostics if found.severity.name == "ERROR"]
     if errors:
         raise Failure(*errors)
-    return tree
+    return loaded
 
 
-def _read(path: Path, collector: Collector) -> str:
+def _read(path: Path) -> str:
     """The text of a program file; ``Failure`` where there is none."""
     if not path.exists():
         raise Failure(diagnostic(900500, file=str(path)))

@@ -71,6 +71,13 @@ class SourceFiles:
         self._by_name[file] = len(self._files) - 1
         return len(self._files) - 1
 
+    def number(self, span: Span) -> int:
+        """The number of the place where a span begins; ``NO_SOURCE`` in a text never added."""
+        file_index = self._by_name.get(span.file)
+        if file_index is None:
+            return NO_SOURCE
+        return pack(file_index, span.line, span.column)
+
     def place(self, source: int) -> Span | None:
         """The place as a span of one character; ``None`` for ``NO_SOURCE``."""
         file_index, line, column = unpack(source)

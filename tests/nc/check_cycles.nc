@@ -96,7 +96,7 @@ M30
   $IF 0
     ::: ; error 900229 "no NC text"
   $ENDIF
-  #IF V.E.VALUE ; error 900200 "#IF"
+  #IF V.E.VALUE ; error 22002 "#IF"
   #ENDIF
 #RT CYCLE END
 ; --- constructs without meaning in a cycle (RC-208)

@@ -12,9 +12,9 @@ from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.lists.machine import MachineConfiguration, load_machine
 from nctakt.lists.technology import TechnologyFunction
 from nctakt.messages import Collector
-from nctakt.nc.check import check
+from nctakt.nc.check_words import Role
+from nctakt.nc.inspection import inspect
 from nctakt.nc.names import ChannelNames, Layout, NameTable
-from nctakt.nc.parser import parse_program
 from nctakt.nc.source import Source
 
 
@@ -55,11 +55,14 @@ def demo_channel() -> Channel:
 
 
 def findings(
-    lines: tuple[str, ...], parameters: ChannelParameters | None = None, file: str = "p.nc"
+    lines: tuple[str, ...],
+    parameters: ChannelParameters | None = None,
+    file: str = "p.nc",
+    role: Role = "main",
 ) -> list[Diagnostic]:
     """The diagnostics of parser and checker, each in the order of the text."""
     channel = demo_channel()
     collector = Collector()
-    program = parse_program(Source(file, lines), collector)
-    check(program, channel.names, parameters or channel.parameters, collector)
+    source = Source(file, lines)
+    inspect(source, channel.names, parameters or channel.parameters, collector, role=role)
     return collector.diagnostics

@@ -55,8 +55,8 @@ P1 = V.L.B[3] ; error 900200 "V.L.B[]"
 V.S.C ; error 900200 "V.S.C"
 P1 = V.G.NP[1].V.X ; error 900200 "V.G.NP[].V.X"
 P1 = V.A.+SWE_MDS.Z ; error 900200 "V.A.+SWE_MDS.Z"
-P1 = @P1 ; error 900200 "@P"
-@P1 = 3 ; error 900200 "@P"
+P1 = @P1
+@P1 = 3
 #VAR ; error 900200 "#VAR"
   V.L.A
 #ENDVAR
@@ -120,9 +120,9 @@ P1 = IS_STRING[P1] ; error 900200 "IS_STRING"
 P1 = SIN ; error 900221 "SIN"
 P1 = TRU ; error 900221 "TRU"
 ; --- structures of control
-$GOTO N10 ; error 900200 "$GOTO"
-$GOTO [MARK] ; error 900200 "$GOTO"
-$IF P1 $GOTO N20 ; error 900200 "$GOTO"
+$GOTO N10 ; error 900126 "N10"
+$GOTO [MARK] ; error 900126 "MARK"
+$IF P1 $GOTO N20 ; error 900126 "N20"
 $BREAK ; error 900223 "$BREAK"
 $CONTINUE ; error 900223 "$CONTINUE"
 $SWITCH V.E.NONE ; error 900213 "V.E.NONE"
@@ -148,10 +148,10 @@ $REPEAT
 $UNTIL V.E.NONE ; error 900213 "V.E.NONE"
 $FOR P1 = V.E.NONE, V.E.NEITHER, V.E.NOR ; error 900213 "NONE"; error 900213 "NEITHER"; error 900213 "NOR"
 $ENDFOR
-$FOR @P1 = 1, 2, 1 ; error 900200 "@P"
+$FOR @P1 = 1, 2, 1
 $ENDFOR
-#IF P1 > 3 ; error 900200 "#IF"
-G99
+#IF P1 > 3
+G99 ; error 900200 "G99"
 #ENDIF
 ; --- what never runs is not checked
 $IF 0

@@ -60,8 +60,6 @@ T1 D2 ; error 900200 "T1"; error 900200 "D2"
 E100 ; error 900200 "E100"
 X[INDP G90 POS=10] ; error 900200 "X[INDP] (independent motion of an axis)"
 Z[DIST_CTRL OFF] ; error 900200 "Z[…]"
-M17 ; error 900200 "M17"
-M17[MAIN] ; error 900200 "M17[…]"
 M110=130 ; error 900200 "M110=130"
 M@P6 ; error 900200 "M@P6"
 GP1 X1 ; error 900200 "GP1"
@@ -74,9 +72,6 @@ M200 ; error 900200 "M200 (M or H function of one axis)"
 H200 ; error 900200 "H200"
 "MACRO" ; error 900200 "macro"
 "DRILL" = "G1 Z-10" ; error 900200 "macro"
-L file.nc ; error 900200 "L (call of a subprogram in a file)"
-LL SUB ; error 900200 "LL (call of a local subprogram)"
-L CYCLE [NAME=drill.nc @P1=3] ; error 900200 "L ("
 G04 S10 ; error 900200 "G04 S (dwell in revolutions)"
 M30
 ; --- nobody knows it
@@ -140,3 +135,84 @@ M30
 ; --- block numbers are values
 N[P1*10] G0 X1
 N[V.E.NONE] G0 X1 ; error 900213 "V.E.NONE"
+; --- ends and returns of subprograms
+%L SUB
+M17 [MAIN]
+%L OTHER
+$IF P1
+  M29
+  M17 [JUMPS=2 N20]
+  M17 [JUMPS=P1 [MARK]]
+  M17 [MARK]
+  M17 N20
+  M17 [JUMPS] ; error 900135 "JUMPS says nothing about a return"
+  M17 [MAIN JUMPS=2] ; error 900135 "JUMPS"
+  M17 [5] ; error 900135 "5"
+  M30 ; warning 900124 "M30 in a subprogram ends the main program"
+$ENDIF
+M17
+what follows the end is not checked
+%L SUB ; error 900130 "the local subprogram SUB begins in line 1 already"
+M17
+%MAIN
+M17 ; error 900123 "M17 ends a subprogram, and this is the main program"
+M29 [MAIN] ; error 900123 "M29"
+M30
+; --- calls
+%L SUB
+M17
+%MAIN
+L file.nc
+L "folder\file name.nc"
+L V.E.TEXT
+L CYCLE [NAME=file.nc @P1="text" @P200=[1+P2]]
+LL SUB
+G00 X1 LL SUB
+LL SAB ; error 900129 "no local subprogram SAB"
+LL CYCLE [NAME=SUB @P1=V.E.NONE] ; error 900213 "V.E.NONE"
+LL CYCLE [NAME=SUB @P1=1 @P1=2] ; error 900224 "@P1"
+LL CYCLE [NAME=SUB @P201=1] ; error 900133 "@P201"
+LL CYCLE [NAME=SUB @P1] ; error 900133 "@P1"
+LL CYCLE [NAME=SUB COLOUR=1] ; error 900133 "COLOUR is nothing that a call hands over"
+LL CYCLE [NAME=SUB MODAL_MOVE @P1=1] ; error 900200 "MODAL_MOVE"
+$IF 0
+  LL NOWHERE
+$ENDIF
+M30
+; --- jumps
+N10: G00 X1
+$GOTO N10
+$GOTO N010
+$GOTO [MARK]
+$GOTO N40 ; error 900126 "this program has no label N40"
+$IF P1 $GOTO [mark]
+$IF 0
+  [DEAD] X2 Q3 ; error 900203 "Q3"
+$ENDIF
+$WHILE P1
+  [INSIDE] G00 X3
+  $GOTO [INSIDE] ; error 900127 "the label INSIDE stands in a loop"
+  $GOTO [MARK]
+$ENDWHILE
+N30: X1
+N30: X2
+$GOTO N30 ; error 900128 "N30 stands twice"
+$IF 1
+  [MARK] X4
+$ENDIF
+$GOTO [BEHIND]
+M30
+Q1
+[BEHIND] Q2 ; error 900203 "Q2"
+Q3 ; error 900203 "Q3"
+; --- conditions of preprocessing
+#IF P1 == 1
+  Q1 ; error 900203 "Q1"
+#ELSE
+  G00 X1
+#ENDIF
+/#IF 0
+  Q1
+#ENDIF
+N10 #IF 1 ; error 900125 "no block number stands before #IF"
+#ENDIF

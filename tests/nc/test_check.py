@@ -31,11 +31,12 @@ def test_realtime_cycles_need_p_chan_00406() -> None:
 
 
 def test_a_tool_change_program_is_a_call() -> None:
-    """M6 with a subprogram of its own (P-CHAN-00118) is refused as a call."""
+    """M6 with a subprogram of its own (P-CHAN-00118) needs no entry in the channel list."""
     parameters = demo_channel().parameters
     programs = replace(parameters.implicit_programs, m6="change.nc")
     found = findings(("M6",), replace(parameters, implicit_programs=programs))
-    assert [one.id for one in found] == [900200]
+    assert found == []
+    assert [one.id for one in findings(("M6",))] == [900205]
 
 
 def test_a_channel_without_axes_knows_no_axis() -> None:

@@ -64,6 +64,7 @@ def perform(folder: Path, names: set[str], work: Path, programs: str = "*.nc") -
         waits_for_start=given.get("waits_for_start", False),
         record_writes=given.get("record_writes", True),
         signals=sorted(names),
+        skip_levels=given.get("skip", ()),
     )
 
 

@@ -76,6 +76,7 @@ class _Checker:
 
     def __init__(self, machine: Machine, verbose: bool) -> None:
         self._names = machine.names
+        self._folder = machine.configuration.folder
         self._parameters = machine.parameters
         context = machine.channels[0].context
         self._budget = Budget(context.max_steps, context.budget_steps)
@@ -174,7 +175,9 @@ class _Checker:
         self._files[name] = PROGRAM
         collector = Collector()
         source = Source(name, split_lines(text))
-        uses = check_program(source, self._names, self._parameters, self._budget, collector)
+        uses = check_program(
+            source, self._names, self._parameters, self._budget, collector, self._folder
+        )
         self._global_cycles.append(uses)
         self._keep(name, collector.diagnostics)
 

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, ParamSpec, TypeVar
 from nctakt.diagnostics import Diagnostic, Language
 from nctakt.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.nc.heads import SKIP_LEVELS
 from nctakt.stimuli import Stimulus, parse_assignment, parse_stimulus, parse_time
 
 if TYPE_CHECKING:
@@ -42,6 +43,7 @@ class Options:
     until: str | None
     after: str
     plc: str | None
+    skip: str = ""
     trace: str | None = None
     signals: str | None = None
     diagnosis: str | None = None
@@ -63,6 +65,7 @@ class Request:
     after_us: int
     signals: tuple[str, ...] | None
     plc: Plc | None
+    skip_levels: tuple[int, ...]
 
 
 class _Reader:
@@ -96,6 +99,7 @@ def read_request(options: Options) -> Request:
     until = () if options.until is None else reader.read(parse_time, options.until)
     after = reader.read(parse_time, options.after)
     plc = () if options.plc is None else reader.read(_load_plc, options.plc)
+    skip_levels = reader.read(_skip_levels, options.skip)
     signals = None if options.signals is None else split_names(options.signals)
     if reader.found:
         raise Failure(*reader.found)
@@ -107,7 +111,17 @@ def read_request(options: Options) -> Request:
         after[0],
         signals,
         next(iter(plc), None),
+        skip_levels[0],
     )
+
+
+def _skip_levels(text: str) -> tuple[int, ...]:
+    """The levels in a list divided by commas."""
+    words = [word.strip() for word in text.split(",") if word.strip()]
+    wrong = [word for word in words if not word.isdecimal() or not 1 <= int(word) <= SKIP_LEVELS]
+    if wrong:
+        raise Failure(diagnostic(900490, found=wrong[0], most=SKIP_LEVELS))
+    return tuple(int(word) for word in words)
 
 
 def _check_program(program: str) -> None:

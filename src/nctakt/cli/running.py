@@ -60,6 +60,9 @@ def run_options(stimulus: str, language_of: str) -> Callable[[_Command], _Comman
         click.option(
             "--after", metavar="TIME", default="0", help="Go on so long after the last program."
         ),
+        click.option(
+            "--skip", metavar="N,...", default="", help="Leave out blocks of these skip levels."
+        ),
         click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC."),
         click.option(
             "--lang",
@@ -147,6 +150,7 @@ def run_programs(
                 on_message=show_message,
                 on_progress=show_progress,
                 on_cycle=on_cycle,
+                skip_levels=request.skip_levels,
             )
     except PlcError as failure:
         bar.hide()

@@ -7,9 +7,9 @@ A generator of commands that waits by yielding: a command that ``waits`` gets it
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Sequence
-from typing import Literal
+from collections.abc import Callable, Generator, Iterable, Sequence
 
+from nctakt.decoder.calls import Calls
 from nctakt.decoder.commands import (
     CONTROL_ACTIONS,
     Answer,
@@ -23,19 +23,18 @@ from nctakt.decoder.commands import (
     UserMessage,
 )
 from nctakt.decoder.cycles import SCOPES, CycleBuilder, CycleDefinition
+from nctakt.decoder.flow import Decoded, Flow, Jump, Return, Signal
+from nctakt.decoder.levels import MOST_LEVELS, MOST_NESTED, Level
 from nctakt.decoder.state import ModalState
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.decoder.texts import FormatError, format_text
 from nctakt.decoder.values import Values
 from nctakt.decoder.words import Words
+from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
 from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG
-from nctakt.messages import diagnostic
 from nctakt.nc import syntax
-
-#: What a statement list says to the structure around it.
-Signal = Literal["", "break", "continue", "end"]
-Decoded = Generator[Command, Answer, Signal]
+from nctakt.nc.outline import ProgramText, leads_to
 
 #: Blocks that may be decoded in a row without one that takes time (a loop that never moves).
 MOST_BLOCKS_WITHOUT_TIME = 100_000
@@ -64,37 +63,106 @@ class ProgramDecoder:
         self._state = state
         self._values = Values(surroundings, state)
         self._words = Words(self._values)
+        self._calls = Calls(self._values)
+        self._flow = Flow(self._values, self._statements, self._count)
+        self._levels = state.levels
         self._next_cycle = next_cycle
         self._keep_cycle = keep_cycle
         self._blocks = 0
+        self._nested = 0
 
-    def decode(self, program: syntax.Program) -> Generator[Command, Answer]:
-        """The commands of the main program, the last one its end."""
-        yield from self._statements(program.statements)
+    def decode(self, program: ProgramText) -> Generator[Command, Answer]:
+        """The commands of a run of the main program, the last one its end.
+
+        The channel list may name programs that run before it and behind it.
+        """
+        implicit = self._surroundings.parameters.implicit_programs
+        level = Level(program, program.main)
+        self._levels.stack.append(level)
+        signal: Signal = ""
+        if implicit.program_start:
+            start = self._calls.implicit(implicit.program_start, program.main.span)
+            signal = yield from self._call(start, program.main.span)
+        if not signal:
+            yield from self._level(level)
+        if implicit.program_end:
+            end = self._calls.implicit(implicit.program_end, program.main.span)
+            yield from self._call(end, program.main.span)
         yield ProgramEnd(0, 0)
 
     def took_time(self) -> None:
         """The one who takes the commands has seen one that takes time."""
         self._blocks = 0
 
+    # --- programs -------------------------------------------------------------------------------
+
+    def _level(self, level: Level) -> Decoded:
+        """A program from its start to its end; jumps begin it again at their label."""
+        label: str | None = None
+        while True:
+            statements = level.text.statements(level.section, label)
+            signal = yield from self._statements(statements, label)
+            if not isinstance(signal, Jump):
+                return signal
+            label = signal.label
+            if label not in level.section.labels or label in level.section.doubled:
+                self._values.fail(900309, signal.span, label=label, name=level.section.name)
+
+    def _call(self, level: Level, span: Span) -> Decoded:
+        """A subprogram; what is said to the caller behind it."""
+        if len(self._levels.stack) >= MOST_LEVELS:
+            self._values.fail(900307, span, limit=MOST_LEVELS)
+        self._levels.stack.append(level)
+        signal = yield from self._level(level)
+        self._levels.stack.pop()
+        if not isinstance(signal, Return):
+            return signal
+        calls = len(self._levels.stack) if signal.calls is None else signal.calls
+        if calls > 1:
+            return Return(calls - 1, signal.label, signal.span)
+        return "" if signal.label is None else Jump(signal.label, signal.span)
+
     # --- statements -----------------------------------------------------------------------------
 
-    def _statements(self, statements: Sequence[syntax.Statement]) -> Decoded:
+    def _statements(
+        self, statements: Iterable[syntax.Statement], label: str | None = None
+    ) -> Decoded:
+        """Statement by statement; from the one on that a label stands at or in."""
+        self._nested += 1
         for statement in statements:
-            signal = yield from self._statement(statement)
+            if label is None:
+                signal = yield from self._statement(statement)
+            elif not leads_to(statement, label):
+                continue
+            elif statement.head.label == label:
+                label = None
+                signal = yield from self._statement(statement)
+            else:
+                self._count(statement.span)
+                inside, label = label, None
+                signal = yield from self._flow.enter(statement, inside)
             if signal:
+                self._nested -= 1
                 return signal
+        self._nested -= 1
         return ""
 
-    def _statement(self, statement: syntax.Statement) -> Decoded:
+    def _count(self, span: Span) -> None:
+        """A block, or a pass of a loop: neither goes on for ever without taking time."""
         self._blocks += 1
         if self._blocks > MOST_BLOCKS_WITHOUT_TIME:
-            self._values.fail(900303, statement.span, count=MOST_BLOCKS_WITHOUT_TIME)
+            self._values.fail(900303, span, count=MOST_BLOCKS_WITHOUT_TIME)
+        if self._nested > MOST_NESTED:
+            self._values.fail(900308, span, limit=MOST_NESTED)
+
+    def _statement(self, statement: syntax.Statement) -> Decoded:
+        self._count(statement.span)
+        if statement.head.skip in self._surroundings.skip_levels:
+            return ""
         number = yield from self._number(statement.head)
         match statement:
             case syntax.Block():
-                ends = yield from self._words.block(statement, number)
-                return "end" if ends else ""
+                return (yield from self._block(statement, number))
             case syntax.Assignment():
                 yield from self._values.assign(statement, number)
             case syntax.VariableBlock():
@@ -103,116 +171,47 @@ class ProgramDecoder:
                 return "break"
             case syntax.Continue():
                 return "continue"
-            case syntax.If() | syntax.For() | syntax.While() | syntax.Do() | syntax.Repeat():
-                return (yield from self._structure(statement, number))
-            case syntax.Switch():
-                return (yield from self._switch(statement, number))
+            case syntax.Goto():
+                return Jump(statement.label, statement.span)
+            case syntax.SubprogramCall():
+                if statement.words:
+                    words = syntax.Block(statement.span, syntax.NO_HEAD, statement.words)
+                    yield from self._words.block(words, number)
+                level = yield from self._calls.call(statement, number)
+                return (yield from self._call(level, statement.span))
+            case (
+                syntax.If()
+                | syntax.For()
+                | syntax.While()
+                | syntax.Do()
+                | syntax.Repeat()
+                | syntax.Switch()
+            ):
+                return (yield from self._flow.structure(statement, number))
+            case syntax.Unreadable():
+                self._values.fail(900311, statement.span)
             case _:
                 yield from self._command(statement, number)
         return ""
+
+    def _block(self, block: syntax.Block, number: int) -> Decoded:
+        """Words; then what they call, then the end of a program among them."""
+        block, returning = yield from self._calls.returning(block, number)
+        block, called = yield from self._calls.implied(block, number)
+        ends = yield from self._words.block(block, number)
+        if called is not None:
+            signal = yield from self._call(called, block.span)
+            if signal:
+                return signal
+        if ends:
+            return "end"
+        return "" if returning is None else returning
 
     def _number(self, head: syntax.Head) -> Generator[Command, Answer, int]:
         if head.number is None:
             return 0
         value = yield from self._values.evaluate(head.number, 0)
         return int(arithmetic.round_half_even(value))
-
-    # --- flow control ---------------------------------------------------------------------------
-
-    def _truth(self, condition: syntax.Expression, number: int) -> Generator[Command, Answer, bool]:
-        value = yield from self._values.evaluate(condition, number)
-        return arithmetic.is_true(value)
-
-    def _structure(self, statement: syntax.Statement, number: int) -> Decoded:
-        match statement:
-            case syntax.If():
-                return (yield from self._if(statement, number))
-            case syntax.For():
-                return (yield from self._for(statement, number))
-            case syntax.While():
-                while (yield from self._truth(statement.condition, number)):
-                    signal = yield from self._round(statement)
-                    if signal == "break":
-                        break
-                    if signal == "end":
-                        return signal
-            case syntax.Do() | syntax.Repeat():
-                return (yield from self._do(statement, number))
-        return ""
-
-    def _round(self, loop: syntax.While | syntax.Do | syntax.Repeat | syntax.For) -> Decoded:
-        """One run through a loop's body; counts, so that a loop without blocks ends, too."""
-        self._blocks += 1
-        if self._blocks > MOST_BLOCKS_WITHOUT_TIME:
-            self._values.fail(900303, loop.span, count=MOST_BLOCKS_WITHOUT_TIME)
-        return (yield from self._statements(loop.body))
-
-    def _do(self, loop: syntax.Do | syntax.Repeat, number: int) -> Decoded:
-        """``$DO`` goes on while its condition holds, ``$REPEAT`` until it does."""
-        while True:
-            signal = yield from self._round(loop)
-            if signal == "end":
-                return signal
-            if signal == "break":
-                return ""
-            holds = yield from self._truth(loop.condition, number)
-            if holds == isinstance(loop, syntax.Repeat):
-                return ""
-
-    def _if(self, statement: syntax.If, number: int) -> Decoded:
-        if (yield from self._truth(statement.condition, number)):
-            return (yield from self._statements(statement.body))
-        for elseif in statement.elseifs:
-            if (yield from self._truth(elseif.condition, number)):
-                return (yield from self._statements(elseif.body))
-        if statement.else_body is not None:
-            return (yield from self._statements(statement.else_body))
-        return ""
-
-    def _for(self, loop: syntax.For, number: int) -> Decoded:
-        """``$FOR``: the end value included; a negative step counts down."""
-        values = self._values
-        value = yield from values.evaluate(loop.start, number)
-        yield from values.store(loop.variable, value, number)
-        end = yield from values.evaluate(loop.end, number)
-        step = yield from values.evaluate(loop.step, number)
-        if step == 0.0:
-            line = self._surroundings.line(loop.step.span)
-            self._surroundings.notice(diagnostic(900302, loop.step.span, line))
-        while True:
-            value = yield from values.evaluate(loop.variable, number)
-            if (value > end) if step >= 0.0 else (value < end):
-                return ""
-            signal = yield from self._round(loop)
-            if signal == "end":
-                return signal
-            if signal == "break":
-                return ""
-            value = yield from values.evaluate(loop.variable, number)
-            yield from values.store(loop.variable, value + step, number)
-
-    def _switch(self, switch: syntax.Switch, number: int) -> Decoded:
-        """``$SWITCH``: from the first ``$CASE`` with the value on, until ``$BREAK``."""
-        subject = yield from self._values.evaluate(switch.subject, number)
-        chosen = None
-        for index, case in enumerate(switch.cases):
-            if case.value is None:
-                continue
-            value = yield from self._values.evaluate(case.value, number)
-            if value == subject:
-                chosen = index
-                break
-        if chosen is None:
-            chosen = next((i for i, case in enumerate(switch.cases) if case.value is None), None)
-        if chosen is None:
-            return ""
-        for case in switch.cases[chosen:]:
-            signal = yield from self._statements(case.body)
-            if signal == "break":
-                return ""
-            if signal:
-                return signal
-        return ""
 
     # --- commands -------------------------------------------------------------------------------
 

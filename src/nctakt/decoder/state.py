@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from nctakt.decoder.levels import Levels
 from nctakt.lists.channel_configuration import ProgramStart
 
 MM_PER_INCH = 25.4
@@ -27,6 +28,7 @@ class ModalState:
     feed_mm_s: float
     positions: list[float]
     parameters: dict[int, float] = field(default_factory=dict)
+    levels: Levels = field(default_factory=Levels)
 
     @property
     def length_unit_mm(self) -> float:

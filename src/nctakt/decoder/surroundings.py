@@ -12,6 +12,7 @@ from nctakt.diagnostics import Diagnostic, Span
 from nctakt.lists.axis_configuration import AxisConfiguration
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.nc.names import NameTable
+from nctakt.nc.outline import ProgramText
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +22,9 @@ class Surroundings:
     ``axis_numbers``: axis name -> place in the path's positions. ``cells``: the machine's memory,
     ``memory`` the same as bytes.
     ``place``: the source number of a span (``sources.py``). ``line``: the text line of a span.
-    ``notice``: takes a finding that does not stop the program.
+    ``notice``: takes a finding that does not stop the program. ``subprogram``: the text of the
+    file of this name, called at this place of that file; raises ``DecodeError``. Blocks of
+    ``skip_levels`` are left out.
     """
 
     names: NameTable
@@ -35,6 +38,8 @@ class Surroundings:
     place: Callable[[Span], int]
     line: Callable[[Span], str]
     notice: Callable[[Diagnostic], None]
+    subprogram: Callable[[str, str, Span], ProgramText]
+    skip_levels: frozenset[int]
 
 
 class DecodeError(Exception):

@@ -69,7 +69,7 @@ class Values:
         self, expression: syntax.Expression, number: int
     ) -> Generator[Command, Answer, float | str]:
         """As ``evaluate``; the value may be a text."""
-        if not is_text(expression, self.surroundings.names):
+        if not self._is_text(expression):
             return (yield from self.evaluate(expression, number))
         yield from self._fetch(expression, number)
         text = self._text(expression)
@@ -82,13 +82,33 @@ class Values:
             return expression.value
         if isinstance(expression, syntax.Binary):
             return self._text(expression.left) + self._text(expression.right)
-        value = self._fetched[id(expression)]
-        assert isinstance(value, str)
+        if isinstance(expression, syntax.Parameter):
+            value = self._argument(expression)
+        else:
+            value = self._fetched[id(expression)]
+        if not isinstance(value, str):
+            self.fail(900342, expression.span, value=value)
+        return value
+
+    def _is_text(self, expression: syntax.Expression) -> bool:
+        """Whether the value of an expression is a text now."""
+        if isinstance(expression, syntax.Parameter) and expression.call:
+            return isinstance(self._argument(expression), str)
+        if isinstance(expression, syntax.Binary) and expression.operator == "+":
+            return self._is_text(expression.left) or self._is_text(expression.right)
+        return is_text(expression, self.surroundings.names)
+
+    def _argument(self, parameter: syntax.Parameter) -> float | str:
+        """What the call of the innermost cycle has handed over as @P1, @P2, …"""
+        number = self._parameter(parameter)
+        value = self.state.levels.arguments.get(number)
+        if value is None:
+            self.fail(900312, parameter.span, name=f"@P{number}")
         return value
 
     def _compare_texts(self, comparison: syntax.Binary) -> Built | None:
         """Two texts are equal when all their characters are."""
-        if not is_text(comparison.left, self.surroundings.names):
+        if not self._is_text(comparison.left):
             return None
         is_equal = self._text(comparison.left) == self._text(comparison.right)
         return constant(1.0 if is_equal == (comparison.operator == "==") else 0.0)
@@ -132,6 +152,11 @@ class Values:
             value = self._fetched[id(node)]
             assert isinstance(value, float)
             return constant(value)
+        if node.call:
+            argument = self._argument(node)
+            if isinstance(argument, str):
+                self.fail(900340, node.span, name="@P")
+            return constant(argument)
         return constant(self.state.parameters.get(self._parameter(node), 0.0))
 
     def _parameter(self, node: syntax.Parameter) -> int:
@@ -200,8 +225,13 @@ class Values:
     ) -> Generator[Command, Answer]:
         """Give a variable a value, at once or through the queue."""
         if isinstance(target, syntax.Parameter):
-            assert isinstance(value, float)
             yield from self._fetch(target.index, number)
+            if target.call:
+                self._argument(target)
+                self.state.levels.arguments[self._parameter(target)] = value
+                return
+            if isinstance(value, str):
+                self.fail(900340, target.span, name="P")
             self.state.parameters[self._parameter(target)] = value
             return
         location = self.locate(target)

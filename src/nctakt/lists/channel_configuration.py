@@ -116,6 +116,15 @@ class ImplicitPrograms:
     m6: str
     g800: Mapping[int, str]
 
+    def of_g(self, number: int) -> str:
+        """The program that a G function calls: G800 and the following have the indices from 0 on.
+
+        G80 … G89 call what G800 … G809 do (*choice*). Empty: none.
+        """
+        if 80 <= number <= 89:
+            number += 720
+        return self.g800.get(number - 800, "")
+
 
 @dataclass(frozen=True, slots=True)
 class ChannelParameters:

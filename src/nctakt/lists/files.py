@@ -42,6 +42,14 @@ def find_file(path: str, folder: Path) -> Path | None:
     return None
 
 
+def find_below(path: str, folder: Path) -> Path | None:
+    """Search ``path`` in ``folder`` alone."""
+    if Path(path).is_absolute():
+        return Path(path) if Path(path).is_file() else None
+    found = _descend(folder, path.replace("\\", "/").split("/"))
+    return found if found is not None and found.is_file() else None
+
+
 def _descend(root: Path, parts: list[str]) -> Path | None:
     current = root
     for part in parts:

@@ -117,3 +117,68 @@ _add(
     reaction=2,
     clearing=3,
 )
+_add(
+    900307,
+    ERROR,
+    "more than {limit} programs inside each other: does a subprogram call itself for ever?",
+    "mehr als {limit} Programme ineinander: ruft sich ein Unterprogramm endlos selbst?",
+    remedy_en="Give the recursion an end, or call one program after the other.",
+    remedy_de="Der Rekursion ein Ende geben oder die Programme nacheinander rufen.",
+    parameters={"limit": "the most programs inside each other, the main program included"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900308,
+    ERROR,
+    "structures and subprograms are nested deeper than {limit}",
+    "Strukturen und Unterprogramme sind tiefer als {limit} geschachtelt",
+    remedy_en="Nest less deeply.",
+    remedy_de="Weniger tief schachteln.",
+    parameters={"limit": "the deepest nesting"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900309,
+    ERROR,
+    "{name} has no single label {label} to go on at",
+    "{name} hat keine eindeutige Sprungmarke {label}, bei der es weiterginge",
+    remedy_en="The label of M17 stands once in the program that goes on, in no loop.",
+    remedy_de="Die Marke von M17 steht einmal im Programm, das weiterläuft, in keiner Schleife.",
+    parameters={"name": "the program", "label": "the label"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900310,
+    ERROR,
+    "{count} calls are not open, but {most}",
+    "{count} Aufrufe sind nicht offen, sondern {most}",
+    remedy_en="JUMPS counts from 1 to the number of calls; MAIN leads to the main program.",
+    remedy_de="JUMPS zählt von 1 bis zur Zahl der Aufrufe; MAIN führt ins Hauptprogramm.",
+    parameters={"count": "the number behind JUMPS", "most": "how many calls are open"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900311,
+    ERROR,
+    "a jump has led here, and this is no NC text",
+    "ein Sprung hat hierher geführt, und dies ist kein NC-Text",
+    remedy_en="Remove the text, or lead the jump to another label.",
+    remedy_de="Den Text entfernen oder den Sprung zu einer anderen Marke führen.",
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900312,
+    ERROR,
+    "the call has handed over no {name}",
+    "der Aufruf hat kein {name} übergeben",
+    remedy_en="Call with L CYCLE [NAME=… {name}=…], or ask with EXIST[{name}].",
+    remedy_de="Mit L CYCLE [NAME=… {name}=…] rufen oder mit EXIST[{name}] fragen.",
+    parameters={"name": "the parameter of the call"},
+    reaction=2,
+    clearing=3,
+)

@@ -310,6 +310,19 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "what shows that it is not sensible, in German": (
             "was zeigt, dass es nicht sinnvoll ist, deutsch"
         ),
+        "the label": "die Sprungmarke",
+        "the label that is most like it": "die ähnlichste Sprungmarke",
+        "the nearest local subprogram": "das nächste lokale Unterprogramm",
+        "the line of the first one": "die Zeile des ersten",
+        "where it was searched": "wo es gesucht wurde",
+        "the word that is most like it": "das ähnlichste Wort",
+        "the most programs inside each other, the main program included": (
+            "die meisten Programme ineinander, mit dem Hauptprogramm"
+        ),
+        "the program": "das Programm",
+        "the number behind JUMPS": "die Zahl hinter JUMPS",
+        "how many calls are open": "wie viele Aufrufe offen sind",
+        "the parameter of the call": "der Parameter des Aufrufs",
     }
 )
 

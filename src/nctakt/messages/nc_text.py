@@ -271,3 +271,108 @@ _add(
     reaction=6,
     clearing=6,
 )
+_add(
+    900123,
+    ERROR,
+    "{word} ends a subprogram, and this is the main program",
+    "{word} beendet ein Unterprogramm, und dies ist das Hauptprogramm",
+    remedy_en="Write M30, or call this text with L or LL.",
+    remedy_de="M30 schreiben oder diesen Text mit L oder LL rufen.",
+    parameters={"word": "the word as written"},
+)
+_add(
+    900124,
+    WARNING,
+    "{word} in a subprogram ends the main program",
+    "{word} in einem Unterprogramm beendet das Hauptprogramm",
+    remedy_en="Write M17 to go back to the caller.",
+    remedy_de="Mit M17 geht es zurück zum Aufrufer.",
+    parameters={"word": "the word as written"},
+)
+_add(
+    900125,
+    ERROR,
+    "no block number stands before #IF",
+    "vor #IF steht keine Satznummer",
+    remedy_en="Remove the number, or write $IF.",
+    remedy_de="Die Nummer entfernen oder $IF schreiben.",
+)
+_add(
+    900126,
+    ERROR,
+    "this program has no label {label}",
+    "dieses Programm hat keine Sprungmarke {label}",
+    remedy_en="Nearest: {nearest}. Write N20: or [NAME] before a block of the same program.",
+    remedy_de="Am nächsten: {nearest}. N20: oder [NAME] vor einen Satz desselben Programms "
+    "schreiben.",
+    cause_en="A jump stays within its main program or subprogram.",
+    cause_de="Ein Sprung bleibt in seinem Haupt- oder Unterprogramm.",
+    parameters={"label": "the label", "nearest": "the label that is most like it"},
+)
+_add(
+    900127,
+    ERROR,
+    "the label {label} stands in a loop: no jump leads there",
+    "die Sprungmarke {label} steht in einer Schleife: dorthin führt kein Sprung",
+    remedy_en="Put the label before or behind the loop; $CONTINUE and $BREAK stay within it.",
+    remedy_de="Die Marke vor oder hinter die Schleife setzen; in ihr bleiben $CONTINUE und $BREAK.",
+    parameters={"label": "the label"},
+)
+_add(
+    900128,
+    ERROR,
+    "the label {label} stands twice in this program",
+    "die Sprungmarke {label} steht zweimal in diesem Programm",
+    remedy_en="Rename one of them.",
+    remedy_de="Eine der beiden umbenennen.",
+    parameters={"label": "the label"},
+)
+_add(
+    900129,
+    ERROR,
+    "this file has no local subprogram {name}",
+    "diese Datei hat kein lokales Unterprogramm {name}",
+    remedy_en="It has: {nearest}. A local subprogram begins with %L {name}; a file is called with "
+    "L.",
+    remedy_de="Vorhanden: {nearest}. Ein lokales Unterprogramm beginnt mit %L {name}; eine Datei "
+    "ruft L.",
+    parameters={"name": "the name", "nearest": "the nearest local subprogram"},
+)
+_add(
+    900130,
+    ERROR,
+    "the local subprogram {name} begins in line {line} already",
+    "das lokale Unterprogramm {name} beginnt schon in Zeile {line}",
+    remedy_en="Rename one of them.",
+    remedy_de="Eines der beiden umbenennen.",
+    parameters={"name": "the name", "line": "the line of the first one"},
+)
+_add(
+    900131,
+    ERROR,
+    "the program {name} is not found",
+    "das Programm {name} ist nicht zu finden",
+    remedy_en="Searched: {folders}. path[i].dir of the channel list names further folders.",
+    remedy_de="Gesucht: {folders}. Weitere Ordner nennt path[i].dir der Kanalliste.",
+    parameters={"name": "the name", "folders": "where it was searched"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900133,
+    ERROR,
+    "{word} is nothing that a call hands over",
+    "{word} ist nichts, was ein Aufruf übergibt",
+    remedy_en="A call has NAME and @P1 … @P200; perhaps {nearest} is meant.",
+    remedy_de="Ein Aufruf hat NAME und @P1 … @P200; vielleicht ist {nearest} gemeint.",
+    parameters={"word": "the word", "nearest": "the word that is most like it"},
+)
+_add(
+    900135,
+    ERROR,
+    "{word} says nothing about a return",
+    "{word} sagt nichts über einen Rücksprung",
+    remedy_en="M17 has [MAIN] or [JUMPS=number], and one label: [NAME] or N20.",
+    remedy_de="M17 hat [MAIN] oder [JUMPS=Zahl] und eine Marke: [NAME] oder N20.",
+    parameters={"word": "the word as written"},
+)

@@ -298,3 +298,12 @@ _add(
     remedy_en="Branches that were not taken are not decoded: --set gives variables other values.",
     remedy_de="Nicht genommene Zweige werden nicht dekodiert: --set gibt Variablen andere Werte.",
 )
+_add(
+    900490,
+    ERROR,
+    "{found} is no skip level",
+    "{found} ist keine Ausblendebene",
+    remedy_en="Levels are whole numbers from 1 to {most}, with commas between: --skip 1,3",
+    remedy_de="Ebenen sind ganze Zahlen von 1 bis {most}, mit Kommas dazwischen: --skip 1,3",
+    parameters={"found": "the word as written", "most": "the highest level"},
+)

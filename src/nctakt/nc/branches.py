@@ -110,25 +110,19 @@ def _branches(statement: syntax.If, outer: int | None, found: list[BranchPlace])
         add(statement.else_span, "$ELSE", None, statement.else_body)
 
 
-def realtime_cycles(program: syntax.Program) -> Iterator[syntax.RealtimeCycle]:
-    """The definitions of realtime cycles in a program and its local subprograms, in order."""
-    yield from _cycles(program.statements)
-    for subprogram in program.subprograms:
-        yield from _cycles(subprogram.statements)
-
-
-def _cycles(statements: Sequence[syntax.Statement]) -> Iterator[syntax.RealtimeCycle]:
+def realtime_cycles(statements: Sequence[syntax.Statement]) -> Iterator[syntax.RealtimeCycle]:
+    """The definitions of realtime cycles in statements and in the structures among them."""
     for statement in statements:
         match statement:
             case syntax.RealtimeCycle():
                 yield statement
             case syntax.If():
-                yield from _cycles(statement.body)
+                yield from realtime_cycles(statement.body)
                 for elseif in statement.elseifs:
-                    yield from _cycles(elseif.body)
-                yield from _cycles(statement.else_body or ())
+                    yield from realtime_cycles(elseif.body)
+                yield from realtime_cycles(statement.else_body or ())
             case syntax.For() | syntax.While() | syntax.Do() | syntax.Repeat():
-                yield from _cycles(statement.body)
+                yield from realtime_cycles(statement.body)
             case syntax.Switch():
                 for case in statement.cases:
-                    yield from _cycles(case.body)
+                    yield from realtime_cycles(case.body)

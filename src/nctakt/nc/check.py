@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Tree -> diagnostics: what can be known of a program before it runs.
+"""Statements -> diagnostics: what can be known of a program before it runs.
 
-In: a program, the variables and the list of its channel. Out: diagnostics in the order of the text;
-nothing is executed. What passes without an error the decoder can run; what depends on values is the
-decoder's. Which commands exist and what becomes of them: ``support.py``. Behind the end of the main
-program nothing is checked, nor where a constant condition lets nothing run.
+In: statements, the variables and the list of their channel. Out: diagnostics; nothing is executed.
+What passes without an error the decoder can run; what depends on values is the decoder's. Which
+commands exist and what becomes of them: ``support.py``. Where a constant condition lets nothing run
+nothing is checked, unless a jump might lead there. Who goes through a whole text:
+``inspection.py``.
 """
 
 from __future__ import annotations
@@ -12,17 +13,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from difflib import get_close_matches
 
-from nctakt.diagnostics import Diagnostic
+from nctakt.diagnostics import Span
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
 from nctakt.nc import support
+from nctakt.nc.check_calls import CallChecker
 from nctakt.nc.check_cycle import CycleChecker
 from nctakt.nc.check_values import ValueChecker
-from nctakt.nc.check_words import WordChecker
+from nctakt.nc.check_words import Role, WordChecker
 from nctakt.nc.findings import Findings
 from nctakt.nc.formats import places
 from nctakt.nc.frames import is_false
 from nctakt.nc.names import NameTable
+from nctakt.nc.outline import labels_in
 from nctakt.nc.source import Source
 from nctakt.nc.support import Answer
 from nctakt.nc.syntax import (
@@ -40,7 +43,6 @@ from nctakt.nc.syntax import (
     If,
     MacroDefinition,
     Number,
-    Program,
     RealtimeCycle,
     Repeat,
     Statement,
@@ -57,30 +59,14 @@ from nctakt.nc.syntax import (
     Word,
 )
 
+__all__ = ["PROGRAM_ENDS", "SUBPROGRAM_ENDS", "Checker", "Role", "ends"]
+
 #: M functions that end a main program, and those that end whatever they stand in.
 PROGRAM_ENDS = (2, 30)
 SUBPROGRAM_ENDS = (*PROGRAM_ENDS, 17, 29)
 _MESSAGE_OPTIONS = ("SAVE", "EXCLUSIVE")
 #: Options of #MSG that exist and are not simulated.
 _REFUSED_OPTIONS = ("CONTINUE", "INFO", "SYN", "ACK")
-
-
-def check(
-    program: Program, names: NameTable, channel: ChannelParameters, collector: Collector
-) -> None:
-    """All diagnostics of a program, local subprograms included, in the order of the text."""
-    found = Collector()
-    checker = Checker(program.source, names, channel, found)
-    checker.main_program(program.statements)
-    for subprogram in program.subprograms:
-        checker.subprogram(subprogram.statements)
-    found.diagnostics.sort(key=_place)
-    collector.diagnostics += found.diagnostics
-
-
-def _place(diagnostic: Diagnostic) -> tuple[int, int]:
-    span = diagnostic.span
-    return (span.line, span.column) if span is not None else (0, 0)
 
 
 class Checker:
@@ -95,25 +81,21 @@ class Checker:
         self._words = WordChecker(channel, self._values, self._findings)
         in_cycle = ValueChecker(names, axes, self._findings, in_cycle=True)
         self._cycles = CycleChecker(channel, self._words, self._values, in_cycle, self._findings)
+        self._calls = CallChecker(self._words, self._values, self._findings)
         self._loops = 0
         self._switches = 0
-        self._in_subprogram = False
+        self._role: Role = "main"
+        #: The labels that jumps of this section name, and where they do.
+        self.targets: dict[str, list[Span]] = {}
 
-    def main_program(self, statements: Sequence[Statement]) -> None:
-        """The main program, up to its end."""
-        self._in_subprogram = False
-        for statement in statements:
-            self.statement(statement)
-            if ends(statement, PROGRAM_ENDS):
-                break
+    def begin(self, role: Role) -> None:
+        """A main program or a subprogram begins."""
+        self._role = role
+        self.targets = {}
 
-    def subprogram(self, statements: Sequence[Statement]) -> None:
-        """A local subprogram, up to its end."""
-        self._in_subprogram = True
-        for statement in statements:
-            self.statement(statement)
-            if ends(statement, SUBPROGRAM_ENDS):
-                break
+    def take_calls(self) -> list[SubprogramCall]:
+        """The calls by a constant name since the last time."""
+        return self._calls.take()
 
     def _all(self, statements: Sequence[Statement]) -> None:
         for statement in statements:
@@ -125,7 +107,7 @@ class Checker:
             self._values.block(statement.head.number)
         match statement:
             case Block():
-                self._words.block(statement, in_subprogram=self._in_subprogram)
+                self._words.block(statement, self._role)
             case Assignment():
                 self._values.assignment(statement)
             case VariableBlock():
@@ -188,9 +170,8 @@ class Checker:
         self._switches -= 1
 
     def _if(self, statement: If) -> None:
-        if statement.preprocessor:
-            self._refuse_hash(statement, "IF")
-            return
+        if statement.preprocessor and statement.head.number is not None:
+            self._findings.report(900125, statement.span)
         if statement.frequency is not None:
             word = f"$IF {statement.frequency}"
             self._findings.report(900222, statement.span, word=word)
@@ -204,7 +185,7 @@ class Checker:
 
     def _branch(self, condition: Expression, body: Sequence[Statement]) -> None:
         self._values.block(condition)
-        if not is_false(condition):
+        if not is_false(condition) or any(_has_label(statement) for statement in body):
             self._all(body)
 
     def _leave(self, statement: Break | Continue) -> None:
@@ -251,14 +232,12 @@ class Checker:
                 self._findings.report(900232, argument.span, word=found[index].text)
 
     def _other(self, statement: Statement) -> None:
-        """Statements that this version refuses as a whole."""
+        """Jumps, calls, and statements that this version refuses as a whole."""
         match statement:
             case Goto():
-                self._findings.answer(support.answer_control("$GOTO"), statement.span)
+                self.targets.setdefault(statement.label, []).append(statement.span)
             case SubprogramCall():
-                entry = support.answer_word("LL" if statement.local else "L")
-                assert entry is not None
-                self._findings.answer(entry, statement.span)
+                self._calls.call(statement)
             case MacroDefinition():
                 self._findings.answer(support.form('"NAME"'), statement.span)
             case VariableDeclarations():
@@ -303,3 +282,7 @@ def ends(statement: Statement, numbers: Sequence[int]) -> bool:
             for word in statement.words
         )
     )
+
+
+def _has_label(statement: Statement) -> bool:
+    return any(True for _ in labels_in(statement))

@@ -14,7 +14,7 @@ from difflib import get_close_matches
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.nc import support
 from nctakt.nc.check_values import ValueChecker
-from nctakt.nc.check_words import WordChecker
+from nctakt.nc.check_words import RETURN_COMMANDS, WordChecker
 from nctakt.nc.findings import Findings
 from nctakt.nc.syntax import (
     Assignment,
@@ -180,9 +180,7 @@ class CycleChecker:
 
     def _if(self, statement: If) -> None:
         if statement.preprocessor:
-            entry = support.answer_hash(("IF",))
-            assert entry is not None
-            self._findings.answer(entry, statement.span)
+            self._no_meaning(statement)
             return
         if statement.frequency is not None:
             if statement.elseifs or statement.else_body is not None:
@@ -243,7 +241,7 @@ class CycleChecker:
                 self._function(word, told)
             elif isinstance(word, StringWord):
                 self._findings.answer(support.form('"NAME"'), word.span)
-            elif isinstance(word, BracketCommand):
+            elif isinstance(word, BracketCommand) and word.name not in RETURN_COMMANDS:
                 if not self._words.bracket(word):
                     self._words.unknown(word)
             elif isinstance(word, Word) and self._is_spindle_word(word):

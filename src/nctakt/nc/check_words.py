@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from difflib import get_close_matches
+from typing import Literal
 
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.nc import support
@@ -23,6 +24,7 @@ from nctakt.nc.syntax import (
     BracketCommand,
     Expression,
     Keyword,
+    Name,
     Number,
     StringWord,
     Word,
@@ -31,6 +33,14 @@ from nctakt.nc.syntax import (
 _NUMBERED = ("G", "M", "H")
 #: M functions that end a subprogram.
 _SUBPROGRAM_ENDS = (17, 29)
+#: Commands with options that end a subprogram.
+RETURN_COMMANDS = ("M17", "M29")
+#: M functions that end the main program.
+_PROGRAM_ENDS = (2, 30)
+
+
+#: What M17 and M30 end: the main program, a subprogram, or a file that may be any of both.
+Role = Literal["main", "called", "either"]
 
 
 @dataclass(slots=True)
@@ -40,7 +50,8 @@ class _Block:
     A block that begins with an unknown word is mostly no NC text at all, so one report is enough.
     """
 
-    in_subprogram: bool
+    role: Role
+    returns: bool = False
     names: dict[str, None] = field(default_factory=dict)
     groups: dict[str, str] = field(default_factory=dict)
     unknown: bool = False
@@ -58,13 +69,13 @@ class WordChecker:
         self.axes = tuple(axis.name for axis in channel.axes)
         self.spindles = tuple(spindle.name for spindle in channel.spindles)
 
-    def block(self, block: Block, *, in_subprogram: bool = False) -> None:
-        """One block; ``in_subprogram``: M17 and M29 end it."""
+    def block(self, block: Block, role: Role = "either") -> None:
+        """One block of a program in this role."""
         self._values.line(*_expressions(block))
         if _dwell(block) is not None:
             self._dwell_block(block)
             return
-        state = _Block(in_subprogram)
+        state = _Block(role, any(_returns(word) for word in block.words))
         for word in block.words:
             match word:
                 case AxisWord():
@@ -72,7 +83,7 @@ class WordChecker:
                 case Word():
                     self._word(word, state)
                 case BracketCommand():
-                    if not self.bracket(word):
+                    if not self.bracket(word, state):
                         self._unknown(word, state)
                 case StringWord():
                     self._findings.answer(support.form('"NAME"'), word.span)
@@ -121,6 +132,8 @@ class WordChecker:
         if word.name in _NUMBERED:
             self._numbered(word, state)
             return
+        if word.name == "N" and state.returns:
+            return
         entry = support.answer_word("S" if word.name in self.spindles else word.name)
         if entry is None:
             self._unknown(word, state)
@@ -151,11 +164,20 @@ class WordChecker:
             return
         if word.name == "G":
             self._g(word, number, state)
-        elif not (state.in_subprogram and word.name == "M" and number in _SUBPROGRAM_ENDS):
+        elif word.name == "M" and number in _SUBPROGRAM_ENDS:
+            if state.role == "main":
+                self._findings.report(900123, word.span, word=f"M{number}")
+        else:
+            if word.name == "M" and number in _PROGRAM_ENDS and state.role == "called":
+                self._findings.report(900124, word.span, word=f"M{number:02}")
             self._technology(word, number)
 
     def _g(self, word: Word, number: int, state: _Block) -> None:
         entry = support.answer_g(number)
+        if self._channel.implicit_programs.of_g(number):
+            for argument in word.arguments:
+                self._values.any_value(argument)
+            return
         if entry is None:
             self._findings.report(900204, word.span, word=f"G{number}")
             return
@@ -190,7 +212,21 @@ class WordChecker:
 
     # --- other words -----------------------------------------------------------------------------
 
-    def bracket(self, command: BracketCommand) -> bool:
+    def _return(self, command: BracketCommand, state: _Block | None) -> None:
+        """``M17 [MAIN]``, ``M17 [JUMPS=2]``, each also with a label."""
+        if state is not None and state.role == "main":
+            self._findings.report(900123, command.span, word=command.name)
+        seen: dict[str, None] = {}
+        for item in command.items:
+            kind = _return_option(item)
+            if not kind or kind in seen:
+                written = self._findings.written(item.span)
+                self._findings.report(900135, item.span, word=written)
+            elif isinstance(item, Keyword) and item.name == "JUMPS" and item.value is not None:
+                self._values.value(item.value)
+            seen[kind] = None
+
+    def bracket(self, command: BracketCommand, state: _Block | None = None) -> bool:
         """``X[INDP …]``, ``S2[…]``, ``M17[MAIN]``; false where nobody knows the name."""
         name = command.name
         if name in self.axes:
@@ -199,8 +235,11 @@ class WordChecker:
             shown = f"{name}[INDP]" if single else f"{name}[…]"
         elif name in self.spindles:
             form, shown = "S2[…]", f"{name}[…]"
-        elif name in ("M", "M17", "M29"):
-            form, shown = "M17[…]", f"{name}[…]"
+        elif name in RETURN_COMMANDS:
+            self._return(command, state)
+            return True
+        elif name == "M":
+            form, shown = "M[P1]", f"{name}[…]"
         else:
             return False
         self._findings.answer(support.form(form), command.span, shown)
@@ -232,10 +271,39 @@ class WordChecker:
             self._values.value(time)
 
 
+def _returns(word: BlockWord) -> bool:
+    if isinstance(word, BracketCommand):
+        return word.name in RETURN_COMMANDS
+    return any(_is_m(word, number) for number in _SUBPROGRAM_ENDS)
+
+
+def _return_option(item: Keyword | Expression) -> str:
+    """What an item in the brackets of M17 is: how far back, a label, nothing of both."""
+    if isinstance(item, Name):
+        return "label"
+    if not isinstance(item, Keyword):
+        return ""
+    if item.name == "JUMPS":
+        return "calls" if item.value is not None else ""
+    if item.name == "N":
+        return "label" if isinstance(item.value, Number) else ""
+    if item.value is not None or item.arguments:
+        return ""
+    return "calls" if item.name == "MAIN" else "label"
+
+
 def _is_g(word: BlockWord, number: int) -> bool:
+    return _is(word, "G", number)
+
+
+def _is_m(word: BlockWord, number: int) -> bool:
+    return _is(word, "M", number)
+
+
+def _is(word: BlockWord, name: str, number: int) -> bool:
     return (
         isinstance(word, Word)
-        and word.name == "G"
+        and word.name == name
         and isinstance(word.value, Number)
         and word.value.value == number
     )

@@ -18,7 +18,7 @@ CONTROLS = known(
     ("$SWITCH", "S", "branches by value", "Zweige nach Wert"),
     ("$BREAK", "S", "leave a loop or branch", "Schleife oder Zweig verlassen"),
     ("$CONTINUE", "S", "next pass of a loop", "nächster Durchlauf einer Schleife"),
-    ("$GOTO", "R", "jump", "Sprung"),
+    ("$GOTO", "S", "jump", "Sprung"),
 )
 
 COMMANDS = known(
@@ -91,7 +91,7 @@ COMMANDS = known(
     ("#HANDWHEEL", "R", "handwheel", "Handrad"),
     ("#HSC", "R", "high-speed cutting", "HSC-Bearbeitung"),
     ("#IDENT", "R", "parameters of drives", "Parameter der Antriebe"),
-    ("#IF", "R", "condition of preprocessing", "Bedingung vor der Dekodierung"),
+    ("#IF", "S", "condition of preprocessing", "Bedingung vor der Dekodierung"),
     ("#INFO", "R", "information", "Information"),
     ("#INIT", "R", "set to initial values", "auf Anfangswerte setzen"),
     ("#JOG", "R", "jogging", "Tippbetrieb"),
@@ -159,7 +159,7 @@ VARIABLES = known(
     ("V.CH", "S", "variables of the channel", "Variablen des Kanals"),
     ("V.RTG", "S", "realtime variables of the channel", "Echtzeit-Variablen des Kanals"),
     ("V.RTA", "S", "realtime variables of an axis", "Echtzeit-Variablen einer Achse"),
-    ("@P", "R", "parameters of a call", "Parameter eines Aufrufs"),
+    ("@P", "S", "parameters of a call", "Parameter eines Aufrufs"),
     ("V.A", "R", "data of axes", "Daten der Achsen"),
     ("V.CYC", "R", "variables of canned cycles", "Variablen von Zyklen"),
     ("V.G", "R", "data of the channel", "Daten des Kanals"),
@@ -178,7 +178,8 @@ FORMS = known(
     ("X[INDP …]", "R", "independent motion of an axis", "unabhängige Bewegung einer Achse"),
     ("X[…]", "R", "command for one axis", "Befehl für eine Achse"),
     ("S2[…]", "R", "command for a spindle", "Befehl für eine Spindel"),
-    ("M17[…]", "R", "return with a jump", "Rücksprung mit Ziel"),
+    ("M17[…]", "S", "return with a jump", "Rücksprung mit Ziel"),
+    ("L CYCLE [MODAL_MOVE]", "R", "call behind every block", "Aufruf hinter jedem Satz"),
     ("M110=130", "R", "M or H function with a value", "M- oder H-Funktion mit Wert"),
     ("M[P1]", "R", "function with a computed number", "Funktion mit berechneter Nummer"),
     ("M110 X", "R", "M or H function of one axis", "M- oder H-Funktion einer Achse"),

@@ -216,9 +216,9 @@ M_FUNCTIONS = known(
     ("M03", "R", "spindle clockwise", "Spindel im Uhrzeigersinn"),
     ("M04", "R", "spindle counter-clockwise", "Spindel gegen den Uhrzeigersinn"),
     ("M05", "R", "spindle stop", "Spindel halt"),
-    ("M17", "R", "end of a subprogram", "Ende eines Unterprogramms"),
+    ("M17", "S", "end of a subprogram", "Ende eines Unterprogramms"),
     ("M19", "R", "spindle to a position", "Spindel positionieren"),
-    ("M29", "R", "end of a subprogram", "Ende eines Unterprogramms"),
+    ("M29", "S", "end of a subprogram", "Ende eines Unterprogramms"),
     ("M30", "S", "program end", "Programmende"),
 )
 
@@ -247,7 +247,12 @@ TECHNOLOGY = known(
 #: Words of a block and what stands in front of one.
 WORDS = known(
     ("%", "S", "name of a program", "Name eines Programms"),
-    ("/", "S", "skip level; levels are off, the block runs", "Ausblendebene; aus, der Satz läuft"),
+    (
+        "/",
+        "S",
+        "skip level; the block runs unless it is on",
+        "Ausblendebene; läuft, solange sie aus ist",
+    ),
     ("N", "S", "number of a block", "Satznummer"),
     ("N20:", "S", "label", "Sprungmarke"),
     ("X", "S", "position of an axis of the channel", "Position einer Achse des Kanals"),
@@ -260,8 +265,8 @@ WORDS = known(
     ("I", "R", "centre of an arc", "Mittelpunkt eines Kreises"),
     ("J", "R", "centre of an arc", "Mittelpunkt eines Kreises"),
     ("K", "R", "centre of an arc", "Mittelpunkt eines Kreises"),
-    ("L", "R", "call of a subprogram in a file", "Aufruf eines Unterprogramms als Datei"),
-    ("LL", "R", "call of a local subprogram", "Aufruf eines lokalen Unterprogramms"),
+    ("L", "S", "call of a subprogram in a file", "Aufruf eines Unterprogramms als Datei"),
+    ("LL", "S", "call of a local subprogram", "Aufruf eines lokalen Unterprogramms"),
     ("R", "R", "radius of an arc", "Radius eines Kreises"),
     ("S", "R", "speed of the main spindle", "Drehzahl der Hauptspindel"),
     ("S.POS", "R", "position of the main spindle", "Position der Hauptspindel"),

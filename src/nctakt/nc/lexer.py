@@ -167,9 +167,9 @@ def _end_of_parentheses(line: str, start: int) -> int:
 class Lexer:
     """Gives the blocks of a source one by one; each line is read once and only when it is due."""
 
-    def __init__(self, source: Source, collector: Collector) -> None:
+    def __init__(self, source: Source, collector: Collector, first_line: int = 1) -> None:
         self._file = source.file
-        self._lines = enumerate(source.lines, start=1)
+        self._lines = source.numbered(first_line)
         self._waiting: tuple[int, str] | None = None
         self._collector = collector
         self._finished = False

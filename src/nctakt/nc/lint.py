@@ -145,6 +145,8 @@ class Linter:
 
     def statement(self, statement: Statement) -> None:
         """One statement with all that is inside it."""
+        if statement.head.label is not None:
+            self._state = _State()  # a jump may lead here from anywhere
         if self._state.compensation:
             self._channel.check(statement, self._state.compensation)
         match statement:
@@ -168,8 +170,6 @@ class Linter:
     # --- ways through the program ----------------------------------------------------------------
 
     def _if(self, statement: If) -> None:
-        if statement.preprocessor:
-            return
         before = self._state
         ways: list[_State] = []
         bodies = [(statement.condition, statement.body)]

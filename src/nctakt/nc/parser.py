@@ -43,17 +43,33 @@ def parse(source: Source, collector: Collector) -> Iterator[Statement]:
 
     A structure is one statement, given when it is closed. Lines are read when they are due.
     """
+    for _, statement in parse_from(source, collector):
+        yield statement
+
+
+def parse_from(
+    source: Source, collector: Collector, first_line: int = 1
+) -> Iterator[tuple[int, Statement]]:
+    """As ``parse``, from a line on, each statement with the line in which it begins.
+
+    ``first_line`` is one that was given before, so that no structure is open there.
+    """
     structure = Structure(collector)
-    lexer = Lexer(source, collector)
+    lexer = Lexer(source, collector, first_line)
+    begin = first_line
     empty = True
     for text in lexer.blocks():
         empty = False
+        if structure.top is None:
+            begin = text.line_number
         _block(text, lexer, structure)
         if structure.ready:
-            yield from structure.ready
+            for statement in structure.ready:
+                yield begin, statement
             structure.ready.clear()
     structure.close_all()
-    yield from structure.ready
+    for statement in structure.ready:
+        yield begin, statement
     if empty and not collector.has_errors:
         place = Span(source.file, 1, 1, 2)
         collector.report(900109, place, source.line_of(place))
@@ -62,7 +78,7 @@ def parse(source: Source, collector: Collector) -> Iterator[Statement]:
 def parse_program(source: Source, collector: Collector) -> Program:
     """The whole program; diagnostics in the order of the text."""
     found = Collector()
-    program = _assemble(source, parse(source, found), found)
+    program = _assemble(source, parse_from(source, found), found)
     found.diagnostics.sort(key=_place)
     collector.diagnostics += found.diagnostics
     return program
@@ -160,9 +176,9 @@ def _declares(text: BlockText) -> bool:
 
 
 def sections(
-    source: Source, statements: Iterator[Statement], collector: Collector
-) -> Iterator[tuple[int, Statement]]:
-    """The statements with the number of their section: 0 main program, 1 … local subprograms.
+    source: Source, statements: Iterator[tuple[int, Statement]], collector: Collector
+) -> Iterator[tuple[int, int, Statement]]:
+    """Line, section and statement: 0 is the main program, 1 … are the local subprograms.
 
     -1 is what never runs. The ``%`` line that begins a section comes first in it: ``%L name`` a
     subprogram, the first other one the main program unless that has begun without one. Inside the
@@ -171,7 +187,7 @@ def sections(
     """
     section = subprograms = 0
     begun = False
-    for statement in statements:
+    for begin, statement in statements:
         if not isinstance(statement, ProgramStart):
             begun = begun or section == 0
         elif statement.local:
@@ -185,15 +201,17 @@ def sections(
             line = source.line_of(statement.span)
             collector.report(900117, statement.span, line, name=statement.name)
             section = -1
-        yield section, statement
+        yield begin, section, statement
 
 
-def _assemble(source: Source, statements: Iterator[Statement], collector: Collector) -> Program:
+def _assemble(
+    source: Source, statements: Iterator[tuple[int, Statement]], collector: Collector
+) -> Program:
     """Main program and local subprograms from the statements in their order."""
     name = ""
     bodies: dict[int, list[Statement]] = {0: []}
     starts: dict[int, ProgramStart] = {}
-    for section, statement in sections(source, statements, collector):
+    for _, section, statement in sections(source, statements, collector):
         if not isinstance(statement, ProgramStart):
             bodies.setdefault(section, []).append(statement)
         elif section == 0:

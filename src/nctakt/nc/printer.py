@@ -166,6 +166,8 @@ def format_items(items: tuple[Keyword | Expression, ...]) -> str:
 
 
 def _format_item(item: Keyword | Expression, *, glued: bool = True) -> str:
+    if isinstance(item, Name):
+        return f"[{item.text}]"  # without brackets it would be a keyword
     if isinstance(item, Expression):
         return format_expression(item)
     if item.value is None:

@@ -6,7 +6,7 @@ In: lines without their ends. Out: the same lines by number. The sequence may re
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from nctakt.diagnostics import Span
@@ -18,6 +18,12 @@ class Source:
 
     file: str
     lines: Sequence[str]
+
+    def numbered(self, first: int = 1) -> Iterator[tuple[int, str]]:
+        """The lines from one on with their numbers."""
+        if first == 1:
+            return iter(enumerate(self.lines, start=1))
+        return ((number + 1, self.lines[number]) for number in range(first - 1, len(self.lines)))
 
     def line_of(self, span: Span | None) -> str:
         """The whole line that a span stands in; empty without a span or outside the text."""

@@ -21,9 +21,9 @@ from nctakt.kernel.cycles import DEFINED, HELD
 from nctakt.nc.branches import (
     branch_places,
     lines_without_branch,
-    realtime_cycles,
 )
-from nctakt.nc.syntax import Program, RealtimeCycle
+from nctakt.nc.outline import ProgramText
+from nctakt.nc.syntax import RealtimeCycle
 from nctakt.results.branch_log import BranchLog, ConditionLog, SeriesLog, continued
 from nctakt.results.histories import (
     BranchHistory,
@@ -197,11 +197,11 @@ class ProbeLog:
 
     # --- at its end -----------------------------------------------------------------------------
 
-    def histories(self, programs: Sequence[Program]) -> tuple[CycleHistory, ...]:
+    def histories(self, programs: Sequence[ProgramText]) -> tuple[CycleHistory, ...]:
         """All cycles in the order of their creation, then the definitions that were not taken."""
         made = [self._history(serial, cycle) for serial, cycle in self._cycles.items()]
         for program in programs:
-            for statement in realtime_cycles(program):
+            for statement in program.cycles:
                 if statement.span not in self._seen:
                     self._seen[statement.span] = None
                     made.append(self._unreached(statement))

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: MIT
+"""Calls of subprograms and the ends of them: what is called, with what, and where it goes on.
+
+In: calls in the tree, M17 with its options, M6 and G80 … G819 with programs of the channel list.
+Out: ``Level`` and ``Return`` for ``program.py``, which runs them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import replace
+
+from nctakt.decoder.commands import Answer, Command
+from nctakt.decoder.flow import Return
+from nctakt.decoder.levels import Level
+from nctakt.decoder.values import Values
+from nctakt.diagnostics import Span
+from nctakt.lists.channel_configuration import ImplicitPrograms
+from nctakt.nc import syntax
+from nctakt.nc.check_calls import parameter_number
+from nctakt.nc.heads import number_label
+from nctakt.nc.outline import ProgramText
+
+#: M functions that end a subprogram.
+RETURNS = (17, 29)
+
+_RETURN_COMMANDS = ("M17", "M29")
+
+
+class Calls:
+    """Makes levels of calls; the texts come from ``Surroundings.subprogram``."""
+
+    def __init__(self, values: Values) -> None:
+        self._values = values
+        self._surroundings = values.surroundings
+
+    # --- what is called -------------------------------------------------------------------------
+
+    def call(self, call: syntax.SubprogramCall, number: int) -> Generator[Command, Answer, Level]:
+        """The level of a call with the values that it hands over."""
+        name = yield from self._values.evaluate_any(call.name, number)
+        assert isinstance(name, str)
+        arguments: dict[int, float | str] | None = None
+        if call.cycle:
+            arguments = {}
+            for keyword in call.keywords:
+                assert isinstance(keyword, syntax.Keyword)
+                index = parameter_number(keyword)
+                assert index is not None
+                assert keyword.value is not None
+                arguments[index] = yield from self._values.evaluate_any(keyword.value, number)
+        text = self._values.state.levels.top.text
+        if not call.local:
+            called = self._file(name, call.span)
+            return Level(called, called.main, arguments)
+        section = text.subprograms.get(name)
+        if section is None:
+            self._values.fail(900129, call.span, name=name, nearest=_names(text))
+        return Level(text, section, arguments)
+
+    def _file(self, name: str, span: Span) -> ProgramText:
+        caller = self._values.state.levels.top.text.source.file
+        return self._surroundings.subprogram(name, caller, span)
+
+    def implicit(self, name: str, span: Span) -> Level:
+        """The level of a program that the channel list names."""
+        text = self._file(name, span)
+        return Level(text, text.main)
+
+    def implied(
+        self, block: syntax.Block, number: int
+    ) -> Generator[Command, Answer, tuple[syntax.Block, Level | None]]:
+        """The block without M6 or G80 … that call a program of the list, and that program."""
+        programs = self._surroundings.parameters.implicit_programs
+        if not (programs.m6 or programs.g800):
+            return block, None
+        for word in block.words:
+            name = implied_program(word, programs)
+            if not name:
+                continue
+            assert isinstance(word, syntax.Word)
+            level = self.implicit(name, word.span)
+            if word.arguments:
+                level.arguments = {}
+            for index, argument in enumerate(word.arguments, start=1):
+                assert level.arguments is not None
+                level.arguments[index] = yield from self._values.evaluate_any(argument, number)
+            others = tuple(other for other in block.words if other is not word)
+            return replace(block, words=others), level
+        return block, None
+
+    # --- ends -----------------------------------------------------------------------------------
+
+    def returning(
+        self, block: syntax.Block, number: int
+    ) -> Generator[Command, Answer, tuple[syntax.Block, Return | None]]:
+        """The block without its M17 or M29, and where that leads."""
+        if not any(_is_return(word) for word in block.words):
+            return block, None
+        calls: int | None = 1
+        label: str | None = None
+        others: list[syntax.BlockWord] = []
+        for word in block.words:
+            if isinstance(word, syntax.BracketCommand) and _is_return(word):
+                calls, label = yield from self._options(word, number)
+            elif isinstance(word, syntax.Word) and word.name == "N":
+                assert isinstance(word.value, syntax.Number)
+                label = number_label(f"{word.value.value:.0f}")
+            elif not _is_return(word):
+                others.append(word)
+        rest = replace(block, words=tuple(others))
+        return rest, Return(calls, label, block.span)
+
+    def _options(
+        self, command: syntax.BracketCommand, number: int
+    ) -> Generator[Command, Answer, tuple[int | None, str | None]]:
+        """``[MAIN]``, ``[JUMPS=2]`` and a label."""
+        calls: int | None = 1
+        label: str | None = None
+        for item in command.items:
+            if isinstance(item, syntax.Keyword) and item.name == "MAIN":
+                calls = None
+            elif isinstance(item, syntax.Keyword) and item.name == "JUMPS":
+                assert item.value is not None
+                value = yield from self._values.evaluate(item.value, number)
+                if not 1 <= value <= len(self._values.state.levels.stack) - 1:
+                    most = len(self._values.state.levels.stack) - 1
+                    self._values.fail(900310, item.span, count=value, most=most)
+                calls = int(value)
+            else:
+                label = label_of(item)
+        return calls, label
+
+
+def label_of(item: syntax.Keyword | syntax.Expression) -> str | None:
+    """The label that stands in the brackets of M17."""
+    if isinstance(item, syntax.Name):
+        return item.name
+    if isinstance(item, syntax.Keyword):
+        if item.name == "N" and isinstance(item.value, syntax.Number):
+            return number_label(f"{item.value.value:.0f}")
+        if item.value is None:
+            return item.name
+    return None
+
+
+def _is_return(word: syntax.BlockWord) -> bool:
+    if isinstance(word, syntax.BracketCommand):
+        return word.name in _RETURN_COMMANDS
+    return (
+        isinstance(word, syntax.Word)
+        and word.name == "M"
+        and isinstance(word.value, syntax.Number)
+        and word.value.value in RETURNS
+    )
+
+
+def implied_program(word: syntax.BlockWord, programs: ImplicitPrograms) -> str:
+    """The program of the channel list that a word calls; empty for none."""
+    if not isinstance(word, syntax.Word) or not isinstance(word.value, syntax.Number):
+        return ""
+    number = word.value.value
+    if word.name == "M" and number == 6:
+        return programs.m6
+    return programs.of_g(int(number)) if word.name == "G" else ""
+
+
+def _names(text: ProgramText) -> str:
+    return ", ".join(text.subprograms) or "–"

@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: MIT
+"""A program's text, read once from beginning to end -> its outline, and all its mistakes.
+
+In: a ``Source``. Out: ``ProgramText`` and the diagnostics of parser and checker in the order of the
+text. No more than one statement is in memory at a time, so a program of any length can be checked.
+
+Long programs come from CAM systems: blocks of letters and numbers, few shapes of them. What is
+checked of such a block depends on its letters and on the numbers of its functions, never on how far
+its axes go; so a shape that was found in order is not checked again.
+"""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from typing import Protocol
+
+from nctakt.diagnostics import Diagnostic, Span
+from nctakt.lists.channel_configuration import ChannelParameters
+from nctakt.messages import Collector
+from nctakt.nc.branches import realtime_cycles
+from nctakt.nc.check import PROGRAM_ENDS, SUBPROGRAM_ENDS, Checker, Role, ends
+from nctakt.nc.names import NameTable
+from nctakt.nc.outline import ProgramText, Section, labels_in
+from nctakt.nc.parser import parse_from, sections
+from nctakt.nc.source import Source
+from nctakt.nc.syntax import (
+    AxisWord,
+    Block,
+    Number,
+    ProgramStart,
+    Statement,
+    StringLiteral,
+    SubprogramCall,
+    Word,
+)
+
+#: Words whose numbers mean nothing for a check.
+_FREE_WORDS = ("F",)
+
+Shape = tuple[str | float, ...]
+
+
+class Watcher(Protocol):
+    """Looks at the statements that are checked."""
+
+    def section(self) -> None:
+        """A main program or subprogram begins."""
+
+    def statement(self, statement: Statement) -> None:
+        """The next statement that may run."""
+
+
+def inspect(
+    source: Source,
+    names: NameTable,
+    channel: ChannelParameters,
+    collector: Collector,
+    *,
+    role: Role = "main",
+    watcher: Watcher | None = None,
+) -> ProgramText:
+    """Read and check a program with its local subprograms, each up to its end.
+
+    ``role``: whether M17 or M30 ends it. Behind the end only what a jump leads to is checked.
+    """
+    found = Collector()
+    sequel = _Sequel(source, Checker(source, names, channel, found), found, role, watcher)
+    for line, section, statement in sections(source, parse_from(source, found), found):
+        sequel.take(line, section, statement)
+    program = sequel.finish()
+    found.diagnostics.sort(key=_place)
+    collector.diagnostics += found.diagnostics
+    return program
+
+
+class _Sequel:
+    """Checks statement after statement up to the end of their section."""
+
+    def __init__(
+        self,
+        source: Source,
+        checker: Checker,
+        found: Collector,
+        role: Role,
+        watcher: Watcher | None,
+    ) -> None:
+        main = Section("", Span(source.file, 1, 1, 2), 1, False)
+        self._program = ProgramText(source, main)
+        self._section: Section | None = main
+        self._number = 0
+        self._source = source
+        self._checker = checker
+        self._watcher = watcher
+        self._collector = found
+        self._found = found.diagnostics
+        self._role = role
+        self._ended = False
+        self._empty = True
+        self._in_order: dict[Shape, None] = {}
+        self._local_calls: list[SubprogramCall] = []
+
+    def take(self, line: int, number: int, statement: Statement) -> None:
+        """The next statement of the text, in the section of this number."""
+        if isinstance(statement, ProgramStart):
+            self._begin(line, number, statement)
+            return
+        if self._section is None:
+            return
+        if number == 0 and self._empty:
+            self._section.first_line = line
+            self._begin_check()
+        self._empty = False
+        self._section.add(line, statement)
+        if isinstance(statement, Block):
+            self._block(statement)
+        elif self._is_checked(statement):
+            self._check(statement)
+
+    def _begin(self, line: int, number: int, start: ProgramStart) -> None:
+        self._end_section()
+        self._number = number
+        self._section = None
+        if number == 0:
+            self._section = self._program.main = Section(start.name, start.span, line, False)
+        elif number > 0:
+            self._section = Section(start.name, start.span, line, True)
+            known = self._program.subprograms.setdefault(start.name, self._section)
+            if known is not self._section:
+                self._report(900130, start.span, name=start.name, line=known.span.line)
+        self._empty = False
+        if self._section is not None:
+            self._begin_check()
+
+    def _begin_check(self) -> None:
+        self._checker.begin("called" if self._number > 0 else self._role)
+        self._ended = False
+        if self._watcher is not None:
+            self._watcher.section()
+
+    # --- statements ------------------------------------------------------------------------------
+
+    def _block(self, block: Block) -> None:
+        if not self._is_checked(block):
+            return
+        shape = _shape(block)
+        if shape in self._in_order:
+            return
+        before = len(self._found)
+        self._check(block)
+        is_main = self._number == 0 and self._role == "main"
+        numbers = PROGRAM_ENDS if is_main else SUBPROGRAM_ENDS
+        self._ended = ends(block, numbers)
+        if shape is not None and len(self._found) == before:
+            self._in_order[shape] = None
+
+    def _is_checked(self, statement: Statement) -> bool:
+        """Behind the end of a section what no jump leads to never runs."""
+        if self._ended and any(label in self._checker.targets for label, _ in labels_in(statement)):
+            self._ended = False
+        return not self._ended
+
+    def _check(self, statement: Statement) -> None:
+        self._checker.statement(statement)
+        self._program.cycles += realtime_cycles((statement,))
+        for call in self._checker.take_calls():
+            if call.local:
+                self._local_calls.append(call)
+            else:
+                self._program.calls.append(call)
+        if self._watcher is not None:
+            self._watcher.statement(statement)
+
+    # --- what only the end of a section or of the text shows --------------------------------------
+
+    def _end_section(self) -> None:
+        section = self._section
+        if section is None:
+            return
+        for label, spans in self._checker.targets.items():
+            for span in spans:
+                if label in section.doubled:
+                    self._report(900128, span, label=label)
+                elif label in section.loop_labels:
+                    self._report(900127, span, label=label)
+                elif label not in section.labels:
+                    near = get_close_matches(label, section.labels, 1, 0.0)
+                    self._report(900126, span, label=label, nearest=near[0] if near else "–")
+        self._checker.targets = {}
+
+    def finish(self) -> ProgramText:
+        """The text has ended."""
+        self._end_section()
+        known = self._program.subprograms
+        for call in self._local_calls:
+            assert isinstance(call.name, StringLiteral)
+            name = call.name.value
+            if name not in known:
+                near = get_close_matches(name, known, 1, 0.0)
+                self._report(900129, call.span, name=name, nearest=near[0] if near else "–")
+        return self._program
+
+    def _report(self, number: int, span: Span, **values: object) -> None:
+        self._collector.report(number, span, self._source.line_of(span), **values)
+
+
+def _shape(block: Block) -> Shape | None:
+    """What a check of the block depends on; ``None`` where that is more than its words tell.
+
+    G functions change what comes after them, M functions may end the program, and the number of a
+    block may be computed: only blocks of axis words, F and G00 to G03 have a shape.
+    """
+    if block.head.number is not None and not isinstance(block.head.number, Number):
+        return None
+    shape: list[str | float] = []
+    for word in block.words:
+        if not isinstance(word, AxisWord | Word) or not isinstance(word.value, Number):
+            return None
+        shape.append(word.name)
+        if isinstance(word, AxisWord):
+            continue
+        if word.additional is not None or word.arguments:
+            return None
+        if word.name not in _FREE_WORDS:
+            if word.name != "G" or word.value.value > 3:
+                return None
+            shape.append(word.value.value)
+    return tuple(shape)
+
+
+def _place(diagnostic: Diagnostic) -> tuple[int, int]:
+    span = diagnostic.span
+    return (span.line, span.column) if span is not None else (0, 0)

@@ -1,0 +1,4 @@
+#MSG ["main"]
+M6
+G805[7, "text"] G00 X1
+M30

@@ -31,7 +31,6 @@ from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.nc.names import ChannelNames, Layout, Location
 from nctakt.nc.outline import ProgramText
-from nctakt.results.instruction_tree import distinct
 from nctakt.results.run import FrozenValue, Reaction
 from nctakt.sources import SourceFiles
 from nctakt.text import nearest

@@ -295,7 +295,7 @@ class Controller:
 
     def _run_program(
         self,
-        program: Program,
+        program: LoadedProgram,
         end: int,
         waits_for_start: bool,
         on_progress: Callable[[int, int | None], None] | None,

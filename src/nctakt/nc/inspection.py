@@ -37,6 +37,9 @@ from nctakt.nc.syntax import (
 #: Words whose numbers mean nothing for a check.
 _FREE_WORDS = ("F",)
 
+#: A line in a realtime cycle that could not be read.
+_NO_NC_TEXT = 900229
+
 Shape = tuple[str | float, ...]
 
 
@@ -69,8 +72,18 @@ def inspect(
         sequel.take(line, section, statement)
     program = sequel.finish()
     found.diagnostics.sort(key=_place)
-    collector.diagnostics += found.diagnostics
+    collector.diagnostics += _told_once(found.diagnostics)
     return program
+
+
+def _told_once(found: list[Diagnostic]) -> list[Diagnostic]:
+    """That a line is no NC text counts only where nothing tells why."""
+    told = {one.span.line for one in found if one.span is not None and one.id != _NO_NC_TEXT}
+    return [
+        one
+        for one in found
+        if one.id != _NO_NC_TEXT or one.span is None or one.span.line not in told
+    ]
 
 
 class _Sequel:

@@ -201,7 +201,7 @@ def test_the_python_names_of_the_readme_exist() -> None:
     for named in re.findall(r"`(nctakt\.[\w.]+)`", text_of("README.md")):
         module, _, name = named.rpartition(".")
         assert hasattr(importlib.import_module(module), name), named
-    assert hasattr(Controller, "external_image")
+    assert hasattr(Controller, "interface_image")
 
 
 def test_the_readme_leads_to_each_document() -> None:

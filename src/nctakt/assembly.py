@@ -206,7 +206,7 @@ class Machine:
         ]
         self.kernel = Kernel(self.memory, self.axes, self.channels, self.record)
         self.names = layout.tables[0]
-        self.external_cells = layout.external
+        self.layout = layout
         self._tables = layout.tables
         self.parameters: ChannelParameters = configuration.channels[0].parameters
         self.members = [axis.index for axis in configuration.channels[0].axes]
@@ -299,6 +299,7 @@ class Machine:
             for table in reversed(self._tables):
                 self._cell_names.update((place, name) for name, place, _ in table.values())
             self._cell_names.update((place, name) for name, place in self.names.realtime())
+            self._cell_names.update((one.cell, one.name) for one in self.panel.values())
         return self._cell_names[cell]
 
     # --- signals --------------------------------------------------------------------------------

@@ -17,13 +17,13 @@ from nctakt.decoder.cycles import CycleDefinition
 from nctakt.diagnostics import Diagnostic
 from nctakt.failure import Failure
 from nctakt.feed import Feed
-from nctakt.image import ExternalImage
+from nctakt.image import InterfaceImage
 from nctakt.interface import Interface
 from nctakt.kernel import kernel as reasons
 from nctakt.kernel.cycles import DEFINED, HELD
 from nctakt.lists.machine import MachineConfiguration, MachineError, load_machine
 from nctakt.loading import LoadedProgram, NcText
-from nctakt.plc import Plc
+from nctakt.plc import AnyPlc
 from nctakt.results.probe_log import ProbeLog
 from nctakt.results.run import Run, RunState, RunStatistics, SaidMessage
 from nctakt.results.why import WhyReport
@@ -68,10 +68,10 @@ class Controller:
         self._sinks: list[Sink] = []
         self._stimuli: list[Stimulus] = []
         self._stimuli_from = 0
-        self._plc: Plc | None = None
+        self._plc: AnyPlc | None = None
         self._on_message: Callable[[SaidMessage], None] | None = None
         self._probes: ProbeLog | None = None
-        self._image: ExternalImage | None = None
+        self._image: InterfaceImage | None = None
         self._loaded: list[LoadedProgram] = []
         self._skip_levels: frozenset[int] = frozenset()
 
@@ -113,13 +113,14 @@ class Controller:
         """
         self._machine.write(name, value)
 
-    def external_image(self, name: str | None = None) -> ExternalImage:
-        """The packed memory of V.E from now on until it is closed, shared under ``name`` if given.
+    def interface_image(self, name: str | None = None) -> InterfaceImage:
+        """The HLI as bytes from now on until it is closed, shared under ``name`` if given.
 
         Raises ``Failure`` where there is one already or the shared memory cannot be had.
         """
         machine = self._machine
-        self._image = ExternalImage(self.machine, machine.kernel, machine.external_cells, name)
+        hlis = [channel.hli for channel in machine.channels]
+        self._image = InterfaceImage(self.machine, machine.kernel, hlis, machine.layout, name)
         return self._image
 
     # --- tick by tick ---------------------------------------------------------------------------
@@ -154,7 +155,7 @@ class Controller:
     def run(
         self,
         *programs: str | Path | NcText,
-        plc: Plc | None = None,
+        plc: AnyPlc | None = None,
         until_us: int | None = None,
         ticks: int | None = None,
         after_us: int = 0,

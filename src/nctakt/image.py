@@ -1,71 +1,144 @@
 # SPDX-License-Identifier: MIT
-"""The memory of V.E variables as a PLC or another process sees it: packed like C structures.
+"""The HLI as a PLC or another process sees it: one memory, with the packed V.E variables in it.
 
-In: a machine. Out: a description of the layout (``describe``, ``describe_c``), and the live image
-of a running controller (``Controller.external_image``), in memory of this process or in named
-shared memory. The image has one section for the GLOBAL variables and one for each channel; V.CH is
-in none. What is written into it counts from the next tick on, what cycles and programs write is in
-it at the end of the tick (``kernel/image.py``).
+In: a machine. Out: descriptions of the layout (``image_layout``, ``describe_hli_c``; for the V.E
+variables ``describe``, ``describe_c``), and the live image of a running controller
+(``Controller.interface_image``), in memory of this process or in named shared memory. The V.E
+variables have one section for GLOBAL and one for each channel; V.CH is in none. What the PLC writes
+into its places counts from the next tick on, what the tick does is in it at the end of the tick
+(``kernel/image.py``).
 """
 
 from __future__ import annotations
 
 import contextlib
+import struct
 import weakref
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Sequence
 from multiprocessing.shared_memory import SharedMemory
 from types import TracebackType
 
 from nctakt.failure import Failure
+from nctakt.hli.header import describe_hli_c
+from nctakt.hli.layout import (
+    AXIS,
+    CHANNEL,
+    COMMAND,
+    HEADER,
+    LAMPS,
+    LINK,
+    MAGIC,
+    PANEL,
+    VERSION,
+)
+from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
+from nctakt.kernel.hli import Hli
 from nctakt.kernel.image import KINDS
 from nctakt.kernel.kernel import Kernel
+from nctakt.kernel.units import SectionUnits, Units
 from nctakt.lists.machine import MachineConfiguration
 from nctakt.lists.variable_header import describe_c
 from nctakt.lists.variable_layout import Field, fields, pack_of
 from nctakt.lists.variable_memory import Section, describe, image_bytes, sections
 from nctakt.messages import diagnostic
 from nctakt.nc.cells import CELL_BYTES
+from nctakt.nc.names import Layout
 
-__all__ = ["ExternalImage", "Field", "Section", "describe", "describe_c", "image_bytes", "sections"]
+__all__ = [
+    "Field",
+    "ImageLayout",
+    "InterfaceImage",
+    "Section",
+    "describe",
+    "describe_c",
+    "describe_hli_c",
+    "image_bytes",
+    "image_layout",
+    "sections",
+]
+
+#: A row of ``kernel.image``: byte, kind, cell, bytes, whether the PLC may write it.
+_Row = tuple[int, int, int, int, bool]
 
 
-class ExternalImage:
+class InterfaceImage:
     """The live image of a controller; also a context manager.
 
-    ``memory``: all its bytes; ``section`` gives those of one scope. ``name`` is that of the shared
-    memory, ``None`` without. Closing it releases ``memory`` and removes the shared memory; it is
-    done at the latest when the controller goes, and by the system's helper when the process dies.
+    ``memory``: all its bytes, ``layout`` says what stands where; ``external`` are those of the V.E
+    variables, and ``section`` gives those of one scope. ``name`` is that of the shared memory,
+    ``None`` without. Closing it releases the views and removes the shared memory; it is done at the
+    latest when the controller goes, and by the system's helper when the process dies.
     """
 
     def __init__(
         self,
         machine: MachineConfiguration,
         kernel: Kernel,
-        cells: Mapping[tuple[int, str], int],
+        hlis: Sequence[Hli],
+        cells: Layout,
         name: str | None = None,
     ) -> None:
-        """``cells``: the first cell of each variable by channel (0: GLOBAL) and name."""
+        """``hlis``: those of the channels; ``cells``: where values live in the memory."""
         if kernel.image.is_attached:
             raise Failure(diagnostic(900347))
         self.name = name
+        self.layout = layout = image_layout(machine)
         self._sections = sections(machine)
-        size = image_bytes(machine)
-        shared = None if name is None else _create(name, size)
-        buffer = memoryview(bytearray(size)) if shared is None else shared.buf
+        shared = None if name is None else _create(name, layout.size)
+        buffer = memoryview(bytearray(layout.size)) if shared is None else shared.buf
         assert buffer is not None
-        self.memory = buffer[:size]
+        self.memory = buffer[: layout.size]
+        self.external = self.memory[layout.ve_offset :]
+        _put_header(self.memory, layout, machine)
+        published = memoryview(bytearray(layout.size))
         pack = pack_of(machine.startup.member_alignment)
-        kernel.image.attach(self.memory, list(_table(self._sections, pack, cells)))
-        self._resources = _Resources(kernel, self.memory, shared)
+        kernel.image.attach(
+            self.memory,
+            published,
+            [*_hli_rows(layout, cells), *_external_rows(layout, self._sections, pack, cells)],
+            _units(hlis, self.memory, published, layout, machine.cycle_time_us),
+            entry(HEADER, "sequence").offset,
+            layout.command_offset,
+            kernel.tick,
+        )
+        self._put_header_value("ready", 1)
+        self._resources = _Resources(kernel, (self.external, self.memory), shared)
         self._last_resort = weakref.finalize(self, self._resources.give_up)
 
     def section(self, channel: int = 0) -> memoryview:
-        """The bytes of one scope, writable: 0 for GLOBAL, else the number of a channel.
+        """The bytes of the V.E variables of one scope, writable: 0 for GLOBAL, else a channel's.
 
         Release it before the image is closed.
         """
         one = self._sections[channel]
-        return self.memory[one.offset : one.offset + one.size_bytes]
+        return self.external[one.offset : one.offset + one.size_bytes]
+
+    # --- the handshake --------------------------------------------------------------------------
+
+    @property
+    def plc_is_present(self) -> bool:
+        """Whether a PLC says that it is there: ``plc_present`` of the first channel."""
+        place = self.layout.command(0) + entry(COMMAND, "plc_present").offset
+        return self.memory[place] != 0
+
+    def hand_over(self) -> None:
+        """It is the PLC's turn."""
+        place = entry(HEADER, "turn").offset
+        (turn,) = struct.unpack_from("=Q", self.memory, place)
+        struct.pack_into("=Q", self.memory, place, turn + 1)
+
+    @property
+    def is_handed_back(self) -> bool:
+        """Whether the PLC has answered since ``hand_over``."""
+        place = self.layout.link_offset + entry(LINK, "turn").offset
+        (ours,) = struct.unpack_from("=Q", self.memory, entry(HEADER, "turn").offset)
+        (theirs,) = struct.unpack_from("=Q", self.memory, place)
+        return bool(ours == theirs)
+
+    def _put_header_value(self, name: str, value: int) -> None:
+        struct.pack_into("=I", self.memory, entry(HEADER, name).offset, value)
+
+    # --- its end --------------------------------------------------------------------------------
 
     @property
     def is_closed(self) -> bool:
@@ -81,7 +154,7 @@ class ExternalImage:
         self._resources.close()
         self._last_resort.detach()
 
-    def __enter__(self) -> ExternalImage:
+    def __enter__(self) -> InterfaceImage:
         return self
 
     def __exit__(
@@ -96,20 +169,24 @@ class ExternalImage:
 class _Resources:
     """What an image holds, given back in the order that works: kernel, view, shared memory."""
 
-    def __init__(self, kernel: Kernel, memory: memoryview, shared: SharedMemory | None) -> None:
+    def __init__(
+        self, kernel: Kernel, views: Sequence[memoryview], shared: SharedMemory | None
+    ) -> None:
         self.kernel: Kernel | None = kernel
-        self._memory = memory
+        self._views = views
         self._shared = shared
 
     def close(self) -> None:
         """Give everything back that is not yet; raises ``Failure`` (900348)."""
         if self.kernel is not None:
+            struct.pack_into("=I", self._views[-1], entry(HEADER, "ready").offset, 0)
             self.kernel.image.detach()
             self.kernel = None
             if self._shared is not None:
                 self._shared.unlink()
         try:
-            self._memory.release()
+            for view in self._views:
+                view.release()
             if self._shared is not None:
                 self._shared.close()
         except BufferError as error:
@@ -122,18 +199,93 @@ class _Resources:
             self.close()
 
 
-def _table(
-    parts: tuple[Section, ...], pack: int, cells: Mapping[tuple[int, str], int]
-) -> Iterator[tuple[int, int, int, int]]:
-    """Rows of ``kernel.image``: byte, kind, cell, bytes of each number and string."""
+def _put_header(memory: memoryview, layout: ImageLayout, machine: MachineConfiguration) -> None:
+    """What never changes: the begin of the image, the names of the axes."""
+    values = {
+        "version": VERSION,
+        "size": layout.size,
+        "cycle_time_us": machine.cycle_time_us,
+        "channels": layout.channels,
+        "channel_offset": layout.channel_offset,
+        "channel_size": size_of(CHANNEL),
+        "axes": layout.axes,
+        "axis_offset": layout.axis_offset,
+        "axis_size": size_of(AXIS),
+        "command_offset": layout.command_offset,
+        "command_size": size_of(COMMAND),
+        "link_offset": layout.link_offset,
+        "ve_offset": layout.ve_offset,
+        "ve_size": layout.ve_size,
+    }
+    for name, value in values.items():
+        struct.pack_into("=I", memory, entry(HEADER, name).offset, value)
+    memory[: len(MAGIC)] = MAGIC
+    size = entry(AXIS, "name").size_bytes
+    for index, axis in enumerate(machine.axes):
+        characters = axis.name.encode("cp1252", "replace")[: size - 1]
+        place = layout.axis(index) + entry(AXIS, "name").offset
+        memory[place : place + len(characters)] = characters
+
+
+def _hli_rows(layout: ImageLayout, cells: Layout) -> Iterator[_Row]:
+    """Rows of what channels and axes show, and of what the PLC commands."""
+    for index in range(layout.channels):
+        for placed in entries(CHANNEL):
+            if placed.entry in LAMPS:
+                cell = cells.panel_cell(index) + len(PANEL) + LAMPS.index(placed.entry)
+            else:
+                cell = cells.channel_value(index, placed.entry.source)
+            kind = KINDS[placed.entry.type]
+            yield layout.channel(index) + placed.offset, kind, cell, placed.size_bytes, False
+        for placed in entries(COMMAND):
+            if placed.entry in PANEL:
+                cell = cells.panel_cell(index) + PANEL.index(placed.entry)
+                kind = KINDS[placed.entry.type]
+                yield layout.command(index) + placed.offset, kind, cell, placed.size_bytes, True
+    for index in range(layout.axes):
+        for placed in entries(AXIS):
+            if placed.entry.source:
+                cell = cells.axis_value(index, placed.entry.source)
+                kind = KINDS[placed.entry.type]
+                yield layout.axis(index) + placed.offset, kind, cell, placed.size_bytes, False
+
+
+def _external_rows(
+    layout: ImageLayout, parts: Sequence[Section], pack: int, cells: Layout
+) -> Iterator[_Row]:
+    """Rows of each number and string of the V.E variables."""
     for section in parts:
         for placed in section.placed:
-            cell = cells[(section.channel, placed.variable.name)]
+            cell = cells.external[(section.channel, placed.variable.name)]
             for field in fields(placed, pack):
                 for index in range(max(1, field.count)):
                     offset = section.offset + field.offset + index * field.size_bytes
-                    yield offset, KINDS[field.type], cell, field.size_bytes
+                    place = layout.ve_offset + offset
+                    yield place, KINDS[field.type], cell, field.size_bytes, True
                     cell += -(-field.size_bytes // CELL_BYTES)
+
+
+def _units(
+    hlis: Sequence[Hli],
+    memory: memoryview,
+    published: memoryview,
+    layout: ImageLayout,
+    cycle_time_us: int,
+) -> Units:
+    """The technology functions of all channels, the last one first."""
+    units = Units()
+    for index, hli in reversed(list(enumerate(hlis))):
+        for section, name in ((hli.realtime, "realtime"), (hli.program, "program")):
+            units = SectionUnits(
+                section,
+                memory,
+                published,
+                layout.channel(index) + unit_offset(CHANNEL, name),
+                layout.command(index) + entry(COMMAND, f"ack_{name}").offset,
+                cycle_time_us,
+                units,
+            )
+    return units
 
 
 def _create(name: str, size: int) -> SharedMemory:

@@ -19,7 +19,7 @@ from machines import DEMO, NESTED, folder_with, machine_with
 
 from nctakt.controller import Controller, NcText
 from nctakt.failure import Failure
-from nctakt.image import ExternalImage, describe, sections
+from nctakt.image import InterfaceImage, describe, sections
 
 SHARED_FOLDER = Path("/dev/shm")
 needs_shared_folder = pytest.mark.skipif(
@@ -62,7 +62,7 @@ class Plc:
 def attached(controller: Controller | None = None) -> tuple[Controller, Plc]:
     """A controller with an image in this process."""
     controller = controller or Controller()
-    return controller, Plc(controller, controller.external_image().memory)
+    return controller, Plc(controller, controller.interface_image().external)
 
 
 # --- the two ways -----------------------------------------------------------------------------
@@ -232,12 +232,12 @@ M30
 def run_in_pieces(pieces: list[int], *, image: bool) -> tuple[list[str], bytes]:
     """Events of a run cut into these pieces, and the image at its end."""
     controller = Controller()
-    live = controller.external_image() if image else None
+    live = controller.interface_image() if image else None
     controller.start(NcText("p.nc", PROGRAM))
     for ticks in pieces:
         controller.step(ticks)
     values = [repr(controller.read(f"V.E.{one}")) for one in ("COUNT", "LIST[6]", "TEXT", "FLAG")]
-    return values, b"" if live is None else bytes(live.memory)
+    return values, b"" if live is None else bytes(live.external)
 
 
 def test_the_cutting_of_a_run_changes_nothing() -> None:
@@ -267,14 +267,14 @@ def test_texts_of_the_program_come_in_their_tick() -> None:
 def test_a_controller_has_one_image_at_a_time() -> None:
     """A second one is refused (900347); after closing the first there can be another."""
     controller = Controller()
-    first = controller.external_image()
+    first = controller.interface_image()
     with pytest.raises(Failure) as caught:
-        controller.external_image()
+        controller.interface_image()
     assert caught.value.diagnostics[0].id == 900347
     first.close()
     assert first.is_closed
     first.close()
-    with controller.external_image() as second:
+    with controller.interface_image() as second:
         assert not second.is_closed
     assert second.is_closed
     controller.step(1)
@@ -300,7 +300,7 @@ def test_the_image_begins_with_the_values_of_now() -> None:
 def test_a_section_is_the_bytes_of_one_scope() -> None:
     """``section``: 0 for GLOBAL, else the number of the channel; writable."""
     controller = Controller()
-    with controller.external_image() as image:
+    with controller.interface_image() as image:
         section = image.section(0)
         assert len(section) == sections(controller.machine)[0].size_bytes
         struct.pack_into("=d", section, 0, 4.5)
@@ -325,9 +325,10 @@ struct.pack_into("=d", memory, answer, 2 * struct.unpack_from("=d", memory, plac
 def test_another_process_sees_the_variables_live(name: str) -> None:
     """In named shared memory: it reads what a cycle writes, and what it writes comes here."""
     controller = Controller()
-    with controller.external_image(name) as image:
-        plc = Plc(controller, image.memory)
-        places = [str(plc.places[path][0]) for path in ("VALUE", "SYNC")]
+    with controller.interface_image(name) as image:
+        plc = Plc(controller, image.external)
+        first = image.layout.ve_offset
+        places = [str(first + plc.places[path][0]) for path in ("VALUE", "SYNC")]
         with subprocess.Popen([sys.executable, "-c", READER, name, *places]) as other:
             controller.write("V.E.VALUE", 12.5)
             controller.step(1)
@@ -340,17 +341,17 @@ def test_another_process_sees_the_variables_live(name: str) -> None:
 def test_shared_memory_goes_when_the_image_is_closed(name: str) -> None:
     """Nobody can open it any longer; the name is free again."""
     controller = Controller()
-    controller.external_image(name).close()
+    controller.interface_image(name).close()
     with pytest.raises(FileNotFoundError):
         SharedMemory(name)
-    with controller.external_image(name):
+    with controller.interface_image(name):
         controller.step(1)
 
 
 def test_shared_memory_goes_with_its_controller(name: str) -> None:
     """Also when nobody has closed the image."""
     controller = Controller()
-    controller.external_image(name)
+    controller.interface_image(name)
     del controller
     with pytest.raises(FileNotFoundError):
         SharedMemory(name)
@@ -358,7 +359,7 @@ def test_shared_memory_goes_with_its_controller(name: str) -> None:
 
 def test_a_view_that_lives_keeps_the_memory_and_is_told(name: str) -> None:
     """900348; the name is gone all the same, and closing again is all that is left to do."""
-    image = Controller().external_image(name)
+    image = Controller().interface_image(name)
     view = image.section(1)
     with pytest.raises(Failure) as caught:
         image.close()
@@ -369,9 +370,9 @@ def test_a_view_that_lives_keeps_the_memory_and_is_told(name: str) -> None:
 
 def test_a_name_in_use_is_told(name: str) -> None:
     """900349: two controllers cannot have one name."""
-    with Controller().external_image(name):
+    with Controller().interface_image(name):
         with pytest.raises(Failure) as caught:
-            Controller().external_image(name)
+            Controller().interface_image(name)
         assert caught.value.diagnostics[0].id == 900349
 
 
@@ -380,16 +381,16 @@ def test_a_name_that_cannot_be_is_told(wrong: str) -> None:
     """900350 says what the system says."""
     controller = Controller()
     with pytest.raises(Failure) as caught:
-        controller.external_image(wrong)
+        controller.interface_image(wrong)
     assert caught.value.diagnostics[0].id == 900350
-    controller.external_image().close()
+    controller.interface_image().close()
 
 
 KILLED = """
 import sys, time
 from nctakt.controller import Controller
 controller = Controller()
-image = controller.external_image(sys.argv[1])
+image = controller.interface_image(sys.argv[1])
 print("ready", flush=True)
 while True:
     controller.step(1000)
@@ -414,10 +415,10 @@ def test_shared_memory_goes_when_the_process_is_killed(name: str, how: signal.Si
 
 
 def test_an_image_is_told_from_what_describes_it() -> None:
-    """What the controller gives is an ``ExternalImage`` without a name, or with that one."""
+    """What the controller gives is an ``InterfaceImage`` without a name, or with that one."""
     controller = Controller()
-    with controller.external_image() as image:
-        assert isinstance(image, ExternalImage)
+    with controller.interface_image() as image:
+        assert isinstance(image, InterfaceImage)
         assert image.name is None
 
 
@@ -439,15 +440,15 @@ def test_each_channel_has_a_section_of_its_own(tmp_path: Path) -> None:
     machine = controller.machine
     assert [one.channel for one in sections(machine)] == [0, 1, 2]
     assert describe(machine, 1) == describe(machine, 2)
-    with controller.external_image() as image:
+    with controller.interface_image() as image:
         place = next(field.offset for field in describe(machine, 2) if field.path == "SYNC")
         second = sections(machine)[2].offset + place
-        struct.pack_into("=d", image.memory, second, 8.0)
+        struct.pack_into("=d", image.external, second, 8.0)
         controller.step(1)
         assert controller.read("V.E.SYNC") == 0.0
-        assert struct.unpack_from("=d", image.memory, second) == (8.0,)
-        struct.pack_into("=d", image.memory, second, float("nan"))
+        assert struct.unpack_from("=d", image.external, second) == (8.0,)
+        struct.pack_into("=d", image.external, second, float("nan"))
         controller.step(1)
-        assert struct.unpack_from("=d", image.memory, second) == (8.0,)
+        assert struct.unpack_from("=d", image.external, second) == (8.0,)
         assert controller.diagnostics[-1].id == 900346
         assert "V.E.SYNC" in controller.diagnostics[-1].text("en")

@@ -16,7 +16,7 @@ from programs import Machine, demo, errors, machine, messages
 from nctakt.controller import Controller, NcText
 from nctakt.failure import Failure
 from nctakt.lists.machine import load_machine
-from nctakt.plc import Plc
+from nctakt.plc import AnyPlc
 
 #: V.E of the channel, V.E GLOBAL and V.CH: each synchronous and asynchronous, as number, array and
 #: nested structure.
@@ -395,7 +395,7 @@ def test_rc_309_channel_variables_live_until_restart(every: Machine) -> None:
     assert machine_like(every).value("V.CH.HS") == 0
 
 
-class Peeping(Plc):
+class Peeping(AnyPlc):
     """A PLC that wants to see a channel variable."""
 
     def __init__(self) -> None:

@@ -23,7 +23,7 @@ from nctakt.stimuli import Stimulus, parse_assignment, parse_stimulus, parse_tim
 
 if TYPE_CHECKING:
     from nctakt.controller import NcText
-    from nctakt.plc import Plc
+    from nctakt.plc import AnyPlc
 
 STANDARD_INPUT = "-"
 
@@ -51,6 +51,7 @@ class Options:
     language: Language
     compiled: bool | None
     wait_for_start: bool = False
+    hli: str | None = None
     quiet: bool = False
 
 
@@ -64,7 +65,7 @@ class Request:
     until_us: int | None
     after_us: int
     signals: tuple[str, ...] | None
-    plc: Plc | None
+    plc: AnyPlc | None
     skip_levels: tuple[int, ...]
 
 
@@ -100,6 +101,8 @@ def read_request(options: Options) -> Request:
     after = reader.read(parse_time, options.after)
     plc = () if options.plc is None else reader.read(_load_plc, options.plc)
     skip_levels = reader.read(_skip_levels, options.skip)
+    if options.plc is not None and options.hli is not None:
+        reader.found.append(diagnostic(900653))
     signals = None if options.signals is None else split_names(options.signals)
     if reader.found:
         raise Failure(*reader.found)
@@ -154,7 +157,7 @@ def _program(program: str) -> Path | NcText:
     return NcText("<stdin>", decode_text(data).text)
 
 
-def _load_plc(path: str) -> Plc:
+def _load_plc(path: str) -> AnyPlc:
     from nctakt.plc import load_plc  # noqa: PLC0415 - the mode is chosen before its import
 
     return load_plc(path)

@@ -10,6 +10,7 @@ file is written or a tick is run.
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,6 +27,7 @@ from nctakt.cli.terminal import (
     saved_message,
     show_at_the_end,
 )
+from nctakt.cli.waiting import waiter
 from nctakt.diagnostics import Severity
 from nctakt.failure import Failure
 
@@ -34,6 +36,10 @@ if TYPE_CHECKING:
     from nctakt.results.report import DiagnosisSink
     from nctakt.results.run import Run, SaidMessage
     from nctakt.trace.sinks import Sink
+
+#: Seconds of wall-clock time for a PLC in another process: to come, and to answer a tick.
+_PARTNER_COMES_S = 30.0
+_PARTNER_ANSWERS_S = 10.0
 
 _EPILOG = """\b
 Times are numbers with us, ms, s or min; a number alone means seconds.
@@ -57,6 +63,7 @@ Ctrl-C, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 @click.option(
     "--wait-for-start", is_flag=True, help="START on the HLI begins each program (HLI.START)."
 )
+@click.option("--hli", metavar="NAME", help="Share the HLI; a PLC in another process answers.")
 @click.option("--quiet", is_flag=True, help="No summary and no notes.")
 def command(**words: Any) -> int:
     """Run NC programs one after another on the same controller ('-': standard input)."""
@@ -79,6 +86,7 @@ def _run(options: Options) -> int:
         report = _open_file(options.diagnosis, files)
         diagnosis = None if report is None else _diagnosis(controller)
         listeners = sinks if diagnosis is None else [*sinks, diagnosis]
+        request = _with_partner(options, request, controller, files)
         begin_s = time.perf_counter()
         run = _run_controller(options, request, controller, listeners, messages)
         wall_s = time.perf_counter() - begin_s
@@ -86,6 +94,19 @@ def _run(options: Options) -> int:
         if report is not None and diagnosis is not None:
             report.write(diagnosis.report.render(options.language, diagnostics))
     return EXIT_NC_ERROR if run is None else _tell(options, run, wall_s)
+
+
+def _with_partner(
+    options: Options, request: Request, controller: Controller, files: contextlib.ExitStack
+) -> Request:
+    """With ``--hli`` the PLC is the one that comes to the shared memory of this name."""
+    from nctakt.plc import PartnerPlc  # noqa: PLC0415 - the mode is chosen before its import
+
+    if options.hli is None:
+        return request
+    image = files.enter_context(controller.interface_image(options.hli))
+    PartnerPlc(image, waiter(_PARTNER_COMES_S)).await_presence()
+    return dataclasses.replace(request, plc=PartnerPlc(image, waiter(_PARTNER_ANSWERS_S)))
 
 
 def _open_trace(options: Options, files: contextlib.ExitStack) -> list[Sink]:

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """What stands in the HLI: one declaration of each value, from which all else is made.
 
-``PANEL`` are the operator's commands and ``LAMPS`` what the channel shows for them; each has a cell
-in the memory, in this order (``kernel/panel.py``). From outside they are called ``HLI.OVERRIDE``,
-``HLI.STATE`` …
+Structures of values, as a PLC sees them in memory (``hli/places.py`` gives each its bytes). Made
+from them are the table that the tick works with (``image.py``), the C header (``hli/header.py``),
+the document ``docs/reference/hli.md``. ``PANEL`` are the operator's commands and ``LAMPS`` what the
+channel shows for them; each has a cell in the memory, in this order (``kernel/panel.py``). From
+outside they are called ``HLI.OVERRIDE``, ``HLI.STATE`` …
 """
 
 from __future__ import annotations
@@ -11,18 +13,49 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from nctakt.kernel.hli import SLOT_COUNT
+
 #: What stands in front of the names of operator's values: ``HLI.FEED_HOLD``.
 PREFIX = "HLI."
+
+#: The first bytes of an image.
+MAGIC = b"NCTAKT\0\0"
+
+#: Changed whenever a value changes its place or meaning.
+VERSION = 1
+
+#: Bytes of each number; names are characters, so many in all.
+TYPE_BYTES = {"BOOLEAN": 1, "UNS08": 1, "UNS32": 4, "UNS64": 8, "REAL64": 8, "STRING": 1}
 
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """A value of the HLI: name, type as in variables lists, unit, meaning."""
+    """A value of the HLI: name, type as in variables lists (and UNS64), unit, meaning.
+
+    ``count``: elements of an array, 0 for none. ``source``: the variable of the channel or axis
+    that it shows (``nc/names.py``); nothing for what has a way of its own.
+    """
 
     name: str
     type: str
     unit: str
     meaning: str
+    count: int = 0
+    source: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Structure:
+    """Values that stand together; ``units``: names of the arrays of ``UNIT`` behind them.
+
+    ``is_command`` tells that the PLC writes it; the CNC writes all others.
+    """
+
+    name: str
+    meaning: str
+    entries: tuple[Entry, ...]
+    units: tuple[str, ...] = ()
+    is_command: bool = False
 
 
 #: What the operator commands; the PLC writes it.
@@ -32,6 +65,7 @@ PANEL = (
     Entry("single_block", "BOOLEAN", "", "1: the channel stops in front of each block"),
     Entry("start", "BOOLEAN", "", "START: the PLC writes 1, the CNC takes it and writes 0"),
     Entry("reset", "BOOLEAN", "", "RESET: the PLC writes 1, the CNC takes it and writes 0"),
+    Entry("plc_present", "BOOLEAN", "", "1: the PLC acknowledges functions, 0: the CNC itself"),
 )
 
 #: What the channel shows; the CNC writes it.
@@ -44,6 +78,107 @@ LAMPS = (
 
 #: Cells of a channel's panel.
 PANEL_CELLS = len(PANEL) + len(LAMPS)
+
+HEADER = Structure(
+    "hli_header",
+    "the begin of the image: what there is, where it stands, and the clock",
+    (
+        Entry("magic", "STRING", "", "`NCTAKT` and two zero bytes", count=8),
+        Entry("version", "UNS32", "", f"{VERSION}; another one is another layout"),
+        Entry("ready", "UNS32", "", "1 while the CNC is there; written last, taken away first"),
+        Entry("size", "UNS32", "bytes", "the whole image"),
+        Entry("cycle_time_us", "UNS32", "µs", "the length of a tick"),
+        Entry("channels", "UNS32", "", "number of `hli_channel` and of `hli_command`"),
+        Entry("channel_offset", "UNS32", "bytes", "place of the first `hli_channel`"),
+        Entry("channel_size", "UNS32", "bytes", "from one `hli_channel` to the next"),
+        Entry("axes", "UNS32", "", "number of `hli_axis`"),
+        Entry("axis_offset", "UNS32", "bytes", "place of the first `hli_axis`"),
+        Entry("axis_size", "UNS32", "bytes", "from one `hli_axis` to the next"),
+        Entry("command_offset", "UNS32", "bytes", "place of the first `hli_command`"),
+        Entry("command_size", "UNS32", "bytes", "from one `hli_command` to the next"),
+        Entry("link_offset", "UNS32", "bytes", "place of `hli_link`"),
+        Entry("ve_offset", "UNS32", "bytes", "place of the V.E variables"),
+        Entry("ve_size", "UNS32", "bytes", "of the V.E variables, all sections"),
+        Entry("sequence", "UNS64", "", "odd while the CNC writes; unchanged: what was read fits"),
+        Entry("tick", "UNS64", "", "ticks that have been run"),
+        Entry("turn", "UNS64", "", "in lockstep: counts the times that the CNC waits for the PLC"),
+    ),
+)
+
+UNIT = Structure(
+    "hli_unit",
+    "a place for one M or H function",
+    (
+        Entry("serial", "UNS32", "", "0: free; else the running number of the function"),
+        Entry("letter", "UNS32", "", "1 M, 2 H"),
+        Entry("number", "UNS32", "", "of the function: 100 for M100"),
+        Entry("sequence", "UNS32", "", "its number among those of its tick and section, from 1"),
+        Entry("time_us", "UNS64", "µs", "the begin of the tick that has commanded it"),
+        Entry("duration_us", "UNS64", "µs", "the time that the channel list gives it"),
+    ),
+)
+
+CHANNEL = Structure(
+    "hli_channel",
+    "the state of a channel",
+    (
+        *LAMPS,
+        Entry("override_total", "UNS32", "%", "that acts", source="OVERRIDE.VEL.TOTAL"),
+        Entry("path_speed", "REAL64", "mm/s", "the speed on the path", source="PATH.SPEED"),
+        Entry("distance_to_go", "REAL64", "mm", "left of the block", source="PATH.DIST_TO_GO"),
+        Entry("block", "UNS32", "", "N number of the current block", source="BLOCK"),
+        Entry("active_cycles", "UNS32", "", "realtime cycles that run", source="CYCLES.ACTIVE"),
+    ),
+    units=("program", "realtime"),
+)
+
+AXIS = Structure(
+    "hli_axis",
+    "the state of an axis",
+    (
+        Entry("name", "STRING", "", "its name in the channel, with a zero byte", count=16),
+        Entry("command", "REAL64", "mm, °", "command position, ACS", source="ACS.ACT_POS"),
+        Entry("actual", "REAL64", "mm, °", "actual position, ACS", source="ACS.CUR_POS"),
+        Entry("target", "REAL64", "mm, °", "end of the motion, ACS", source="ACS.CMD_POS"),
+        Entry("machine", "REAL64", "mm, °", "command position, MCS", source="MCS.ACT_POS"),
+        Entry("program", "REAL64", "mm, °", "command position, PCS", source="PCS.ACT_POS"),
+        Entry("distance_to_go", "REAL64", "mm, °", "left to the target", source="MCS.DIST_TO_GO"),
+        Entry("override_total", "UNS32", "%", "of its own motions", source="OVERRIDE.VEL.TOTAL"),
+    ),
+)
+
+COMMAND = Structure(
+    "hli_command",
+    "what the PLC commands a channel",
+    (
+        *PANEL,
+        Entry(
+            "ack_program",
+            "UNS32",
+            "",
+            "acknowledges `program[i]` of the channel: its serial",
+            count=SLOT_COUNT,
+        ),
+        Entry(
+            "ack_realtime",
+            "UNS32",
+            "",
+            "acknowledges `realtime[i]` of the channel: its serial",
+            count=SLOT_COUNT,
+        ),
+    ),
+    is_command=True,
+)
+
+LINK = Structure(
+    "hli_link",
+    "the PLC's side of the lockstep",
+    (Entry("turn", "UNS64", "", "`turn` of the header, as soon as the PLC has answered"),),
+    is_command=True,
+)
+
+#: All of them in the order of the image; ``UNIT`` stands in channels.
+STRUCTURES = (HEADER, LINK, UNIT, CHANNEL, AXIS, COMMAND)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,9 +9,12 @@ cdef class Section:
     cdef long long[::1] function
     cdef long long[::1] sequence
     cdef long long[::1] tick
+    cdef long long[::1] serial
     cdef long long[::1] done
     cdef readonly long long issued_in_tick
     cdef readonly long long taken_count
+    cdef long long issued
+    cdef long long version
 
     @cython.locals(i=Py_ssize_t)
     cdef void latch(self) noexcept nogil

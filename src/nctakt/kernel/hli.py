@@ -26,7 +26,8 @@ ACKNOWLEDGED = 2
 class Section:
     """Slots for technology functions.
 
-    A function is named by its number; an H function by its negative number - 1, so that one number
+    Each function has a running number (``serial``); ``version`` changes with the slots. A function
+    is named by its number; an H function by its negative number - 1, so that one number
     holds both and M0 differs from H0.
     """
 
@@ -37,8 +38,11 @@ class Section:
         self.sequence = memoryview(bytearray(8 * slot_count)).cast("q")
         self.tick = memoryview(bytearray(8 * slot_count)).cast("q")
         self.done = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.serial = memoryview(bytearray(8 * slot_count)).cast("q")
         self.issued_in_tick = 0
         self.taken_count = 0
+        self.issued = 0
+        self.version = 0
 
     def latch(self) -> None:
         """Start of a tick: what the PLC has acknowledged is free from now on."""
@@ -49,6 +53,7 @@ class Section:
             if self.state[i] == 2:
                 self.state[i] = 0
                 self.taken_count -= 1
+                self.version += 1
 
     def issue(self, function: int, tick: int, ticks: int) -> int:
         """Put a function that takes so many ticks into a free slot: its number within the tick.
@@ -61,6 +66,9 @@ class Section:
             if self.state[i] == 0:
                 self.issued_in_tick += 1
                 self.taken_count += 1
+                self.version += 1
+                self.issued = self.issued + 1 if self.issued < 2147483647 else 1
+                self.serial[i] = self.issued
                 self.state[i] = 1
                 self.function[i] = function
                 self.sequence[i] = self.issued_in_tick
@@ -91,6 +99,7 @@ class Section:
         for i in range(self.slot_count):
             self.state[i] = 0
         self.taken_count = 0
+        self.version += 1
 
     def entries(self) -> list[tuple[int, int, int, int]]:
         """What waits, oldest first: (slot, function, number in its tick, tick)."""
@@ -129,7 +138,7 @@ class Hli:
 
     def run_default_plc(self, tick: int) -> None:
         """The PLC phase of a tick, where no script plays the PLC."""
-        if self.acknowledges_itself:
+        if self.acknowledges_itself and not self.panel.plc_present:
             self.realtime.acknowledge_done(tick)
             self.program.acknowledge_done(tick)
 

@@ -2,8 +2,9 @@
 # C types of image.py.
 cimport cython
 from nctakt.kernel.record cimport Record
+from nctakt.kernel.units cimport Units
 
-cdef class ExternalImage:
+cdef class InterfaceImage:
     cdef double[::1] cells
     cdef long long[::1] words
     cdef unsigned char[::1] characters
@@ -21,6 +22,10 @@ cdef class ExternalImage:
     cdef Py_ssize_t refused_count
     cdef Py_ssize_t refused_told
     cdef Py_ssize_t word_count
+    cdef Py_ssize_t clock_word
+    cdef Py_ssize_t first_input_word
+    cdef Units units
+    cdef long long[::1] is_input
     cdef unsigned char[::1] image
     cdef long long[::1] image_words
     cdef unsigned char[::1] published
@@ -55,8 +60,9 @@ cdef class ExternalImage:
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t, cell=Py_ssize_t)
     cdef void remember(self, Py_ssize_t entry) noexcept nogil
     cdef void mark_stale(self, Py_ssize_t entry) noexcept nogil
+    cdef void publish(self, long long ticks) noexcept nogil
     @cython.locals(i=Py_ssize_t)
-    cdef void publish(self) noexcept nogil
+    cdef void publish_cells(self) noexcept nogil
     cdef void put(self, Py_ssize_t entry) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t, place=Py_ssize_t)
     cdef void put_string(self, Py_ssize_t entry) noexcept nogil

@@ -1,18 +1,20 @@
 # SPDX-License-Identifier: MIT
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
 # cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
-"""The packed image of V.E that a PLC sees, kept equal to the cells of the memory (RC-301).
+"""The image of the HLI that a PLC sees, kept equal to the cells of the memory (RC-301).
 
-A table says which variable stands at which byte (``lists/variable_layout.py``). ``latch`` takes
-over what the PLC has written: bytes that differ from those that were published last. ``publish``
-writes the variables that have changed since. Numbers have the byte order of the processor.
-A REAL64 that is not finite is refused: the variable keeps its value, the image gets it back, and
-the first time of each variable is told (900346).
+A table says which variable stands at which byte (``hli/places.py``, and for the packed V.E
+``lists/variable_layout.py``). ``latch`` takes over what the PLC has written where it may: bytes
+that differ from those that were published last. ``publish`` writes the variables that have changed
+since, the slots of technology functions (``units.py``) and the clock. Numbers have the byte order
+of the processor. A REAL64 that is not finite is refused: the variable keeps its value, the image
+gets it back, and the first time of each variable is told (900346).
 """
 
 from __future__ import annotations
 
 from nctakt.kernel.record import Record
+from nctakt.kernel.units import Units
 
 #: Kinds of entries by the names of their types; STRING and VSTRING are bytes.
 KINDS = {
@@ -29,7 +31,7 @@ KINDS = {
 }
 
 
-class ExternalImage:
+class InterfaceImage:
     """The image of one machine; while none is attached it costs nothing."""
 
     def __init__(self, memory: bytearray, record: Record) -> None:
@@ -49,18 +51,32 @@ class ExternalImage:
 
     # --- Python's side, between two runs --------------------------------------------------------
 
-    def attach(self, image: memoryview, table: list[tuple[int, int, int, int]]) -> None:
-        """Show the variables of ``table`` in ``image``, as they are now.
+    def attach(
+        self,
+        image: memoryview,
+        published: memoryview,
+        table: list[tuple[int, int, int, int, bool]],
+        units: Units,
+        clock: int,
+        first_input: int,
+        ticks: int,
+    ) -> None:
+        """Show the variables of ``table`` and the ``units`` in ``image``, as they are now.
 
-        ``image``: writable bytes, a multiple of 8. A row of the table: first byte, kind, first
-        cell, bytes of the variable.
+        ``image``: writable bytes, a multiple of 8, ``published``: as many of ours. A row of the
+        table: first byte, kind, first cell, bytes of the variable, whether the PLC may write it.
+        ``clock``: the first byte of sequence and tick; ``first_input``: from there on the PLC
+        writes; ``ticks``: how many have been run.
         """
         count = len(table)
         self.image = image
         self.image_words = image.cast("q")
-        published = memoryview(bytearray(len(image)))
         self.published = published
         self.published_words = published.cast("q")
+        self.units = units
+        self.clock_word = clock // 8
+        self.first_input_word = first_input // 8
+        self.is_input = memoryview(bytearray(8 * count + 8)).cast("q")
         self.offset = memoryview(bytearray(8 * count + 8)).cast("q")
         self.kind = memoryview(bytearray(8 * count + 8)).cast("q")
         self.cell = memoryview(bytearray(8 * count + 8)).cast("q")
@@ -76,7 +92,8 @@ class ExternalImage:
         self.shadowed_entry = memoryview(bytearray(8 * cells + 8)).cast("q")
         self.shadow_count = 0
         self.stale_count = count
-        for i, (offset, kind, cell, size) in enumerate(table):
+        for i, (offset, kind, cell, size, is_input) in enumerate(table):
+            self.is_input[i] = is_input
             self.offset[i] = offset
             self.kind[i] = kind
             self.cell[i] = cell
@@ -89,11 +106,11 @@ class ExternalImage:
                 self.shadowed_entry[self.shadow_count] = i
                 self.shadow_count += 1
         self.count = count
-        self.event_bound = sum(1 for row in table if row[1] == KINDS["REAL64"])
+        self.event_bound = sum(1 for row in table if row[4] and row[1] == KINDS["REAL64"])
         self.refused_count = 0
         self.refused_told = 0
         self.word_count = len(image) // 8
-        self.publish()
+        self.publish(ticks)
         self.is_attached = True
 
     def detach(self) -> None:
@@ -107,6 +124,10 @@ class ExternalImage:
         self.refused_count = 0
         self.refused_told = 0
         self.word_count = 0
+        self.clock_word = 0
+        self.first_input_word = 0
+        self.units = Units()
+        self.is_input = nothing.cast("q")
         self.image = nothing
         self.image_words = nothing.cast("q")
         self.published = nothing
@@ -137,16 +158,17 @@ class ExternalImage:
         """Take over what was written into the image since it was published."""
         if self.is_as_published():
             return
+        self.units.latch()
         for i in range(self.count):
-            if self.has_come(i):
+            if self.is_input[i] and self.has_come(i):
                 if self.kind[i] == 8:
                     self.take_string(i)
                 else:
                     self.take_number(i)
 
     def is_as_published(self) -> int:
-        """Whether no byte has changed."""
-        for i in range(self.word_count):
+        """Whether no byte has changed that the PLC writes."""
+        for i in range(self.first_input_word, self.word_count):
             if self.image_words[i] != self.published_words[i]:
                 return 0
         return 1
@@ -224,8 +246,19 @@ class ExternalImage:
             self.is_stale[entry] = 1
             self.stale_count += 1
 
-    def publish(self) -> None:
-        """Write what has changed since the image was published last."""
+    def publish(self, ticks: int) -> None:
+        """Write what has changed since the image was published last, after so many ticks.
+
+        The sequence is odd meanwhile.
+        """
+        self.image_words[self.clock_word] += 1
+        self.units.publish()
+        self.publish_cells()
+        self.image_words[self.clock_word + 1] = ticks
+        self.image_words[self.clock_word] += 1
+
+    def publish_cells(self) -> None:
+        """The variables that have changed, and those that must be written all the same."""
         for i in range(self.shadow_count):
             if self.words[self.shadowed_cell[i]] != self.shadow[i]:
                 self.put(self.shadowed_entry[i])

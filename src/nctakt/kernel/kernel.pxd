@@ -3,7 +3,7 @@
 cimport cython
 from nctakt.kernel.axis cimport Axes
 from nctakt.kernel.channel cimport Channel
-from nctakt.kernel.image cimport ExternalImage
+from nctakt.kernel.image cimport InterfaceImage
 from nctakt.kernel.record cimport Record
 
 cdef class Lane:
@@ -27,7 +27,7 @@ cdef class Kernel:
     cdef long long[::1] words
     cdef Axes axes
     cdef Record record
-    cdef readonly ExternalImage image
+    cdef readonly InterfaceImage image
     cdef Lane lane
     cdef readonly long long tick
     cdef Py_ssize_t input_count

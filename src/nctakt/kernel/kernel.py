@@ -16,7 +16,7 @@ import cython
 
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.channel import Channel
-from nctakt.kernel.image import ExternalImage
+from nctakt.kernel.image import InterfaceImage
 from nctakt.kernel.record import Record
 
 # Why ``run`` returned.
@@ -93,7 +93,7 @@ class Kernel:
         self.words = memoryview(memory).cast("q")
         self.axes = axes
         self.record = record
-        self.image = ExternalImage(memory, record)
+        self.image = InterfaceImage(memory, record)
         lane = Lane()
         for channel in reversed(channels):
             lane = ChannelLane(channel, lane)
@@ -165,7 +165,7 @@ class Kernel:
         self.axes.publish()
         self.lane.end_tick()
         if self.image.is_attached:
-            self.image.publish()
+            self.image.publish(self.tick + 1)
         self.record_row()
         self.tick += 1
 

@@ -76,5 +76,5 @@ class Context:
 
 def empty_context() -> Context:
     """A context without variables, for expressions whose operands are all known."""
-    memory = bytearray(8 * 9)
+    memory = bytearray(8 * 10)
     return Context(memory, Record(memory), Hli(Panel(memory, 0)), Timers(memory, 0, 1000))

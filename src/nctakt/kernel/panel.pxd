@@ -8,6 +8,7 @@ cdef class Panel:
     cdef readonly double override_pct
     cdef readonly bint feed_hold
     cdef readonly bint single_block
+    cdef readonly bint plc_present
     cdef readonly bint start_pressed
     cdef readonly bint reset_pressed
     cdef readonly bint is_armed

@@ -17,6 +17,7 @@ FEED_HOLD = 1
 SINGLE_BLOCK = 2
 START = 3
 RESET = 4
+PLC_PRESENT = 5
 
 
 class Panel:
@@ -45,13 +46,13 @@ class Panel:
 
     def put(self, row: int, value: float) -> None:
         """Write the command in this row of the table."""
-        assert OVERRIDE <= row <= RESET
+        assert OVERRIDE <= row <= PLC_PRESENT
         self.cells[self.first_cell + row] = value
 
     def arm(self, is_armed: bool) -> None:
         """A program is selected and waits for START, or no longer."""
         self.is_armed = is_armed
-        self.cells[self.first_cell + 7] = is_armed
+        self.cells[self.first_cell + 8] = is_armed
 
     def begin_program(self) -> None:
         """A program has begun: its first block needs no START of its own."""
@@ -81,6 +82,7 @@ class Panel:
         self.single_block = self.cells[base + 2] != 0.0
         self.start_pressed = self.cells[base + 3] != 0.0
         self.reset_pressed = self.cells[base + 4] != 0.0
+        self.plc_present = self.cells[base + 5] != 0.0
         if self.start_pressed:
             self.cells[base + 3] = 0.0
         if self.reset_pressed:
@@ -121,7 +123,7 @@ class Panel:
         base = self.first_cell
         if state == 0 and self.is_running:
             state = 1
-        self.cells[base + 5] = state
-        self.cells[base + 6] = self.is_paused
-        self.cells[base + 7] = self.is_armed
-        self.cells[base + 8] = message
+        self.cells[base + 6] = state
+        self.cells[base + 7] = self.is_paused
+        self.cells[base + 8] = self.is_armed
+        self.cells[base + 9] = message

@@ -7,7 +7,7 @@ of ours, from 900000 on. One module per stage declares them:
 ====================  ==============================================================================
 ``lists``             lists: their text, their entries, their values (900000 … 900029)
 ``schedule``          the scheduling list rtconf.lis (900030 … 900059)
-``scheduling``        scheduling: profiles, load, simulation, analysis (900600 … 900679)
+``scheduling``        scheduling: profiles, load, simulation, analysis (900600 … 900649)
 ``scheduling_run``    a schedule that runs for real (900680 … 900699)
 ``machine``           the machine folder and its parameters (900060 … 900079, 900086)
 ``variables``         the variables lists: V.E and V.CH (900080 … 900085, 900087 … 900099)
@@ -21,6 +21,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``realtime``          the realtime part (900400 … 900499)
 ``outside``           command line, files, PLC, stimuli (900500 … 900549, 900570 … 900579)
 ``checking``          the command ``nctakt check`` (900580 … 900599)
+``plc``               the PLC's side: partners in other processes, scripts (900650 … 900679)
 ``folders``           how lists name each other, tools, offsets (900740 … 900769)
 ``diagnosis``         the lines of the realtime cycles' diagnosis data (900550 … 900569)
 ``unreached``         numbers of the controller that no program of nctakt reaches
@@ -46,6 +47,7 @@ from nctakt.messages import (
     memory,
     nc_text,
     outside,
+    plc,
     realtime,
     schedule,
     scheduling,
@@ -75,6 +77,7 @@ for _stage in (
     memory,
     realtime,
     outside,
+    plc,
     checking,
     diagnosis,
     unreached,

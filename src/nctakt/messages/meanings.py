@@ -198,6 +198,7 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the classes": "die Klassen",
         "the exception": "die Ausnahme",
         "the way to it, in the user's files": "der Weg dorthin, in den Dateien des Anwenders",
+        "the name of the shared memory": "der Name des gemeinsamen Speichers",
         "the tick that had just been run": "der Takt, der gerade lief",
         "the nearest known name": "der ähnlichste bekannte Name",
         "its type": "ihr Typ",

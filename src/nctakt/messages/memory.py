@@ -96,8 +96,8 @@ _add(
 _add(
     900347,
     ERROR,
-    "this controller has an image of the V.E memory already",
-    "diese Steuerung hat schon ein Abbild des V.E-Speichers",
+    "this controller has an image of the HLI already",
+    "diese Steuerung hat schon ein Abbild des HLI",
     remedy_en="Use that one, or close it before.",
     remedy_de="Dieses verwenden oder es vorher schließen.",
 )

@@ -205,6 +205,14 @@ class Layout:
         """The first cell of a channel's operator's panel."""
         return self.first_panel + self.panel_cells * channel
 
+    def channel_value(self, channel: int, path: str) -> int:
+        """The cell of a channel's value, ``PATH.SPEED``."""
+        return self.channel_cell(channel) + _offsets(CHANNEL_VARIABLES)[path][1]
+
+    def axis_value(self, axis: int, path: str) -> int:
+        """The cell of an axis' value, ``ACS.ACT_POS``."""
+        return self.axis_cell(axis) + _offsets(AXIS_VARIABLES)[path][1]
+
     def place(self, variable: Variable) -> int:
         """The first cell of a variable; GLOBAL ones are there once for all channels."""
         if variable.scope is VariableScope.GLOBAL:

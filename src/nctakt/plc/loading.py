@@ -24,10 +24,10 @@ if TYPE_CHECKING:
     from nctakt.interface import Interface
 
 
-_OUR_FOLDER = Path(__file__).parent
+_OUR_FOLDER = Path(__file__).parent.parent
 
 
-class Plc(Protocol):
+class AnyPlc(Protocol):
     """What plays the PLC; a class of the user's need not derive from it."""
 
     def cycle(self, hli: Interface) -> None:
@@ -38,7 +38,7 @@ class PlcError(Failure):
     """The user's PLC cannot be loaded, or failed while it ran."""
 
 
-def load_plc(path: str | Path) -> Plc:
+def load_plc(path: str | Path) -> AnyPlc:
     """The PLC of a file: an object of its one class with a method ``cycle``.
 
     Classes whose names begin with an underscore, and those that another one derives from, are not
@@ -63,7 +63,7 @@ def load_plc(path: str | Path) -> Plc:
 class _LoadedPlc:
     """A PLC from a file; what it raises while it runs becomes a ``PlcError`` (900523)."""
 
-    def __init__(self, plc: Plc, path: Path) -> None:
+    def __init__(self, plc: AnyPlc, path: Path) -> None:
         self._cycle = plc.cycle
         self._path = path
 
@@ -114,7 +114,7 @@ def _restore(name: str, before: ModuleType | None) -> None:
         sys.modules[name] = before
 
 
-def _candidates(module: ModuleType) -> list[type[Plc]]:
+def _candidates(module: ModuleType) -> list[type[AnyPlc]]:
     classes = [
         value
         for name, value in vars(module).items()

@@ -1,0 +1,148 @@
+/* The HLI of nctakt: what CNC and PLC exchange. Made by nctakt; do not edit. */
+#ifndef NCTAKT_HLI_H
+#define NCTAKT_HLI_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define HLI_MAGIC "NCTAKT"
+#define HLI_VERSION 1
+#define HLI_UNITS 20
+
+/* the begin of the image: what there is, where it stands, and the clock */
+typedef struct hli_header {
+    char magic[8]; /* NCTAKT and two zero bytes */
+    uint32_t version; /* 1; another one is another layout */
+    uint32_t ready; /* 1 while the CNC is there; written last, taken away first */
+    uint32_t size; /* the whole image (bytes) */
+    uint32_t cycle_time_us; /* the length of a tick (µs) */
+    uint32_t channels; /* number of hli_channel and of hli_command */
+    uint32_t channel_offset; /* place of the first hli_channel (bytes) */
+    uint32_t channel_size; /* from one hli_channel to the next (bytes) */
+    uint32_t axes; /* number of hli_axis */
+    uint32_t axis_offset; /* place of the first hli_axis (bytes) */
+    uint32_t axis_size; /* from one hli_axis to the next (bytes) */
+    uint32_t command_offset; /* place of the first hli_command (bytes) */
+    uint32_t command_size; /* from one hli_command to the next (bytes) */
+    uint32_t link_offset; /* place of hli_link (bytes) */
+    uint32_t ve_offset; /* place of the V.E variables (bytes) */
+    uint32_t ve_size; /* of the V.E variables, all sections (bytes) */
+    uint64_t sequence; /* odd while the CNC writes; unchanged: what was read fits */
+    uint64_t tick; /* ticks that have been run */
+    uint64_t turn; /* in lockstep: counts the times that the CNC waits for the PLC */
+} hli_header;
+_Static_assert(offsetof(hli_header, magic) == 0, "magic");
+_Static_assert(offsetof(hli_header, version) == 8, "version");
+_Static_assert(offsetof(hli_header, ready) == 12, "ready");
+_Static_assert(offsetof(hli_header, size) == 16, "size");
+_Static_assert(offsetof(hli_header, cycle_time_us) == 20, "cycle_time_us");
+_Static_assert(offsetof(hli_header, channels) == 24, "channels");
+_Static_assert(offsetof(hli_header, channel_offset) == 28, "channel_offset");
+_Static_assert(offsetof(hli_header, channel_size) == 32, "channel_size");
+_Static_assert(offsetof(hli_header, axes) == 36, "axes");
+_Static_assert(offsetof(hli_header, axis_offset) == 40, "axis_offset");
+_Static_assert(offsetof(hli_header, axis_size) == 44, "axis_size");
+_Static_assert(offsetof(hli_header, command_offset) == 48, "command_offset");
+_Static_assert(offsetof(hli_header, command_size) == 52, "command_size");
+_Static_assert(offsetof(hli_header, link_offset) == 56, "link_offset");
+_Static_assert(offsetof(hli_header, ve_offset) == 60, "ve_offset");
+_Static_assert(offsetof(hli_header, ve_size) == 64, "ve_size");
+_Static_assert(offsetof(hli_header, sequence) == 72, "sequence");
+_Static_assert(offsetof(hli_header, tick) == 80, "tick");
+_Static_assert(offsetof(hli_header, turn) == 88, "turn");
+_Static_assert(sizeof(hli_header) == 96, "hli_header");
+
+/* the PLC's side of the lockstep */
+typedef struct hli_link {
+    uint64_t turn; /* turn of the header, as soon as the PLC has answered */
+} hli_link;
+_Static_assert(offsetof(hli_link, turn) == 0, "turn");
+_Static_assert(sizeof(hli_link) == 8, "hli_link");
+
+/* a place for one M or H function */
+typedef struct hli_unit {
+    uint32_t serial; /* 0: free; else the running number of the function */
+    uint32_t letter; /* 1 M, 2 H */
+    uint32_t number; /* of the function: 100 for M100 */
+    uint32_t sequence; /* its number among those of its tick and section, from 1 */
+    uint64_t time_us; /* the begin of the tick that has commanded it (µs) */
+    uint64_t duration_us; /* the time that the channel list gives it (µs) */
+} hli_unit;
+_Static_assert(offsetof(hli_unit, serial) == 0, "serial");
+_Static_assert(offsetof(hli_unit, letter) == 4, "letter");
+_Static_assert(offsetof(hli_unit, number) == 8, "number");
+_Static_assert(offsetof(hli_unit, sequence) == 12, "sequence");
+_Static_assert(offsetof(hli_unit, time_us) == 16, "time_us");
+_Static_assert(offsetof(hli_unit, duration_us) == 24, "duration_us");
+_Static_assert(sizeof(hli_unit) == 32, "hli_unit");
+
+/* the state of a channel */
+typedef struct hli_channel {
+    uint8_t state; /* 0 ready, 1 a program runs, 2 error, 3 reset */
+    uint8_t paused; /* 1: single block waits for START */
+    uint8_t armed; /* 1: a selected program waits for START */
+    uint32_t error; /* number of the error that has stopped the channel, else 0 */
+    uint32_t override_total; /* that acts (%) */
+    double path_speed; /* the speed on the path (mm/s) */
+    double distance_to_go; /* left of the block (mm) */
+    uint32_t block; /* N number of the current block */
+    uint32_t active_cycles; /* realtime cycles that run */
+    hli_unit program[HLI_UNITS];
+    hli_unit realtime[HLI_UNITS];
+} hli_channel;
+_Static_assert(offsetof(hli_channel, state) == 0, "state");
+_Static_assert(offsetof(hli_channel, paused) == 1, "paused");
+_Static_assert(offsetof(hli_channel, armed) == 2, "armed");
+_Static_assert(offsetof(hli_channel, error) == 4, "error");
+_Static_assert(offsetof(hli_channel, override_total) == 8, "override_total");
+_Static_assert(offsetof(hli_channel, path_speed) == 16, "path_speed");
+_Static_assert(offsetof(hli_channel, distance_to_go) == 24, "distance_to_go");
+_Static_assert(offsetof(hli_channel, block) == 32, "block");
+_Static_assert(offsetof(hli_channel, active_cycles) == 36, "active_cycles");
+_Static_assert(offsetof(hli_channel, program) == 40, "program");
+_Static_assert(offsetof(hli_channel, realtime) == 680, "realtime");
+_Static_assert(sizeof(hli_channel) == 1320, "hli_channel");
+
+/* the state of an axis */
+typedef struct hli_axis {
+    char name[16]; /* its name in the channel, with a zero byte */
+    double command; /* command position, ACS (mm, °) */
+    double actual; /* actual position, ACS (mm, °) */
+    double target; /* end of the motion, ACS (mm, °) */
+    double machine; /* command position, MCS (mm, °) */
+    double program; /* command position, PCS (mm, °) */
+    double distance_to_go; /* left to the target (mm, °) */
+    uint32_t override_total; /* of its own motions (%) */
+} hli_axis;
+_Static_assert(offsetof(hli_axis, name) == 0, "name");
+_Static_assert(offsetof(hli_axis, command) == 16, "command");
+_Static_assert(offsetof(hli_axis, actual) == 24, "actual");
+_Static_assert(offsetof(hli_axis, target) == 32, "target");
+_Static_assert(offsetof(hli_axis, machine) == 40, "machine");
+_Static_assert(offsetof(hli_axis, program) == 48, "program");
+_Static_assert(offsetof(hli_axis, distance_to_go) == 56, "distance_to_go");
+_Static_assert(offsetof(hli_axis, override_total) == 64, "override_total");
+_Static_assert(sizeof(hli_axis) == 72, "hli_axis");
+
+/* what the PLC commands a channel */
+typedef struct hli_command {
+    double override; /* the operator's override of the path (%) */
+    uint8_t feed_hold; /* 1: the path brakes to a stand and stays there */
+    uint8_t single_block; /* 1: the channel stops in front of each block */
+    uint8_t start; /* START: the PLC writes 1, the CNC takes it and writes 0 */
+    uint8_t reset; /* RESET: the PLC writes 1, the CNC takes it and writes 0 */
+    uint8_t plc_present; /* 1: the PLC acknowledges functions, 0: the CNC itself */
+    uint32_t ack_program[20]; /* acknowledges program[i] of the channel: its serial */
+    uint32_t ack_realtime[20]; /* acknowledges realtime[i] of the channel: its serial */
+} hli_command;
+_Static_assert(offsetof(hli_command, override) == 0, "override");
+_Static_assert(offsetof(hli_command, feed_hold) == 8, "feed_hold");
+_Static_assert(offsetof(hli_command, single_block) == 9, "single_block");
+_Static_assert(offsetof(hli_command, start) == 10, "start");
+_Static_assert(offsetof(hli_command, reset) == 11, "reset");
+_Static_assert(offsetof(hli_command, plc_present) == 12, "plc_present");
+_Static_assert(offsetof(hli_command, ack_program) == 16, "ack_program");
+_Static_assert(offsetof(hli_command, ack_realtime) == 96, "ack_realtime");
+_Static_assert(sizeof(hli_command) == 176, "hli_command");
+
+#endif

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# C types of units.py.
+cimport cython
+from nctakt.kernel.hli cimport Section
+
+cdef class Units:
+    cdef void latch(self) noexcept nogil
+    cdef void publish(self) noexcept nogil
+
+cdef class SectionUnits(Units):
+    cdef Section section
+    cdef int[::1] halves
+    cdef long long[::1] words
+    cdef int[::1] published
+    cdef Py_ssize_t first
+    cdef Py_ssize_t acknowledged
+    cdef long long cycle_time_us
+    cdef Units others
+    cdef long long version
+
+    @cython.locals(i=Py_ssize_t, serial=int)
+    cdef void latch(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void publish(self) noexcept nogil
+    @cython.locals(first=Py_ssize_t, word=Py_ssize_t, function=cython.longlong, ticks=cython.longlong)
+    cdef void put(self, Py_ssize_t slot) noexcept nogil

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+"""A PLC in another process, in step with the CNC: both see the HLI in shared memory.
+
+After each tick it is the PLC's turn: the CNC counts ``turn`` of the header up and waits until the
+PLC has written the same number into ``turn`` of the link. So a run gives the same results however
+fast the processes are, and what the PLC answers counts from the next tick on (RC-002), as that of
+a scripted one. How to wait is said from outside: nothing here reads a clock.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from nctakt.messages import diagnostic
+from nctakt.plc.loading import PlcError
+
+if TYPE_CHECKING:
+    from nctakt.image import InterfaceImage
+    from nctakt.interface import Interface
+
+#: Waits until a condition holds; False when that takes too long.
+Wait = Callable[[Callable[[], bool]], bool]
+
+
+class PartnerPlc:
+    """The PLC that looks at ``image`` from another process.
+
+    ``cycle`` raises ``PlcError`` where it does not answer in time (900651) or has gone (900652).
+    """
+
+    def __init__(self, image: InterfaceImage, wait: Wait) -> None:
+        self._image = image
+        self._wait = wait
+
+    def await_presence(self) -> None:
+        """Wait until the PLC is there; raises ``PlcError`` (900650) where none comes."""
+        if not self._wait(lambda: self._image.plc_is_present):
+            raise PlcError(diagnostic(900650, name=self._image.name or ""))
+
+    def cycle(self, hli: Interface) -> None:
+        """Let the PLC have its turn."""
+        image = self._image
+        image.hand_over()
+        if not self._wait(lambda: image.is_handed_back or not image.plc_is_present):
+            raise PlcError(diagnostic(900651, tick=hli.tick))
+        if not image.is_handed_back:
+            raise PlcError(diagnostic(900652, tick=hli.tick))

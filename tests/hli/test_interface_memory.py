@@ -1,0 +1,392 @@
+# SPDX-License-Identifier: MIT
+"""The HLI as memory: layout, what the tick puts there and takes, partners in other processes."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import secrets
+import shutil
+import struct
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from nctakt.controller import Controller, NcText
+from nctakt.hli.layout import AXIS, CHANNEL, COMMAND, HEADER, LINK, MAGIC, UNIT, Structure
+from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
+from nctakt.image import InterfaceImage, describe_hli_c
+from nctakt.plc import PartnerPlc, PlcError
+
+ROOT = Path(__file__).parent.parent.parent
+EXAMPLES = ROOT / "examples"
+FORMATS = {"BOOLEAN": "=B", "UNS08": "=B", "UNS32": "=I", "UNS64": "=Q", "REAL64": "=d"}
+
+needs_shared_folder = pytest.mark.skipif(
+    not Path("/dev/shm").is_dir(), reason="shared memory is seen as files on Linux only"
+)
+
+
+class Part:
+    """One structure in an image, its values by name."""
+
+    def __init__(self, image: InterfaceImage, structure: Structure, offset: int) -> None:
+        self.image = image
+        self.structure = structure
+        self.offset = offset
+
+    def __getitem__(self, name: str) -> float:
+        place = entry(self.structure, name)
+        form = FORMATS[place.entry.type]
+        return float(struct.unpack_from(form, self.image.memory, self.offset + place.offset)[0])
+
+    def __setitem__(self, name: str, value: float) -> None:
+        place = entry(self.structure, name)
+        form = FORMATS[place.entry.type]
+        number = value if form == "=d" else int(value)
+        struct.pack_into(form, self.image.memory, self.offset + place.offset, number)
+
+
+class Memory:
+    """The image of a controller with its structures."""
+
+    def __init__(self, controller: Controller) -> None:
+        self.controller = controller
+        self.image = controller.interface_image()
+        layout = self.layout = self.image.layout
+        self.header = Part(self.image, HEADER, 0)
+        self.link = Part(self.image, LINK, layout.link_offset)
+        self.channel = Part(self.image, CHANNEL, layout.channel(0))
+        self.command = Part(self.image, COMMAND, layout.command(0))
+        self.x = Part(self.image, AXIS, layout.axis(0))
+
+    def unit(self, section: str, slot: int) -> Part:
+        """A place for a function."""
+        offset = unit_offset(CHANNEL, section) + slot * size_of(UNIT)
+        return Part(self.image, UNIT, self.layout.channel(0) + offset)
+
+    def acknowledge(self, section: str, slot: int, serial: int) -> None:
+        """The PLC's answer."""
+        place = self.layout.command(0) + entry(COMMAND, f"ack_{section}").offset + 4 * slot
+        struct.pack_into("=I", self.image.memory, place, serial)
+
+
+def running(text: str) -> Memory:
+    """A controller with an image that has started a program."""
+    memory = Memory(Controller())
+    memory.controller.start(NcText("p.nc", text))
+    return memory
+
+
+# --- layout -----------------------------------------------------------------------------------
+
+
+def areas(layout: ImageLayout) -> list[tuple[int, int]]:
+    """First and last byte + 1 of each structure in an image."""
+    found = [(0, size_of(HEADER)), (layout.link_offset, layout.link_offset + size_of(LINK))]
+    for index in range(layout.channels):
+        found.append((layout.channel(index), layout.channel(index) + size_of(CHANNEL)))
+        found.append((layout.command(index), layout.command(index) + size_of(COMMAND)))
+    for index in range(layout.axes):
+        found.append((layout.axis(index), layout.axis(index) + size_of(AXIS)))
+    return [*found, (layout.ve_offset, layout.size)]
+
+
+def test_areas_do_not_overlap_and_the_plcs_are_last() -> None:
+    """What the tick has to latch stands behind what it only writes."""
+    layout = image_layout(Controller().machine)
+    places = sorted(areas(layout))
+    assert all(before[1] <= after[0] for before, after in itertools.pairwise(places))
+    assert layout.command_offset > layout.axis(layout.axes - 1)
+    assert layout.ve_offset > layout.command_offset
+
+
+@pytest.mark.parametrize("structure", [HEADER, LINK, UNIT, CHANNEL, AXIS, COMMAND])
+def test_values_stand_at_multiples_of_their_size(structure: Structure) -> None:
+    """As a C compiler puts them; structures take a multiple of 8 bytes."""
+    end = 0
+    for placed in entries(structure):
+        assert placed.offset >= end
+        assert placed.offset % min(8, placed.size_bytes if not placed.entry.count else 1) == 0
+        end = placed.offset + placed.size_bytes
+    assert size_of(structure) % 8 == 0
+
+
+def test_the_header_says_what_there_is() -> None:
+    """Magic, version, sizes, places; ``ready`` is taken away when the image is closed."""
+    memory = Memory(Controller())
+    assert bytes(memory.image.memory[:8]) == MAGIC
+    assert (memory.header["version"], memory.header["ready"]) == (1, 1)
+    assert memory.header["size"] == memory.layout.size == len(memory.image.memory)
+    assert memory.header["cycle_time_us"] == 1000
+    assert memory.header["ve_offset"] == memory.layout.ve_offset
+    names = [
+        bytes(memory.image.memory[memory.layout.axis(i) :][:16]).rstrip(b"\0").decode()
+        for i in range(memory.layout.axes)
+    ]
+    assert names[:4] == ["X", "Y", "Z", "A"]
+
+
+def test_the_c_header_of_the_examples_is_that_of_the_declaration() -> None:
+    """``examples/hli/nctakt_hli.h`` is what ``describe_hli_c`` writes."""
+    assert (EXAMPLES / "hli" / "nctakt_hli.h").read_text("utf-8") == describe_hli_c()
+
+
+# --- what the tick writes -----------------------------------------------------------------------
+
+
+def test_state_and_positions_stand_in_the_image_after_each_tick() -> None:
+    """G00 X10: after 50 ticks X is half way, at 200 mm/s, with 5 mm to go (MO-14)."""
+    memory = running("N7 G00 X10\nM30")
+    memory.controller.step(50)
+    assert memory.header["tick"] == 50
+    assert memory.header["sequence"] % 2 == 0
+    assert (memory.channel["state"], memory.channel["block"]) == (1, 7)
+    assert memory.x["command"] == pytest.approx(5.0)
+    assert memory.x["target"] == 10.0
+    assert memory.x["distance_to_go"] == pytest.approx(5.0)
+    assert memory.channel["path_speed"] == pytest.approx(200.0)
+    assert memory.channel["distance_to_go"] == pytest.approx(5.0)
+    assert memory.channel["override_total"] == 100
+    memory.controller.step(60)
+    assert memory.channel["state"] == 0
+
+
+def test_the_sequence_counts_two_for_each_tick() -> None:
+    """One before and one behind what the CNC writes: a reader that sees it unchanged is right."""
+    memory = running("G00 X10\nM30")
+    before = memory.header["sequence"]
+    memory.controller.step(7)
+    assert memory.header["sequence"] == before + 14
+
+
+def test_functions_stand_in_units_until_they_are_acknowledged() -> None:
+    """Serial, letter, number, sequence and stamp; the slot is free in the tick after (RC-403)."""
+    memory = running("#RT CYCLE\n$IF ONCE TRUE\nM101\nH102\n$ENDIF\n#RT CYCLE END\nG04 X1\nM30")
+    memory.command["plc_present"] = 1
+    memory.controller.step(3)
+    first, second = memory.unit("realtime", 0), memory.unit("realtime", 1)
+    found = [(one["serial"], one["letter"], one["number"]) for one in (first, second)]
+    assert found == [(1, 1, 101), (2, 2, 102)]
+    assert [one["sequence"] for one in (first, second)] == [1, 2]
+    assert [one["time_us"] for one in (first, second)] == [0, 0]
+    memory.acknowledge("realtime", 1, 2)
+    memory.acknowledge("realtime", 0, 7)
+    memory.controller.step(1)
+    assert (first["serial"], second["serial"]) == (1, 0)
+    assert [one.number for one in memory.controller.hli.functions()] == [101]
+
+
+def test_without_a_plc_the_cnc_acknowledges() -> None:
+    """``plc_present`` 0: what appears in a tick is free in the next one."""
+    memory = running("#RT CYCLE\n$IF ONCE TRUE\nM101\n$ENDIF\n#RT CYCLE END\nG04 X1\nM30")
+    memory.controller.step(1)
+    assert memory.unit("realtime", 0)["serial"] == 1
+    memory.controller.step(1)
+    assert memory.unit("realtime", 0)["serial"] == 0
+
+
+def test_the_main_program_waits_for_the_acknowledgement_in_the_image() -> None:
+    """M111 (MVS_SVS) holds its block until its serial is written."""
+    memory = running("M111 G00 X1\nM30")
+    memory.command["plc_present"] = 1
+    memory.controller.step(20)
+    assert memory.x["command"] == 0.0
+    assert memory.unit("program", 0)["number"] == 111
+    memory.acknowledge("program", 0, 1)
+    memory.controller.step(1)
+    assert memory.x["command"] > 0.0
+
+
+# --- what the PLC writes ------------------------------------------------------------------------
+
+
+def test_the_operators_commands_are_latched_from_the_image() -> None:
+    """Override, feed hold, RESET: in force in the next tick, the key is taken back."""
+    memory = running("G00 X100\nM30")
+    memory.controller.step(10)
+    memory.command["override"] = 40.0
+    memory.command["feed_hold"] = 1
+    memory.controller.step(1)
+    assert memory.channel["override_total"] == 40
+    assert memory.controller.hli.feed_hold
+    assert memory.controller.hli.override_pct == 40.0
+    memory.command["reset"] = 1
+    memory.controller.step(1)
+    assert memory.command["reset"] == 0
+    assert memory.channel["state"] == 3
+    memory.controller.step(60)
+    assert memory.channel["state"] == 0
+
+
+def test_what_python_commands_is_in_the_image() -> None:
+    """Both sides see one panel."""
+    memory = running("G00 X100\nM30")
+    memory.controller.hli.override_pct = 30.0
+    memory.controller.step(1)
+    assert memory.command["override"] == 30.0
+
+
+def test_what_the_plc_writes_into_the_cncs_places_is_not_taken() -> None:
+    """A position that somebody overwrites moves nothing, and the next one is right."""
+    memory = running("G00 X10\nM30")
+    memory.controller.step(10)
+    memory.x["command"] = 77.0
+    memory.controller.step(1)
+    assert memory.x["command"] == pytest.approx(0.002 * 11**2)
+
+
+def test_an_override_that_is_no_number_is_told() -> None:
+    """900346 with the name of the value; the override stays."""
+    controller = Controller()
+    memory = Memory(controller)
+    memory.command["override"] = float("nan")
+    controller.step(2)
+    assert [(one.id, dict(one.values)["variable"]) for one in controller.diagnostics] == [
+        (900346, "HLI.OVERRIDE")
+    ]
+    assert memory.command["override"] == 100.0
+
+
+def test_start_through_the_image() -> None:
+    """The lamp shows that a program waits; START begins it."""
+    controller = Controller()
+    memory = Memory(controller)
+    controller.select(NcText("p.nc", "G00 X1\nM30"))
+    controller.step(1)
+    assert memory.channel["armed"] == 1
+    memory.command["start"] = 1
+    controller.step(2)
+    assert (memory.channel["armed"], memory.channel["state"]) == (0, 1)
+
+
+def test_feed_hold_for_a_run_with_and_without_an_image_is_the_same() -> None:
+    """An image at which nobody looks changes nothing."""
+
+    def positions(*, image: bool) -> list[float]:
+        controller = Controller()
+        if image:
+            controller.interface_image()
+        run = controller.run(EXAMPLES / "crossing.nc", signals=["X.ACS.ACT_POS"])
+        assert run.trace is not None
+        return list(run.trace["X.ACS.ACT_POS"])
+
+    assert positions(image=True) == positions(image=False)
+
+
+# --- partners -----------------------------------------------------------------------------------
+
+
+def partner(memory: Memory, answer: Callable[[], None]) -> PartnerPlc:
+    """A partner whose other side does ``answer`` while the CNC waits."""
+
+    def wait(condition: Callable[[], bool]) -> bool:
+        answer()
+        return condition()
+
+    return PartnerPlc(memory.image, wait)
+
+
+def test_a_partner_has_its_turn_after_each_tick() -> None:
+    """It answers with the number of the turn."""
+    controller = Controller()
+    memory = Memory(controller)
+    ticks = []
+
+    def answer() -> None:
+        memory.command["plc_present"] = 1
+        memory.link["turn"] = memory.header["turn"]
+        ticks.append(memory.header["tick"])
+
+    plc = partner(memory, answer)
+    plc.await_presence()
+    controller.run(NcText("p.nc", "G04 X0.003\nM30"), plc=plc)
+    assert ticks[1:] == [1, 2, 3, 4]
+
+
+def left(memory: Memory) -> None:
+    """The partner goes."""
+    memory.command["plc_present"] = 0
+
+
+@pytest.mark.parametrize(("answer", "number"), [(lambda _: None, 900651), (left, 900652)])
+def test_a_partner_that_does_not_answer_ends_the_run(
+    answer: Callable[[Memory], None], number: int
+) -> None:
+    """900651 no answer, 900652 gone."""
+    controller = Controller()
+    memory = Memory(controller)
+    memory.command["plc_present"] = 1
+    with pytest.raises(PlcError) as caught:
+        controller.run(NcText("p.nc", "M30"), plc=partner(memory, lambda: answer(memory)))
+    assert caught.value.diagnostics[0].id == number
+
+
+def test_a_partner_that_never_comes_is_told() -> None:
+    """900650 before the first tick."""
+    with pytest.raises(PlcError) as caught:
+        PartnerPlc(Memory(Controller()).image, lambda _: False).await_presence()
+    assert caught.value.diagnostics[0].id == 900650
+
+
+def nctakt(*words: str) -> list[str]:
+    """The command line."""
+    return [sys.executable, "-m", "nctakt", *words]
+
+
+def run_with_partner(tmp_path: Path, command: list[str]) -> tuple[bytes, str]:
+    """The trace of a run with a partner, and what the partner has printed."""
+    name = f"nctakt_{os.getpid()}_{secrets.token_hex(4)}"
+    trace = tmp_path / "trace.csv"
+    words = ["run", str(EXAMPLES / "crossing.nc"), "--quiet", "--hli", name, "--trace", str(trace)]
+    with subprocess.Popen(nctakt(*words), stdout=subprocess.DEVNULL) as cnc:
+        done = subprocess.run(
+            [*command, name], check=True, capture_output=True, text=True, timeout=120
+        )
+        assert cnc.wait(120) == 0
+    return trace.read_bytes(), done.stdout
+
+
+def scripted(tmp_path: Path) -> bytes:
+    """The trace of the same run with the PLC of ``examples/slow_plc.py``."""
+    trace = tmp_path / "scripted.csv"
+    words = ["run", str(EXAMPLES / "crossing.nc"), "--quiet", "--trace", str(trace)]
+    subprocess.run(
+        [*nctakt(*words), "--plc", str(EXAMPLES / "slow_plc.py")], check=True, capture_output=True
+    )
+    return trace.read_bytes()
+
+
+@needs_shared_folder
+@pytest.mark.skipif(shutil.which("cc") is None, reason="there is no C compiler")
+def test_a_plc_in_c_does_what_the_scripted_one_does(tmp_path: Path) -> None:
+    """The example in C sees M100 at its place, and the run is the same byte for byte."""
+    program = tmp_path / "slow_plc"
+    words = ["cc", "-std=c11", "-O2", "-Wall", "-Wextra", "-Werror", "-o", str(program)]
+    subprocess.run([*words, str(EXAMPLES / "hli" / "slow_plc.c")], check=True)
+    trace, printed = run_with_partner(tmp_path, [str(program)])
+    assert printed == "463000 us M100 X 200.748\n"
+    assert trace == scripted(tmp_path)
+
+
+@needs_shared_folder
+def test_a_plc_in_python_does_what_the_scripted_one_does(tmp_path: Path) -> None:
+    """The example in Python, in a process of its own: the same."""
+    trace, printed = run_with_partner(
+        tmp_path, [sys.executable, str(EXAMPLES / "hli" / "slow_plc.py")]
+    )
+    assert printed == "463000 us M100 X 200.748\n"
+    assert trace == scripted(tmp_path)
+
+
+def test_two_plcs_are_refused() -> None:
+    """900653: a script and a partner at once."""
+    words = ["run", str(EXAMPLES / "crossing.nc"), "--hli", "x", "--plc"]
+    done = subprocess.run(
+        nctakt(*words, str(EXAMPLES / "slow_plc.py")), check=False, capture_output=True, text=True
+    )
+    assert done.returncode == 2
+    assert "900653" in done.stderr

@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from nctakt.access import VariableAccess
 from nctakt.decoder.commands import UserMessage
 from nctakt.decoder.cycles import CycleDefinition
+from nctakt.decoder.offsets import ActiveOffsets
 from nctakt.decoder.preparation import axis_limits
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.diagnostics import Diagnostic, Span
@@ -210,6 +211,8 @@ class Machine:
         self._tables = layout.tables
         self.parameters: ChannelParameters = configuration.channels[0].parameters
         self.members = [axis.index for axis in configuration.channels[0].axes]
+        first = configuration.channels[0]
+        self.offsets = ActiveOffsets(self.members, first.zero_offsets, first.clamp_offsets)
         self.files = SourceFiles()
         self.registry = Registry(self.files, self._name_of_cell)
         self.panel = {one.name: one for one in panel_values(layout.panel_cell(0))}
@@ -274,6 +277,7 @@ class Machine:
             {axis.name: place for place, axis in enumerate(channel.axes)},
             axes,
             tuple(axis_limits(axis) for axis in axes),
+            self.offsets,
             self.cells,
             memoryview(self.memory),
             self.configuration.cycle_time_us,

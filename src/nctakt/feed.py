@@ -42,6 +42,7 @@ class Feed:
         self._report = report
         self._number = machine.registry.add_program(program.text.source.file)
         self._surroundings = machine.surroundings(program.subprogram, report, skip_levels)
+        machine.offsets.adopt(machine.axes.offsets)
         state = state_at_program_start(machine.parameters.program_start, machine.positions())
         registry = machine.registry
         self._decoder = ProgramDecoder(

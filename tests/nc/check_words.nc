@@ -27,7 +27,6 @@ G17 X2
 G18 ; note 900201 "G18"
 G19 ; note 900201 "G19"
 G60 X3 ; note 900201 "G60"
-G53 ; note 900201 "G53"
 G94 ; note 900201 "G94"
 G97 ; note 900201 "G97"
 G161 ; note 900201 "G161"
@@ -43,7 +42,7 @@ G3 X1 Y1 R5 ; error 900200 "G03"; error 900200 "R5"
 G08 X1 ; error 900200 "G08"
 G09 X1 ; error 900200 "G09"
 G41 X1 ; error 900200 "G41"
-G54 ; error 900200 "G54"
+G25 ; error 900200 "G25"
 G80 ; error 900200 "G80"
 G805[1, P2] ; error 900200 "G805"
 G129 = 50 ; error 900200 "G129"
@@ -216,3 +215,24 @@ Q3 ; error 900203 "Q3"
 #ENDIF
 N10 #IF 1 ; error 900125 "no block number stands before #IF"
 #ENDIF
+; --- offsets (MO-8)
+G54 X10
+G159 = P1 Y3
+G54 G55 ; error 900210 "G55 and G54"
+G159 ; error 900770 "G159"
+G54 = 3 ; error 900212 "G54"
+G92 X10 YP2
+G92 ; error 900771 "G92 names no axis"
+G92 G01 X5 ; error 900772 "G01 cannot stand with G92"
+#PSET X20 Y[P1 + 2]
+#PSET ; error 900771 "#PSET names no axis"
+#PSET X20 M100 ; error 900772 "M100"
+#PSET X ; error 900208 "X"
+#PRESET
+#PRESET X0
+#PRESET [ZERO] ; error 900773 "ZERO"
+#SUPPRESS OFFSETS X50 Y100
+N10 #SUPPRESS OFFSETS [ZERO TOOL] G01 X5 F100
+#SUPPRESS OFFSETS [ZERO, TOLL] X5 ; error 900773 "TOLL is no kind of offset"
+#SUPPRESS OFFSETS ; error 900771 "#SUPPRESS OFFSETS names no axis"
+#SUPPRESS OFFSETS [ZERO] ; error 900771 "names no axis"

@@ -76,6 +76,7 @@ class ProgramDecoder:
 
         The channel list may name programs that run before it and behind it.
         """
+        yield from self._surroundings.offsets.begin_program()
         implicit = self._surroundings.parameters.implicit_programs
         level = Level(program, program.main)
         self._levels.stack.append(level)
@@ -222,6 +223,9 @@ class ProgramDecoder:
                 yield from self._define(statement, source, number)
             case syntax.CycleControl():
                 yield from self._control(statement, source, number)
+            case syntax.OffsetCommand():
+                ends = yield from self._words.offsets(statement, number)
+                return "end" if ends else ""
             case syntax.Flush():
                 if statement.mode != "CONTINUE":
                     yield Flush(source, number, statement.mode == "WAIT")

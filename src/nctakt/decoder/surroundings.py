@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from nctakt.decoder.offsets import ActiveOffsets
 from nctakt.decoder.preparation import AxisLimits
 from nctakt.diagnostics import Diagnostic, Span
 from nctakt.lists.axis_configuration import AxisConfiguration
@@ -32,6 +33,7 @@ class Surroundings:
     axis_numbers: Mapping[str, int]
     axes: tuple[AxisConfiguration, ...]
     limits: tuple[AxisLimits, ...]
+    offsets: ActiveOffsets
     cells: memoryview[float]
     memory: memoryview
     cycle_time_us: int

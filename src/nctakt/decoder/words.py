@@ -7,17 +7,24 @@ motion, the motion, functions that come after it, the program's end.
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass, field
 
 from nctakt.decoder.commands import Answer, Command, Dwell
+from nctakt.decoder.offsets import ALL, KEYWORDS, ZERO_GROUPS
 from nctakt.decoder.preparation import prepare
 from nctakt.decoder.technology import Issued, TechnologyOutputs, process_ticks
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
+from nctakt.lists.offsets import MOST_GROUPS
 from nctakt.lists.technology import TechnologyFunction
 from nctakt.nc import syntax
+from nctakt.nc.syntax import Keyword
+
+#: The G functions that set a reference point offset, and select a zero offset by its number.
+REFERENCE = 92
+FURTHER_ZERO = 159
 
 #: The G function whose X, or whose own value, is a time.
 DWELL = 4
@@ -33,6 +40,9 @@ class _Content:
     axes: list[tuple[syntax.AxisWord, float]] = field(default_factory=list)
     functions: list[Issued] = field(default_factory=list)
     dwell_s: float | None = None
+    zero_group: int | None = None
+    is_reference: bool = False
+    offset_kinds: int = ALL
     ends_program: bool = False
 
 
@@ -45,10 +55,42 @@ class Words:
         self._state = values.state
         self.technology = TechnologyOutputs()
 
-    def block(self, block: syntax.Block, number: int) -> Generator[Command, Answer, bool]:
-        """The commands of a block; true when it ends the program."""
+    def offsets(
+        self, command: syntax.OffsetCommand, number: int
+    ) -> Generator[Command, Answer, bool]:
+        """``#PSET``, ``#PRESET``, or a block without some of its offsets, as ``block``."""
+        if command.name == "SUPPRESS OFFSETS":
+            named = [KEYWORDS[kind.name] for kind in command.kinds if isinstance(kind, Keyword)]
+            block = syntax.Block(command.span, command.head, command.words)
+            return (yield from self.block(block, number, ALL - (sum(named) or ALL)))
+        offsets = self._surroundings.offsets
+        source = self._surroundings.place(command.span)
+        for axis in range(len(self._state.positions)) if not command.words else ():
+            yield from offsets.release(axis, source, number)
+        for word in command.words:
+            assert isinstance(word, syntax.AxisWord)
+            assert word.value is not None
+            axis = self._surroundings.axis_numbers[word.name]
+            if command.name == "PRESET":
+                yield from offsets.release(axis, source, number)
+                continue
+            programmed = yield from self._values.evaluate(word.value, number)
+            value = self._in_axis_unit(axis, programmed)
+            position = self._state.positions[axis]
+            yield from offsets.preset(axis, position, value, source, number)
+        return False
+
+    def block(
+        self, block: syntax.Block, number: int, kinds: int = ALL
+    ) -> Generator[Command, Answer, bool]:
+        """The commands of a block; true when it ends the program.
+
+        ``kinds``: which offsets its absolute positions have.
+        """
         content = yield from self._sort(block, number)
+        content.offset_kinds = kinds
         source = self._surroundings.place(block.span)
+        yield from self._offsets(content, source, number)
         yield from self.technology.before(content.functions, number)
         yield from self._motion(content, source, number)
         if content.dwell_s is not None:
@@ -68,6 +110,8 @@ class Words:
         ]
         for function in numbers:
             self._modal(function)
+            content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
+        content.is_reference = REFERENCE in numbers
         for word in block.words:
             if isinstance(word, syntax.AxisWord):
                 if word.value is not None:
@@ -77,7 +121,8 @@ class Words:
             assert isinstance(word, syntax.Word), word
             if word.name == "G":
                 if word.additional is not None:
-                    content.dwell_s = yield from self._values.evaluate(word.additional, number)
+                    value = yield from self._values.evaluate(word.additional, number)
+                    self._additional(word, value, content)
                 continue
             assert word.value is not None, word
             value = yield from self._values.evaluate(word.value, number)
@@ -85,6 +130,35 @@ class Words:
         if DWELL in numbers and content.axes:
             content.dwell_s = content.axes.pop()[1]
         return content
+
+    def _additional(self, word: syntax.Word, value: float, content: _Content) -> None:
+        """The number that belongs to a G function: the group of G159, the time of G04."""
+        assert isinstance(word.value, syntax.Number)
+        if word.value.value != FURTHER_ZERO:
+            content.dwell_s = value
+            return
+        group = arithmetic.round_half_even(value)
+        if not 0 <= group < MOST_GROUPS:
+            self._values.fail(900774, word.span, group=value, highest=MOST_GROUPS - 1)
+        content.zero_group = int(group)
+
+    def _offsets(self, content: _Content, source: int, number: int) -> Iterator[Command]:
+        """Zero offsets, and G92, whose axis words are offsets and no motion (MO-8)."""
+        offsets = self._surroundings.offsets
+        if content.zero_group is not None:
+            yield from offsets.select_group(content.zero_group, source, number)
+        if content.is_reference:
+            for word, value in content.axes:
+                axis = self._surroundings.axis_numbers[word.name]
+                shift = self._in_axis_unit(axis, value)
+                relative = not self._state.absolute
+                yield from offsets.add_zero(axis, shift, relative, source, number)
+            content.axes.clear()
+
+    def _in_axis_unit(self, axis: int, value: float) -> float:
+        """A programmed value in mm or degrees."""
+        is_linear = self._surroundings.axes[axis].is_linear
+        return value * self._state.length_unit_mm if is_linear else value
 
     def _modal(self, function: int) -> None:
         state = self._state
@@ -129,7 +203,7 @@ class Words:
         start = self._state.positions
         target = list(start)
         for word, value in content.axes:
-            self._set_target(target, word, value)
+            self._set_target(target, word, value, content.offset_kinds)
         feed = None if self._state.rapid else self._state.feed_mm_s
         segment = prepare(source, number, start, target, self._surroundings.limits, feed)
         self._state.positions = target
@@ -141,12 +215,14 @@ class Words:
             yield from self.technology.before_feed(number)
         yield segment
 
-    def _set_target(self, target: list[float], word: syntax.AxisWord, value: float) -> None:
+    def _set_target(
+        self, target: list[float], word: syntax.AxisWord, value: float, kinds: int
+    ) -> None:
         index = self._surroundings.axis_numbers[word.name]
         axis = self._surroundings.axes[index]
-        if axis.is_linear:
-            value *= self._state.length_unit_mm
-        position = value if self._state.absolute else target[index] + value
+        offset = self._surroundings.offsets.total(index, kinds)
+        begin = offset if self._state.absolute else target[index]
+        position = begin + self._in_axis_unit(index, value)
         low, high = axis.software_limit_low, axis.software_limit_high
         if not axis.is_modulo and not low <= position <= high:
             self._values.fail(

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from nctakt.diagnostics import Text
-from nctakt.lists.parameter import Effect, Parameter, Schema, ValueType
+from nctakt.lists.parameter import Parameter, Schema, ValueType
 from nctakt.lists.reader import ListDialect
 from nctakt.lists.schema import Values
 from nctakt.messages import Collector
@@ -67,7 +67,6 @@ ZERO_OFFSETS = Schema(
                 "G53 has offsets of its own; otherwise it deselects all",
                 "G53 hat eigene Verschiebungen; sonst wählt es alle ab",
             ),
-            effect=Effect.CHECKED,
         ),
         Parameter(
             "P-ZERO-00002",
@@ -76,7 +75,6 @@ ZERO_OFFSETS = Schema(
             0,
             Text("Group that is active after start-up", "Gruppe, die nach dem Hochlauf aktiv ist"),
             high=MOST_GROUPS - 1,
-            effect=Effect.CHECKED,
         ),
         Parameter(
             "P-ZERO-00003",
@@ -85,7 +83,6 @@ ZERO_OFFSETS = Schema(
             0,
             Text("Zero offset of an axis of the channel", "Nullpunktverschiebung einer Kanalachse"),
             unit=_POSITION,
-            effect=Effect.CHECKED,
         ),
         Parameter(
             "P-ZERO-00004",
@@ -93,7 +90,6 @@ ZERO_OFFSETS = Schema(
             ValueType.BOOLEAN,
             False,
             Text("The group leaves this axis alone", "Die Gruppe lässt diese Achse aus"),
-            effect=Effect.CHECKED,
         ),
     ),
 )
@@ -110,7 +106,6 @@ CLAMP_OFFSETS = Schema(
             0,
             Text("Clamp offset of an axis of the channel", "Platzverschiebung einer Kanalachse"),
             unit=_POSITION,
-            effect=Effect.CHECKED,
         ),
     ),
 )

@@ -23,6 +23,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``checking``          the command ``nctakt check`` (900580 … 900599)
 ``plc``               the PLC's side: partners in other processes, scripts (900650 … 900679)
 ``folders``           how lists name each other, tools, offsets (900740 … 900769)
+``offsets``           offsets between programmed and axis positions (900770 … 900799)
 ``diagnosis``         the lines of the realtime cycles' diagnosis data (900550 … 900569)
 ``unreached``         numbers of the controller that no program of nctakt reaches
 ====================  ==============================================================================
@@ -46,6 +47,7 @@ from nctakt.messages import (
     machine,
     memory,
     nc_text,
+    offsets,
     outside,
     plc,
     realtime,
@@ -73,6 +75,7 @@ for _stage in (
     checked_values,
     checked_cycles,
     lints,
+    offsets,
     decoder,
     memory,
     realtime,

@@ -43,6 +43,7 @@ from nctakt.nc.syntax import (
     If,
     MacroDefinition,
     Number,
+    OffsetCommand,
     RealtimeCycle,
     Repeat,
     Statement,
@@ -246,6 +247,8 @@ class Checker:
                 self._refuse_hash(statement, "TIMER")
             case UserError():
                 self._refuse_hash(statement, "ERROR")
+            case OffsetCommand():
+                self._words.offsets(statement)
             case HashCommand():
                 self._hash(statement)
 

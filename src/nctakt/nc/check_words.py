@@ -26,10 +26,15 @@ from nctakt.nc.syntax import (
     Keyword,
     Name,
     Number,
+    OffsetCommand,
     StringWord,
     Word,
 )
 
+#: The G function that selects a zero offset by its number.
+_FURTHER_ZERO = 159
+#: The kinds of offsets that a command can name (RC-407).
+OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")
 _NUMBERED = ("G", "M", "H")
 #: M functions that end a subprogram.
 _SUBPROGRAM_ENDS = (17, 29)
@@ -88,6 +93,7 @@ class WordChecker:
                 case StringWord():
                     self._findings.answer(support.form('"NAME"'), word.span)
         self._exact_stop(block)
+        self._reference(block)
 
     # --- axes, feed ------------------------------------------------------------------------------
 
@@ -184,7 +190,9 @@ class WordChecker:
         self._findings.answer(entry, word.span)
         if entry.answer is Answer.REFUSED:
             return
-        if word.additional is not None or word.arguments:
+        if number == _FURTHER_ZERO:
+            self._zero_offset(word)
+        elif word.additional is not None or word.arguments:
             self._findings.report(900212, word.span, word=entry.name)
         if entry.group:
             other = state.groups.setdefault(entry.group, entry.name)
@@ -249,6 +257,49 @@ class WordChecker:
         stop = next((word for word in block.words if _is_g(word, 60)), None)
         if stop is not None and not any(isinstance(word, AxisWord) for word in block.words):
             self._findings.report(20003, stop.span)
+
+    # --- offsets ---------------------------------------------------------------------------------
+
+    def _zero_offset(self, word: Word) -> None:
+        """``G159 = n``."""
+        if word.additional is None or word.arguments:
+            self._findings.report(900770, word.span)
+        else:
+            self._values.value(word.additional)
+
+    def _reference(self, block: Block) -> None:
+        """G92 has axes, whose values are offsets, and no motion."""
+        reference = next((word for word in block.words if _is_g(word, 92)), None)
+        if reference is None:
+            return
+        if not any(isinstance(word, AxisWord) for word in block.words):
+            self._findings.report(900771, reference.span, command="G92")
+        for word in block.words:
+            if any(_is_g(word, motion) for motion in (0, 1, 2, 3)):
+                written = self._findings.written(word.span)
+                self._findings.report(900772, word.span, word=written, command="G92")
+
+    def offsets(self, command: OffsetCommand) -> None:
+        """``#PSET``, ``#PRESET``: axes with values; ``#SUPPRESS OFFSETS``: any motion."""
+        name = f"#{command.name}"
+        state = _Block(in_subprogram=False)
+        for kind in command.kinds:
+            word = kind.name if isinstance(kind, Keyword) and kind.value is None else ""
+            if command.name != "SUPPRESS OFFSETS" or word not in OFFSETS:
+                written = self._findings.written(kind.span)
+                self._findings.report(900773, kind.span, word=written, names=", ".join(OFFSETS))
+        if command.name == "SUPPRESS OFFSETS":
+            self.block(Block(command.span, command.head, command.words))
+        else:
+            for other in command.words:
+                if isinstance(other, AxisWord):
+                    self._axis(other, state)
+                else:
+                    written = self._findings.written(other.span)
+                    self._findings.report(900772, other.span, word=written, command=name)
+        needs_axis = command.name != "PRESET"
+        if needs_axis and not any(isinstance(word, AxisWord) for word in command.words):
+            self._findings.report(900771, command.span, command=name)
 
     def _dwell_block(self, block: Block) -> None:
         """``G04`` with its time: ``G04 X0.5``, ``G04 0.5``; revolutions are refused."""

@@ -58,6 +58,7 @@ from nctakt.nc.syntax import (
     If,
     Statement,
 )
+from nctakt.nc.words import parse_offsets
 
 _DOLLAR_WORD = re.compile(r"\s*\$([^\W\d]*)")
 _PREPROCESSOR = re.compile(r"\s*#\s*(IF|ELSEIF|ELSE|ENDIF)(?!\w)", re.IGNORECASE)
@@ -106,6 +107,10 @@ def hash_line(text: BlockText, head: Head, structure: Structure) -> None:
     if preprocessor is not None:
         word = "#" + preprocessor[1].upper()
         _PREPROCESSOR_LINES[word](Here(text, head, structure, start, word))
+        return
+    offsets = parse_offsets(text, head)
+    if offsets is not None:
+        structure.add_block(offsets, text)
         return
     words = parse_words(text)
     name = tuple(word.name for word in words)

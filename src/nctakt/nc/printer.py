@@ -40,6 +40,7 @@ from nctakt.nc.syntax import (
     MacroDefinition,
     Name,
     Number,
+    OffsetCommand,
     Parameter,
     Program,
     ProgramStart,
@@ -271,6 +272,11 @@ def _format_hash(command: HashCommand) -> str:
     return f"#{words} {arguments}"
 
 
+def _format_offsets(command: OffsetCommand) -> str:
+    kinds = _optional_items(command.kinds)
+    return " ".join([f"#{command.name} {kinds}", *(format_word(word) for word in command.words)])
+
+
 def _format_message(message: UserMessage) -> str:
     options = "".join(f"{option.text} " for option in message.options)
     return f"#MSG {options}{_list((message.format, *message.arguments))}"
@@ -310,6 +316,7 @@ _SIMPLE: dict[type[Statement], Callable[[Any], str]] = {
     Timer: _format_timer,
     UserError: lambda node: f"#ERROR {_optional_items(node.keywords)}",
     HashCommand: _format_hash,
+    OffsetCommand: _format_offsets,
     ProgramStart: _format_start,
     Unreadable: lambda node: node.text,
 }

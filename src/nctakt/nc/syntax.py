@@ -442,6 +442,21 @@ class HashCommand(Statement):
     arguments: tuple[Bracket | Keyword | Expression, ...]
 
 
+OffsetCommandName = Literal["PSET", "PRESET", "SUPPRESS OFFSETS"]
+
+
+@dataclass(frozen=True, slots=True)
+class OffsetCommand(Statement):
+    """``#PSET X0``, ``#PRESET X0``, ``#SUPPRESS OFFSETS [ZERO] X0``.
+
+    ``name``: the words behind ``#``. ``kinds``: what stands in brackets. ``words``: the rest.
+    """
+
+    name: OffsetCommandName
+    kinds: tuple[Keyword | Expression, ...]
+    words: tuple[BlockWord, ...]
+
+
 @dataclass(frozen=True, slots=True)
 class Declaration(Node):
     """``V.L.NAME[3] : STRING[20] = value`` inside ``#VAR``.

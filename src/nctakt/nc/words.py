@@ -45,6 +45,8 @@ from nctakt.nc.syntax import (
     Keyword,
     MacroDefinition,
     Number,
+    OffsetCommand,
+    OffsetCommandName,
     Statement,
     StringLiteral,
     StringWord,
@@ -79,6 +81,7 @@ _CALL = re.compile(
           | (?=[A-Z\d])(?![A-Z]+\d*\s*(?:=|\[)) )         # or glued: LM06, but not LX=5""",
     re.VERBOSE,
 )
+_OFFSETS = re.compile(r"\s*#\s*(PSET|PRESET|SUPPRESS\s+OFFSETS)(?!\w)", re.IGNORECASE)
 _CALL_CYCLE = re.compile(r"\s*CYCLE(?=\s*\[)", re.IGNORECASE)
 _CALL_NAME = re.compile(r"\s*([^\s\[\]\"]+)")
 _NAME_KEYWORD = re.compile(r"\s*(NAME)\s*=", re.IGNORECASE)
@@ -115,6 +118,21 @@ def parse_content(text: BlockText, head: Head) -> list[Statement]:
     while not text.at_end():
         statements.append(_statement(text, NO_HEAD))
     return statements
+
+
+def parse_offsets(text: BlockText, head: Head) -> OffsetCommand | None:
+    """The ``#`` command whose rest are words as in any block; ``None`` for any other command."""
+    start = text.skip_blanks()
+    found = text.match(_OFFSETS)
+    if found is None:
+        return None
+    name = cast(OffsetCommandName, " ".join(found[1].upper().split()))
+    kinds = parse_items(text) if text.looking_at(OPENING) is not None else ()
+    words: list[BlockWord] = []
+    while not text.at_end():
+        words.append(_word(text))
+    end = start + len(text.text[start:].rstrip())
+    return OffsetCommand(text.span(start, end), head, name, kinds, tuple(words))
 
 
 def _statement(text: BlockText, head: Head) -> Statement:

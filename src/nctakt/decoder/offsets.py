@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""Offsets between the programmed and the axes' positions: which are active, and their commands.
+
+In: G53 … G59, G159, G92, ``#PSET``, ``#PRESET``, the lists of zero and clamp offsets. Out: what to
+add to an absolute position (``ActiveOffsets.total``), and ``SetOffset`` commands, so that V.RTA
+positions in PCS follow in order with the blocks (MO-8). An offset moves no axis: it counts in the
+next absolute position of the axis; relative motions go as far as they say.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from nctakt.decoder.commands import SetOffset
+from nctakt.kernel import coordinates
+from nctakt.kernel.coordinates import ADD_ZERO, CLAMP, PSET, TOOL, ZERO
+from nctakt.lists.offsets import ClampOffsets, ZeroOffsets
+
+#: The zero offset that each G function selects (P-ZERO-00003); G159 has its own number.
+ZERO_GROUPS = {53: 0, 54: 1, 55: 2, 56: 3, 57: 4, 58: 5, 59: 6}
+
+#: The kinds of offsets by the keywords of the language, as bits (RC-407).
+KEYWORDS = {
+    "ZERO": 1 << ZERO,
+    "ADD_ZERO": 1 << ADD_ZERO,
+    "PSET": 1 << PSET,
+    "CLAMP": 1 << CLAMP,
+    "TOOL": 1 << TOOL,
+    "MEASURE": 1 << coordinates.MEASURE,
+    "MANUAL": 1 << coordinates.MANUAL,
+}
+ALL = (1 << coordinates.KINDS) - 1
+KEYWORDS["ALL"] = ALL
+
+
+class ActiveOffsets:
+    """The offsets of a channel's axes, in mm or degrees, as the decoder has them.
+
+    ``axes``: the machine's numbers of the channel's axes. ``zero_groups``: the zero offsets by
+    group and axis. ``clamp_group``: which clamp offsets the programs run with.
+    """
+
+    def __init__(
+        self, axes: Sequence[int], zero_offsets: ZeroOffsets, clamp_offsets: ClampOffsets
+    ) -> None:
+        self._axes = tuple(axes)
+        self._values = [[0.0] * coordinates.KINDS for _ in axes]
+        self.zero_groups = {group: dict(one) for group, one in zero_offsets.groups.items()}
+        self._default_group = zero_offsets.default_group
+        self._clamp_offsets = clamp_offsets
+        self.clamp_group = 0
+
+    def total(self, axis: int, kinds: int = ALL) -> float:
+        """What the offsets of these kinds add to an absolute position of this axis."""
+        values = self._values[axis]
+        return sum(value for kind, value in enumerate(values) if kinds >> kind & 1)
+
+    def adopt(self, offsets: coordinates.Offsets) -> None:
+        """Take over what the realtime part has: behind a reset some commands were never taken."""
+        for values, axis in zip(self._values, self._axes, strict=True):
+            for kind in range(coordinates.KINDS):
+                values[kind] = offsets.of(axis, 1 << kind)
+
+    # --- commands, from ``source`` in the block ``number`` ---------------------------------------
+
+    def begin_program(self) -> Iterator[SetOffset]:
+        """Zero and clamp offsets as the lists say; those of the program before it are gone."""
+        yield from self._set_group(ZERO, self._group(self._default_group), 0, 0)
+        clamp = self._clamp_offsets.groups.get(self.clamp_group, {})
+        yield from self._set_group(CLAMP, clamp, 0, 0)
+        for kind in (ADD_ZERO, PSET, TOOL):
+            yield from self._set_group(kind, {}, 0, 0)
+
+    def select_group(self, group: int, source: int, number: int) -> Iterator[SetOffset]:
+        """G53 … G59, G159; a group that the list does not name has no offsets."""
+        yield from self._set_group(ZERO, self._group(group), source, number)
+
+    def add_zero(
+        self, axis: int, value: float, relative: bool, source: int, number: int
+    ) -> Iterator[SetOffset]:
+        """G92 for one axis: instead of the offset that it has, or under G91 in addition to it."""
+        before = self._values[axis][ADD_ZERO] if relative else 0.0
+        yield from self._set(axis, ADD_ZERO, before + value, source, number)
+
+    def preset(
+        self, axis: int, position: float, value: float, source: int, number: int
+    ) -> Iterator[SetOffset]:
+        """``#PSET``: where the axis stands (ACS) is called ``value`` from now on."""
+        others = self.total(axis, ALL - KEYWORDS["PSET"])
+        yield from self._set(axis, PSET, position - others - value, source, number)
+
+    def release(self, axis: int, source: int, number: int) -> Iterator[SetOffset]:
+        """``#PRESET``: no preset for this axis."""
+        yield from self._set(axis, PSET, 0.0, source, number)
+
+    def _group(self, group: int) -> Mapping[int, float]:
+        return self.zero_groups.get(group, {})
+
+    def _set_group(
+        self, kind: int, values: Mapping[int, float], source: int, number: int
+    ) -> Iterator[SetOffset]:
+        for axis in range(len(self._axes)):
+            yield from self._set(axis, kind, values.get(axis, 0.0), source, number)
+
+    def _set(
+        self, axis: int, kind: int, value: float, source: int, number: int
+    ) -> Iterator[SetOffset]:
+        if self._values[axis][kind] != value:
+            self._values[axis][kind] = value
+            yield SetOffset(source, number, self._axes[axis], kind, value)

@@ -40,6 +40,7 @@ from nctakt.nc.syntax import (
     MacroDefinition,
     Name,
     Number,
+    OffsetCommand,
     Parameter,
     Part,
     Program,
@@ -236,6 +237,12 @@ simple_statements = st.one_of(
     node(UserMessage, options, word_values, st.lists(word_values, max_size=2).map(tuple)),
     node(Timer, st.sampled_from(["START", "READ"]), options, keyword_lists),
     node(UserError, keyword_lists),
+    node(
+        OffsetCommand,
+        st.sampled_from(["PSET", "PRESET", "SUPPRESS OFFSETS"]),
+        st.one_of(st.just(()), keyword_lists),
+        st.lists(block_words, max_size=3).map(tuple),
+    ),
     commands,
 )
 declarations = st.builds(

@@ -305,6 +305,9 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the structure or array on the right": "die Struktur oder das Feld rechts",
         "the one on the left": "das, was links steht",
         "a value of the one on the right": "ein Wert dessen, was rechts steht",
+        "the greatest number": "die größte Nummer",
+        "the number as programmed": "die Nummer, wie programmiert",
+        "the known words": "die bekannten Wörter",
         "what shows that it is not sensible, in English": (
             "was zeigt, dass es nicht sinnvoll ist, englisch"
         ),

@@ -241,7 +241,9 @@ simple_statements = st.one_of(
         OffsetCommand,
         st.sampled_from(["PSET", "PRESET", "SUPPRESS OFFSETS"]),
         st.one_of(st.just(()), keyword_lists),
-        st.lists(block_words, max_size=3).map(tuple),
+        st.lists(block_words.filter(lambda word: not isinstance(word, StringWord)), max_size=3).map(
+            tuple
+        ),
     ),
     commands,
 )

@@ -15,6 +15,7 @@ from nctakt.decoder.commands import SetOffset
 from nctakt.kernel import coordinates
 from nctakt.kernel.coordinates import ADD_ZERO, CLAMP, PSET, TOOL, ZERO
 from nctakt.lists.offsets import ClampOffsets, ZeroOffsets
+from nctakt.nc.syntax import Keyword, OffsetCommand
 
 #: The zero offset that each G function selects (P-ZERO-00003); G159 has its own number.
 ZERO_GROUPS = {53: 0, 54: 1, 55: 2, 56: 3, 57: 4, 58: 5, 59: 6}
@@ -31,6 +32,12 @@ KEYWORDS = {
 }
 ALL = (1 << coordinates.KINDS) - 1
 KEYWORDS["ALL"] = ALL
+
+
+def left_over(command: OffsetCommand) -> int:
+    """The kinds of offsets that ``#SUPPRESS OFFSETS`` leaves to its block."""
+    named = [KEYWORDS[kind.name] for kind in command.kinds if isinstance(kind, Keyword)]
+    return ALL - sum(dict.fromkeys(named)) if named else 0
 
 
 class ActiveOffsets:

@@ -25,6 +25,7 @@ from nctakt.decoder.commands import (
 from nctakt.decoder.cycles import SCOPES, CycleBuilder, CycleDefinition
 from nctakt.decoder.flow import Decoded, Flow, Jump, Return, Signal
 from nctakt.decoder.levels import MOST_LEVELS, MOST_NESTED, Level
+from nctakt.decoder.offsets import ALL, left_over
 from nctakt.decoder.state import ModalState
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.decoder.texts import FormatError, format_text
@@ -164,6 +165,11 @@ class ProgramDecoder:
         match statement:
             case syntax.Block():
                 return (yield from self._block(statement, number))
+            case syntax.OffsetCommand() if statement.name == "SUPPRESS OFFSETS":
+                block = syntax.Block(statement.span, statement.head, statement.words)
+                return (yield from self._block(block, number, left_over(statement)))
+            case syntax.OffsetCommand():
+                yield from self._words.presets(statement, number)
             case syntax.Assignment():
                 yield from self._values.assign(statement, number)
             case syntax.VariableBlock():
@@ -195,11 +201,14 @@ class ProgramDecoder:
                 yield from self._command(statement, number)
         return ""
 
-    def _block(self, block: syntax.Block, number: int) -> Decoded:
-        """Words; then what they call, then the end of a program among them."""
+    def _block(self, block: syntax.Block, number: int, kinds: int = ALL) -> Decoded:
+        """Words; then what they call, then the end of a program among them.
+
+        ``kinds``: which offsets the block's positions have.
+        """
         block, returning = yield from self._calls.returning(block, number)
         block, called = yield from self._calls.implied(block, number)
-        ends = yield from self._words.block(block, number)
+        ends = yield from self._words.block(block, number, kinds)
         if called is not None:
             signal = yield from self._call(called, block.span)
             if signal:
@@ -223,9 +232,6 @@ class ProgramDecoder:
                 yield from self._define(statement, source, number)
             case syntax.CycleControl():
                 yield from self._control(statement, source, number)
-            case syntax.OffsetCommand():
-                ends = yield from self._words.offsets(statement, number)
-                return "end" if ends else ""
             case syntax.Flush():
                 if statement.mode != "CONTINUE":
                     yield Flush(source, number, statement.mode == "WAIT")

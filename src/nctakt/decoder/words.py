@@ -11,7 +11,7 @@ from collections.abc import Generator, Iterator
 from dataclasses import dataclass, field
 
 from nctakt.decoder.commands import Answer, Command, Dwell
-from nctakt.decoder.offsets import ALL, KEYWORDS, ZERO_GROUPS
+from nctakt.decoder.offsets import ALL, ZERO_GROUPS
 from nctakt.decoder.preparation import prepare
 from nctakt.decoder.technology import Issued, TechnologyOutputs, process_ticks
 from nctakt.decoder.values import Values
@@ -20,7 +20,6 @@ from nctakt.kernel import arithmetic
 from nctakt.lists.offsets import MOST_GROUPS
 from nctakt.lists.technology import TechnologyFunction
 from nctakt.nc import syntax
-from nctakt.nc.syntax import Keyword
 
 #: The G functions that set a reference point offset, and select a zero offset by its number.
 REFERENCE = 92
@@ -55,14 +54,8 @@ class Words:
         self._state = values.state
         self.technology = TechnologyOutputs()
 
-    def offsets(
-        self, command: syntax.OffsetCommand, number: int
-    ) -> Generator[Command, Answer, bool]:
-        """``#PSET``, ``#PRESET``, or a block without some of its offsets, as ``block``."""
-        if command.name == "SUPPRESS OFFSETS":
-            named = [KEYWORDS[kind.name] for kind in command.kinds if isinstance(kind, Keyword)]
-            block = syntax.Block(command.span, command.head, command.words)
-            return (yield from self.block(block, number, ALL - (sum(named) or ALL)))
+    def presets(self, command: syntax.OffsetCommand, number: int) -> Generator[Command, Answer]:
+        """``#PSET``, ``#PRESET``."""
         offsets = self._surroundings.offsets
         source = self._surroundings.place(command.span)
         for axis in range(len(self._state.positions)) if not command.words else ():
@@ -78,7 +71,6 @@ class Words:
             value = self._in_axis_unit(axis, programmed)
             position = self._state.positions[axis]
             yield from offsets.preset(axis, position, value, source, number)
-        return False
 
     def block(
         self, block: syntax.Block, number: int, kinds: int = ALL

@@ -109,6 +109,8 @@ class Checker:
         match statement:
             case Block():
                 self._words.block(statement, self._role)
+            case OffsetCommand():
+                self._words.offsets(statement, self._role)
             case Assignment():
                 self._values.assignment(statement)
             case VariableBlock():
@@ -247,8 +249,6 @@ class Checker:
                 self._refuse_hash(statement, "TIMER")
             case UserError():
                 self._refuse_hash(statement, "ERROR")
-            case OffsetCommand():
-                self._words.offsets(statement)
             case HashCommand():
                 self._hash(statement)
 

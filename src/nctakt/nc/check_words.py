@@ -279,17 +279,17 @@ class WordChecker:
                 written = self._findings.written(word.span)
                 self._findings.report(900772, word.span, word=written, command="G92")
 
-    def offsets(self, command: OffsetCommand) -> None:
+    def offsets(self, command: OffsetCommand, role: Role) -> None:
         """``#PSET``, ``#PRESET``: axes with values; ``#SUPPRESS OFFSETS``: any motion."""
         name = f"#{command.name}"
-        state = _Block(in_subprogram=False)
+        state = _Block(role)
         for kind in command.kinds:
             word = kind.name if isinstance(kind, Keyword) and kind.value is None else ""
             if command.name != "SUPPRESS OFFSETS" or word not in OFFSETS:
                 written = self._findings.written(kind.span)
                 self._findings.report(900773, kind.span, word=written, names=", ".join(OFFSETS))
         if command.name == "SUPPRESS OFFSETS":
-            self.block(Block(command.span, command.head, command.words))
+            self.block(Block(command.span, command.head, command.words), role)
         else:
             for other in command.words:
                 if isinstance(other, AxisWord):

@@ -22,6 +22,7 @@ PACKAGE = ROOT / "src" / "nctakt"
 KERNEL = PACKAGE / "kernel"
 MODULES = sorted(path.stem for path in KERNEL.glob("*.py") if path.stem != "__init__")
 SOURCES = sorted(PACKAGE.rglob("*.py"))
+PXD = sorted(PACKAGE.rglob("*.pxd"))
 
 #: Who may import whom: only what stands in an earlier line. Modules of one line do not see another.
 STAGES = (
@@ -272,18 +273,48 @@ def directives_of(module: str) -> list[str]:
 
 
 def test_exactly_the_realtime_modules_are_built() -> None:
-    """The list of extension modules in pyproject.toml is that of the folder, and the runner."""
+    """pyproject.toml builds each module that has a .pxd, and the part that runs schedules."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
     built = project["tool"]["setuptools"]["ext-modules"]
-    runner = built.pop()
-    assert [one["name"] for one in built] == [f"nctakt.kernel.{module}" for module in MODULES]
-    assert (runner["name"], runner["optional"]) == ("nctakt.linux.processes", True)
+    names = {one["name"]: one for one in built}
+    assert list(names) == sorted(names)
+    runner = names.pop("nctakt.linux.processes")
     written = sorted(path.relative_to(ROOT).as_posix() for path in PACKAGE.glob("linux/*.c"))
-    assert runner["sources"] == written
-    for one in built:
-        assert one["sources"] == [f"src/{one['name'].replace('.', '/')}.py"]
+    assert (runner["sources"], runner["optional"]) == (written, True)
+    typed = sorted(path.relative_to(PACKAGE.parent).with_suffix("") for path in PXD)
+    assert list(names) == [".".join(path.parts) for path in typed]
+    for name, one in names.items():
+        assert one["sources"] == [f"src/{name.replace('.', '/')}.py"]
         assert one["optional"] is True
-        assert "-ffp-contract=off" in one["extra-compile-args"]
+        if name.startswith("nctakt.kernel."):
+            assert "-ffp-contract=off" in one["extra-compile-args"]
+
+
+@pytest.mark.parametrize(
+    "path", [one for one in PXD if one.parent != KERNEL], ids=lambda one: one.stem
+)
+def test_types_fit_the_module(path: Path) -> None:
+    """Outside of the realtime part, too, a .pxd fits the classes and methods of its module."""
+    text = path.read_text("utf-8")
+    tree = tree_of(path.with_suffix(".py"))
+    found = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    assert sorted(re.findall(r"cdef class (\w+)", text)) == sorted(found)
+    methods = [
+        member.name
+        for node in found.values()
+        for member in node.body
+        if isinstance(member, ast.FunctionDef)
+    ]
+    assert set(re.findall(r"^    cp?def [\w ]*?(\w+)\(", text, re.MULTILINE)) <= set(methods)
+    fields = re.findall(r"^    cdef (?:readonly )?[\w\[:\] ]*?(\w+)$", text, re.MULTILINE)
+    given = {
+        target.attr
+        for target in ast.walk(tree)
+        if isinstance(target, ast.Attribute)
+        and isinstance(target.ctx, ast.Store)
+        and ast.unparse(target.value) == "self"
+    }
+    assert set(fields) == given
 
 
 # --- determinism --------------------------------------------------------------------------------

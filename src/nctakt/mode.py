@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Compiled or plain: which form of the realtime part is imported.
 
-The modules of ``nctakt.kernel`` are Python files that are compiled at installation where there is a
-C compiler. ``use_plain``, called before the first of them is imported, makes Python import the
-files themselves: slower, for debuggers and coverage, with the same results. The environment
-variable ``NCTAKT_PLAIN=1`` does the same.
+The modules of ``nctakt.kernel``, and some of ``nctakt.schedule``, are Python files that are
+compiled at installation where there is a C compiler. ``use_plain``, called before the first of
+them is imported, makes Python import the files themselves: slower, for debuggers and coverage, with
+the same results. The environment variable ``NCTAKT_PLAIN=1`` does the same.
 """
 
 from __future__ import annotations
@@ -18,19 +18,21 @@ from pathlib import Path
 from types import ModuleType
 
 _PACKAGE = "nctakt.kernel."
+#: The packages with compiled modules.
+_PACKAGES = (_PACKAGE, "nctakt.schedule.")
 
 
 class _PlainFinder:
-    """Finds the Python file of a realtime module beside its compiled form."""
+    """Finds the Python file of a module beside its compiled form."""
 
     @staticmethod
     def find_spec(
         name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> importlib.machinery.ModuleSpec | None:
-        """The file's spec for a module of the realtime part, nothing for any other."""
-        if not name.startswith(_PACKAGE) or path is None:
+        """The file's spec for a module of these packages, nothing for any other."""
+        if not name.startswith(_PACKAGES) or path is None:
             return None
-        file = Path(next(iter(path))) / f"{name.removeprefix(_PACKAGE)}.py"
+        file = Path(next(iter(path))) / f"{name.rpartition('.')[2]}.py"
         return importlib.util.spec_from_file_location(name, file)
 
 

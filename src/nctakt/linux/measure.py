@@ -7,6 +7,7 @@ have come; what the timer was late is part of them. A cycle that was not finishe
 
 from __future__ import annotations
 
+from array import array
 from bisect import bisect_right
 from dataclasses import dataclass, replace
 
@@ -15,7 +16,7 @@ from nctakt.linux import area as layout
 from nctakt.linux.recording import RecordOfRun
 from nctakt.linux.run import RunLog
 from nctakt.messages import diagnostic
-from nctakt.schedule.counters import Counters
+from nctakt.schedule.counters import NEVER, Counters
 from nctakt.schedule.model import NO_OVERHEADS, Model, suspension_point
 from nctakt.schedule.results import Simulation
 
@@ -157,17 +158,13 @@ class _Measuring:
 
     def _end_cycle(self, cycle: int) -> None:
         begin, end, point = self._begins[cycle], self._begins[cycle + 1], self._points[cycle]
-        idle = [max(0, end - begin - taken[cycle]) for taken in self._taken]
+        idle = array("q", [max(0, end - begin - taken[cycle]) for taken in self._taken])
         for cpu in self._model.windows_cpus:
             for i in self._late.get((cycle, cpu), ()):
                 self._counters.runs_late(cpu, i)
-        self._counters.end_cycle(
-            idle,
-            point,
-            end,
-            is_missed=point is not None and point > end,
-            suspended=self._suspended[cycle],
-        )
+        is_missed = point is not None and point > end
+        moment = NEVER if point is None else point
+        self._counters.end_cycle(idle, moment, end, is_missed, self._suspended[cycle])
 
     def _unfinished(self) -> list[int | None]:
         """Since when each task has a job at the end."""

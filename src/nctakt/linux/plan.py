@@ -8,13 +8,13 @@ nothing overflows.
 
 from __future__ import annotations
 
-import random
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
 from nctakt.lists.rtconf import InterruptSource
+from nctakt.schedule.chance import Chance
 from nctakt.schedule.model import ANY_CPU, Model, Task, TaskClass
 from nctakt.schedule.work import Work
 
@@ -73,7 +73,7 @@ def make_plan(
 ) -> Plan:
     """The plan of ``cycles`` NC cycles; ``source``: the list's ``external_object_name``."""
     assert cycles > 0
-    chance = random.Random(model.seed)
+    chance = Chance(model.seed)
     works = [Work(task, 0, chance) for task in model.tasks]
     moments, rows = _draw(model, cycles, works, chance)
     shift = _earliest(model)
@@ -116,7 +116,7 @@ def _earliest(model: Model) -> int:
 
 
 def _draw(
-    model: Model, cycles: int, works: list[Work], chance: random.Random
+    model: Model, cycles: int, works: list[Work], chance: Chance
 ) -> tuple[list[int], list[list[int]]]:
     """The moments of all interrupts, and the execution times of each task's jobs in a row."""
     train = model.train
@@ -132,7 +132,7 @@ def _draw(
         for row, work, task in zip(rows, works, model.tasks, strict=True):
             if not task.calls or cycle % task.every or len(row) >= MOST_TIMES:
                 continue
-            if work.constant is None or not row:
+            if not work.is_constant or not row:
                 work.draw()
                 row.extend(work.times)
     return moments, rows

@@ -5,3 +5,5 @@ In: the effective configuration (``lists.rtconf``) and a load, the threads' exec
 response times, overflows, suspensions, Windows' share; pictures and traces. All times inside are
 integer nanoseconds; same inputs give the same results.
 """
+
+from nctakt import mode as mode

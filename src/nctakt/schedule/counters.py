@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# cython: language_level=3, annotation_typing=False, auto_pickle=False
 """The numbers of a simulation while it runs.
 
 In: what happens to tasks and in cycles. Out: ``TaskNumbers`` and ``WindowsNumbers``. What only
@@ -7,10 +8,14 @@ adds up can be multiplied when the schedule repeats; a repetition brings no new 
 
 from __future__ import annotations
 
+from array import array
+
 from nctakt.schedule.model import Model
 from nctakt.schedule.results import TaskNumbers, WindowsNumbers
 
 _NONE = -1
+#: No point of suspension in a cycle: a moment before all others.
+NEVER = -(1 << 62)
 
 
 class Counters:
@@ -20,28 +25,31 @@ class Counters:
         count = len(model.tasks)
         self._guarantee = model.windows
         self._cpus = model.windows_cpus
-        places = len(self._cpus) + 1
-        self.due = [0] * count
-        self.completed = [0] * count
-        self.overflows = [0] * count
-        self.lost = [0] * count
-        self.suspensions = [0] * count
-        self.busy = [0] * count
-        self._response_sum = [0] * count
-        self._response_min = [_NONE] * count
-        self._response_max = [_NONE] * count
-        self._first_overflow = [_NONE] * count
-        self._total = [0] * places
-        self._least = [_NONE] * places
-        self._most = [_NONE] * places
-        self._violated = [0] * places
-        self._late = [0] * places
-        self._culprits = [[0] * count for _ in range(places)]
+        #: Of the places of Windows the last one is the sum of the others.
+        self._sum = len(self._cpus)
+        places = self._sum + 1
+        self.due = _numbers(count)
+        self.completed = _numbers(count)
+        self.overflows = _numbers(count)
+        self.lost = _numbers(count)
+        self.suspensions = _numbers(count)
+        self.busy = _numbers(count)
+        self._response_sum = _numbers(count)
+        self._response_min = _numbers(count, _NONE)
+        self._response_max = _numbers(count, _NONE)
+        self._first_overflow = _numbers(count, _NONE)
+        self._total = _numbers(places)
+        self._least = _numbers(places, _NONE)
+        self._most = _numbers(places, _NONE)
+        self._violated = _numbers(places)
+        self._late = _numbers(places)
+        self._culprits = [_numbers(count) for _ in range(places)]
         self._runners: list[list[int]] = [[] for _ in range(max(model.cpus) + 1)]
+        self._has_runners = False
         # Cycles: over before their point of suspension, with something suspended.
-        self._cycles = [0, 0]
+        self._cycles = _numbers(2)
 
-    def _additive(self) -> list[list[int]]:
+    def _additive(self) -> list[array[int]]:
         return [
             self.due,
             self.completed,
@@ -59,7 +67,7 @@ class Counters:
 
     def snapshot(self) -> list[list[int]]:
         """All that adds up, as it stands."""
-        return [numbers[:] for numbers in self._additive()]
+        return [list(numbers) for numbers in self._additive()]
 
     def repeat(self, before: list[list[int]], times: int) -> None:
         """What came since ``before`` comes ``times`` times more."""
@@ -84,29 +92,37 @@ class Counters:
     def runs_late(self, cpu: int, i: int) -> None:
         """Task ``i`` runs behind the point of suspension."""
         self._runners[cpu].append(i)
+        self._has_runners = True
 
     def end_cycle(
-        self, idle: list[int], point: int | None, end: int, *, is_missed: bool, suspended: bool
+        self, idle: array[int], point: int, end: int, is_missed: bool, suspended: bool
     ) -> None:
-        """A cycle is over: ``idle`` is the time that each processor was without work."""
+        """A cycle is over: ``idle`` is the time that each processor was without work.
+
+        ``point``: when it suspended, or ``NEVER``.
+        """
         self._cycles[0] += is_missed
         self._cycles[1] += suspended
         total = 0
-        for place, cpu in enumerate(self._cpus):
-            share = idle[cpu]
+        for place in range(self._sum):
+            share = idle[self._cpus[place]]
             total += share
             self._share(place, share)
             if share < self._guarantee:
-                self._violated[place] += 1
-                self._violated[-1] += 1
-                if point is None or end - point < self._guarantee:
-                    self._late[place] += 1
-                    self._late[-1] += 1
-                for i in dict.fromkeys(self._runners[cpu]):
-                    self._culprits[place][i] += 1
-                    self._culprits[-1][i] += 1
-            self._runners[cpu].clear()
-        self._share(-1, total)
+                self._violate(place, point == NEVER or end - point < self._guarantee)
+        if self._has_runners:
+            for runners in self._runners:
+                runners.clear()
+            self._has_runners = False
+        self._share(self._sum, total)
+
+    def _violate(self, place: int, is_late: bool) -> None:
+        """Windows got less than it should have."""
+        for one in (place, self._sum):
+            self._violated[one] += 1
+            self._late[one] += is_late
+            for i in dict.fromkeys(self._runners[self._cpus[place]]):
+                self._culprits[one][i] += 1
 
     def _share(self, place: int, share: int) -> None:
         self._total[place] += share
@@ -161,3 +177,7 @@ class Counters:
 
 def _known(value: int, count: int) -> int | None:
     return value if count else None
+
+
+def _numbers(count: int, value: int = 0) -> array[int]:
+    return array("q", [value] * count)

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# cython: language_level=3, annotation_typing=False, auto_pickle=False
 """A model -> its schedule in virtual time.
 
 In: ``Model``, the number of NC cycles. Out: ``Simulation``. Everything is released at NC
@@ -13,11 +14,12 @@ back the rest is counted in whole repetitions, not simulated.
 
 from __future__ import annotations
 
-import random
+from array import array
 from collections import deque
 from math import lcm
 
-from nctakt.schedule.counters import Counters
+from nctakt.schedule.chance import Chance
+from nctakt.schedule.counters import NEVER, Counters
 from nctakt.schedule.model import ANY_CPU, Model, TaskClass, suspension_point
 from nctakt.schedule.recorder import Recorder
 from nctakt.schedule.repetition import Repetition
@@ -56,7 +58,7 @@ def simulate(
         begin = end
         cycle += 1
         if cycle == state.recorder.cycles:
-            state.recorder.close(begin)
+            state.end_record(begin)
         if search is not None and cycle >= state.recorder.cycles:
             skipped = search.cycles_to_skip(state, cycle, cycles, begin)
             cycle += skipped
@@ -73,19 +75,31 @@ class SchedulerState:
         self.hyperperiod = hyperperiod(model)
         self.counters = Counters(model)
         self.recorder = Recorder(recorded)
+        self._records = self.recorder.is_open
         #: The work left of each task's job, when that job was due, its place in the queue.
-        self.left = [IDLE] * len(tasks)
-        self._due = [0] * len(tasks)
-        self._sequence = [0] * len(tasks)
+        self.left = array("q", [IDLE] * len(tasks))
+        self._due = array("q", [0] * len(tasks))
+        self._sequence = array("q", [0] * len(tasks))
         self._next_sequence = 0
         #: When the activations that are remembered behind that job were due.
         self._waiting: list[deque[int]] = [deque() for _ in tasks]
         self.suspendable = [task.kind is TaskClass.ASYNCHRONOUS for task in tasks]
-        self._chance = random.Random(model.seed)
+        self._stoppable = [i for i, suspendable in enumerate(self.suspendable) if suspendable]
+        self._cpu = [task.cpu for task in tasks]
+        self._chance = Chance(model.seed)
         extra = model.overheads.activation
         self._work = [Work(task, extra, self._chance) for task in tasks]
         #: What each processor (from 1) ran last.
-        self._last = [IDLE] * (max(model.cpus) + 1)
+        self._last = array("q", [IDLE] * (max(model.cpus) + 1))
+        self._idle = array("q", [0] * len(self._last))
+        self._switch = model.overheads.switch
+        self._phase = model.train.phase
+        self._distance = model.train.distance
+        self._jitter = model.train.jitter
+        # Where interrupts fall on timer interrupts the suspension comes always at the same place.
+        self._is_regular = bool(model.windows) and model.is_synchronous
+        self._offset = max(0, model.cycle - model.windows)
+        self._processors = [(cpu, cpu in model.windows_cpus) for cpu in model.cpus]
         self._place_tasks()
         self._due_table = self._make_due_table()
 
@@ -133,42 +147,47 @@ class SchedulerState:
 
     def shift(self, by: int) -> None:
         """Go on ``by`` ns later in the same state."""
-        self._due = [due + by for due in self._due]
+        self._due = array("q", [due + by for due in self._due])
         self._waiting = [deque(due + by for due in waiting) for waiting in self._waiting]
 
     def interrupt(self, cycle: int) -> int:
         """The moment of the NC interrupt that opens ``cycle``."""
-        train = self.model.train
-        moment = train.phase + cycle * train.distance
-        if train.jitter:
-            moment += self._chance.randint(-train.jitter, train.jitter)
+        moment = self._phase + cycle * self._distance
+        if self._jitter:
+            moment += self._chance.randint(-self._jitter, self._jitter)
         return moment
+
+    def end_record(self, now: int) -> None:
+        """What comes from ``now`` on is not recorded."""
+        self.recorder.close(now)
+        self._records = False
 
     def run_cycle(self, cycle: int, begin: int, end: int) -> None:
         """One NC cycle, from its interrupt up to the next one."""
         self._release(cycle, begin)
-        point = suspension_point(self.model, begin)
-        stop = end if point is None or point > end else point
+        point = self._point(begin)
+        stop = end if point == NEVER or point > end else point
         if self._places is not None:
-            idle = self._places.run(self, self._by_urgency(ANY_CPU), begin, stop, end)
+            order = self._by_urgency(ANY_CPU)
+            self._idle = array("q", self._places.run(self, order, begin, stop, end))
         else:
-            idle = [0] * len(self._order)
-            for cpu in self.model.cpus:
-                on_windows = cpu in self.model.windows_cpus
-                idle[cpu] = self._run_cpu(cpu, begin, stop if on_windows else end, end)
-        suspends = point is not None and point <= end
-        self.counters.end_cycle(
-            idle,
-            point,
-            end,
-            is_missed=point is not None and not suspends,
-            suspended=suspends and self._suspend(stop),
-        )
+            for cpu, on_windows in self._processors:
+                limit = stop if on_windows else end
+                self._idle[cpu] = self._run_cpu(cpu, begin, limit, end)
+        is_missed = point > end
+        suspended = point != NEVER and not is_missed and self._suspend(stop)
+        self.counters.end_cycle(self._idle, point, end, is_missed, suspended)
+
+    def _point(self, begin: int) -> int:
+        """When suspendable tasks are stopped in the cycle from ``begin`` on, or ``NEVER``."""
+        if self._is_regular:
+            return begin + self._offset
+        found = suspension_point(self.model, begin)
+        return NEVER if found is None else found
 
     def _release(self, cycle: int, begin: int) -> None:
-        recorder = self.recorder
-        if recorder.is_open:
-            recorder.interrupt(begin, cycle)
+        if self._records:
+            self.recorder.interrupt(begin, cycle)
         table = self._due_table
         for i in table[cycle % self.hyperperiod] if table else self._due_in(cycle):
             self.counters.due[i] += 1
@@ -179,14 +198,14 @@ class SchedulerState:
             self._sequence[i] = self._next_sequence
             self._next_sequence += 1
             work = self._work[i]
-            self.left[i] = work.draw() if work.constant is None else work.constant
-            if recorder.is_open:
-                recorder.job(i, begin, begin, work.times)
+            self.left[i] = work.draw()
+            if self._records:
+                self.recorder.job(i, begin, begin, work.times)
 
     def _overflow(self, i: int, begin: int) -> None:
         """An activation finds its task busy."""
         self.counters.overflow(i, begin)
-        if self.recorder.is_open:
+        if self._records:
             self.recorder.event(Event(begin, EventKind.OVERFLOW, i, self.left[i]))
         external = self.model.tasks[i].kind is TaskClass.EXTERNAL
         policy = "queue" if external else self.model.rules.overflow
@@ -206,14 +225,13 @@ class SchedulerState:
     def _run_cpu(self, cpu: int, begin: int, stop: int, end: int) -> int:
         """One processor's cycle; how long it has no work."""
         now = begin
-        left = self.left
         for i in self._by_urgency(cpu):
-            if left[i] == IDLE:
+            if self.left[i] == IDLE:
                 continue
             got, limit = now, stop if self.suspendable[i] else end
-            while now < limit and left[i] != IDLE:
+            while now < limit and self.left[i] != IDLE:
                 overhead = self.switch(i, cpu)
-                until = now + left[i] + overhead
+                until = now + self.left[i] + overhead
                 now = self.advance(i, cpu, now, until if until < limit else limit, overhead)
             if now > stop and now > got:
                 self.counters.runs_late(cpu, i)
@@ -221,12 +239,12 @@ class SchedulerState:
 
     def switch(self, i: int, cpu: int) -> int:
         """What it costs to give ``cpu`` to task ``i``."""
-        return 0 if self._last[cpu] == i else self.model.overheads.switch
+        return 0 if self._last[cpu] == i else self._switch
 
     def advance(self, i: int, cpu: int, now: int, until: int, overhead: int) -> int:
         """Task ``i`` has the processor from ``now`` to ``until``, which is returned."""
         self._last[cpu] = i
-        if self.recorder.is_open:
+        if self._records:
             self.recorder.segment(cpu, now, until, i, overhead)
         self.counters.busy[i] += until - now
         left = self.left[i] + overhead - (until - now)
@@ -239,30 +257,30 @@ class SchedulerState:
         """The job of task ``i`` ends; a remembered activation begins at once."""
         response = now - self._due[i]
         self.counters.finish(i, response)
-        recorder = self.recorder
-        if recorder.is_open:
-            recorder.event(Event(now, EventKind.END, i, response))
+        if self._records:
+            self.recorder.event(Event(now, EventKind.END, i, response))
         if not self._waiting[i]:
             self.left[i] = IDLE
             return
+        work = self._work[i]
         self._due[i] = self._waiting[i].popleft()
-        self.left[i] = self._work[i].draw()
-        if recorder.is_open:
-            recorder.job(i, self._due[i], now, self._work[i].times)
+        self.left[i] = work.draw()
+        if self._records:
+            self.recorder.job(i, self._due[i], now, work.times)
 
     def _suspend(self, moment: int) -> bool:
         """Stop what can be stopped on Windows' processors; whether there was anything."""
         found = False
-        for i, suspendable in enumerate(self.suspendable):
-            if not suspendable or self.left[i] == IDLE:
+        for i in self._stoppable:
+            if self.left[i] == IDLE:
                 continue
-            cpu = self.model.tasks[i].cpu
+            cpu = self._cpu[i]
             if cpu == ANY_CPU and self._places is not None:
                 cpu = self._places.cpu_at_stop(i)
             if cpu == ANY_CPU or cpu in self.model.windows_cpus:
                 found = True
                 self.counters.suspensions[i] += 1
-                if self.recorder.is_open:
+                if self._records:
                     self.recorder.suspend(moment, i, self.left[i])
         return found
 

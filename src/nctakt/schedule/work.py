@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# cython: language_level=3, annotation_typing=False, auto_pickle=False
 """Draws the execution times of a task's jobs.
 
 In: ``Task``, a seeded generator. Out: the work of one job after another, in ns. A list of times
@@ -7,45 +8,71 @@ belongs to a function of the task: each call takes the next one.
 
 from __future__ import annotations
 
-import random
+from array import array
 
+from nctakt.schedule.chance import Chance
 from nctakt.schedule.model import Task
+
+#: No constant: the work changes from job to job.
+_CHANGES = -1
 
 
 class Work:
     """The jobs of one task; ``extra`` ns are added to each."""
 
-    def __init__(self, task: Task, extra: int, chance: random.Random) -> None:
+    def __init__(self, task: Task, extra: int, chance: Chance) -> None:
         executions = [call.execution for call in task.calls]
         self.is_random = any(one.spread and not one.is_constant for one in executions)
-        #: The work of each job, or ``None`` when it changes from job to job.
-        self.constant: int | None = None
-        #: The execution times of the calls of the job drawn last.
-        self.times = tuple(execution.values[0] for execution in executions)
-        if all(execution.is_constant for execution in executions):
-            self.constant = extra + sum(self.times)
-        self._calls = task.calls
         self._extra = extra
         self._chance = chance
-        self._places = {call.function: 0 for call in task.calls}
+        self._count = len(executions)
+        #: The execution times of the calls of the job drawn last.
+        self._drawn = array("q", [one.values[0] for one in executions])
+        self._constant = _CHANGES
+        if all(execution.is_constant for execution in executions):
+            self._constant = extra + sum(self._drawn)
+        spans = [one.values[1] - one.values[0] + 1 if one.spread else 0 for one in executions]
+        self._low = array("q", self._drawn)
+        self._span = array("q", spans)
+        #: 0: the call's times stand in a list.
+        self._bits = array("q", [span.bit_length() for span in spans])
+        self._lists = [one.values for one in executions]
+        functions = list(dict.fromkeys(call.function for call in task.calls))
+        self._function = array("q", [functions.index(call.function) for call in task.calls])
+        self._places = array("q", [0] * len(functions))
+
+    @property
+    def is_constant(self) -> bool:
+        """Whether all jobs take the same time."""
+        return self._constant != _CHANGES
+
+    @property
+    def times(self) -> tuple[int, ...]:
+        """The execution times of the calls of the job drawn last."""
+        return tuple(self._drawn)
 
     @property
     def state(self) -> tuple[int, ...]:
         """Where each function's list of times stands."""
-        return tuple(self._places.values())
+        return tuple(self._places)
 
     def draw(self) -> int:
         """The work of the next job; ``times`` holds its calls' times from then on."""
-        if self.constant is not None:
-            return self.constant
-        times: list[int] = []
-        for call in self._calls:
-            values = call.execution.values
-            if call.execution.spread:
-                times.append(self._chance.randint(values[0], values[1]))
-                continue
-            place = self._places[call.function]
-            times.append(values[place % len(values)])
-            self._places[call.function] = (place + 1) % len(values)
-        self.times = tuple(times)
-        return self._extra + sum(times)
+        if self._constant != _CHANGES:
+            return self._constant
+        work = self._extra
+        for i in range(self._count):
+            if self._bits[i]:
+                time = self._low[i] + self._chance.below(self._span[i], self._bits[i])
+            else:
+                time = self._next(i)
+            self._drawn[i] = time
+            work += time
+        return work
+
+    def _next(self, i: int) -> int:
+        """The next time in the list of a call's function."""
+        values = self._lists[i]
+        place = self._places[self._function[i]]
+        self._places[self._function[i]] = (place + 1) % len(values)
+        return values[place % len(values)]

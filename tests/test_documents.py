@@ -362,6 +362,9 @@ class _Names:
     def message(self, number: int) -> str:
         return str(number)
 
+    def user_text(self, number: int) -> str:
+        return ""
+
     def variable_text(self, number: int) -> str:
         return str(number)
 
@@ -384,11 +387,12 @@ def test_the_kinds_of_events_are_those_of_the_code() -> None:
         if not name.startswith("ENDED_BY")
     )
     decoder = EventDecoder(1000, _Names())
+    with_choices = (record.CREATED, record.ENDED, record.USER_VALUE, record.USER_TEXT)
     numbers = (0.0, -1.0, 50900.0, 900302.0)  # an M and an H function, an error and a warning
     told = {
         event.kind
         for kind in kinds
-        for number in (numbers if kind not in (record.CREATED, record.ENDED) else (0.0,))
+        for number in (numbers if kind not in with_choices else (0.0,))
         for event in decoder.decode(array("d", (0.0, kind, 0.0, 1.0, number, 0.0)).tobytes())
     }
     assert sorted(named) == sorted(told)

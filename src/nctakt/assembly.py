@@ -57,6 +57,7 @@ class Registry:
         self._messages: list[UserMessage] = []
         self._programs: list[str] = []
         self._variable_texts: list[str] = []
+        self._user_texts: list[str] = []
         self._variable_numbers: dict[str, int] = {}
         self._latest: dict[str, CycleDefinition] = {}
         self._living: dict[int, CycleDefinition] = {}
@@ -85,6 +86,10 @@ class Registry:
     def variable_text(self, number: int) -> str:
         """The text of a variable whose value was frozen."""
         return self._variable_texts[number]
+
+    def user_text(self, number: int) -> str:
+        """A text of the user's that is told with an error."""
+        return self._user_texts[number]
 
     def program(self, number: int) -> str:
         """The file name of a program."""
@@ -142,6 +147,11 @@ class Registry:
             self._variable_numbers[text] = len(self._variable_texts)
             self._variable_texts.append(text)
         return self._variable_numbers[text]
+
+    def add_user_text(self, text: str) -> int:
+        """The number of a text that is told with a user error."""
+        self._user_texts.append(text)
+        return len(self._user_texts) - 1
 
     def add_program(self, name: str) -> int:
         """The number of a program."""
@@ -283,6 +293,7 @@ class Machine:
             self.configuration.cycle_time_us,
             self.files.number,
             self.files.line_at,
+            self.registry.add_user_text,
             notice,
             subprogram,
             skip_levels,

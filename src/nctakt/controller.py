@@ -23,9 +23,11 @@ from nctakt.kernel import kernel as reasons
 from nctakt.kernel.cycles import DEFINED, HELD
 from nctakt.lists.machine import MachineConfiguration, MachineError, load_machine
 from nctakt.loading import LoadedProgram, NcText
+from nctakt.messages import diagnostic
 from nctakt.plc import AnyPlc
 from nctakt.results.probe_log import ProbeLog
 from nctakt.results.run import Run, RunState, RunStatistics, SaidMessage
+from nctakt.results.user_errors import user_errors
 from nctakt.results.why import WhyReport
 from nctakt.runtime_errors import realtime_diagnostic
 from nctakt.stimuli import Stimulus
@@ -340,6 +342,8 @@ class Controller:
         """
         if self._channel.is_stopped or self._feed is not None:
             self.reset()
+        if self._channel.is_fatal:
+            raise Failure(diagnostic(900466))
         self._outcome = None
         self._feed = Feed(self._machine, program, self.diagnostics.append, self._skip_levels)
         self._channel.panel.begin_program()
@@ -429,10 +433,15 @@ class Controller:
 
     def _watch(self, events: EventChunk) -> None:
         """Messages are said as they come; errors of the realtime part become diagnostics."""
+        raised = iter(user_errors(events))
         for event, subject in zip(events, events.subjects(), strict=True):
             if event.kind == "message" and self._on_message is not None:
                 style = self._machine.registry.message_style(subject)
                 self._on_message(SaidMessage(event.time_us, event.text, *style))
+            elif event.kind == "user_error":
+                report = next(raised)
+                line = "" if report.span is None else self._machine.files.line_at(report.span)
+                self.diagnostics.append(report.diagnostic(self.machine.user_texts, line))
             elif event.kind in ("error", "warning") and not self._is_told(event):
                 self.diagnostics.append(realtime_diagnostic(event, self._machine))
 

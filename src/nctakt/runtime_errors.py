@@ -58,6 +58,8 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
             values = {"variable": machine.registry.variable(machine.kernel.image.next_refused())}
         case 900420:
             values = {}
+        case 900460 | 900461:
+            values = {"value": number_text(a)}
         case _:
             raise AssertionError(number)
     line = "" if event.span is None else machine.files.line_at(event.span)

@@ -213,8 +213,13 @@ M30
   #TIMER READ ASYN [ID=0] ; error 22004 "ASYN"; error 22006 "SYN"
   #TIMER READ SYN [NR=0] ; error 22004 "NR"
   #TIMER LOOK SYN ; error 22004 "LOOK"
-  #ERROR [ID=666 RC=2 PM1=1 PV1=99] ; error 900200 "#ERROR"
-  #ERROR [ID=666 TEXT=1] ; error 22004 "TEXT"; error 900200 "#ERROR"
+  #ERROR [ID=666 RC=2 PM1=1 PV1=99]
+  #ERROR [ID=666 TEXT=1] ; error 22004 "TEXT"
+  #ERROR [RC=0] ; error 900280 "#ERROR"
+  #ERROR [ID=1001 RC=8 MID=0] ; error 900460 "1001"; error 900461 "8"; error 900462 "0"
+  #ERROR [ID=1 ID=2 RC] ; error 900224 "ID"; error 900208 "RC"
+  #ERROR [ID=1 PV1="23 characters are enough" PM1="text"] ; error 900281 "23"; error 21981 "text"
+  #ERROR [ID=1 PV1=V.E.NONE] ; error 900213 "V.E.NONE"
 #RT CYCLE END
 ; --- a block number inside a cycle
 #RT CYCLE

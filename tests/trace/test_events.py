@@ -32,6 +32,9 @@ class Names:
     def variable_text(self, number: int) -> str:
         return {4: "V.E.ASYNC"}[number]
 
+    def user_text(self, number: int) -> str:
+        return {6: "worn"}[number]
+
     def program(self, number: int) -> str:
         return {0: "part.nc"}[number]
 
@@ -72,6 +75,9 @@ def row(kind: int, subject: int = 0, a: float = 0.0, b: float = 0.0, tick: int =
         (row(record.ERROR, 0, 900531), "warning", "900531", ""),
         (row(record.PROGRAM_END, 0), "end", "part.nc", ""),
         (row(record.NOTICE, 1, 900531), "notice", "900531", "17"),
+        (row(record.USER_ERROR, 1, 666, 2), "user_error", "666 2", "17"),
+        (row(record.USER_VALUE, 1, 3, 99.5), "user_value", "PV1 99.5", "17"),
+        (row(record.USER_TEXT, 0, 6, 6), "user_value", "PV2 worn", ""),
         (row(record.FROZEN, 2, 4, 16.5), "frozen", "V.E.ASYNC 16.5", "#1"),
     ],
 )

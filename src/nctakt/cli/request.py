@@ -47,6 +47,7 @@ class Options:
     trace: str | None = None
     signals: str | None = None
     diagnosis: str | None = None
+    error_log: str | None = None
     messages: str | None = None
     language: Language
     compiled: bool | None

@@ -64,6 +64,7 @@ Ctrl-C, 2 wrong usage or unusable input, 3 an error of nctakt's own.
     "--wait-for-start", is_flag=True, help="START on the HLI begins each program (HLI.START)."
 )
 @click.option("--hli", metavar="NAME", help="Share the HLI; a PLC in another process answers.")
+@click.option("--error-log", metavar="FILE", help="Write the user errors (#ERROR) to a file.")
 @click.option("--quiet", is_flag=True, help="No summary and no notes.")
 def command(**words: Any) -> int:
     """Run NC programs one after another on the same controller ('-': standard input)."""
@@ -84,6 +85,9 @@ def _run(options: Options) -> int:
         sinks = _open_trace(options, files)
         messages = _open_file(options.messages, files)
         report = _open_file(options.diagnosis, files)
+        log = _open_file(options.error_log, files)
+        if log is not None:
+            sinks.append(_error_log(controller, log))
         diagnosis = None if report is None else _diagnosis(controller)
         listeners = sinks if diagnosis is None else [*sinks, diagnosis]
         request = _with_partner(options, request, controller, files)
@@ -127,6 +131,14 @@ def _open_file(path: str | None, files: contextlib.ExitStack) -> OutputFile | No
     file = OutputFile(path)
     files.callback(file.close)
     return file
+
+
+def _error_log(controller: Controller, file: OutputFile) -> Sink:
+    """Writes the user's errors as they come; the file is empty where there are none."""
+    from nctakt.results.user_errors import UserErrorLog  # noqa: PLC0415 - as above
+
+    file.write("")
+    return UserErrorLog(controller.machine.user_texts, file.write)
 
 
 def _diagnosis(controller: Controller) -> DiagnosisSink:

@@ -145,6 +145,30 @@ class Freeze(Command):
 
 
 @dataclass(frozen=True, slots=True)
+class UserErrorTold(Command):
+    """``#ERROR`` of the main program is told (RC-402); its values follow."""
+
+    identity: int
+    reaction: int
+
+
+@dataclass(frozen=True, slots=True)
+class UserErrorValue(Command):
+    """A value of the ``#ERROR`` before it; ``content``: the value, or the number of a text."""
+
+    code: int
+    content: float
+    is_text: bool
+
+
+@dataclass(frozen=True, slots=True)
+class UserErrorStop(Command):
+    """The ``#ERROR`` before it stops the channel."""
+
+    reaction: int
+
+
+@dataclass(frozen=True, slots=True)
 class Flush(Command):
     """The path stands before what follows is taken; ``waits``: the decoder, too (RC-005)."""
 
@@ -208,6 +232,13 @@ def pack(command: Command, place: int = 0) -> list[float]:
             return [channel.SET_OFFSET, *head, command.axis, command.kind, command.value]
         case Freeze():
             return [channel.FREEZE, *head, command.serial, place, command.value]
+        case UserErrorTold():
+            return [channel.USER_ERROR, *head, command.identity, command.reaction]
+        case UserErrorValue():
+            row = [channel.USER_VALUE, *head, command.code, command.content]
+            return [*row, command.is_text]
+        case UserErrorStop():
+            return [channel.USER_STOP, *head, command.reaction]
         case Flush():
             return [channel.FLUSH, *head, 0, 0, command.waits]
         case ReadRealtime():

@@ -13,9 +13,10 @@ from dataclasses import dataclass, field
 from nctakt.decoder.expressions import Built, ExpressionBuilder, constant, load
 from nctakt.decoder.memory import memory_bytes
 from nctakt.decoder.technology import process_ticks
+from nctakt.decoder.user_errors import parts
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
-from nctakt.kernel import expressions, instructions
+from nctakt.kernel import expressions, instructions, user_errors
 from nctakt.kernel.conditions import Combination, Condition
 from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
 from nctakt.kernel.instructions import Branch, Reaction, Statement
@@ -139,6 +140,8 @@ class CycleBuilder:
                 return self._technology(statement)
             case syntax.Timer():
                 return [self._timer(statement)]
+            case syntax.UserError():
+                return [self._user_error(statement)]
             case syntax.VariableBlock():
                 built = self._builder.build(statement.variable)
                 source = self._place(statement.span)
@@ -174,6 +177,22 @@ class CycleBuilder:
         source = self._place(timer.span)
         action = TIMER_ACTIONS[timer.action]
         return instructions.CommandTimer(action, built.node, source, self._cost(timer))
+
+    def _user_error(self, error: syntax.UserError) -> Statement:
+        """``#ERROR`` of a cycle (RC-402)."""
+        given = parts(error)
+        identity = self._builder.build(given.identity).node
+        reaction = self._builder.build(given.reaction).node
+        values = user_errors.UserValue()
+        for code, value in reversed(given.values):
+            if isinstance(value, syntax.StringLiteral):
+                text = self._values.surroundings.text_number(value.value)
+                values = user_errors.TextValue(code, text, values)
+            else:
+                values = user_errors.NumberValue(code, self._builder.build(value).node, values)
+        self._statements += len(given.values)
+        source = self._place(error.span)
+        return user_errors.RaiseUserError(identity, reaction, values, source, self._cost(error))
 
     def _cost(self, statement: syntax.Statement) -> int:
         return most_steps((statement,), self._names)

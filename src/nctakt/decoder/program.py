@@ -29,6 +29,7 @@ from nctakt.decoder.offsets import ALL, left_over
 from nctakt.decoder.state import ModalState
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.decoder.texts import FormatError, format_text
+from nctakt.decoder.user_errors import user_error
 from nctakt.decoder.values import Values
 from nctakt.decoder.words import Words
 from nctakt.diagnostics import Span
@@ -238,6 +239,8 @@ class ProgramDecoder:
             case syntax.Time():
                 seconds = yield from self._values.evaluate(statement.seconds, number)
                 yield from self._words.dwell(seconds, statement.span, number)
+            case syntax.UserError():
+                yield from user_error(self._values, statement, number)
             case syntax.UserMessage():
                 yield from self._message(statement, source, number)
             case syntax.HashCommand() if [word.name for word in statement.words] == EXPLICIT:

@@ -37,6 +37,7 @@ cdef class Channel:
     cdef readonly bint error_pending
     cdef readonly double error_detail
     cdef readonly bint is_stopped
+    cdef readonly bint is_fatal
     cdef readonly bint is_resetting
     cdef bint is_reset_due
     cdef readonly int error_message
@@ -66,6 +67,9 @@ cdef class Channel:
     @cython.locals(source=cython.longlong, name=cython.longlong)
     cdef void take_frozen(self, Py_ssize_t base) noexcept nogil
     cdef int take_program_end(self, long long tick, Py_ssize_t base) noexcept nogil
+    @cython.locals(source=cython.longlong)
+    cdef void take_user_error(self, Py_ssize_t base, int kind) noexcept nogil
+    cdef void stop_for_user(self, int reaction) noexcept nogil
     cdef void report(self, long long source, int message, double detail) noexcept nogil
     cdef void run_cycles(self) noexcept nogil
     @cython.locals(pct=double, stops=bint)

@@ -34,11 +34,23 @@ FLUSH = 9
 READ = 10
 PROGRAM_END = 11
 GIVE_UP = 12
+USER_ERROR = 20
+USER_VALUE = 21
+USER_STOP = 22
 FREEZE = 60
 SET_OFFSET = 50
 
 #: The kinds that take or may take time.
-TIMED_KINDS = (SEGMENT, DWELL, AWAIT_ACKNOWLEDGE, FLUSH, READ, PROGRAM_END, GIVE_UP)
+TIMED_KINDS = (
+    SEGMENT,
+    DWELL,
+    AWAIT_ACKNOWLEDGE,
+    FLUSH,
+    READ,
+    PROGRAM_END,
+    GIVE_UP,
+    USER_STOP,
+)
 
 #: Commands that take time below which the kernel asks for more.
 LOW_WATER = 8
@@ -90,6 +102,7 @@ class Channel:
         self.error_pending = False
         self.error_detail = 0.0
         self.is_stopped = False
+        self.is_fatal = False
         self.is_resetting = False
         self.is_reset_due = False
         self.error_message = 0
@@ -237,6 +250,9 @@ class Channel:
         if kind == 60:
             self.take_frozen(base)
             return 1
+        if 20 <= kind <= 22:
+            self.take_user_error(base, kind)
+            return 1
         if kind == 12:
             self.timed_count -= 1
             self.report(int(self.queue[base + 1]), int(self.queue[base + 3]), 0.0)
@@ -334,6 +350,28 @@ class Channel:
         self.waiting = 11
         return 1
 
+    def take_user_error(self, base: int, kind: int) -> None:
+        """``#ERROR`` of the main program: told, then its values, then it may stop the channel."""
+        source = int(self.queue[base + 1])
+        if kind == 20:
+            self.record.user_error(source, 0, self.queue[base + 3], self.queue[base + 4])
+        elif kind == 22:
+            self.timed_count -= 1
+            self.stop_for_user(int(self.queue[base + 3]))
+        elif self.queue[base + 5] != 0.0:
+            self.record.user_text(source, 0, int(self.queue[base + 3]), int(self.queue[base + 4]))
+        else:
+            self.record.user_value(source, 0, int(self.queue[base + 3]), self.queue[base + 4])
+
+    def stop_for_user(self, reaction: int) -> None:
+        """An ``#ERROR`` with RC from 1 on: error state until a reset, with RC 7 for good."""
+        self.error_message = 900464
+        self.error_pending = True
+        self.is_stopped = True
+        if reaction == 7:
+            self.error_message = 900465
+            self.is_fatal = True
+
     def report(self, source: int, message: int, detail: float) -> None:
         """An error of the realtime part: channel in error state, the path brakes (RC-505)."""
         self.record.error(source, 0, message, detail)
@@ -350,6 +388,8 @@ class Channel:
             self.error_message = self.context.fault
             self.error_pending = True
             self.is_stopped = True
+        if self.context.user_reaction > 0:
+            self.stop_for_user(self.context.user_reaction)
 
     def interpolate(self) -> None:
         """One increment of the path with this tick's override (RC-305, MO-5)."""
@@ -386,7 +426,7 @@ class Channel:
                 self.publish_block()
                 if not self.path.step_carried(factor, stops):
                     return
-            elif kind not in (3, 4, 5, 7, 8, 50, 60):
+            elif kind not in (3, 4, 5, 7, 8, 20, 21, 50, 60):
                 return
             position += 1
 
@@ -433,7 +473,7 @@ class Channel:
         """Latch a reset: until the path stands, at least one tick (RC-007)."""
         self.is_resetting = True
         self.is_reset_due = True
-        self.is_stopped = False
+        self.is_stopped = self.is_fatal
         self.error_pending = False
         self.error_message = 0
         self.waiting = 0

@@ -13,6 +13,7 @@ cdef class Context:
     cdef public long long serial
     cdef public long long run
     cdef public int fault
+    cdef public int user_reaction
     cdef public long long fault_source
     cdef public double fault_a
     cdef public double fault_b

@@ -22,7 +22,7 @@ class Context:
     elementary instructions of this tick (RC-501), ``check_at`` is the count from which
     ``over_limit`` decides (RC-502, RC-503). ``fault`` is the message ID of what stopped the running
     cycle, 0 while all is well; ``fault_source``, ``fault_a`` and ``fault_b`` say where and with
-    which values.
+    which values. ``user_reaction`` is the highest RC of the ``#ERROR`` in this tick (RC-402).
     """
 
     def __init__(self, memory: bytearray, record: Record, hli: Hli, timers: Timers) -> None:
@@ -33,6 +33,7 @@ class Context:
         self.tick = 0
         self.serial = 0
         self.run = 0
+        self.user_reaction = 0
         self.fault = 0
         self.fault_source = 0
         self.fault_a = 0.0
@@ -48,6 +49,7 @@ class Context:
         self.tick = tick
         self.steps = 0
         self.fault = 0
+        self.user_reaction = 0
         self.next_check()
 
     def next_check(self) -> None:

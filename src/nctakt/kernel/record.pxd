@@ -39,6 +39,9 @@ cdef class Record:
     cdef void paused(self, long long source) noexcept nogil
     cdef void notice(self, long long source, long long serial, int message) noexcept nogil
     cdef void frozen(self, long long source, long long serial, long long name, double value) noexcept nogil
+    cdef void user_error(self, long long source, long long serial, double identity, double reaction) noexcept nogil
+    cdef void user_value(self, long long source, long long serial, int code, double value) noexcept nogil
+    cdef void user_text(self, long long source, long long serial, int code, long long text) noexcept nogil
     @cython.locals(base=Py_ssize_t)
     cdef void probe(self, long long number, int truth, double left, double right) noexcept nogil
     @cython.locals(base=Py_ssize_t)

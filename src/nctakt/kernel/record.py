@@ -35,6 +35,9 @@ MESSAGE = 11  # number of the text (subject)
 ERROR = 12  # serial (0: the path), message ID, detail; the source is the statement
 PROGRAM_END = 13  # number of the program (subject)
 NOTICE = 14  # serial, message ID: diagnosis level 2
+USER_ERROR = 15  # serial (0: the program), ID, RC
+USER_VALUE = 16  # serial, keyword, value
+USER_TEXT = 17  # serial, keyword, number of the text
 FROZEN = 40  # serial, number of the variable's text, value; the source is the access
 PAUSED = 31  # nothing; the source is what waits
 
@@ -165,6 +168,18 @@ class Record:
     def paused(self, source: int) -> None:
         """Single block has stopped the channel in front of a block."""
         self.event(31, source, 0, 0.0, 0.0)
+
+    def user_error(self, source: int, serial: int, identity: float, reaction: float) -> None:
+        """An ``#ERROR``; its values are told behind it."""
+        self.event(15, source, serial, identity, reaction)
+
+    def user_value(self, source: int, serial: int, code: int, value: float) -> None:
+        """A value of the ``#ERROR`` before it."""
+        self.event(16, source, serial, code, value)
+
+    def user_text(self, source: int, serial: int, code: int, text: int) -> None:
+        """A text of the ``#ERROR`` before it."""
+        self.event(17, source, serial, code, text)
 
     def probe(self, number: int, truth: int, left: float, right: float) -> None:
         """Append a change of a condition's truth."""

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import MappingProxyType
 
 from nctakt.diagnostics import Diagnostic
 from nctakt.lists.axis import AXIS
@@ -37,6 +38,7 @@ from nctakt.lists.rtconf_effective import load_rtconf
 from nctakt.lists.schema import Values
 from nctakt.lists.startup import ChannelStartup, StartupConfiguration, startup_configuration
 from nctakt.lists.tools import TOOLS, Tool, tools_configuration
+from nctakt.lists.user_texts import user_texts
 from nctakt.lists.variable_layout import overlaps, pack_of, place
 from nctakt.lists.variable_tree import (
     Variable,
@@ -116,6 +118,7 @@ class MachineConfiguration:
 
     ``cycle_time_us``: the tick. ``axes``: axes and spindles that have a list, in the order of the
     start-up list. ``global_variables``: each GLOBAL V.E variable once, whoever declares it.
+    ``user_texts``: the texts of the user's own errors by their ID.
     """
 
     name: str
@@ -126,6 +129,7 @@ class MachineConfiguration:
     channels: tuple[ChannelConfiguration, ...]
     axes: tuple[AxisConfiguration, ...]
     global_variables: tuple[Variable, ...]
+    user_texts: Mapping[int, str]
     diagnostics: tuple[Diagnostic, ...]
 
 
@@ -177,6 +181,7 @@ class _Loader:
             self._channel(startup, index, parameters[index], variables[index], axes)
             for index in range(len(startup.channels))
         )
+        texts = user_texts(startup.error_texts, self.folder, self.collector)
         return MachineConfiguration(
             self.folder.resolve().name,
             self.folder,
@@ -186,6 +191,7 @@ class _Loader:
             channels,
             axes,
             shared,
+            MappingProxyType(texts),
             tuple(self.collector.diagnostics),
         )
 

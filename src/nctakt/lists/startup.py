@@ -247,7 +247,6 @@ _CONTROLLER = (
         "",
         Text("File with the texts of user errors", "Datei mit den Texten der Anwenderfehler"),
         high=_PATH_LENGTH,
-        effect=Effect.CHECKED,
     ),
     Parameter(
         "P-STUP-00170",

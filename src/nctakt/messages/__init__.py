@@ -19,6 +19,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``decoder``           the decoder, while it evaluates (900300 … 900339)
 ``memory``            texts, wholes and the packed image of V.E (900340 … 900359)
 ``realtime``          the realtime part (900400 … 900499)
+``user_errors``       ``#ERROR`` (900280 … 900281, 900460 … 900469)
 ``outside``           command line, files, PLC, stimuli (900500 … 900549, 900570 … 900579)
 ``checking``          the command ``nctakt check`` (900580 … 900599)
 ``plc``               the PLC's side: partners in other processes, scripts (900650 … 900679)
@@ -55,6 +56,7 @@ from nctakt.messages import (
     scheduling,
     scheduling_run,
     unreached,
+    user_errors,
     variables,
 )
 from nctakt.messages.catalogue import Catalogue
@@ -79,6 +81,7 @@ for _stage in (
     decoder,
     memory,
     realtime,
+    user_errors,
     outside,
     plc,
     checking,

@@ -13,6 +13,12 @@ from types import MappingProxyType
 _GERMAN: Mapping[str, str] = MappingProxyType(
     {
         "how many lists were written": "wie viele Listen geschrieben wurden",
+        "the most characters": "die meisten Zeichen",
+        "the line in the file": "die Zeile in der Datei",
+        "the path as the list has it": "der Pfad, wie er in der Liste steht",
+        "the user's number, with its text where there is one": "die Nummer des Anwenders, mit "
+        "ihrem Text, wo es einen gibt",
+        "the values that the program gives": "die Werte, die das Programm angibt",
         "the index in the list": "der Index in der Liste",
         "how many axes the channel has": "wie viele Achsen der Kanal hat",
         "P-ZERO-00002": "P-ZERO-00002",

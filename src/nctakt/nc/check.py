@@ -19,6 +19,7 @@ from nctakt.messages import Collector
 from nctakt.nc import support
 from nctakt.nc.check_calls import CallChecker
 from nctakt.nc.check_cycle import CycleChecker
+from nctakt.nc.check_user_errors import UserErrorChecker
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.check_words import Role, WordChecker
 from nctakt.nc.findings import Findings
@@ -248,7 +249,7 @@ class Checker:
             case Timer():
                 self._refuse_hash(statement, "TIMER")
             case UserError():
-                self._refuse_hash(statement, "ERROR")
+                UserErrorChecker(self._values, self._findings, in_cycle=False).check(statement)
             case HashCommand():
                 self._hash(statement)
 

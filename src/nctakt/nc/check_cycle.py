@@ -13,6 +13,7 @@ from difflib import get_close_matches
 
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.nc import support
+from nctakt.nc.check_user_errors import UserErrorChecker
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.check_words import RETURN_COMMANDS, WordChecker
 from nctakt.nc.findings import Findings
@@ -43,12 +44,6 @@ END_ACTIONS = ("MOVE_ABORT", "MOVE_CONT")
 RESERVED_M = (0, 1, 2, 17, 29, 30)
 SPINDLE_M = (3, 4, 5, 19)
 _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
-_ERROR_KEYWORDS = (
-    "ID",
-    "RC",
-    "MID",
-    *(f"{kind}{number}" for number in range(1, 6) for kind in ("PV", "PM", "PIV")),
-)
 
 
 class CycleChecker:
@@ -70,6 +65,7 @@ class CycleChecker:
         self._program_values = program_values
         self._values = values
         self._findings = findings
+        self._user_errors = UserErrorChecker(values, findings, in_cycle=True)
 
     # --- definition and management ---------------------------------------------------------------
 
@@ -167,7 +163,7 @@ class CycleChecker:
             case Timer():
                 self._timer(statement)
             case UserError():
-                self._user_error(statement)
+                self._user_errors.check(statement)
             case HashCommand():
                 self._hash(statement)
             case Unreadable():
@@ -210,18 +206,6 @@ class CycleChecker:
         for item in timer.keywords:
             if isinstance(item, Keyword) and item.value is not None:
                 self._values.block(item.value)
-
-    def _user_error(self, error: UserError) -> None:
-        for item in error.keywords:
-            if not isinstance(item, Keyword) or item.name not in _ERROR_KEYWORDS:
-                written = self._findings.written(item.span)
-                self._findings.report(22004, item.span, command="#ERROR", word=written)
-        self._refuse(error, "ERROR")
-
-    def _refuse(self, statement: Statement, word: str) -> None:
-        entry = support.answer_hash((word,))
-        assert entry is not None
-        self._findings.answer(entry, statement.span)
 
     def _hash(self, command: HashCommand) -> None:
         words = [word.name for word in command.words]

@@ -24,6 +24,7 @@ from nctakt.nc.syntax import (
     Statement,
     Timer,
     Unary,
+    UserError,
     Variable,
     VariableBlock,
 )
@@ -44,7 +45,7 @@ def _statement(statement: Statement, names: NameTable) -> int:
             return len(statement.words)
         case VariableBlock():
             return expression_steps(statement.variable, names)
-        case Timer():
+        case Timer() | UserError():
             return 1 + sum(
                 expression_steps(keyword.value, names)
                 for keyword in statement.keywords

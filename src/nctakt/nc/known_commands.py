@@ -74,7 +74,7 @@ COMMANDS = known(
     ("#EDGE MACHINING", "R", "machining of edges", "Kantenbearbeitung"),
     ("#EDM", "R", "electrical discharge machining", "Erodieren"),
     ("#ENABLE AX LINK", "R", "coupling of axes on", "Achskopplung ein"),
-    ("#ERROR", "R", "error of the program", "Fehler des Programms"),
+    ("#ERROR", "S", "error of the program", "Fehler des Programms"),
     ("#EXPL SYN", "S", "explicit synchronisation", "explizite Synchronisation"),
     ("#EXPORT VE", "R", "list of external variables", "Liste der externen Variablen"),
     ("#FACE", "R", "machining on a face", "Stirnflächenbearbeitung"),

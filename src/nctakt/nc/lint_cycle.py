@@ -39,6 +39,7 @@ from nctakt.nc.syntax import (
     RealtimeCycle,
     Statement,
     Timer,
+    UserError,
     Variable,
     VariableBlock,
     Word,
@@ -125,7 +126,7 @@ class CycleLinter:
                     self._assignment(statement, around)
                 case VariableBlock():
                     self._frozen(statement.variable)
-                case Timer():
+                case Timer() | UserError():
                     for item in statement.keywords:
                         if isinstance(item, Keyword) and item.value is not None:
                             self._frozen(item.value)

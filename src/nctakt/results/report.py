@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 from nctakt.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.messages import CATALOGUE, diagnostic
+from nctakt.results.user_errors import user_message
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
 
@@ -130,10 +131,13 @@ class DiagnosisReport:
         ``level_limit`` is V.RTG.CYCLES.DIAG_LEVEL at the time of the event. Events that do not
         come from realtime cycles or their manager make no line.
         """
-        level = _LEVELS.get(event.kind)
+        level = _user_level(event) if event.kind == "user_error" else _LEVELS.get(event.kind)
         if level is None or level > level_limit:
             return
-        if level <= Level.WARNING:
+        if event.kind == "user_error":
+            number = user_message(int(event.text.split()[1]))
+            self._append(Line(event.time_us, level, number, event.span, None))
+        elif level <= Level.WARNING:
             message = _known(event)
             self._append(Line(event.time_us, level, int(event.text), event.span, message))
         elif event.cycle:
@@ -189,6 +193,11 @@ class DiagnosisSink:
 
     def close(self) -> None:
         """Nothing to do; the report stays."""
+
+
+def _user_level(event: Event) -> Level:
+    """The level of an ``#ERROR``, by its RC."""
+    return Level.WARNING if event.text.split()[1] == "0" else Level.ERROR
 
 
 def _info(time_us: int, message: Diagnostic, level: Level = Level.INFO) -> Line:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from nctakt.diagnostics import Diagnostic, Severity, Span
+from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.results.why import WhyReport
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
@@ -155,6 +156,11 @@ class Run:
     def technology(self) -> list[TechnologyOutput]:
         """The M and H functions that were put out, in their order."""
         return [_technology(event) for event in self.events if event.kind in _TECHNOLOGY]
+
+    @property
+    def user_errors(self) -> list[UserErrorReport]:
+        """What programs and realtime cycles have raised with ``#ERROR``."""
+        return user_errors(self.events)
 
     @property
     def errors(self) -> tuple[Diagnostic, ...]:

@@ -16,6 +16,7 @@ from typing import Protocol, overload
 from nctakt.diagnostics import Severity, Span
 from nctakt.kernel import record
 from nctakt.messages import CATALOGUE
+from nctakt.nc.check_user_errors import KEYWORDS
 
 _ROW = struct.Struct(f"={record.EVENT_WIDTH}d")
 
@@ -63,6 +64,9 @@ class EventNames(Protocol):
     def variable_text(self, number: int) -> str:
         """The text of a variable whose value was frozen."""
 
+    def user_text(self, number: int) -> str:
+        """A text that is told with a user error."""
+
     def program(self, number: int) -> str:
         """The file name of a program."""
 
@@ -96,6 +100,9 @@ class EventDecoder:
             record.PROGRAM_END: self._program_end,
             record.NOTICE: self._notice,
             record.FROZEN: self._frozen,
+            record.USER_ERROR: self._user_error,
+            record.USER_VALUE: self._user_value,
+            record.USER_TEXT: self._user_text,
         }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
@@ -159,6 +166,15 @@ class EventDecoder:
 
     def _frozen(self, _kind: int, _serial: int, number: float, value: float) -> tuple[str, str]:
         return "frozen", f"{self._names.variable_text(int(number))} {number_text(value)}"
+
+    def _user_error(self, _kind: int, _serial: int, number: float, rc: float) -> tuple[str, str]:
+        return "user_error", f"{int(number)} {int(rc)}"
+
+    def _user_value(self, _kind: int, _serial: int, code: float, value: float) -> tuple[str, str]:
+        return "user_value", f"{KEYWORDS[int(code)]} {number_text(value)}"
+
+    def _user_text(self, _kind: int, _serial: int, code: float, text: float) -> tuple[str, str]:
+        return "user_value", f"{KEYWORDS[int(code)]} {self._names.user_text(int(text))}"
 
     def _program_end(self, _kind: int, number: int, _a: float, _b: float) -> tuple[str, str]:
         return "end", self._names.program(number)

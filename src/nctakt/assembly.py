@@ -13,7 +13,7 @@ from nctakt.access import VariableAccess
 from nctakt.decoder.commands import UserMessage
 from nctakt.decoder.cycles import CycleDefinition
 from nctakt.decoder.offsets import ActiveOffsets
-from nctakt.decoder.preparation import axis_limits
+from nctakt.decoder.preparation import look_ahead
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.diagnostics import Diagnostic, Span
 from nctakt.hli.layout import PANEL_CELLS, panel_values
@@ -245,6 +245,12 @@ class Machine:
             KernelPath(self.axes, members, self.configuration.cycle_time_us),
             Timers(self.memory, timers.cell, self.configuration.cycle_time_us),
             parameters.max_override_pct,
+            look_ahead(
+                [self.configuration.axes[i] for i in members],
+                self.configuration.cycle_time_us,
+                configuration.startup.look_ahead_blocks,
+                parameters.max_override_pct,
+            ),
         )
         limits = parameters.realtime_cycles
         context = channel.context
@@ -286,7 +292,6 @@ class Machine:
             self.parameters,
             {axis.name: place for place, axis in enumerate(channel.axes)},
             axes,
-            tuple(axis_limits(axis) for axis in axes),
             self.offsets,
             self.cells,
             memoryview(self.memory),

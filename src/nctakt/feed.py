@@ -16,10 +16,11 @@ from nctakt.decoder.program import ProgramDecoder
 from nctakt.decoder.state import state_at_program_start
 from nctakt.decoder.surroundings import DecodeError
 from nctakt.diagnostics import Diagnostic
-from nctakt.kernel.channel import LOW_WATER, TIMED_KINDS
+from nctakt.kernel.channel import LOW_WATER
+from nctakt.kernel.ring import TIMED_KINDS
 from nctakt.loading import LoadedProgram
 
-#: Commands that take time, up to which the queue is filled.
+#: Commands that take time, up to which the queue is filled above the look-ahead.
 HIGH_WATER = 64
 
 
@@ -61,7 +62,8 @@ class Feed:
         self._free_slots()
         if self._pending is not None and not self._load(self._pending):
             return
-        while channel.decoder_open and channel.timed_count < HIGH_WATER:
+        high_water = channel.ahead.blocks + HIGH_WATER
+        while channel.decoder_open and channel.timed_count < high_water:
             self._next(None)
             if self._pending is not None:
                 return
@@ -141,6 +143,19 @@ class Feed:
         return True
 
     def _put(self, command: Command, place: int) -> None:
+        if isinstance(command, commands.Segment):
+            self._channel.put_segment(
+                command.source,
+                command.number,
+                command.start,
+                command.target,
+                command.feed,
+                command.exact_stop,
+                command.deviation,
+                command.arc,
+            )
+            self._decoder.took_time()
+            return
         row = commands.pack(command, place)
         self._channel.put(row)
         if row[0] in TIMED_KINDS:

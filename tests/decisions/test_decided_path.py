@@ -48,8 +48,8 @@ def test_more_feed_than_the_axes_can_do_is_limited() -> None:
     assert ticks_of("G01 X100 F999999\nM30") == ticks_of("G00 X100\nM30")
 
 
-def test_each_block_ends_with_an_exact_stop() -> None:
-    """Two blocks of 1 mm in one line take twice 32 ticks, one of 2 mm takes 45."""
+def test_g00_ends_with_an_exact_stop_where_the_channel_says_so() -> None:
+    """P-CHAN-00235 is 1: two G00 of 1 mm in one line take twice 32 ticks, one of 2 mm takes 45."""
     assert ticks_of("G00 X1\nG00 X2\nM30") == 64
     assert ticks_of("G00 X2\nM30") == 45
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from nctakt.assembly import Machine
 from nctakt.controller import Controller
-from nctakt.kernel import channel as kinds
+from nctakt.kernel import ring as kinds
 from nctakt.kernel.cycles import RealtimeCycle
 from nctakt.kernel.instructions import Statement
 from nctakt.lists.machine import load_machine

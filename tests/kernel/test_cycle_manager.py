@@ -10,8 +10,8 @@ import pytest
 from kernel_rig import DEMO, Rig, controller_with
 
 from nctakt.controller import Controller, NcText
-from nctakt.kernel import channel as kinds
 from nctakt.kernel import cycles, record
+from nctakt.kernel import ring as kinds
 from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
 from nctakt.kernel.instructions import Statement
 

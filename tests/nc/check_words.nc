@@ -21,24 +21,25 @@ N5 G04 X[2 * P1]
 #FLUSH CONTINUE
 F100
 M30
+; --- the path: planes, arcs, ends of blocks
+G17 G02 X1 Y1 I1 J0
+G18 G3 X1 Z1 R5
+G19 G161 G60 X3
+G61 G162 X1
+G261 G360
+G260 G359
 ; --- accepted: told once per program
-G17 G40 X1 ; note 900201 "G17 (plane X Y)"; note 900201 "G40"
-G17 X2
-G18 ; note 900201 "G18"
-G19 ; note 900201 "G19"
-G60 X3 ; note 900201 "G60"
+G17 G40 X1 ; note 900201 "G40 (tool radius compensation off)"
+G17 G40 X2
 G94 ; note 900201 "G94"
 G97 ; note 900201 "G97"
-G161 ; note 900201 "G161"
-G162 ; note 900201 "G162"
 G164 ; note 900201 "G164"
 G165 ; note 900201 "G165"
 M01 ; note 900201 "M01"
 M01
 M02
 ; --- refused by name
-G02 X1 Y1 I1 J0 ; error 900200 "G02 (arc, clockwise)"; error 900200 "I1"; error 900200 "J0"
-G3 X1 Y1 R5 ; error 900200 "G03"; error 900200 "R5"
+G33 Z1 ; error 900200 "G33 (thread cutting)"
 G08 X1 ; error 900200 "G08"
 G09 X1 ; error 900200 "G09"
 G41 X1 ; error 900200 "G41"
@@ -47,7 +48,7 @@ G80 ; error 900200 "G80"
 G805[1, P2] ; error 900200 "G805"
 G129 = 50 ; error 900200 "G129"
 G166 X1 ; error 900200 "G166"
-G360 ; error 900200 "G360"
+G163 ; error 900200 "G163"
 S1000 ; error 900200 "S1000 (speed of the main spindle)"
 S2=2000 ; error 900200 "S2=2000"
 S.POS=90 ; error 900200 "S.POS=90"
@@ -96,16 +97,17 @@ M ; error 900208 "M"
 G01 X1 F ; error 900208 "F"
 ; --- together in one block
 G00 G01 X1 ; error 900210 "G01 and G00"
-G01 G02 X1 ; error 900200 "G02"
+G01 G02 X1 ; error 900210 "G02 and G01"
+G260 G261 X1 ; error 900210 "G261 and G260"
 G90 G91 X1 ; error 900210 "G91 and G90"
 G70 G71 ; error 900210 "G71 and G70"
-G17 G18 ; error 900210 "G18 and G17"; note 900201 "G17"; note 900201 "G18"
+G17 G18 ; error 900210 "G18 and G17"
 G90 G90 X1
 X1 Y2 X3 ; error 900209 "X"
 F1 F2 X1 ; error 900209 "F"
 G00 5 X1 ; error 900212 "G00"
 M100 M100 M101
-G60 ; note 900201 "G60"; error 20003 "G60"
+G60 ; error 20003 "G60"
 G60 F100 ; error 20003 "G60"
 ; --- G04 alone
 G04 ; error 900211 "alone"

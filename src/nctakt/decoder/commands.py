@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What goes down the queue to the realtime part: plain data, no text, no names.
 
-``pack`` turns a command into the row that ``kernel/channel.py`` takes. A command that ``waits``
+``pack`` turns a command into the row that ``kernel/ring.py`` holds. A command that ``waits``
 is answered through the decoder's ``yield``: with the value that was read, or the axes' positions.
 """
 
@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from nctakt.kernel import channel
+from nctakt.kernel import ring
 from nctakt.kernel.cycles import RealtimeCycle
 
 
@@ -24,19 +24,18 @@ class Command:
 
 @dataclass(frozen=True, slots=True)
 class Segment(Command):
-    """A straight motion of the path's axes, mm or degrees, mm/s, mm/s².
+    """A motion of the path's axes, mm or degrees, not packed but prepared in the queue.
 
-    ``speed`` is programmed, ``highest_speed`` and ``acceleration`` are what the axes allow on it.
+    ``feed`` in mm/s, below 0 rapid. ``deviation``: how far the path may pass the target, 0 not at
+    all. ``arc``: first and second axis of its plane, centre, angle; ``None`` for a line.
     """
 
     start: tuple[float, ...]
     target: tuple[float, ...]
-    length: float
-    speed: float
-    highest_speed: float
-    acceleration: float
-    end_speed: float = 0.0
-    exact_stop: bool = True
+    feed: float
+    exact_stop: bool
+    deviation: float = 0.0
+    arc: tuple[float, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,48 +206,44 @@ def pack(command: Command, place: int = 0) -> list[float]:
     """The row of a command; ``place`` is the slot of a cycle or the number of a text or program."""
     head = (command.source, command.number)
     match command:
-        case Segment():
-            row = [channel.SEGMENT, *head, command.length, command.speed, command.highest_speed]
-            row += [command.acceleration, command.end_speed, command.exact_stop, 0, 0, 0]
-            return [*row, *command.start, *command.target]
         case Dwell():
-            return [channel.DWELL, *head, command.ticks]
+            return [ring.DWELL, *head, command.ticks]
         case LoadCycle():
-            return [channel.DEFINE_CYCLE, *head, place, not command.definition_only]
+            return [ring.DEFINE_CYCLE, *head, place, not command.definition_only]
         case CycleControl():
-            return [channel.CONTROL_CYCLE, *head, command.action, command.identity]
+            return [ring.CONTROL_CYCLE, *head, command.action, command.identity]
         case TechnologyOutput():
-            return [channel.TECHNOLOGY, *head, command.function, command.ticks]
+            return [ring.TECHNOLOGY, *head, command.function, command.ticks]
         case AwaitAcknowledge():
-            return [channel.AWAIT_ACKNOWLEDGE, *head, command.function]
+            return [ring.AWAIT_ACKNOWLEDGE, *head, command.function]
         case WriteVariable():
-            return [channel.WRITE, *head, command.cell, command.value, command.is_told]
+            return [ring.WRITE, *head, command.cell, command.value, command.is_told]
         case WriteText():
-            row = [channel.WRITE, *head, command.cell, command.first, len(command.data), True]
+            row = [ring.WRITE, *head, command.cell, command.first, len(command.data), True]
             return [*row, command.zeros, *command.data]
         case UserMessage():
-            return [channel.MESSAGE, *head, place]
+            return [ring.MESSAGE, *head, place]
         case SetOffset():
-            return [channel.SET_OFFSET, *head, command.axis, command.kind, command.value]
+            return [ring.SET_OFFSET, *head, command.axis, command.kind, command.value]
         case Freeze():
-            return [channel.FREEZE, *head, command.serial, place, command.value]
+            return [ring.FREEZE, *head, command.serial, place, command.value]
         case UserErrorTold():
-            return [channel.USER_ERROR, *head, command.identity, command.reaction]
+            return [ring.USER_ERROR, *head, command.identity, command.reaction]
         case UserErrorValue():
-            row = [channel.USER_VALUE, *head, command.code, command.content]
+            row = [ring.USER_VALUE, *head, command.code, command.content]
             return [*row, command.is_text]
         case UserErrorStop():
-            return [channel.USER_STOP, *head, command.reaction]
+            return [ring.USER_STOP, *head, command.reaction]
         case Flush():
-            return [channel.FLUSH, *head, 0, 0, command.waits]
+            return [ring.FLUSH, *head, 0, 0, command.waits]
         case ReadRealtime():
-            return [channel.READ, *head, command.cell, 0, True]
+            return [ring.READ, *head, command.cell, 0, True]
         case PositionRequest():
-            return [channel.FLUSH, *head, 0, 0, True]
+            return [ring.FLUSH, *head, 0, 0, True]
         case ProgramEnd():
-            return [channel.PROGRAM_END, *head, place]
+            return [ring.PROGRAM_END, *head, place]
         case GiveUp():
-            return [channel.GIVE_UP, *head, command.message]
+            return [ring.GIVE_UP, *head, command.message]
     raise AssertionError(command)
 
 
@@ -257,7 +252,7 @@ def write_text(
 ) -> Iterator[WriteText]:
     """The commands that give the string at ``cell`` all its bytes, zeros at its end included."""
     text = data.rstrip(b"\0")
-    room = channel.characters_in_row(axis_count)
+    room = ring.characters_in_row(axis_count)
     for first in range(0, max(1, len(text)), room):
         part = text[first : first + room]
         is_last = first + room >= len(text)

@@ -36,6 +36,7 @@ from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
 from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG
 from nctakt.nc import syntax
+from nctakt.nc.check_path import FORMS, command_name
 from nctakt.nc.outline import ProgramText, leads_to
 
 #: Blocks that may be decoded in a row without one that takes time (a loop that never moves).
@@ -245,6 +246,8 @@ class ProgramDecoder:
                 yield from self._message(statement, source, number)
             case syntax.HashCommand() if [word.name for word in statement.words] == EXPLICIT:
                 yield from self._words.technology.explicit(number)
+            case syntax.HashCommand() if command_name(statement) in FORMS:
+                yield from self._words.path.command(statement, number)
             case syntax.ProgramStart() | syntax.HashCommand():
                 pass  # the checker lets only those pass that have no effect
             case _:

@@ -15,20 +15,47 @@ from nctakt.lists.channel_configuration import ProgramStart
 MM_PER_INCH = 25.4
 
 #: Groups of G functions whose start value the channel list gives (P-CHAN-00063).
-MOTION_GROUP, UNIT_GROUP, DIMENSION_GROUP = 0, 12, 14
+MOTION_GROUP, PLANE_GROUP, UNIT_GROUP, DIMENSION_GROUP, CENTRE_GROUP = 0, 4, 12, 14, 23
+
+#: The last of the motions G00 … G03; the group has G04 as well.
+MOST_MOTION = 3
+
+#: The deviation of contouring where the program has set none, mm.
+DEVIATION_MM = 1.0
+
+
+@dataclass(slots=True)
+class PathState:
+    """How the path goes on: plane, arcs, the ends of blocks.
+
+    ``radius``: the last R, 0 none yet. ``deviation``: how far contouring may pass a corner, mm.
+    """
+
+    plane: int
+    absolute_centre: bool
+    radius: float = 0.0
+    exact_stop: bool = False
+    contouring: bool = False
+    deviation: float = DEVIATION_MM
 
 
 @dataclass(slots=True)
 class ModalState:
-    """``rapid``: G00 is active. ``feed_mm_s`` 0: no feed yet. ``parameters``: P1, P2, …"""
+    """``motion``: G00 … G03. ``feed_mm_s`` 0: no feed yet. ``parameters``: P1, P2, …"""
 
-    rapid: bool
+    motion: int
+    path: PathState
     inch: bool
     absolute: bool
     feed_mm_s: float
     positions: list[float]
     parameters: dict[int, float] = field(default_factory=dict)
     levels: Levels = field(default_factory=Levels)
+
+    @property
+    def rapid(self) -> bool:
+        """Whether G00 is active."""
+        return self.motion == 0
 
     @property
     def length_unit_mm(self) -> float:
@@ -40,7 +67,8 @@ def state_at_program_start(start: ProgramStart, positions: list[float]) -> Modal
     """The state when a main program begins, with the axes where they are."""
     functions = start.g_functions
     return ModalState(
-        rapid=functions[MOTION_GROUP] == 0,
+        motion=functions[MOTION_GROUP] if functions[MOTION_GROUP] <= MOST_MOTION else 0,
+        path=PathState(functions[PLANE_GROUP], functions[CENTRE_GROUP] == 161),
         inch=functions[UNIT_GROUP] == 70,
         absolute=functions[DIMENSION_GROUP] == 90,
         feed_mm_s=start.feed_mm_min / 60.0,

@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from nctakt.decoder.offsets import ActiveOffsets
-from nctakt.decoder.preparation import AxisLimits
 from nctakt.diagnostics import Diagnostic, Span
 from nctakt.lists.axis_configuration import AxisConfiguration
 from nctakt.lists.channel_configuration import ChannelParameters
@@ -33,7 +32,6 @@ class Surroundings:
     parameters: ChannelParameters
     axis_numbers: Mapping[str, int]
     axes: tuple[AxisConfiguration, ...]
-    limits: tuple[AxisLimits, ...]
     offsets: ActiveOffsets
     cells: memoryview[float]
     memory: memoryview

@@ -11,8 +11,8 @@ from collections.abc import Generator, Iterator
 from dataclasses import dataclass, field
 
 from nctakt.decoder.commands import Answer, Command, Dwell
+from nctakt.decoder.motion import CENTRE_WORDS, CONTOURING, EXACT_STOP, PathMotion, PathWords
 from nctakt.decoder.offsets import ALL, ZERO_GROUPS
-from nctakt.decoder.preparation import prepare
 from nctakt.decoder.technology import Issued, TechnologyOutputs, process_ticks
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
@@ -37,11 +37,11 @@ class _Content:
     """A block's words sorted by what they do."""
 
     axes: list[tuple[syntax.AxisWord, float]] = field(default_factory=list)
+    path: PathWords = field(default_factory=PathWords)
     functions: list[Issued] = field(default_factory=list)
     dwell_s: float | None = None
     zero_group: int | None = None
     is_reference: bool = False
-    offset_kinds: int = ALL
     ends_program: bool = False
 
 
@@ -52,6 +52,7 @@ class Words:
         self._values = values
         self._surroundings = values.surroundings
         self._state = values.state
+        self.path = PathMotion(values)
         self.technology = TechnologyOutputs()
 
     def presets(self, command: syntax.OffsetCommand, number: int) -> Generator[Command, Answer]:
@@ -80,11 +81,11 @@ class Words:
         ``kinds``: which offsets its absolute positions have.
         """
         content = yield from self._sort(block, number)
-        content.offset_kinds = kinds
+        content.path.offset_kinds = kinds
         source = self._surroundings.place(block.span)
         yield from self._offsets(content, source, number)
         yield from self.technology.before(content.functions, number)
-        yield from self._motion(content, source, number)
+        yield from self._motion(content, block.span, number)
         if content.dwell_s is not None:
             yield from self.dwell(content.dwell_s, block.span, number)
         yield from self.technology.behind(content.functions, number)
@@ -104,6 +105,7 @@ class Words:
             self._modal(function)
             content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
         content.is_reference = REFERENCE in numbers
+        content.path.once.update({EXACT_STOP, CONTOURING}.intersection(numbers))
         for word in block.words:
             if isinstance(word, syntax.AxisWord):
                 if word.value is not None:
@@ -154,16 +156,22 @@ class Words:
 
     def _modal(self, function: int) -> None:
         state = self._state
-        if function in (0, 1):
-            state.rapid = function == 0
-        elif function in (70, 71):
+        if function in (70, 71):
             state.inch = function == 70
         elif function in (90, 91):
             state.absolute = function == 90
+        elif function != DWELL:
+            self.path.modal(function)
 
     def _word(self, word: syntax.Word, value: float, content: _Content) -> None:
         if word.name == "F":
             self._state.feed_mm_s = self._feed(value)
+            return
+        if word.name == "R":
+            self._state.path.radius = value * self._state.length_unit_mm
+            return
+        if word.name in CENTRE_WORDS:
+            content.path.centre[word.name] = (word.span, value)
             return
         number = int(arithmetic.round_half_even(value))
         if word.name == "M" and number in PROGRAM_ENDS:
@@ -188,22 +196,19 @@ class Words:
             return value * self._state.length_unit_mm / 60.0
         return value * self._surroundings.parameters.program_start.feed_unit_mm_min / 60.0
 
-    def _motion(self, content: _Content, source: int, number: int) -> Generator[Command, Answer]:
-        """The path to the programmed position."""
-        if not content.axes:
+    def _motion(self, content: _Content, span: Span, number: int) -> Generator[Command, Answer]:
+        """The path to the programmed position; a centre without a target is a full circle."""
+        if not content.axes and not (content.path.centre and self._state.motion > 1):
             return
         start = self._state.positions
         target = list(start)
         for word, value in content.axes:
-            self._set_target(target, word, value, content.offset_kinds)
-        feed = None if self._state.rapid else self._state.feed_mm_s
-        segment = prepare(source, number, start, target, self._surroundings.limits, feed)
+            self._set_target(target, word, value, content.path.offset_kinds)
+        segment = self.path.segment(start, target, content.path, span, number)
         self._state.positions = target
         if segment is None:
             return
-        if feed is not None and feed <= 0.0:
-            self._values.fail(20008, content.axes[0][0].span)
-        if feed is not None:
+        if segment.feed > 0.0:
             yield from self.technology.before_feed(number)
         yield segment
 

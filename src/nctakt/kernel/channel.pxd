@@ -6,10 +6,10 @@ from nctakt.kernel.cycles cimport CycleManager
 from nctakt.kernel.hli cimport Hli
 from nctakt.kernel.memory cimport Context
 from nctakt.kernel.panel cimport Panel
-from nctakt.kernel.path cimport Path
 from nctakt.kernel.record cimport Record
+from nctakt.kernel.ring cimport CommandRing
 
-cdef class Channel:
+cdef class Channel(CommandRing):
     cdef double[::1] cells
     cdef unsigned char[::1] characters
     cdef readonly Py_ssize_t first_cell
@@ -17,19 +17,11 @@ cdef class Channel:
     cdef readonly Hli hli
     cdef readonly Panel panel
     cdef readonly CycleManager manager
-    cdef readonly Path path
     cdef double max_override_pct
     cdef readonly Context context
-    cdef readonly Py_ssize_t width
-    cdef Py_ssize_t capacity
-    cdef double[::1] queue
-    cdef Py_ssize_t head
-    cdef Py_ssize_t tail
-    cdef readonly Py_ssize_t timed_count
     cdef public Py_ssize_t low_water
     cdef public bint decoder_open
     cdef public bint wants_slot
-    cdef Py_ssize_t begun
     cdef int waiting
     cdef double answer
     cdef readonly bint answer_ready

@@ -3,12 +3,10 @@
 # cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """One channel: the queue of commands, and the phases of its tick (RC-002 … RC-007).
 
-A command is a row of float64 in a ring (``decoder/commands.py`` packs it): kind, source ID, block
-number, then what the kind needs. A segment's row is: 3 length, 4 programmed speed, 5 highest speed,
-6 acceleration, 7 end speed, 8 exact stop, then from 12 on start and end of each axis. Commands that
-take time are counted (``timed_count``): while the decoder has more to give, the kernel returns when
-they fall below ``low_water``, so that a tick never finds the queue empty too early. The channel's
-cells stand from ``first_cell`` on in the order of ``nc/names.py`` (``CHANNEL_VARIABLES``).
+``ring.py`` is the queue. While the decoder has more to give, the kernel returns when the commands
+that take time fall below ``low_water``, so that a tick never finds the queue empty too early, and
+the path always knows as many blocks as it looks ahead. The channel's cells stand from
+``first_cell`` on in the order of ``nc/names.py`` (``CHANNEL_VARIABLES``).
 """
 
 from __future__ import annotations
@@ -16,52 +14,18 @@ from __future__ import annotations
 from nctakt.kernel import arithmetic
 from nctakt.kernel.cycles import CycleManager
 from nctakt.kernel.hli import Hli
+from nctakt.kernel.lookahead import LookAhead
 from nctakt.kernel.memory import Context
 from nctakt.kernel.path import Path
 from nctakt.kernel.record import Record
+from nctakt.kernel.ring import CommandRing
 from nctakt.kernel.timers import Timers
-
-# Kinds of commands.
-SEGMENT = 1
-DWELL = 2
-DEFINE_CYCLE = 3
-CONTROL_CYCLE = 4
-TECHNOLOGY = 5
-AWAIT_ACKNOWLEDGE = 6
-WRITE = 7
-MESSAGE = 8
-FLUSH = 9
-READ = 10
-PROGRAM_END = 11
-GIVE_UP = 12
-USER_ERROR = 20
-USER_VALUE = 21
-USER_STOP = 22
-FREEZE = 60
-SET_OFFSET = 50
-
-#: The kinds that take or may take time.
-TIMED_KINDS = (
-    SEGMENT,
-    DWELL,
-    AWAIT_ACKNOWLEDGE,
-    FLUSH,
-    READ,
-    PROGRAM_END,
-    GIVE_UP,
-    USER_STOP,
-)
 
 #: Commands that take time below which the kernel asks for more.
 LOW_WATER = 8
 
 
-def characters_in_row(axis_count: int) -> int:
-    """How many characters of a string a command takes."""
-    return 4 + 2 * axis_count
-
-
-class Channel:
+class Channel(CommandRing):
     """One channel with its path, its cycles and its image of the PLC."""
 
     def __init__(
@@ -74,7 +38,9 @@ class Channel:
         path: Path,
         timers: Timers,
         max_override_pct: float,
+        ahead: LookAhead,
     ) -> None:
+        super().__init__(path, ahead)
         self.cells = memoryview(memory).cast("d")
         self.characters = memoryview(memory)
         self.first_cell = first_cell
@@ -82,19 +48,11 @@ class Channel:
         self.hli = hli
         self.panel = hli.panel
         self.manager = manager
-        self.path = path
         self.max_override_pct = max_override_pct
         self.context = Context(memory, record, hli, timers)
-        self.width = path.width
-        self.capacity = 256
-        self.queue = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
-        self.head = 0
-        self.tail = 0
-        self.timed_count = 0
-        self.low_water = LOW_WATER
+        self.low_water = max(LOW_WATER, ahead.blocks)
         self.decoder_open = False
         self.wants_slot = False
-        self.begun = -1
         self.waiting = 0
         self.answer = 0.0
         self.answer_ready = False
@@ -108,39 +66,6 @@ class Channel:
         self.error_message = 0
 
     # --- Python's side, between two runs --------------------------------------------------------
-
-    def put(self, row: list[float]) -> None:
-        """Append a command; the row may be shorter than the ring's width."""
-        if self.tail - self.head >= self.capacity:
-            self.grow()
-        base = self.tail % self.capacity * self.width
-        for i, number in enumerate(row):
-            self.queue[base + i] = number
-        self.tail += 1
-        if row[0] in TIMED_KINDS:
-            self.timed_count += 1
-
-    def grow(self) -> None:
-        """Double the queue: many commands without motion stand in a row."""
-        rows = [self.row(n) for n in range(self.head, self.tail)]
-        self.capacity *= 2
-        self.queue = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
-        if self.begun >= 0:
-            self.begun -= self.head
-        self.head = 0
-        self.tail = len(rows)
-        for n, row in enumerate(rows):
-            for i, number in enumerate(row):
-                self.queue[n * self.width + i] = number
-
-    def row(self, number: int) -> list[float]:
-        """The command with this running number."""
-        base = number % self.capacity * self.width
-        return [self.queue[base + i] for i in range(self.width)]
-
-    def queued(self) -> int:
-        """How many commands wait."""
-        return self.tail - self.head
 
     def take_answer(self) -> float:
         """The value that the decoder has waited for; it goes on."""
@@ -426,7 +351,7 @@ class Channel:
                 self.publish_block()
                 if not self.path.step_carried(factor, stops):
                     return
-            elif kind not in (3, 4, 5, 7, 8, 20, 21, 50, 60):
+            elif not self.passes(kind):
                 return
             position += 1
 
@@ -464,6 +389,7 @@ class Channel:
         self.head = self.tail
         self.timed_count = 0
         self.begun = -1
+        self.latest = -1
 
     def request_reset(self) -> None:
         """Python asks for a reset, which begins with the next tick."""

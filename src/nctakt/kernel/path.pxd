@@ -2,6 +2,7 @@
 # C types of path.py.
 cimport cython
 from nctakt.kernel cimport arithmetic
+from nctakt.kernel cimport shape
 from nctakt.kernel.axis cimport Axes
 from nctakt.kernel.motion cimport Profile
 
@@ -21,6 +22,10 @@ cdef class Path:
     cdef bint is_dwell
     cdef long long dwell_ticks
     cdef Profile profile
+    cdef double[::1] places
+    cdef int stage
+    cdef double stage_end_d
+    cdef double factor
     cdef double covered_d
     cdef double plan_d
     cdef readonly double speed_v
@@ -32,25 +37,30 @@ cdef class Path:
 
     @cython.locals(i=Py_ssize_t)
     cdef void begin(self, Py_ssize_t queue_base, double[::1] queue, double offset_t) noexcept nogil
+    @cython.locals(way=double)
+    cdef int next_stage(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef int starts_where_axes_stand(self, Py_ssize_t queue_base, double[::1] queue) noexcept nogil
     @cython.locals(limit_v=double)
     cdef int step(self, double factor, int is_stopping) noexcept nogil
     cdef void set_single(self, bint is_single) noexcept nogil
-    @cython.locals(brake_d=double)
-    cdef double end_speed(self, double rest_d) noexcept nogil
     @cython.locals(i=Py_ssize_t, base=Py_ssize_t, pct=double)
     cdef void publish_overrides(self, double operator_pct) noexcept nogil
     cdef int step_carried(self, double factor, int is_stopping) noexcept nogil
     cdef double highest_speed(self, double factor, int is_stopping) noexcept nogil
-    @cython.locals(rest_d=double)
+    @cython.locals(rest_d=double, limit_a=double, end_v=double)
     cdef void replan(self, double limit_v) noexcept nogil
-    @cython.locals(now_t=double, over_t=double, i=Py_ssize_t)
+    @cython.locals(end_v=double, limit_v=double, feed_v=double, least2=double)
+    cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
+    @cython.locals(end_v=double, stop_v=double, brake2=double, free_v=double)
+    cdef double block_end_speed(self, double rest_d, double limit_a) noexcept nogil
+    @cython.locals(now_t=double, over_t=double, i=Py_ssize_t, end=Py_ssize_t)
     cdef int advance(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, start=double, end=double)
-    cdef void move_axes(self, double part) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void move_axes(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
     cdef void abandon(self) noexcept nogil
     cdef int stands(self) noexcept nogil
     cdef double rest_d(self) noexcept nogil
+    cdef double promised_speed(self, Py_ssize_t place) noexcept nogil
     cdef double block_number(self) noexcept nogil

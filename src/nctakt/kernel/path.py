@@ -3,17 +3,17 @@
 # cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The path: a ring of prepared segments -> command positions, one increment a tick (MO-1 … MO-6).
 
-A segment is a row of the command queue (``channel.py``): straight, with its length, programmed
-speed, what the axes allow on it, and its end points. The path decides what only the tick knows:
-override, hold and stop. Every change of the speed limit plans the rest of the segment anew from the
-present speed; position and speed come from the plan in closed form. Segments that were used stay in
-the ring until they are overwritten. Time left over in a tick when a segment ends without a stop is
-carried into the next one.
+A segment is a row of the command queue; ``shape.py`` says what is in it and where the axes are on
+it. The path decides what only the tick knows: override, hold and stop. Every change of the speed
+limit plans the rest of the present stage of the segment anew from the present speed; position and
+speed come from the plan in closed form. Segments that were used stay in the ring until they are
+overwritten. Time left over in a tick when a segment ends without a stop is carried into the next
+one.
 """
 
 from __future__ import annotations
 
-from nctakt.kernel import arithmetic
+from nctakt.kernel import arithmetic, shape
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.motion import Profile
 
@@ -32,7 +32,7 @@ class Path:
             self.members[i] = axis
         self.cycle_time_t = cycle_time_us / 1e6
         self.cycle_time_us = cycle_time_us
-        self.width = 12 + 2 * len(members)
+        self.width = shape.width(len(members))
         self.ring_size = RING_SIZE
         self.ring = memoryview(bytearray(8 * RING_SIZE * self.width)).cast("d")
         self.used = 0
@@ -42,6 +42,10 @@ class Path:
         self.is_dwell = False
         self.dwell_ticks = 0
         self.profile = Profile()
+        self.places = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
+        self.stage = 0
+        self.stage_end_d = 0.0
+        self.factor = 1.0
         self.covered_d = 0.0
         self.plan_d = 0.0
         self.speed_v = 0.0
@@ -67,9 +71,22 @@ class Path:
         self.offset_t = offset_t
         self.ticks = 0
         if not self.is_dwell:
+            self.stage = -1
+            self.stage_end_d = 0.0
+            self.next_stage()
             for i in range(self.count):
                 self.axes.target[self.members[i]] = self.ring[self.base + 12 + self.count + i]
             self.axes.has_moved = True
+
+    def next_stage(self) -> int:
+        """Go on to the next stage of the segment that has a way: 0 where there is none left."""
+        while self.stage < 3:
+            self.stage += 1
+            way = shape.stage_way(self.ring, self.base, self.count, self.stage)
+            if way > 0.0:
+                self.stage_end_d += way
+                return 1
+        return 0
 
     def starts_where_axes_stand(self, queue_base: int, queue: memoryview[float]) -> int:
         """Whether a segment starts where the axes stand: the path never jumps (RC-409)."""
@@ -105,13 +122,6 @@ class Path:
         if self.is_active and not self.is_dwell and self.ring[self.base + 7] > 0.0:
             self.limit_v = -1.0
 
-    def end_speed(self, rest_d: float) -> float:
-        """The speed at the segment's end: a stand in single block, if it can still be had."""
-        brake_d = self.speed_v * self.speed_v / (2.0 * self.ring[self.base + 6])
-        if self.is_single and brake_d <= rest_d * 1.000001:
-            return 0.0
-        return self.ring[self.base + 7]
-
     def publish_overrides(self, operator_pct: float) -> None:
         """TOTAL of the members' independent motions: operator's and CYCLE part (RC-305)."""
         for i in range(self.count):
@@ -127,44 +137,87 @@ class Path:
 
     def highest_speed(self, factor: float, is_stopping: int) -> float:
         """The speed limit on the current segment in this tick."""
+        self.factor = factor
         if is_stopping:
             return 0.0
         return min(self.ring[self.base + 4] * factor, self.ring[self.base + 5])
 
     def replan(self, limit_v: float) -> None:
-        """Plan what is left of the segment from the present speed."""
+        """Plan what is left of the stage from the present speed."""
         self.limit_v = limit_v
         self.plan_d = self.covered_d
         self.ticks = 0
-        rest_d = self.ring[self.base + 3] - self.covered_d
-        self.profile.plan(
-            rest_d, self.speed_v, self.end_speed(rest_d), limit_v, self.ring[self.base + 6]
-        )
+        rest_d = self.stage_end_d - self.covered_d
+        limit_a = shape.stage_acceleration(self.ring, self.base, self.count, self.stage)
+        end_v = self.end_speed(rest_d, limit_a)
+        if self.stage == 3:
+            limit_v = min(limit_v, self.ring[self.base + 12 + 2 * self.count + 5])
+        self.profile.plan(rest_d, self.speed_v, end_v, limit_v, limit_a)
+
+    def end_speed(self, rest_d: float, limit_a: float) -> float:
+        """The highest speed at the end of the stage, ``rest_d`` from here."""
+        end_v = self.block_end_speed(rest_d, limit_a)
+        if shape.whole_way(self.ring, self.base, self.count) > self.stage_end_d:
+            limit_v = self.ring[self.base + 5]
+            return shape.entry_speed(
+                self.ring, self.base, self.count, self.stage + 1, end_v, limit_v
+            )
+        feed_v = self.ring[self.base + 24 + 2 * self.count] * self.factor
+        if 0.0 < feed_v < end_v:
+            least2 = self.speed_v * self.speed_v - 2.0 * limit_a * rest_d
+            end_v = min(end_v, max(feed_v, arithmetic.square_root(max(least2, 0.0))))
+        return end_v
+
+    def block_end_speed(self, rest_d: float, limit_a: float) -> float:
+        """The highest speed at the segment's end: a stand in single block, if it can still be had.
+
+        What was prepared counts with an override of 100 %. With less the next segment begins with
+        its own lower speed, as far as braking at the limit comes; with more the prepared speed
+        grows, as far as the axes allow.
+        """
+        end_v = self.ring[self.base + 7]
+        if self.is_single:
+            stop_v = shape.entry_speed(self.ring, self.base, self.count, self.stage + 1, 0.0, 1e300)
+            brake2 = self.speed_v * self.speed_v - stop_v * stop_v
+            if brake2 <= 2.0 * limit_a * rest_d * 1.000001:
+                return 0.0
+        if self.factor > 1.0:
+            free_v = self.ring[self.base + 25 + 2 * self.count]
+            end_v = max(end_v, min(end_v * self.factor, free_v))
+        return end_v
 
     def advance(self) -> int:
         """Go to where the plan is at the end of this tick; 1 when the segment ended before."""
-        now_t = self.offset_t + self.ticks * self.cycle_time_us / 1e6
-        over_t = now_t - self.profile.duration_t
-        if self.profile.is_endless or over_t < -1e-6 * self.cycle_time_t:
-            self.covered_d = self.plan_d + self.profile.position(now_t)
-            self.speed_v = self.profile.speed(now_t)
-            self.move_axes(self.covered_d / self.ring[self.base + 3])
-            return 0
-        self.speed_v = self.profile.end_v
+        while True:
+            now_t = self.offset_t + self.ticks * self.cycle_time_us / 1e6
+            over_t = now_t - self.profile.duration_t
+            if self.profile.is_endless or over_t < -1e-6 * self.cycle_time_t:
+                self.covered_d = self.plan_d + self.profile.position(now_t)
+                self.speed_v = self.profile.speed(now_t)
+                self.move_axes()
+                return 0
+            self.speed_v = self.profile.end_v
+            self.covered_d = self.stage_end_d
+            self.left_t = max(over_t, 0.0)
+            if not self.next_stage():
+                break
+            self.offset_t = self.left_t
+            self.replan(self.limit_v)
         self.is_active = False
-        self.left_t = max(over_t, 0.0)
+        end = self.base + 12 + self.count
+        if self.ring[end + self.count + 4] > 0.0:
+            end += self.count + 19
         for i in range(self.count):
-            self.axes.command[self.members[i]] = self.ring[self.base + 12 + self.count + i]
+            self.axes.command[self.members[i]] = self.ring[end + i]
         self.axes.has_moved = True
         return 1 if self.ring[self.base + 8] == 0.0 and self.left_t > 0.0 else 0
 
-    def move_axes(self, part: float) -> None:
-        """Put the axes on the segment, ``part`` of its way."""
+    def move_axes(self) -> None:
+        """Put the axes where they are after the way that is covered."""
         self.axes.has_moved = True
+        shape.locate(self.ring, self.base, self.count, self.covered_d, self.places)
         for i in range(self.count):
-            start = self.ring[self.base + 12 + i]
-            end = self.ring[self.base + 12 + self.count + i]
-            self.axes.command[self.members[i]] = start + (end - start) * part
+            self.axes.command[self.members[i]] = self.places[i]
 
     def abandon(self) -> None:
         """Reset: the rest of the segment is dropped where the axes stand, to be read at once."""
@@ -188,7 +241,11 @@ class Path:
         """What is left of the current segment."""
         if not self.is_active or self.is_dwell:
             return 0.0
-        return self.ring[self.base + 3] - self.covered_d
+        return shape.whole_way(self.ring, self.base, self.count) - self.covered_d
+
+    def promised_speed(self, place: int) -> float:
+        """The end speed at ``place`` of the current segment's row, 0 of a dwell."""
+        return 0.0 if self.is_dwell else self.ring[self.base + place]
 
     def block_number(self) -> float:
         """The N number of the current block."""

@@ -12,6 +12,13 @@ from types import MappingProxyType
 
 _GERMAN: Mapping[str, str] = MappingProxyType(
     {
+        "the word": "das Wort",
+        "the keyword as the program has it": "das Schlüsselwort, wie es im Programm steht",
+        "the radius in mm": "der Radius in mm",
+        "half the way to the target in mm": "der halbe Weg zum Ziel in mm",
+        "the difference of the two radii in mm": "der Unterschied der beiden Radien in mm",
+        "number of the G function": "Nummer der G-Funktion",
+        "farthest place of the arc in mm": "entfernteste Stelle des Bogens in mm",
         "how many lists were written": "wie viele Listen geschrieben wurden",
         "the most characters": "die meisten Zeichen",
         "the line in the file": "die Zeile in der Datei",

@@ -19,6 +19,7 @@ from nctakt.messages import Collector
 from nctakt.nc import support
 from nctakt.nc.check_calls import CallChecker
 from nctakt.nc.check_cycle import CycleChecker
+from nctakt.nc.check_path import check_path_command
 from nctakt.nc.check_user_errors import UserErrorChecker
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.check_words import Role, WordChecker
@@ -266,6 +267,8 @@ class Checker:
             nearest = support.nearest_hash(words) or "–"
             self._findings.report(900202, command.span, word=name, nearest=nearest)
         elif words == ["EXPL", "SYN"] and not command.arguments:
+            return
+        elif check_path_command(command, self._values, self._findings):
             return
         elif entry.answer is Answer.SIMULATED:
             self._findings.report(900233, command.span, command=entry.name)

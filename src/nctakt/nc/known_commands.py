@@ -54,7 +54,7 @@ COMMANDS = known(
     ("#CLAMP", "R", "clamp offsets", "Platzversätze"),
     ("#CLEAR CONFIG", "R", "clear a stored configuration", "gespeicherte Konfiguration löschen"),
     ("#COMMAND", "R", "commands to drives", "Befehle an Antriebe"),
-    ("#CONTOUR MODE", "R", "mode of contouring", "Art des Überschleifens"),
+    ("#CONTOUR MODE", "S", "contouring by corner deviation", "Überschleifen mit Eckenabweichung"),
     ("#CONTROL AREA", "R", "protected zones", "Schutzräume"),
     ("#CORNER PARAM", "R", "corner deceleration", "Eckenverzögerung"),
     ("#CS", "R", "coordinate system", "Koordinatensystem"),

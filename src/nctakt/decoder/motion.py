@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: MIT
+"""The path of a block: lines and arcs, how they end, within the software limits (MO-1, MO-3, MO-4).
+
+In: the modal state, the block's target and words. Out: one ``Segment``, or none where nothing
+moves. Mistakes are a ``DecodeError``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import dataclass, field
+
+from nctakt.decoder.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
+from nctakt.decoder.commands import Answer, Command, Segment
+from nctakt.decoder.offsets import ALL
+from nctakt.decoder.values import Values
+from nctakt.diagnostics import Span
+from nctakt.nc import syntax
+from nctakt.nc.check_path import keywords
+
+#: The words of a centre, one for each of the first three axes.
+CENTRE_WORDS = ("I", "J", "K")
+
+#: G functions for one block only.
+EXACT_STOP, CONTOURING = 60, 61
+
+
+@dataclass(slots=True)
+class PathWords:
+    """What a block says of its path beside the target: words of a centre, G60, G61.
+
+    ``offset_kinds``: which offsets its absolute positions have.
+    """
+
+    centre: dict[str, tuple[Span, float]] = field(default_factory=dict)
+    once: set[int] = field(default_factory=set)
+    offset_kinds: int = ALL
+
+
+class PathMotion:
+    """Makes the segments of one program."""
+
+    def __init__(self, values: Values) -> None:
+        self._values = values
+        self._surroundings = values.surroundings
+        self._state = values.state
+
+    def modal(self, function: int) -> None:
+        """A modal G function of the path."""
+        path = self._state.path
+        if function <= 3:
+            self._state.motion = function
+        elif function in PLANES:
+            path.plane = function
+        elif function in (161, 162):
+            path.absolute_centre = function == 161
+        elif function in (260, 261):
+            path.contouring = function == 261
+        elif function in (359, 360):
+            path.exact_stop = function == 360
+
+    def command(self, command: syntax.HashCommand, number: int) -> Generator[Command, Answer]:
+        """``#CONTOUR MODE``."""
+        path = self._state.path
+        for keyword in keywords(command):
+            if keyword.name == "PATH_DEV" and keyword.value is not None:
+                value = yield from self._values.evaluate(keyword.value, number)
+                if value <= 0.0:
+                    self._values.fail(900707, keyword.value.span, value=value)
+                path.deviation = value * self._state.length_unit_mm
+        switch = command.words[-1].name
+        if switch in ("ON", "OFF"):
+            path.contouring = switch == "ON"
+
+    def segment(
+        self, start: list[float], target: list[float], words: PathWords, span: Span, number: int
+    ) -> Segment | None:
+        """The segment from ``start`` to ``target``, ``None`` where nothing moves."""
+        state = self._state
+        arc = None
+        if state.motion >= 2:
+            arc = self._arc(start, target, words, span)
+        if arc is None and start == target:
+            return None
+        if arc is not None:
+            self._check_extremes(arc, start, span)
+        feed = -1.0 if state.rapid else state.feed_mm_s
+        if feed == 0.0 or (feed < 0.0 and not state.rapid):
+            self._values.fail(20008, span)
+        exact = self._stops_exactly(words)
+        rounds = state.path.contouring or CONTOURING in words.once
+        return Segment(
+            self._surroundings.place(span),
+            number,
+            tuple(start),
+            tuple(target),
+            feed,
+            exact,
+            state.path.deviation if rounds and not exact else 0.0,
+            None if arc is None else arc.row,
+        )
+
+    def _stops_exactly(self, words: PathWords) -> bool:
+        state = self._state
+        if state.rapid and self._surroundings.parameters.exact_stop_after_g00:
+            return True
+        return state.path.exact_stop or EXACT_STOP in words.once
+
+    def _arc(
+        self, start: list[float], target: list[float], words: PathWords, span: Span
+    ) -> Arc | None:
+        """The arc of the block; ``None`` where only its radius stands in it."""
+        path = self._state.path
+        clockwise = self._state.motion == 2
+        if max(PLANES[path.plane]) >= len(start):
+            self._values.fail(900703, span, plane=path.plane)
+        try:
+            if words.centre:
+                centre = self._centre(start, words)
+                return arc_about(start, target, path.plane, centre, clockwise)
+            if path.radius == 0.0:
+                raise ArcError(900700)
+            if start == target:
+                return None
+            return arc_of_radius(start, target, path.plane, path.radius, clockwise)
+        except ArcError as error:
+            self._values.fail(error.message, span, **error.values)
+
+    def _centre(self, start: list[float], words: PathWords) -> tuple[float, float]:
+        """The centre in the plane: from the start on (G162), or absolute (G161); missing is 0."""
+        plane = PLANES[self._state.path.plane]
+        for name, (span, _) in words.centre.items():
+            if CENTRE_WORDS.index(name) not in plane:
+                self._values.fail(900704, span, word=name, plane=self._state.path.plane)
+        place = []
+        for axis in plane:
+            _, value = words.centre.get(CENTRE_WORDS[axis], (None, 0.0))
+            begin = start[axis]
+            if self._state.path.absolute_centre:
+                begin = self._surroundings.offsets.total(axis, words.offset_kinds)
+            place.append(begin + value * self._state.length_unit_mm)
+        return (place[0], place[1])
+
+    def _check_extremes(self, arc: Arc, start: list[float], span: Span) -> None:
+        """The arc may leave the software limits between two ends that are within them."""
+        for index, position in extremes(arc, start):
+            axis = self._surroundings.axes[index]
+            low, high = axis.software_limit_low, axis.software_limit_high
+            if not axis.is_modulo and not low <= position <= high:
+                self._values.fail(
+                    900705, span, axis=axis.name, position=position, low=low, high=high
+                )

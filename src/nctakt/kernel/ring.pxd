@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: MIT
+# C types of ring.py.
+cimport cython
+from nctakt.kernel.lookahead cimport LookAhead
+from nctakt.kernel.path cimport Path
+
+cdef class CommandRing:
+    cdef readonly Path path
+    cdef readonly LookAhead ahead
+    cdef readonly Py_ssize_t width
+    cdef Py_ssize_t capacity
+    cdef double[::1] queue
+    cdef Py_ssize_t head
+    cdef Py_ssize_t tail
+    cdef readonly Py_ssize_t timed_count
+    cdef Py_ssize_t begun
+    cdef Py_ssize_t latest
+
+    @cython.locals(length=double, oldest=Py_ssize_t, promised_v=double, promised_free_v=double)
+    cdef void prepare(self, Py_ssize_t base, double feed_v, double deviation) noexcept nogil
+    cdef int passes(self, int kind) noexcept nogil

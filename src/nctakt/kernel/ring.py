@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The commands that wait for a channel: a ring of rows of float64.
+
+A command (``decoder/commands.py`` packs it) is a row: kind, source ID, block number, then what the
+kind needs; ``shape.py`` has that of a segment. A segment is prepared as it comes, so that those
+before it may go faster. Commands that take time are counted (``timed_count``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.kernel.lookahead import LookAhead
+from nctakt.kernel.path import Path
+
+# Kinds of commands.
+SEGMENT = 1
+DWELL = 2
+DEFINE_CYCLE = 3
+CONTROL_CYCLE = 4
+TECHNOLOGY = 5
+AWAIT_ACKNOWLEDGE = 6
+WRITE = 7
+MESSAGE = 8
+FLUSH = 9
+READ = 10
+PROGRAM_END = 11
+GIVE_UP = 12
+USER_ERROR = 20
+USER_VALUE = 21
+USER_STOP = 22
+SET_OFFSET = 50
+FREEZE = 60
+
+#: The kinds that take or may take time.
+TIMED_KINDS = (
+    SEGMENT,
+    DWELL,
+    AWAIT_ACKNOWLEDGE,
+    FLUSH,
+    READ,
+    PROGRAM_END,
+    GIVE_UP,
+    USER_STOP,
+)
+
+
+def characters_in_row(axis_count: int) -> int:
+    """How many characters of a string a command takes."""
+    return 4 + 2 * axis_count
+
+
+class CommandRing:
+    """Commands from ``head`` to ``tail``, running numbers; the path has begun up to ``begun``.
+
+    ``latest``: the segment that the next one may go on from, -1 where the path stops first.
+    """
+
+    def __init__(self, path: Path, ahead: LookAhead) -> None:
+        self.path = path
+        self.ahead = ahead
+        self.width = path.width
+        self.capacity = 256
+        ahead.capacity = self.capacity
+        self.queue = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
+        self.head = 0
+        self.tail = 0
+        self.timed_count = 0
+        self.begun = -1
+        self.latest = -1
+
+    def put(self, row: list[float]) -> None:
+        """Append a command; the row may be shorter than the ring's width."""
+        base = self.next_row()
+        for i, number in enumerate(row):
+            self.queue[base + i] = number
+        for i in range(len(row), self.width):
+            self.queue[base + i] = 0.0
+        self.tail += 1
+        if row[0] in TIMED_KINDS:
+            self.timed_count += 1
+        if not self.passes(int(row[0])):
+            self.latest = -1
+
+    def put_segment(
+        self,
+        source: int,
+        number: int,
+        start: Sequence[float],
+        target: Sequence[float],
+        feed_v: float,
+        exact_stop: bool,
+        deviation: float,
+        arc: Sequence[float] | None,
+    ) -> None:
+        """Append a segment, and let the path go on into it from the one before.
+
+        ``feed_v``: mm/s, below 0 rapid. ``deviation``: how far the path may pass its target, 0 not
+        at all. ``arc``: first and second axis of the plane, centre, angle in degrees.
+        """
+        base = self.next_row()
+        for i in range(self.width):
+            self.queue[base + i] = 0.0
+        self.queue[base] = SEGMENT
+        self.queue[base + 1] = source
+        self.queue[base + 2] = number
+        self.queue[base + 8] = exact_stop
+        for i in range(self.path.count):
+            self.queue[base + 12 + i] = start[i]
+            self.queue[base + 12 + self.path.count + i] = target[i]
+        if arc is not None:
+            self.queue[base + 9] = 1.0
+            for i in range(5):
+                self.queue[base + 12 + 2 * self.path.count + 7 + i] = arc[i]
+        self.tail += 1
+        self.timed_count += 1
+        self.prepare(base, feed_v, deviation)
+        self.latest = -1 if exact_stop else self.tail - 1
+
+    def prepare(self, base: int, feed_v: float, deviation: float) -> None:
+        """Limits of the latest segment and the speeds of those before it."""
+        self.ahead.measure(self.queue, base, feed_v)
+        length = self.queue[base + 3]
+        oldest = max(self.head, self.begun + 1)
+        if self.latest >= oldest:
+            promised_v = 0.0
+            promised_free_v = 0.0
+            if self.path.is_active:
+                promised_v = self.path.promised_speed(7)
+                promised_free_v = self.path.promised_speed(25 + 2 * self.path.count)
+            self.ahead.connect(
+                self.queue,
+                self.tail - 1,
+                self.tail - 1 - self.latest,
+                oldest,
+                promised_v,
+                promised_free_v,
+            )
+        self.ahead.leave(self.queue, base, length, deviation)
+
+    def next_row(self) -> int:
+        """Where the next command of the queue begins."""
+        if self.tail - self.head >= self.capacity:
+            self.grow()
+        return self.tail % self.capacity * self.width
+
+    def grow(self) -> None:
+        """Double the queue: many commands without motion stand in a row."""
+        rows = [self.row(n) for n in range(self.head, self.tail)]
+        self.capacity *= 2
+        self.ahead.capacity = self.capacity
+        self.queue = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
+        self.begun = max(self.begun - self.head, -1)
+        self.latest = max(self.latest - self.head, -1)
+        self.head = 0
+        self.tail = len(rows)
+        for n, row in enumerate(rows):
+            for i, number in enumerate(row):
+                self.queue[n * self.width + i] = number
+
+    def row(self, number: int) -> list[float]:
+        """The command with this running number."""
+        base = number % self.capacity * self.width
+        return [self.queue[base + i] for i in range(self.width)]
+
+    def queued(self) -> int:
+        """How many commands wait."""
+        return self.tail - self.head
+
+    def passes(self, kind: int) -> int:
+        """Whether the path passes a command of this kind between two blocks without a stop."""
+        return 1 if kind in (1, 3, 4, 5, 7, 8, 20, 21, 50, 60) else 0

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""Messages of the path: arcs, slope, contouring (900700 … 900729)."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import ERROR, Catalogue
+
+MESSAGES = Catalogue()
+_add = MESSAGES.add
+
+_add(
+    900700,
+    ERROR,
+    "the arc has no centre and no radius",
+    "der Kreisbogen hat weder Mittelpunkt noch Radius",
+    remedy_en="Program the centre with I, J or K, or a radius R other than 0.",
+    remedy_de="Den Mittelpunkt mit I, J oder K programmieren oder einen Radius R ungleich 0.",
+    cause_en="G02 and G03 need a centre that is not the start itself; a radius may stand in an "
+    "earlier block.",
+    cause_de="G02 und G03 brauchen einen Mittelpunkt, der nicht der Start selbst ist; ein Radius "
+    "darf in einem früheren Satz stehen.",
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900701,
+    ERROR,
+    "no arc of the radius {radius} leads to this target; it takes at least {least}",
+    "kein Kreisbogen mit dem Radius {radius} führt zu diesem Ziel; nötig ist mindestens {least}",
+    remedy_en="Program a larger radius, or the centre. A full circle needs its centre.",
+    remedy_de="Einen größeren Radius oder den Mittelpunkt programmieren. Ein Vollkreis braucht "
+    "seinen Mittelpunkt.",
+    parameters={"radius": "the radius in mm", "least": "half the way to the target in mm"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900702,
+    ERROR,
+    "the arc's target is {off} mm off the circle of radius {radius} about its centre",
+    "das Ziel des Kreisbogens liegt {off} mm neben dem Kreis mit Radius {radius} um den "
+    "Mittelpunkt",
+    remedy_en="Correct the target or the centre; G161 has absolute centres, G162 those from the "
+    "start on.",
+    remedy_de="Ziel oder Mittelpunkt berichtigen; G161 hat absolute Mittelpunkte, G162 solche vom "
+    "Start aus.",
+    cause_en="0.01 mm or a thousandth of the radius are tolerated.",
+    cause_de="0,01 mm oder ein Tausendstel des Radius werden hingenommen.",
+    parameters={"off": "the difference of the two radii in mm", "radius": "the radius in mm"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900703,
+    ERROR,
+    "the channel lacks an axis of the plane G{plane}",
+    "dem Kanal fehlt eine Achse der Ebene G{plane}",
+    remedy_en="Choose the plane with G17, G18 or G19, or add the axis to the channel list.",
+    remedy_de="Die Ebene mit G17, G18 oder G19 wählen oder die Achse in die Kanalliste aufnehmen.",
+    parameters={"plane": "number of the G function"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900704,
+    ERROR,
+    "{word} is no centre in the plane G{plane}",
+    "{word} ist kein Mittelpunkt in der Ebene G{plane}",
+    remedy_en="In G17 program I and J, in G18 K and I, in G19 J and K.",
+    remedy_de="Bei G17 I und J programmieren, bei G18 K und I, bei G19 J und K.",
+    parameters={"word": "the word", "plane": "number of the G function"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900705,
+    ERROR,
+    "the arc leads axis {axis} to {position}, outside its software limits {low} … {high}",
+    "der Kreisbogen führt die Achse {axis} auf {position}, außerhalb ihrer Software-Endschalter "
+    "{low} … {high}",
+    remedy_en="Program an arc that stays between the limits (P-AXIS-00177, P-AXIS-00178).",
+    remedy_de="Einen Bogen zwischen den Grenzen programmieren (P-AXIS-00177, P-AXIS-00178).",
+    parameters={
+        "axis": "name of the axis",
+        "position": "farthest place of the arc in mm",
+        "low": "lower limit",
+        "high": "upper limit",
+    },
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900706,
+    ERROR,
+    "{word} of {command} is not simulated",
+    "{word} von {command} wird nicht simuliert",
+    remedy_en="#CONTOUR MODE knows DEV and PATH_DEV.",
+    remedy_de="#CONTOUR MODE kennt DEV und PATH_DEV.",
+    cause_en="It would change positions or times in a way that nctakt does not model.",
+    cause_de="Es würde Positionen oder Zeiten in einer Weise ändern, die nctakt nicht nachbildet.",
+    parameters={"word": "the keyword as the program has it", "command": "the command"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900707,
+    ERROR,
+    "the deviation {value} of contouring is not above 0",
+    "die Abweichung {value} des Überschleifens liegt nicht über 0",
+    remedy_en="Program a PATH_DEV above 0, or end contouring with G260.",
+    remedy_de="Ein PATH_DEV über 0 programmieren oder das Überschleifen mit G260 beenden.",
+    parameters={"value": "the value"},
+    reaction=2,
+    clearing=3,
+)

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+"""``#`` commands that set how the path goes on: ``#CONTOUR MODE`` (MO-3).
+
+Their words and keywords are those that are simulated; every other one is refused by name, since it
+would change positions or times.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from nctakt.nc.check_values import ValueChecker
+from nctakt.nc.findings import Findings
+from nctakt.nc.syntax import Bracket, Expression, HashCommand, Keyword, Name
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """What a command may have: words in brackets, keywords with a number, keywords with a word."""
+
+    words: tuple[str, ...] = ()
+    numbers: tuple[str, ...] = ()
+    names: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    needs_bracket: bool = True
+
+
+#: The commands by their words. Contouring: the corner deviation is the only mode.
+FORMS = {
+    "CONTOUR MODE": Form(("DEV",), ("PATH_DEV",)),
+    "CONTOUR MODE ON": Form(("DEV",), ("PATH_DEV",), needs_bracket=False),
+    "CONTOUR MODE OFF": Form(needs_bracket=False),
+}
+
+
+def command_name(command: HashCommand) -> str:
+    """The words of a command."""
+    return " ".join(word.name for word in command.words)
+
+
+def keywords(command: HashCommand) -> tuple[Keyword, ...]:
+    """The keywords in the brackets of a checked command."""
+    return tuple(
+        item
+        for argument in command.arguments
+        if isinstance(argument, Bracket)
+        for item in argument.items
+        if isinstance(item, Keyword)
+    )
+
+
+def check_path_command(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:
+    """Check one of the commands; false where it is none of them."""
+    name = command_name(command)
+    form = FORMS.get(name)
+    if form is None:
+        return False
+    has_bracket = len(command.arguments) == 1 and isinstance(command.arguments[0], Bracket)
+    if not has_bracket and (form.needs_bracket or command.arguments):
+        findings.report(900233, command.span, command=f"#{name}")
+        return True
+    for argument in command.arguments:
+        assert isinstance(argument, Bracket)
+        for item in argument.items:
+            _check_item(form, f"#{name}", item, values, findings)
+    return True
+
+
+def _check_item(
+    form: Form, name: str, item: Keyword | Expression, values: ValueChecker, findings: Findings
+) -> None:
+    if not isinstance(item, Keyword):
+        findings.report(900706, item.span, command=name, word=findings.written(item.span))
+        return
+    if item.name in form.words and item.value is None:
+        return
+    if item.name in form.numbers and item.value is not None:
+        values.value(item.value)
+        return
+    allowed = form.names.get(item.name, ())
+    if isinstance(item.value, Name) and item.value.name in allowed:
+        return
+    findings.report(900706, item.span, command=name, word=findings.written(item.span))

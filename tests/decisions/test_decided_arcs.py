@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: MIT
+"""Decisions on arcs, on the ends of blocks, and on rounded corners (MO-1, MO-3, MO-4)."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from decided import left, numbers, perform
+
+from nctakt.results.run import Run
+
+AXES = ("X.ACS.ACT_POS", "Y.ACS.ACT_POS", "Z.ACS.ACT_POS")
+
+
+def moved(program: str) -> Run:
+    """A run with the positions of X, Y and Z."""
+    run = perform(program + "\nM30", signals=[*AXES, "PATH.SPEED", "X.PCS.DIST_TO_GO", "BLOCK"])
+    assert run.state == "ended", run.diagnostics
+    return run
+
+
+def place(run: Run, tick: int) -> tuple[float, ...]:
+    """Where X, Y and Z are after a tick."""
+    assert run.trace is not None
+    return tuple(run.trace.at(tick, name) for name in AXES)
+
+
+def test_the_feed_goes_along_the_arc() -> None:
+    """MO-4: a quarter of a circle of 10 mm at 100 mm/s.
+
+    A quarter of the acceleration is centripetal, 100² / 10; along the path are left
+    4000·√(1 − 1/16) = 3873 mm/s². 15.708 mm take 157.08 + 25.82 = 182.9 ms: 183 ticks. After 91 ms
+    9.1 − 1.291 = 7.809 mm are covered, 0.7809 of the circle's radius.
+    """
+    run = moved("G03 X-10 Y10 I-10 J0 F6000")
+    assert run.ticks == 184
+    angle = (100 * 0.091 - 100**2 / (2 * 4000 * math.sqrt(1 - 1 / 16))) / 10
+    expected = (-10 + 10 * math.cos(angle), 10 * math.sin(angle), 0.0)
+    assert place(run, 90) == pytest.approx(expected, abs=1e-9)
+    assert place(run, 182) == (-10.0, 10.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("words", "middle"),
+    [
+        ("G17 G03 I10", (10, -10, 0)),
+        ("G17 G02 I10", (10, 10, 0)),
+        ("G18 G03 K10", (-10, 0, 10)),
+        ("G18 G02 K10", (10, 0, 10)),
+        ("G19 G03 J10", (0, 10, -10)),
+        ("G19 G02 J10", (0, 10, 10)),
+        ("G17 G161 G03 I10 J0", (10, -10, 0)),
+        ("G17 G03 X0 Y0 I10", (10, -10, 0)),
+        ("G70 G17 G03 I[10/25.4]", (10, -10, 0)),
+    ],
+)
+def test_full_circles_in_the_three_planes(words: str, middle: tuple[float, ...]) -> None:
+    """MO-4: a target that is the start, or none, is a full circle; it passes ``middle``."""
+    run = moved(f"{words} F3000")
+    away = min(math.dist(place(run, tick), middle) for tick in range(run.ticks))
+    assert away < 0.15
+    assert place(run, run.ticks - 2) == (0.0, 0.0, 0.0)
+
+
+def test_a_radius_has_a_shorter_and_a_longer_arc() -> None:
+    """R stays; a negative one is the longer arc; alone in a block it moves nothing."""
+    run = moved("G02 R10\nX10 Y10 F3000\nG90 G01 X0 Y0\nG02 X10 Y10 R-10")
+    near = [
+        math.dist(place(run, tick), (10 - 10 * 0.5**0.5, 10 * 0.5**0.5, 0)) for tick in range(900)
+    ]
+    assert min(near) < 0.03
+    assert max(place(run, tick)[1] for tick in range(run.ticks)) == pytest.approx(20.0, abs=0.01)
+    assert place(run, run.ticks - 2) == (10.0, 10.0, 0.0)
+
+
+def test_a_helix_rises_with_its_angle() -> None:
+    """The third axis moves along evenly; the feed is that of the whole way."""
+    run = moved("G03 X0 Y0 Z5 I10 F3000")
+    length = math.hypot(20 * math.pi, 5)
+    assert run.ticks - 1 == pytest.approx(1000 * (length / 50 + 50 / 4000), abs=1.5)
+    for tick in range(0, run.ticks, 97):
+        x, y, z = place(run, tick)
+        angle = math.atan2(-y, 10 - x) % (2 * math.pi)
+        assert z == pytest.approx(5 * angle / (2 * math.pi), abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("block", "number"),
+    [
+        ("G02 X10", 900700),
+        ("G02 X10 I0 J0", 900700),
+        ("G02 X10 R4.9", 900701),
+        ("G02 X0 R5", 900700 + 1),
+        ("G02 X10 I4.9", 900702),
+        ("G02 X10 K5", 900704),
+        ("G00 X9999 Y0\nG03 Y5 J2.5", 900705),
+    ],
+)
+def test_arcs_that_are_none_have_a_diagnostic(block: str, number: int) -> None:
+    """No centre, radius too small, target off the circle, wrong centre word, beyond the limits."""
+    run = perform(f"F3000\n{block}\nM30")
+    if block == "G02 X0 R5":
+        assert run.state == "ended"  # nothing moves
+        return
+    assert (run.state, numbers(run)) == ("error", [number])
+
+
+def test_a_target_nearly_on_the_circle_moves_the_centre() -> None:
+    """Up to 0.01 mm: the arc goes about the nearest place that is equally far from both ends."""
+    run = moved("G02 X10 Y0 I5.004 F3000")
+    radii = [math.dist(place(run, tick), (5.0, 0.0, 0.0)) for tick in range(run.ticks - 1)]
+    assert max(radii) - min(radii) < 1e-9
+
+
+def test_a_tight_arc_is_driven_slowly() -> None:
+    """MO-1: the centripetal acceleration keeps the axes' limit, whatever the feed."""
+    run = moved("G02 I1 F30000")
+    assert run.trace is not None
+    assert max(run.trace["PATH.SPEED"]) <= math.sqrt(4000 * 1)
+
+
+def test_blocks_in_one_line_are_passed_without_a_stop() -> None:
+    """MO-3: two G01 of 1 mm in one line take as long as one of 2 mm."""
+    assert moved("G01 X1 F60000\nX2").ticks == moved("G01 X2 F60000").ticks
+    assert moved("G01 X1 F60000\nM100\nX2").ticks == moved("G01 X2 F60000").ticks
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        "G60 G01 X1 F60000\nX2",
+        "G360 G01 X1 F60000\nX2\nG359",
+        "G01 X1 F60000\n#FLUSH\nX2",
+        "G01 X1 F60000\n#TIME 0.001\nX2",
+    ],
+)
+def test_exact_stops_end_in_their_tick(program: str) -> None:
+    """G60 for its block, G360 until G359, and what needs the path to stand: 32 ticks each."""
+    extra = {"#FLUSH": 1, "#TIME": 1}.get(program.split("\n")[1].split(" ", maxsplit=1)[0], 0)
+    run = moved(program)
+    assert place(run, 31) == (1.0, 0.0, 0.0)
+    assert run.ticks - 1 == 64 + extra
+
+
+def test_a_sharp_corner_is_a_stop() -> None:
+    """A right angle without contouring: the axes stand on the corner, within the tick."""
+    run = moved("G01 X10 F6000\nY10")
+    for tick in range(run.ticks):
+        x, y, _ = place(run, tick)
+        assert x == 10.0 or y == 0.0
+
+
+def test_contouring_rounds_a_corner_by_its_deviation() -> None:
+    """G261: the curve passes a right angle in a distance of 1 mm, or of what is set."""
+    for setting, deviation in (("", 1.0), ("#CONTOUR MODE [DEV PATH_DEV=0.2]\n", 0.2)):
+        run = moved(f"{setting}G261 G01 X40 F6000\nY40\nG260")
+        nearest = min(math.dist(place(run, tick), (40, 0, 0)) for tick in range(run.ticks))
+        assert nearest == pytest.approx(deviation, abs=0.01)
+        assert place(run, run.ticks - 2) == (40.0, 40.0, 0.0)
+        assert run.ticks < moved("G01 X40 F6000\nY40").ticks
+
+
+def test_g61_rounds_the_end_of_its_block_only() -> None:
+    """The corner behind the block with G61 is rounded, the next one is not."""
+    run = moved("G61 G01 X20 F6000\nY20\nX0")
+    places = [place(run, tick) for tick in range(run.ticks)]
+    assert min(math.dist(one, (20, 0, 0)) for one in places) > 0.9
+    assert min(math.dist(one, (20, 20, 0)) for one in places) < 0.1
+
+
+def test_distance_to_go_ends_with_the_block() -> None:
+    """The target of an arc is its end; the distance to go of an axis is that to its target."""
+    assert left("G03 X-10 Y10 I-10 F6000\nM30", "V.RTA.PCS.DIST_TO_GO.X") == 0.0
+    run = moved("G03 X-10 Y10 I-10 F6000")
+    assert run.trace is not None
+    for tick in (0, 50, 150):
+        found = run.trace.at(tick, "X.PCS.DIST_TO_GO")
+        assert found == pytest.approx(-10 - place(run, tick)[0], abs=1e-12)

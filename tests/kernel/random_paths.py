@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""Random programs of lines, arcs and rounded corners, and what MO-1 demands of their positions."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Sequence
+
+import numpy as np
+
+#: Names of the demo machine's axes, with their highest speed and acceleration per tick.
+AXES = ("X", "Y", "Z", "A")
+MOST_MM = {"X": 0.5, "Y": 0.5, "Z": 0.5, "A": 0.36}
+MOST_STEP_MM = 0.004
+
+
+def program(seed: int, slope: str = "") -> str:
+    """A program of some forty blocks that stays within 1 m of where it began."""
+    chance = random.Random(seed)
+    lines = [slope, "G01 F6000"] if slope else ["G01 F6000"]
+    place = [0.0, 0.0, 0.0, 0.0]
+    size = chance.choice((0.02, 0.3, 3.0, 20.0))
+    bend = chance.choice((0.01, 0.2, 3.0))
+    heading = chance.uniform(-math.pi, math.pi)
+    for _ in range(chance.randint(5, 45)):
+        if chance.random() < 0.1:
+            size = chance.choice((0.02, 0.3, 3.0, 20.0))
+        if chance.random() < 0.2:
+            lines.append(_setting(chance))
+        heading += chance.gauss(0.0, bend)
+        length = size * chance.uniform(0.2, 2.0)
+        place[0] += length * math.cos(heading)
+        place[1] += length * math.sin(heading)
+        words = ""
+        if chance.random() < 0.3:
+            place[2] += length * chance.uniform(-1.0, 1.0)
+            words += f" Z{place[2]:.4f}"
+        if chance.random() < 0.1:
+            place[3] += length * chance.uniform(-1.0, 1.0)
+            words += f" A{place[3]:.4f}"
+        target = f"X{place[0]:.4f} Y{place[1]:.4f}{words}"
+        if chance.random() < 0.3:
+            radius = length * chance.choice((0.6, 1.0, 4.0)) * chance.choice((1, 1, 1, -1))
+            lines.append(f"G0{chance.choice((2, 3))} {target} R{radius:.4f}")
+            heading = chance.uniform(-math.pi, math.pi) if bend > 1 else heading
+        else:
+            lines.append(f"G0{chance.choice((1, 1, 1, 1, 1, 0))} {target}")
+    return "\n".join([*lines, "M30"])
+
+
+def _setting(chance: random.Random) -> str:
+    return chance.choice(
+        (
+            f"F{chance.choice((600, 3000, 12000, 40000))}",
+            f"F{chance.choice((600, 3000, 12000, 40000))}",
+            "G261",
+            "G260",
+            f"#CONTOUR MODE [DEV PATH_DEV={chance.choice((0.01, 0.1, 1.0))}]",
+            "G360",
+            "G359",
+            "M100",
+            "#TIME 0.005",
+        )
+    )
+
+
+def violations(positions: Sequence[float], name: str, jerk_mm: float = 0.0) -> list[str]:
+    """Where an axis is faster than it may, or changes its speed more than it may, in a tick."""
+    path = np.concatenate([[0.0] * 3, np.asarray(positions), [positions[-1]] * 3])
+    speed = np.diff(path)
+    step = np.diff(speed)
+    found = []
+    fuzz = 1e-9
+    if (worst := np.abs(speed).max()) > MOST_MM[name] * (1 + 1e-9) + fuzz:
+        found.append(f"{name}: speed {worst * 1000:.3f} mm/s at {np.abs(speed).argmax()}")
+    if (worst := np.abs(step).max()) > MOST_STEP_MM * (1 + 1e-6) + fuzz:
+        found.append(f"{name}: acceleration {worst * 1e6:.1f} mm/s² at {np.abs(step).argmax()}")
+    if jerk_mm:
+        jerk = np.diff(step)
+        if (worst := np.abs(jerk).max()) > jerk_mm * (1 + 1e-6) + fuzz:
+            found.append(f"{name}: jerk {worst * 1e9:.1f} mm/s³ at {np.abs(jerk).argmax()}")
+    return found

@@ -205,6 +205,7 @@ Answer = float | tuple[float, ...] | None
 def pack(command: Command, place: int = 0) -> list[float]:
     """The row of a command; ``place`` is the slot of a cycle or the number of a text or program."""
     head = (command.source, command.number)
+    row: list[float]
     match command:
         case Dwell():
             return [ring.DWELL, *head, command.ticks]

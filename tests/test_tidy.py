@@ -35,7 +35,7 @@ STAGES = (
     ("kernel",),
     ("decoder",),
     ("trace",),
-    ("reference", "results"),
+    ("reference", "results", "plots"),
     ("hli",),
     ("access", "image"),
     ("assembly",),

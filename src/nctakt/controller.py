@@ -21,6 +21,7 @@ from nctakt.image import InterfaceImage
 from nctakt.interface import Interface
 from nctakt.kernel import kernel as reasons
 from nctakt.kernel.cycles import DEFINED, HELD
+from nctakt.lists.axis_configuration import AxisConfiguration
 from nctakt.lists.machine import MachineConfiguration, MachineError, load_machine
 from nctakt.loading import LoadedProgram, NcText
 from nctakt.messages import diagnostic
@@ -95,6 +96,16 @@ class Controller:
     def hli(self) -> Interface:
         """The interface image: what a PLC sees and the operator's side."""
         return Interface(self._machine)
+
+    @property
+    def default_signals(self) -> tuple[str, ...]:
+        """What is recorded where nobody says it."""
+        return tuple(self._machine.default_signals())
+
+    @property
+    def channel_axes(self) -> tuple[AxisConfiguration, ...]:
+        """The axes of the channel, in its order."""
+        return tuple(self.machine.axes[index] for index in self._machine.members)
 
     @property
     def instructions_in_tick(self) -> int:

@@ -45,6 +45,7 @@ class Options:
     plc: str | None
     skip: str = ""
     trace: str | None = None
+    plot: str | None = None
     signals: str | None = None
     diagnosis: str | None = None
     error_log: str | None = None

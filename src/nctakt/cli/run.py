@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.plotting import Plot
 from nctakt.cli.request import Options, Request, read_request
 from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
 from nctakt.cli.terminal import (
@@ -58,6 +59,7 @@ Ctrl-C, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 @run_options("--at", "diagnostics, summary and diagnosis data")
 @click.option("--trace", metavar="FILE", help="Record each tick in a .csv or .jsonl file.")
 @click.option("--signals", metavar="NAME,...", help="What to record.")
+@click.option("--plot", metavar="FILE", help="Draw the motion: .png, .svg or .html.")
 @click.option("--diagnosis", metavar="FILE", help="Write the realtime cycles' diagnosis data.")
 @click.option("--messages", metavar="FILE", help="Write what the programs say to a file, too.")
 @click.option(
@@ -82,6 +84,7 @@ def _run(options: Options) -> int:
     request = read_request(options)
     controller = start_controller(options)
     with contextlib.ExitStack() as files:
+        plot = None if options.plot is None else Plot(options, controller)
         sinks = _open_trace(options, files)
         messages = _open_file(options.messages, files)
         report = _open_file(options.diagnosis, files)
@@ -91,12 +94,17 @@ def _run(options: Options) -> int:
         diagnosis = None if report is None else _diagnosis(controller)
         listeners = sinks if diagnosis is None else [*sinks, diagnosis]
         request = _with_partner(options, request, controller, files)
+        if plot is not None:
+            listeners = plot.sinks(listeners, request)
+            request = plot.request(request)
         begin_s = time.perf_counter()
         run = _run_controller(options, request, controller, listeners, messages)
         wall_s = time.perf_counter() - begin_s
         diagnostics = () if run is None else run.diagnostics
         if report is not None and diagnosis is not None:
             report.write(diagnosis.report.render(options.language, diagnostics))
+        if plot is not None and run is not None:
+            plot.draw()
     return EXIT_NC_ERROR if run is None else _tell(options, run, wall_s)
 
 

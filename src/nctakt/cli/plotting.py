@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt run --plot``: what has to be recorded for the picture, and the picture.
+
+In: the words of the command, the controller before its run. Out: the signals and sinks of the run,
+then the file.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import errno
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from nctakt.cli.request import Options, Request
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+
+if TYPE_CHECKING:
+    from nctakt.controller import Controller
+    from nctakt.trace.sinks import Sink
+
+
+class Plot:
+    """The picture of a run; raises ``Failure`` where it cannot be drawn (900635, 900634)."""
+
+    def __init__(self, options: Options, controller: Controller) -> None:
+        # numpy and matplotlib are loaded only for a picture
+        from nctakt.plots import motion, picture  # noqa: PLC0415
+        from nctakt.trace.recorded import MemorySink  # noqa: PLC0415 - the mode is chosen before
+
+        assert options.plot is not None
+        picture.check_picture(options.plot)
+        self._options = options
+        self._path = Path(options.plot)
+        if not self._path.parent.is_dir():
+            reason = os.strerror(errno.ENOENT)
+            raise Failure(diagnostic(900507, file=options.plot, reason=reason))
+        self._axes = controller.channel_axes
+        self._defaults = controller.default_signals
+        self._signals = motion.signals([axis.name for axis in self._axes])
+        self._sink = MemorySink()
+
+    def request(self, request: Request) -> Request:
+        """The same with what the picture needs behind the signals that are wanted."""
+        wanted = self._defaults if request.signals is None else request.signals
+        added = (name for name in self._signals if name not in wanted)
+        return dataclasses.replace(request, signals=(*wanted, *added))
+
+    def sinks(self, sinks: Sequence[Sink], request: Request) -> list[Sink]:
+        """The sinks of the run: those of others see the signals that they would see without."""
+        from nctakt.trace.columns import FirstColumns  # noqa: PLC0415 - as above
+
+        wanted = self._defaults if request.signals is None else request.signals
+        return [*(FirstColumns(sink, len(wanted)) for sink in sinks), self._sink]
+
+    def draw(self) -> None:
+        """Write the file; raises ``Failure`` where that cannot be done."""
+        from nctakt.plots import motion, picture  # noqa: PLC0415 - as above
+
+        title = ", ".join(Path(program).name for program in self._options.programs)
+        curves = motion.motion_of(self._sink.trace, self._axes)
+        try:
+            picture.write_picture(curves, self._path, title, self._options.language)
+        except OSError as error:
+            reason = error.strerror or str(error)
+            raise Failure(diagnostic(900507, file=str(self._path), reason=reason)) from error

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Pictures of runs: path, motion over time, reactions (extra ``plot``)."""

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: MIT
+"""A recorded run -> the curves of a picture: positions, their derivatives, limits, marks.
+
+In: a trace with the ``signals``, the machine's lists. Out: ``Motion``, arrays over time. A row of
+tick n holds what is true at its end, (n + 1) · T. Speed, acceleration and jerk are differences of
+the recorded positions, each in the middle of what it is taken from: the picture shows what the axes
+did, not what a planner believed.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy
+
+from nctakt.lists.axis_configuration import AxisConfiguration
+from nctakt.trace.events import Event
+from nctakt.trace.recorded import Trace
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Values = NDArray[numpy.float64]
+
+SPEED, ACCELERATION, JERK = 1, 2, 3
+
+_PATH_SIGNALS = ("PATH.SPEED", "PATH.DIST_TO_GO", "OVERRIDE.VEL.TOTAL")
+#: Kinds of events that are drawn, and what stands beside the line.
+_MARKS = ("fired", "m", "h", "output", "error", "end")
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """Values at times; both have the same length."""
+
+    time_s: Values
+    values: Values
+
+
+@dataclass(frozen=True, slots=True)
+class AxisMotion:
+    """One axis in mm or degrees and seconds.
+
+    ``position`` runs on where a modulo axis shows positions within its range. ``derivatives``:
+    speed, acceleration and jerk. ``limits``: of these three, 0 for none.
+    """
+
+    name: str
+    unit: str
+    position: Curve
+    derivatives: tuple[Curve, Curve, Curve]
+    limits: tuple[float, float, float]
+    moves: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """Something that happened at a time; ``kind`` is that of the event."""
+
+    time_s: float
+    kind: str
+    label: str
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """A run as curves; ``override`` in percent, ``rest`` the distance to go on the path."""
+
+    axes: tuple[AxisMotion, ...]
+    path_speed: Curve
+    override: Curve
+    rest: Curve
+    marks: tuple[Mark, ...]
+
+
+def position_signal(axis: str) -> str:
+    """The signal whose values are drawn for an axis."""
+    return f"{axis}.ACS.ACT_POS"
+
+
+def signals(axes: Sequence[str]) -> tuple[str, ...]:
+    """What has to be recorded for a picture of these axes."""
+    return (*(position_signal(axis) for axis in axes), *_PATH_SIGNALS)
+
+
+def motion_of(trace: Trace, axes: Sequence[AxisConfiguration]) -> Motion:
+    """The curves of a run that recorded ``signals``."""
+    cycle_time_s = trace.cycle_time_us / 1e6
+    time_s = ((trace.tick + 1) * trace.cycle_time_us / 1e6).astype(numpy.float64)
+    return Motion(
+        tuple(_axis(trace, axis, time_s, cycle_time_s) for axis in axes),
+        Curve(time_s, trace["PATH.SPEED"]),
+        Curve(time_s, trace["OVERRIDE.VEL.TOTAL"]),
+        Curve(time_s, trace["PATH.DIST_TO_GO"]),
+        tuple(_mark(event) for event in trace.events if event.kind in _MARKS),
+    )
+
+
+def _axis(trace: Trace, axis: AxisConfiguration, time_s: Values, cycle_time_s: float) -> AxisMotion:
+    position = trace[position_signal(axis.name)]
+    if axis.is_modulo and len(position):
+        position = numpy.unwrap(position, period=axis.modulo_range)
+    dynamics = axis.dynamics
+    limits = (axis.max_speed, max(dynamics.feed_acceleration, dynamics.rapid_acceleration), 0.0)
+    return AxisMotion(
+        axis.name,
+        "mm" if axis.is_linear else "°",
+        Curve(time_s, position),
+        tuple(derivative(position, time_s, cycle_time_s, order) for order in (1, 2, 3)),  # type: ignore[arg-type]
+        limits,
+        bool(len(position)) and bool(numpy.ptp(position) > 0.0),
+    )
+
+
+def derivative(position: Values, time_s: Values, cycle_time_s: float, order: int) -> Curve:
+    """The mean derivative of this order over ``order`` ticks each."""
+    values = numpy.diff(position, order) / cycle_time_s**order
+    return Curve(time_s[order:] - order * cycle_time_s / 2.0, values)
+
+
+def _mark(event: Event) -> Mark:
+    words = event.text.split()
+    label = event.kind
+    if event.kind == "fired":
+        label = f"{words[0]}: {words[-1]}"
+    elif event.kind in ("m", "h"):
+        label = f"{event.kind.upper()}{words[0]}"
+    elif event.kind == "output":
+        label = f"{words[0].upper()}{words[1]}"
+    elif event.kind == "error":
+        label = words[0]
+    return Mark(event.time_us / 1e6, event.kind, label)
+
+
+def thinned(curve: Curve, most: int) -> Curve:
+    """The same picture with at most ``most`` points: lowest and highest value of each piece."""
+    count = len(curve.values)
+    pieces = most // 2
+    if count <= most:
+        return curve
+    edges = numpy.linspace(0, count, pieces + 1).astype(int)
+    kept: list[int] = []
+    for begin, end in itertools.pairwise(edges.tolist()):
+        piece = curve.values[begin:end]
+        kept.extend(sorted({begin + int(piece.argmin()), begin + int(piece.argmax())}))
+    return Curve(curve.time_s[kept], curve.values[kept])

@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: MIT
+"""The curves of a run -> a picture file: PNG, SVG, or a page with the SVG in it (matplotlib).
+
+In: ``Motion``, a file name. Out: the file; the same run gives the same bytes. Above the path in the
+plane and in space, below it the motion over time: position, speed, acceleration, jerk with the
+limits of the axes as dashed lines, override and distance to go; reactions, M and H functions and
+errors as vertical lines. No window is opened and no state of matplotlib is changed.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import io
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from nctakt.diagnostics import Language, Text
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.plots.motion import ACCELERATION, JERK, SPEED, AxisMotion, Curve, Mark, Motion, thinned
+
+ENDINGS = (".png", ".svg", ".html")
+
+_DPI = 110
+_WIDTH_IN = 12.0
+_PATH_HEIGHT_IN = 4.4
+_PANEL_HEIGHT_IN = 1.7
+#: Points that a curve is drawn with at most: more cannot be seen.
+_MOST_POINTS = 4000
+#: Marks from which on only the lines are drawn, without their words.
+_MOST_LABELS = 24
+
+_COLOURS = (
+    "#1f77b4",
+    "#d95f02",
+    "#2ca02c",
+    "#9467bd",
+    "#8c564b",
+    "#e377c2",
+    "#17becf",
+    "#7f7f7f",
+    "#bcbd22",
+    "#000000",
+)
+_MARK_COLOURS = {
+    "fired": "#d62728",
+    "m": "#9467bd",
+    "h": "#9467bd",
+    "output": "#1f77b4",
+    "error": "#d62728",
+    "end": "#7f7f7f",
+}
+
+_POSITION = Text("position", "Position")
+_DERIVED = {
+    SPEED: (Text("speed", "Geschwindigkeit"), "/s"),
+    ACCELERATION: (Text("acceleration", "Beschleunigung"), "/s²"),
+    JERK: (Text("jerk", "Ruck"), "/s³"),
+}
+_TIME = Text("time in s", "Zeit in s")
+_PLANE = Text("path in the plane", "Bahn in der Ebene")
+_SPACE = Text("path in space", "Bahn im Raum")
+_PATH_SPEED = Text("path", "Bahn")
+_OVERRIDE = Text("override in %", "Override in %")
+_REST = Text("distance to go", "Restweg")
+_AT_REST = Text("at rest: {names}", "in Ruhe: {names}")
+_NOTHING = Text("no axis moved", "keine Achse hat sich bewegt")
+
+#: Label, curves as (name, colour, curve), limits as (value, colour).
+_Panel = tuple[str, list[tuple[str, str, Curve]], list[tuple[float, str]]]
+
+_PAGE = """\
+<!doctype html>
+<html lang="{language}">
+<head><meta charset="utf-8"><title>{title}</title>
+<style>body {{ margin: 1em; font-family: sans-serif; }} svg {{ max-width: 100%; height: auto; }}
+</style></head>
+<body>
+{picture}</body>
+</html>
+"""
+
+
+def check_picture(path: str) -> None:
+    """Whether such a picture can be drawn; raises ``Failure`` (900635, 900634)."""
+    if Path(path).suffix.lower() not in ENDINGS:
+        raise Failure(diagnostic(900635, file=path))
+    if importlib.util.find_spec("matplotlib") is None:
+        raise Failure(diagnostic(900634, library="matplotlib", what="--plot"))
+
+
+def write_picture(motion: Motion, path: Path, title: str, language: Language) -> None:
+    """Draw a run; raises ``OSError``."""
+    ending = path.suffix.lower()
+    data = _Drawing(motion, title, language).render("png" if ending == ".png" else "svg")
+    if ending == ".html":
+        picture = data.decode("utf-8")
+        picture = picture[picture.index("<svg") :]
+        page = _PAGE.format(language=language, title=title, picture=picture)
+        data = page.encode("utf-8")
+    path.write_bytes(data)
+
+
+class _Drawing:
+    """One sheet; the axes of the machine keep their colours in all panels."""
+
+    def __init__(self, motion: Motion, title: str, language: Language) -> None:
+        self._motion = motion
+        self._language = language
+        self._moving = [axis for axis in motion.axes if axis.moves]
+        self._colours = {
+            axis.name: _COLOURS[place % len(_COLOURS)] for place, axis in enumerate(motion.axes)
+        }
+        self._title = title
+
+    def render(self, format_: str) -> bytes:
+        """The bytes of the picture."""
+        import matplotlib  # noqa: PLC0415 - only who wants a picture needs it
+        from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
+        from matplotlib.figure import Figure  # noqa: PLC0415
+
+        panels = list(self._panels())
+        spatial = [axis for axis in self._moving if axis.unit == "mm"]
+        path_rows = 1 if len(spatial) > 1 else 0
+        heights = [_PATH_HEIGHT_IN] * path_rows + [_PANEL_HEIGHT_IN] * len(panels)
+        with matplotlib.rc_context({"svg.hashsalt": "nctakt", "svg.fonttype": "path"}):
+            sheet = Figure(figsize=(_WIDTH_IN, sum(heights) + 1.2), dpi=_DPI, layout="constrained")
+            FigureCanvasAgg(sheet)
+            sheet.suptitle(self._title, fontsize=11)
+            grid = sheet.add_gridspec(len(heights), 2, height_ratios=heights)
+            if path_rows:
+                self._draw_path(sheet, grid, spatial)
+            shared = None
+            for place, panel in enumerate(panels):
+                axes = sheet.add_subplot(grid[path_rows + place, :], sharex=shared)
+                shared = shared or axes
+                self._draw_panel(axes, *panel)
+                if place == 0:
+                    self._label_marks(axes)
+                if place < len(panels) - 1:
+                    axes.tick_params(labelbottom=False)
+                else:
+                    axes.set_xlabel(self._text(_TIME))
+            buffer = io.BytesIO()
+            metadata = {"Software": None} if format_ == "png" else {"Date": None, "Creator": None}
+            sheet.savefig(buffer, format=format_, metadata=metadata)
+        return buffer.getvalue()
+
+    def _text(self, text: Text) -> str:
+        return text.get(self._language)
+
+    # --- the path --------------------------------------------------------------------------------
+
+    def _draw_path(self, sheet: Any, grid: Any, spatial: Sequence[AxisMotion]) -> None:
+        """The first two linear axes that move as a plane, the first three as space."""
+        in_space = len(spatial) > 2
+        plane = sheet.add_subplot(grid[0, 0] if in_space else grid[0, :])
+        first, second = spatial[:2]
+        line = _points(first, second)
+        plane.plot(*line, color="#1f77b4", linewidth=1.0)
+        plane.plot([line[0][0]], [line[1][0]], "o", color="#2ca02c", markersize=5)
+        plane.plot([line[0][-1]], [line[1][-1]], "s", color="#d62728", markersize=5)
+        plane.set_aspect("equal", adjustable="datalim")
+        plane.set_xlabel(f"{first.name} / mm")
+        plane.set_ylabel(f"{second.name} / mm")
+        plane.set_title(self._text(_PLANE), fontsize=9)
+        plane.grid(linewidth=0.3)
+        if not in_space:
+            return
+        space = sheet.add_subplot(grid[0, 1], projection="3d")
+        space.plot(*_points(*spatial[:3]), color="#1f77b4", linewidth=0.8)
+        for axis, label in zip(spatial, (space.set_xlabel, space.set_ylabel, space.set_zlabel)):  # noqa: B905
+            label(f"{axis.name} / mm")
+        space.set_title(self._text(_SPACE), fontsize=9)
+        space.tick_params(labelsize=7)
+
+    # --- over time -------------------------------------------------------------------------------
+
+    def _panels(
+        self,
+    ) -> Iterator[tuple[str, list[tuple[str, str, Curve]], list[tuple[float, str]]]]:
+        """Label, curves as (name, colour, curve), limits as (value, colour) of each panel."""
+        for unit in dict.fromkeys(axis.unit for axis in self._moving):
+            axes = [axis for axis in self._moving if axis.unit == unit]
+            curves = [(one.name, self._colours[one.name], one.position) for one in axes]
+            yield f"{self._text(_POSITION)}\n{unit}", curves, []
+            for order, (name, per) in _DERIVED.items():
+                curves = [
+                    (one.name, self._colours[one.name], one.derivatives[order - 1]) for one in axes
+                ]
+                if order == SPEED and unit == self._moving[0].unit:
+                    curves.append((self._text(_PATH_SPEED), "#555555", self._motion.path_speed))
+                limits = {one.limits[order - 1]: self._colours[one.name] for one in reversed(axes)}
+                lines = [(limit, limits[limit]) for limit in sorted(limits) if limit > 0.0]
+                yield f"{self._text(name)}\n{unit}{per}", curves, lines
+        yield self._text(_OVERRIDE), [("", "#333333", self._motion.override)], []
+        unit = self._moving[0].unit if self._moving else "mm"
+        yield f"{self._text(_REST)}\n{unit}", [("", "#333333", self._motion.rest)], []
+
+    def _draw_panel(
+        self,
+        axes: Any,
+        label: str,
+        curves: Sequence[tuple[str, str, Curve]],
+        limits: Sequence[tuple[float, str]],
+    ) -> None:
+        for mark in self._motion.marks:
+            axes.axvline(mark.time_s, color=_MARK_COLOURS[mark.kind], linewidth=0.5, alpha=0.6)
+        for value, colour in limits:
+            for sign in (1.0, -1.0):
+                axes.axhline(sign * value, color=colour, linewidth=0.7, linestyle=(0, (5, 4)))
+        for name, colour, curve in curves:
+            few = thinned(curve, _MOST_POINTS)
+            style = ":" if colour == "#555555" else "-"
+            axes.plot(few.time_s, few.values, style, color=colour, linewidth=0.9, label=name)
+        axes.set_ylabel(label, fontsize=8)
+        axes.tick_params(labelsize=7)
+        axes.grid(linewidth=0.3)
+        if any(name for name, _, _ in curves):
+            resting = [axis.name for axis in self._motion.axes if not axis.moves]
+            title = self._text(_AT_REST).format(names=", ".join(resting)) if resting else None
+            axes.legend(
+                loc="upper left",
+                bbox_to_anchor=(1.0, 1.0),
+                fontsize=7,
+                title=title if label.startswith(self._text(_POSITION)) else None,
+                title_fontsize=6,
+                ncols=1 + len(curves) // 8,
+            )
+
+    def _label_marks(self, axes: Any) -> None:
+        """The words of the marks, above the first panel; none where they would hide each other."""
+        if not self._moving:
+            axes.set_title(self._text(_NOTHING), fontsize=8)
+        if len(self._motion.marks) > _MOST_LABELS:
+            return
+        for time_s, marks in _by_time(self._motion.marks).items():
+            axes.annotate(
+                " ".join(dict.fromkeys(mark.label for mark in marks)),
+                (time_s, 1.02),
+                xycoords=("data", "axes fraction"),
+                rotation=60,
+                fontsize=6,
+                color=_MARK_COLOURS[marks[0].kind],
+                annotation_clip=False,
+            )
+
+
+def _points(*axes: AxisMotion) -> list[Any]:
+    """The positions of the axes at the same times, thinned by leaving points out."""
+    step = max(1, len(axes[0].position.values) // (5 * _MOST_POINTS))
+    return [axis.position.values[::step] for axis in axes]
+
+
+def _by_time(marks: Sequence[Mark]) -> dict[float, list[Mark]]:
+    found: dict[float, list[Mark]] = {}
+    for mark in marks:
+        found.setdefault(mark.time_s, []).append(mark)
+    return found

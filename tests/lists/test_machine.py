@@ -349,6 +349,20 @@ def test_loading_twice_gives_the_same(tmp_path: Path) -> None:
     assert load_machine(folder) == load_machine(folder)
 
 
+@pytest.mark.parametrize(
+    ("share", "windows", "count"),
+    [(75, 500, 0), (76, 500, 1), (100, 0, 0), (100, 500, 1), (75, 1000, 1)],
+)
+def test_realtime_cycles_keep_out_of_windows_time(
+    tmp_path: Path, share: int, windows: int, count: int
+) -> None:
+    """P-CHAN-00425 with P-RTCF-00004: 75 % of 2 ms and 500 µs, the manual's values, just fit."""
+    channel = f"configuration.rt_cycles.enable 1\nrt_cycles.max_duration {share}\n"
+    rtconf = RTCONF.replace("windows_time 500", f"windows_time {windows}")
+    files = {"kanal.lis": f"{CHANNEL}{channel}", "rtconf.lis": rtconf}
+    assert load(write(tmp_path, files))[1].count(900697) == count
+
+
 def test_contexts_of_a_channel_need_their_threads(tmp_path: Path) -> None:
     """P-RTCF-00017 with P-CHAN-00410: a context without a thread is a warning."""
     channel = f"{CHANNEL}schedule.context.geo 1\n"

@@ -33,7 +33,7 @@ from nctakt.lists.offsets import (
     zero_offsets_configuration,
 )
 from nctakt.lists.rtconf import RTCONF, RtconfConfiguration
-from nctakt.lists.rtconf_checks import check_contexts
+from nctakt.lists.rtconf_checks import check_contexts, check_time_limits
 from nctakt.lists.rtconf_effective import load_rtconf
 from nctakt.lists.schema import Values
 from nctakt.lists.startup import ChannelStartup, StartupConfiguration, startup_configuration
@@ -174,6 +174,7 @@ class _Loader:
         parameters = self._channel_parameters(startup)
         if rtconf is not None:
             check_contexts(rtconf, parameters, self.collector)
+            check_time_limits(rtconf, parameters, self.collector)
         variables = tuple(self._variables(channel) for channel in startup.channels)
         shared, variables = self._share(variables)
         self._overlapping(startup, variables)

@@ -147,3 +147,29 @@ def check_contexts(
                 collector.report(
                     900611, None, channel=number, key=key, context=context, function=function
                 )
+
+
+def check_time_limits(
+    configuration: RtconfConfiguration,
+    channels: Sequence[ChannelParameters],
+    collector: Collector,
+) -> None:
+    """P-CHAN-00425 with P-RTCF-00004: realtime cycles may not reach into the time of Windows.
+
+    The thread that they run in is never suspended. Both together may be the whole NC cycle, which
+    is what the default of 75 % gives with the times that the manual recommends.
+    """
+    for number, channel in enumerate(channels, start=1):
+        limits = channel.realtime_cycles
+        allowed_us = limits.max_duration_pct * configuration.cycle_time_us // 100
+        windows_us = configuration.windows_time_us
+        if limits.enable and windows_us and allowed_us + windows_us > configuration.cycle_time_us:
+            collector.report(
+                900697,
+                None,
+                channel=number,
+                share=limits.max_duration_pct,
+                allowed=allowed_us,
+                windows=windows_us,
+                cycle=configuration.cycle_time_us,
+            )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of a schedule that runs for real (900680 … 900699)."""
+"""Messages of a schedule that runs for real, and of rtconf.lis beside others (900680 … 900699)."""
 
 from __future__ import annotations
 
@@ -182,4 +182,20 @@ _add(
     "kein einziger NC-Takt wurde fertig",
     remedy_en="Run longer; with interrupt_source 3 see that somebody gives the semaphore.",
     remedy_de="Länger laufen lassen; bei interrupt_source 3 muss jemand den Semaphor geben.",
+)
+_add(
+    900697,
+    WARNING,
+    "channel {channel}: realtime cycles may take {allowed} µs, Windows has {windows} of {cycle} µs",
+    "Kanal {channel}: Echtzeit-Zyklen dürfen {allowed} µs dauern, Windows hat {windows} von "
+    "{cycle} µs",
+    remedy_en="Lower rt_cycles.max_duration ({share} %), or windows_time.",
+    remedy_de="rt_cycles.max_duration ({share} %) oder windows_time verringern.",
+    parameters={
+        "channel": "the channel's number",
+        "share": "P-CHAN-00425, in percent of the NC cycle",
+        "allowed": "what it is of the NC cycle, in µs",
+        "windows": "windows_time, in µs",
+        "cycle": "cycle_time, in µs",
+    },
 )

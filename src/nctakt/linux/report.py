@@ -12,7 +12,15 @@ from nctakt.linux.measure import Measurement, tolerated
 from nctakt.linux.plan import Plan, PlannedTask
 from nctakt.schedule.findings import us
 from nctakt.schedule.model import ANY_CPU, NS_PER_US
-from nctakt.schedule.report import CLASSES, NONE, chosen_report, numbers_report, responses, table
+from nctakt.schedule.report import (
+    CLASSES,
+    NONE,
+    chosen_report,
+    dead_time_report,
+    numbers_report,
+    responses,
+    table,
+)
 from nctakt.schedule.results import Simulation
 
 #: Upper bounds of the histogram's steps, in µs.
@@ -81,7 +89,7 @@ def run_report(
             "Die Zeit von Windows gilt als gewahrt, wenn höchstens {us} µs fehlen",
         )
         lines.append(kept.get(language).format(us=us(tolerated(run.model))))
-    lines += ["", *numbers_report(run, language)]
+    lines += [*dead_time_report(run.model, language), "", *numbers_report(run, language)]
     lines += ["", *_punctuality(measurement, plan, language)]
     lines += ["", *_comparison(run, simulated, language)]
     return "\n".join(lines) + "\n"

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from nctakt.diagnostics import Text
 from nctakt.lists.rtconf import (
+    REALTIME_FUNCTION,
     InterruptSource,
     RtconfConfiguration,
     SchedulerThread,
@@ -96,6 +97,7 @@ class _Assembly:
             load.overheads,
             self._rules,
             load.seed,
+            configuration.schedule,
         )
 
     def _find_cpus(self) -> tuple[int, ...]:
@@ -212,7 +214,10 @@ class _Assembly:
         place = f"thread[{thread.index}].function[{function.index}]"
         for key in (place, function.name):
             if key in self._load.functions:
-                return self._load.functions[key]
+                found = self._load.functions[key]
+                if found.parts and function.name != REALTIME_FUNCTION:
+                    self._refuse_parts(key, found.parts)
+                return found
         if self._load.is_assumed:
             return ASSUMED_FUNCTION
         entry = f'functions."{function.name}"'
@@ -220,6 +225,20 @@ class _Assembly:
             self._missing.append(function.name)
             self._collector.report(900622, None, name=function.name, entry=entry)
         return Execution((0,))
+
+    def _refuse_parts(self, key: str, parts: tuple[int, ...]) -> None:
+        """Only the interpolation has parts."""
+        expected = Text(
+            f"the parts of {REALTIME_FUNCTION} only", f"die Teile von {REALTIME_FUNCTION} nur dort"
+        )
+        self._collector.report(
+            900623,
+            None,
+            key=f"functions.{key}",
+            value=[part / NS_PER_US for part in parts],
+            expected_en=expected.en,
+            expected_de=expected.de,
+        )
 
     def _external_threads(self, threads: list[Task]) -> list[Task]:
         tasks: list[Task] = []

@@ -15,6 +15,7 @@ from nctakt.lists.rtconf import InterruptSource
 from nctakt.schedule.figure import Box, Figure, Label, Shape, Stroke
 from nctakt.schedule.findings import us
 from nctakt.schedule.model import NS_PER_US, Model, TaskClass, suspension_point
+from nctakt.schedule.parts import has_parts, parts_of
 from nctakt.schedule.results import EventKind, Simulation
 from nctakt.schedule.tracebits import BITS, trace_bits
 
@@ -28,6 +29,15 @@ _COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#
 _EXTERNAL, _WINDOWS = "#7f7f7f", "#b8d4f0"
 _INK, _FAINT, _RED = "#222222", "#c8c8c8", "#c00000"
 
+#: Input, interpolation, output.
+_PART_COLOURS = ("#9ecae1", "#4a90c2", "#08306b")
+_PART_NAMES = (
+    Text("input", "Eingabe"),
+    Text("interpolation", "Interpolation"),
+    Text("output", "Ausgabe"),
+)
+
+_PARTS = Text("light: input · dark: output", "hell: Eingabe · dunkel: Ausgabe")
 _TITLE = Text("Schedule", "Ablauf")
 _SCOPE = Text("Trace bits", "Trace-Bits")
 _NC = Text("NC interrupt", "NC-Interrupt")
@@ -98,6 +108,7 @@ class _Gantt:
             *self._rows(),
             *self._waiting(),
             *self._running(),
+            *self._parts(),
             *self._suspended(),
             *self._windows(),
             *self._overflows(),
@@ -173,6 +184,17 @@ class _Gantt:
             tip = f"{name} #{one.job}, CPU {one.cpu}: {us(one.begin)} … {us(one.end)} µs"
             width = max(0.5, self._x(one.end) - x)
             yield Box(x, self._y(one.task), width, _BAR, self._colour(one.task), tip=tip)
+
+    def _parts(self) -> Iterator[Shape]:
+        """What the interpolation consists of, in the lower half of its bars."""
+        if not has_parts(self._model):
+            return
+        yield Label(10, 54, _PARTS.get(self._language), 10)
+        for one in parts_of(self._model, self._record):
+            x, name = self._x(one.begin), _PART_NAMES[one.part].get(self._language)
+            tip = f"{name}: {us(one.begin)} … {us(one.end)} µs"
+            width, y = self._x(one.end) - x, self._y(one.task) + _BAR / 2
+            yield Box(x, y, width, _BAR / 2, _PART_COLOURS[one.part], tip=tip)
 
     def _suspended(self) -> Iterator[Shape]:
         begun: dict[int, tuple[int, int]] = {}

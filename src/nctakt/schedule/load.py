@@ -9,6 +9,8 @@ Times in the file are microseconds, with or without decimals::
     task_int = 400                    # always the same
     task_rnd = [600, 650, 700]        # one call after another, from the first again
     task_com = { uniform = [200, 300] }
+    # of task_int also its parts, in the order of schedule:
+    # task_int = { input = 50, interpolation = 300, output = 50 }
     "thread[1].function[1]" = 250     # this one only
     [external.external_sps]           # a semaphore_name
     time = 200
@@ -37,7 +39,7 @@ from typing import Any
 
 from nctakt.diagnostics import Text
 from nctakt.messages import Collector
-from nctakt.schedule.model import NO_OVERHEADS, NS_PER_US, Execution, Overheads
+from nctakt.schedule.model import NO_OVERHEADS, NS_PER_US, PARTS, Execution, Overheads
 
 #: The longest time that a load can name, in µs: that of UNS32, as for the list.
 LONGEST_US = 2**32 - 2
@@ -46,8 +48,8 @@ MOST_CPUS = 8
 
 _TIME = Text("a time in µs, 0 or more", "eine Zeit in µs ab 0")
 _TIMES = Text(
-    "a time in µs, a list of times or { uniform = [least, greatest] }",
-    "eine Zeit in µs, eine Liste von Zeiten oder { uniform = [kleinste, größte] }",
+    "a time in µs, a list of times, { uniform = [least, greatest] } or the parts of task_int",
+    "eine Zeit in µs, eine Liste, { uniform = [kleinste, größte] } oder die Teile von task_int",
 )
 _SIGNED = Text("a time in µs", "eine Zeit in µs")
 _NUMBER = Text("an integer", "eine ganze Zahl")
@@ -181,6 +183,8 @@ class _Reader:
             return ExternalLoad()
         self._check_names(key, found, _ENTRIES["external"])
         time = self._execution(f"{key}.time", found["time"]) if "time" in found else None
+        if time is not None and time.parts:
+            self._report(f"{key}.time", found["time"], _TIME)
         return ExternalLoad(
             time,
             self._integer(f"{key}.priority", found.get("priority")),
@@ -201,6 +205,8 @@ class _Reader:
 
     def _execution(self, key: str, found: Any) -> Execution | None:
         if isinstance(found, dict):
+            if sorted(found) == sorted(PARTS):
+                return self._parts(key, found)
             bounds = found.get("uniform")
             if list(found) == ["uniform"] and isinstance(bounds, list) and len(bounds) == 2:
                 low, high = (self._time(key, bound) for bound in bounds)
@@ -219,6 +225,14 @@ class _Reader:
             return None
         time = self._time(key, found)
         return None if time is None else Execution((time,))
+
+    def _parts(self, key: str, found: dict[str, Any]) -> Execution | None:
+        """A time that consists of three."""
+        times = [self._time(f"{key}.{part}", found[part]) for part in PARTS]
+        known = tuple(time for time in times if time is not None)
+        if len(known) != 3:
+            return None
+        return Execution((sum(known),), parts=known)
 
     def _time(self, key: str, found: Any, *, signed: bool = False) -> int | None:
         """A time in ns."""

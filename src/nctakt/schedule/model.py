@@ -15,6 +15,9 @@ from nctakt.lists.rtconf import InterruptSource
 
 NS_PER_US = 1000
 
+#: What one call of the interpolation consists of, in the order of ``Execution.parts``.
+PARTS = ("input", "interpolation", "output")
+
 #: ``cpu`` of a task that the operating system places (after 1000180).
 ANY_CPU = 0
 
@@ -39,11 +42,13 @@ class Execution:
     """Execution times of one call in ns.
 
     ``values``: one after another, from the first again; one value is a constant. ``spread``: the
-    two values are the bounds of a uniform distribution.
+    two values are the bounds of a uniform distribution. ``parts``: input, interpolation and output
+    of which a constant time consists.
     """
 
     values: tuple[int, ...]
     spread: bool = False
+    parts: tuple[int, int, int] | None = None
 
     @property
     def is_constant(self) -> bool:
@@ -142,6 +147,7 @@ class Model:
 
     ``tasks``: internal ones first, each group in the order of its indices. ``cpus``: the
     processors that can be used. ``windows_cpus`` run Windows when no task wants them.
+    ``schedule``: the order of the parts of the interpolation (P-RTCF-00018).
     """
 
     source: InterruptSource
@@ -155,6 +161,7 @@ class Model:
     overheads: Overheads = NO_OVERHEADS
     rules: Rules = STANDARD_RULES
     seed: int = 0
+    schedule: str = "STANDARD"
 
     @property
     def is_synchronous(self) -> bool:

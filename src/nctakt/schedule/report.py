@@ -15,6 +15,7 @@ from nctakt.schedule.answers import Answers
 from nctakt.schedule.effective_table import EffectiveRow
 from nctakt.schedule.findings import culprits, us
 from nctakt.schedule.model import ANY_CPU, Model, TaskClass
+from nctakt.schedule.parts import dead_times
 from nctakt.schedule.results import Simulation, TaskNumbers
 
 NONE = "–"
@@ -94,6 +95,18 @@ def chosen_report(model: Model, language: Language) -> list[str]:
     ]
 
 
+def dead_time_report(model: Model, language: Language) -> list[str]:
+    """How long the interpolation takes from reading to putting out, where the load tells."""
+    text = Text(
+        "schedule {schedule}: {thread} puts out {time} µs after it has begun to read",
+        "schedule {schedule}: {thread} gibt {time} µs nach Beginn des Lesens aus",
+    )
+    return [
+        text.get(language).format(schedule=model.schedule, thread=name, time=us(time))
+        for name, time in dead_times(model)
+    ]
+
+
 def simulation_report(run: Simulation, language: Language) -> str:
     """All numbers of a simulation."""
     model = run.model
@@ -108,7 +121,8 @@ def simulation_report(run: Simulation, language: Language) -> str:
     )
     if run.repeats_after is not None:
         line += repeats.get(language).format(n=run.repeats_after)
-    return "\n".join([*lines, line, "", *numbers_report(run, language)]) + "\n"
+    lines += [line, *dead_time_report(model, language), ""]
+    return "\n".join([*lines, *numbers_report(run, language)]) + "\n"
 
 
 def numbers_report(run: Simulation, language: Language) -> list[str]:

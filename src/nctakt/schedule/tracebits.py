@@ -38,11 +38,11 @@ def calls_of(model: Model, record: Record) -> list[Ran]:
         segments.setdefault((segment.task, segment.job), []).append(segment)
     found: list[Ran] = []
     for job in record.jobs:
-        found += _calls_of_job(job, segments.get((job.task, job.number), []), model)
+        found += calls_of_job(job, segments.get((job.task, job.number), []), model)
     return found
 
 
-def _calls_of_job(job: Job, segments: list[Segment], model: Model) -> Iterator[Ran]:
+def calls_of_job(job: Job, segments: list[Segment], model: Model) -> Iterator[Ran]:
     """Distributes the time that a job had a processor over its calls, in their order."""
     pieces = list(_work_of(segments, model.overheads.activation))
     place = 0

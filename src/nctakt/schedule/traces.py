@@ -17,7 +17,8 @@ from nctakt.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.schedule.findings import us
 from nctakt.schedule.gantt import tick_times, windows_times
-from nctakt.schedule.model import NS_PER_US
+from nctakt.schedule.model import NS_PER_US, PARTS
+from nctakt.schedule.parts import parts_of
 from nctakt.schedule.results import EventKind, Simulation
 from nctakt.schedule.tracebits import BITS, calls_of, trace_bits
 
@@ -172,6 +173,17 @@ def _slices(run: Simulation) -> list[dict[str, Any]]:
                 "ts": _time(call.begin),
                 "dur": _time(end - call.begin),
                 "args": {"job": call.job, "call": call.call},
+            }
+        )
+    for part in parts_of(run.model, record):
+        found.append(
+            {
+                "ph": "X",
+                "name": PARTS[part.part],
+                "pid": 0,
+                "tid": part.task + 1,
+                "ts": _time(part.begin),
+                "dur": _time(part.end - part.begin),
             }
         )
     return found

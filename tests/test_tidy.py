@@ -44,7 +44,7 @@ STAGES = (
     ("controller",),
     ("schedule",),
     ("linux",),
-    ("cli", "pytest_plugin"),
+    ("cli", "testing"),
     ("__main__",),
 )
 

@@ -126,6 +126,13 @@ class Controller:
         """
         self._machine.write(name, value)
 
+    def signal(self, name: str) -> float:
+        """What a trace would record now; raises ``Failure`` for an unknown name."""
+        known = self._machine.signals()
+        if name not in known:
+            raise Failure(self._machine.unknown_signal(name))
+        return self._machine.cells[known[name][0]]
+
     def interface_image(self, name: str | None = None) -> InterfaceImage:
         """The HLI as bytes from now on until it is closed, shared under ``name`` if given.
 

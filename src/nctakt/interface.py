@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from nctakt.assembly import Machine
 from nctakt.failure import Failure
+from nctakt.hli.layout import AXIS, CHANNEL
 from nctakt.messages import diagnostic
 
 #: The states of a channel in the order of their numbers.
@@ -34,6 +35,11 @@ class TechnologyEntry:
     process_time_us: float
     slot: int
 
+    @property
+    def name(self) -> str:
+        """As in a program: ``M100``."""
+        return f"{self.letter}{self.number}"
+
 
 class Interface:
     """The PLC's side of one channel."""
@@ -51,6 +57,31 @@ class Interface:
     def time_us(self) -> int:
         """The time at which it began."""
         return self.tick * self._machine.configuration.cycle_time_us
+
+    @property
+    def cycle_time_us(self) -> int:
+        """The length of a tick."""
+        return self._machine.configuration.cycle_time_us
+
+    def channel(self) -> dict[str, float]:
+        """The state of the channel, by the names of ``hli_channel``: ``path_speed``, ``block`` …"""
+        machine = self._machine
+        shown = {one.entry.name: one.cell for one in machine.panel.values() if not one.is_command}
+        for entry in CHANNEL.entries:
+            if entry.source:
+                shown[entry.name] = machine.layout.channel_value(0, entry.source)
+        return {name: machine.cells[cell] for name, cell in shown.items()}
+
+    def axis(self, name: str) -> dict[str, float]:
+        """An axis, by the names of ``hli_axis``: ``command``, ``target`` …; ``KeyError``: none."""
+        machine = self._machine
+        names = {axis.name: i for i, axis in enumerate(machine.configuration.axes)}
+        index = names[name]
+        return {
+            entry.name: machine.cells[machine.layout.axis_value(index, entry.source)]
+            for entry in AXIS.entries
+            if entry.source
+        }
 
     def functions(self) -> list[TechnologyEntry]:
         """The functions that wait, the main program's first, then in the order of commanding."""

@@ -43,3 +43,46 @@ _add(
     remedy_en="Leave one of them out.",
     remedy_de="Eine der beiden Angaben weglassen.",
 )
+_add(
+    900654,
+    ERROR,
+    "{file}, line {line}: {count} cells, {expected} are needed",
+    "{file}, Zeile {line}: {count} Zellen, {expected} sind nötig",
+    remedy_en="Give each column a cell; an empty one leaves its variable as it is.",
+    remedy_de="Jeder Spalte eine Zelle geben; eine leere lässt ihre Variable, wie sie ist.",
+    parameters={
+        "file": "the file of inputs",
+        "line": "the line in it",
+        "count": "cells of the row",
+        "expected": "columns of the first row",
+    },
+)
+_add(
+    900655,
+    ERROR,
+    "{file}, line {line}: the first row does not name time and variables",
+    "{file}, Zeile {line}: die erste Zeile nennt nicht Zeit und Variablen",
+    remedy_en="Write time, then variables: time,V.E.DOOR,HLI.OVERRIDE",
+    remedy_de="Zuerst time schreiben, dann Variablen: time,V.E.DOOR,HLI.OVERRIDE",
+    parameters={"file": "the file of inputs", "line": "the line in it"},
+)
+_add(
+    900660,
+    ERROR,
+    "'{text}' is no expectation",
+    "'{text}' ist keine Erwartung",
+    remedy_en='Write fired, M100, message "…", error 22009, ended, X = 1.5; see docs/testing.md.',
+    remedy_de='Etwa fired, M100, message "…", error 22009, X = 1.5; siehe docs/testing.md.',
+    parameters={"text": "the expectation as it stands in the comment"},
+)
+_add(
+    900661,
+    ERROR,
+    "'{text}' cannot be given to a run",
+    "'{text}' kann einem Lauf nicht mitgegeben werden",
+    remedy_en="Write V.E.VALUE = 5, V.E.VALUE = 5 at 20ms, plc FILE, machine FOLDER, "
+    "limit TIME, after TIME or start.",
+    remedy_de="V.E.VALUE = 5, V.E.VALUE = 5 at 20ms, plc DATEI, machine ORDNER, limit ZEIT, "
+    "after ZEIT oder start schreiben.",
+    parameters={"text": "what stands in the comment"},
+)

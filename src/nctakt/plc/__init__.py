@@ -5,5 +5,21 @@ from __future__ import annotations
 
 from nctakt.plc.loading import AnyPlc, PlcError, load_plc
 from nctakt.plc.partner import PartnerPlc
+from nctakt.plc.policies import ALL, NONE, Policy, after, only
+from nctakt.plc.script import Plc, at, on, when
 
-__all__ = ["AnyPlc", "PartnerPlc", "PlcError", "load_plc"]
+__all__ = [
+    "ALL",
+    "NONE",
+    "AnyPlc",
+    "PartnerPlc",
+    "Plc",
+    "PlcError",
+    "Policy",
+    "after",
+    "at",
+    "load_plc",
+    "on",
+    "only",
+    "when",
+]

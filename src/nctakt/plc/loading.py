@@ -141,12 +141,19 @@ def _refused(error: BaseException) -> tuple[Diagnostic, ...]:
     return error.diagnostics if isinstance(error, Failure) else ()
 
 
+def _is_users(file: Path, plc: Path) -> bool:
+    """Whether a file is the PLC's own or stands beside it: the rest is not the user's to mend."""
+    parents = file.absolute().parents
+    installed = any(parent.name == "site-packages" for parent in parents)
+    return plc.absolute().parent in parents and _OUR_FOLDER not in parents and not installed
+
+
 def _told(error: BaseException, path: Path) -> tuple[str, str]:
     """The exception on one line, and the way to it from the user's file on, without ours."""
     frames = traceback.extract_tb(error.__traceback__)
     files = (str(path), str(path.absolute()))
     first = next((i for i, frame in enumerate(frames) if frame.filename in files), len(frames))
-    shown = [frame for frame in frames[first:] if _OUR_FOLDER not in Path(frame.filename).parents]
+    shown = [frame for frame in frames[first:] if _is_users(Path(frame.filename), path)]
     lines = traceback.format_list(shown)
     reason = traceback.format_exception_only(error)[-1].strip()
     if isinstance(error, SyntaxError):  # its place is in its text, not in a frame

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+"""A cell's PLC: ``nctakt run examples/crossing.nc --plc examples/cell_plc.py``."""
+
+from nctakt.plc import Plc, after, at, on, when
+
+
+class Cell(Plc):
+    """Acknowledges after 20 ticks; values at times from cell_inputs.csv."""
+
+    acknowledge = after(20)
+    inputs = "cell_inputs.csv"
+
+    @at("0.5s")
+    def slow_down(self, hli):
+        hli.override_pct = 50
+
+    @when(lambda hli: hli.axis("X")["command"] > 400)
+    def near_the_end(self, hli):
+        hli.override_pct = 20
+
+    @on("M100")
+    def clamp(self, hli, function):
+        hli.write("V.E.CONDITION", 1)
+
+    def each_tick(self, hli):
+        if hli.error:
+            hli.reset()

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""Sequences of inputs from a CSV file: values of variables at times.
+
+The first row names the columns: ``time``, then variables (``V.E.DOOR``, ``HLI.OVERRIDE``). Each
+further row has a time, as on the command line (``0.5s``, ``1500us``), and values; an empty cell
+leaves its variable as it is. Lines that are empty or begin with ``#`` are passed over.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from nctakt.diagnostics import Diagnostic
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.stimuli import Stimulus, parse_assignment, parse_time
+
+
+def read_inputs(path: Path) -> tuple[Stimulus, ...]:
+    """The values of a file in the order of their times.
+
+    Raises one ``Failure`` with all that is wrong: the file cannot be read (900503), a row that is
+    none (900654), times (900510) and values (900512) that are none.
+    """
+    try:
+        lines = path.read_text("utf-8").splitlines()
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise Failure(diagnostic(900503, file=str(path), reason=reason)) from error
+    found: list[Diagnostic] = []
+    values: list[Stimulus] = []
+    rows = _rows(lines)
+    number, head = next(rows, (1, [""]))
+    names = [cell.strip() for cell in head]
+    if names[0].lower() != "time" or len(names) < 2 or not all(names):
+        raise Failure(diagnostic(900655, file=str(path), line=number))
+    for number, row in rows:
+        if len(row) != len(names):
+            wide = len(names)
+            found.append(
+                diagnostic(900654, file=str(path), line=number, count=len(row), expected=wide)
+            )
+            continue
+        try:
+            values.extend(_stimuli(names, row))
+        except Failure as failure:
+            found.extend(failure.diagnostics)
+    if found:
+        raise Failure(*found)
+    return tuple(sorted(values, key=lambda one: one.time_us))
+
+
+def _rows(lines: Sequence[str]) -> Iterator[tuple[int, list[str]]]:
+    """Each row with the number of its line."""
+    for number, line in enumerate(lines, 1):
+        if line.strip() and not line.startswith("#"):
+            yield number, next(csv.reader([line]))
+
+
+def _stimuli(names: Sequence[str], row: Sequence[str]) -> Iterator[Stimulus]:
+    time_us = parse_time(row[0])
+    for name, cell in zip(names[1:], row[1:], strict=True):
+        if cell.strip():
+            yield Stimulus(time_us, *parse_assignment(f"{name}={cell}"))

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: MIT
+"""A PLC to derive from: what it does stands as methods with a mark that says when.
+
+    class Cell(Plc):
+        acknowledge = after(20)
+        inputs = "inputs.csv"
+
+        @at("0.5s")
+        def open_the_door(self, hli):
+            hli.write("V.E.DOOR", 1)
+
+        @on("M100")
+        def clamp(self, hli, function):
+            ...
+
+What is done behind tick n counts from tick n + 1 on (RC-002). Behind each tick come, in this order:
+inputs from the file, ``at``, ``when``, ``on``, ``each_tick``, acknowledgements; among methods of
+one kind the order is that in which they stand in the class.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
+
+from nctakt.plc.inputs import read_inputs
+from nctakt.plc.policies import ALL, Policy
+from nctakt.stimuli import Stimulus, parse_time
+
+if TYPE_CHECKING:
+    from nctakt.interface import Interface, TechnologyEntry
+
+_Method = TypeVar("_Method", bound=Callable[..., Any])
+
+_MARK = "_nctakt_when"
+
+
+@dataclass(frozen=True, slots=True)
+class _At:
+    time_us: int
+
+
+@dataclass(frozen=True, slots=True)
+class _When:
+    condition: Callable[[Interface], object]
+
+
+@dataclass(frozen=True, slots=True)
+class _On:
+    names: frozenset[str]
+
+
+def at(time: str | int) -> Callable[[_Method], _Method]:
+    """Call the method once, so that what it writes is in force at this time of the run.
+
+    ``time``: as on the command line (``"0.5s"``, ``"20ms"``), or whole microseconds. No earlier
+    than behind the first tick.
+    """
+    return _marked(_At(parse_time(time) if isinstance(time, str) else time))
+
+
+def when(condition: Callable[[Interface], object]) -> Callable[[_Method], _Method]:
+    """Call the method each time that ``condition(hli)`` becomes true."""
+    return _marked(_When(condition))
+
+
+def on(*names: str) -> Callable[[_Method], _Method]:
+    """Call the method with each function of these names (``M100``, ``H7``) that appears."""
+    return _marked(_On(frozenset(name.upper() for name in names)))
+
+
+def _marked(mark: object) -> Callable[[_Method], _Method]:
+    def decorate(method: _Method) -> _Method:
+        setattr(method, _MARK, (*getattr(method, _MARK, ()), mark))
+        return method
+
+    return decorate
+
+
+@dataclass(slots=True)
+class _Memory:
+    """What a PLC remembers from tick to tick."""
+
+    inputs: list[Stimulus]
+    first_tick: int | None = None
+    done: list[tuple[str, int]] = field(default_factory=list)
+    was_true: dict[tuple[str, int], bool] = field(default_factory=dict)
+    seen: dict[tuple[bool, int], tuple[int, int]] = field(default_factory=dict)
+
+
+class Plc:
+    """Derive from it. ``acknowledge``: a policy; ``inputs``: a CSV file beside the PLC's own."""
+
+    acknowledge: ClassVar[Policy] = ALL
+    inputs: ClassVar[str | Path | None] = None
+    _folder: ClassVar[Path] = Path()
+    _marks: ClassVar[tuple[tuple[str, int, object], ...]] = ()
+    _memory: _Memory
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        file = sys._getframe(1).f_globals.get("__file__")
+        cls._folder = Path() if file is None else Path(file).parent
+        names = dict.fromkeys(name for base in reversed(cls.__mro__) for name in vars(base))
+        cls._marks = tuple(
+            (name, index, mark)
+            for name in names
+            for index, mark in enumerate(getattr(getattr(cls, name), _MARK, ()))
+        )
+
+    def __new__(cls, *words: object, **named: object) -> Self:
+        """Not ``__init__``: a class of the user's may have its own without calling ours."""
+        plc = super().__new__(cls)
+        inputs = () if cls.inputs is None else read_inputs(cls._folder / cls.inputs)
+        plc._memory = _Memory(list(inputs))
+        return plc
+
+    def each_tick(self, hli: Interface) -> None:
+        """For what has to be done behind each tick; nothing unless overridden."""
+
+    def cycle(self, hli: Interface) -> None:
+        """Behind each tick: do what is due."""
+        memory = self._memory
+        if memory.first_tick is None:
+            memory.first_tick = hli.tick
+        next_us = (hli.tick + 1 - memory.first_tick) * hli.cycle_time_us
+        while memory.inputs and memory.inputs[0].time_us <= next_us:
+            stimulus = memory.inputs.pop(0)
+            hli.write(stimulus.name, stimulus.value)
+        for name, index, mark in self._of(_At):
+            if mark.time_us <= next_us and (name, index) not in memory.done:
+                memory.done.append((name, index))
+                getattr(self, name)(hli)
+        for name, index, mark in self._of(_When):
+            is_true = bool(mark.condition(hli))
+            if is_true and not memory.was_true.get((name, index), False):
+                getattr(self, name)(hli)
+            memory.was_true[(name, index)] = is_true
+        functions = hli.functions()
+        for function in self._new(functions):
+            for name, _, mark in self._of(_On):
+                if function.name in mark.names:
+                    getattr(self, name)(hli, function)
+        self.each_tick(hli)
+        for function in functions:
+            if self.acknowledge.answers(function, hli):
+                hli.acknowledge(function)
+
+    def _of(self, kind: type[Any]) -> Iterator[tuple[str, int, Any]]:
+        """The marks of one kind."""
+        return (mark for mark in self._marks if isinstance(mark[2], kind))
+
+    def _new(self, functions: list[TechnologyEntry]) -> Iterator[TechnologyEntry]:
+        """The functions that were not there after the tick before."""
+        seen = self._memory.seen
+        for function in functions:
+            place, stamp = (
+                (function.is_realtime, function.slot),
+                (
+                    function.time_us,
+                    function.sequence,
+                ),
+            )
+            if seen.get(place) != stamp:
+                seen[place] = stamp
+                yield function

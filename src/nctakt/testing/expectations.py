@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: MIT
+"""Expectations in the comments of NC programs: text -> what to run it with, what has to happen.
+
+``; given: …`` says what a program is run with, ``; expect: …`` what has to happen; several may
+stand in one comment, divided by ``;``. An expectation behind a block is about its line.
+
+    ; given: V.E.VALUE = 5            before the first tick
+    ; given: V.E.DOOR = 1 at 20ms     at a time of the run
+    ; given: plc slow_plc.py          files and folders relative to the program
+    ; given: machine ../machine       limit 2s, after 100ms, start: it waits for HLI.START
+
+    ; expect: fired                   an $IF of a realtime cycle; fired 17 line 5
+    ; expect: M100                    a function; H7
+    ; expect: message "done"          #MSG
+    ; expect: X = 200.25 at 463ms     an axis, V.E.COUNT, PATH.SPEED …; within 0.1
+    ; expect: error 22009             in this line; warning 900302
+    ; expect: ended                   the program came to its end
+
+Behind what happens: ``at 463ms`` (``at tick 463``; several with commas), ``before TIME``,
+``after TIME``, ``never``, ``once``, ``3 times``; ``never after 1s`` counts only what is behind it.
+Behind a value ``at TIME`` or ``at end``.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal
+
+from nctakt.diagnostics import Diagnostic, Span
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.stimuli import Stimulus, parse_assignment, parse_time
+
+#: How far a value may be from the expected one unless the expectation says so.
+TOLERANCE = 1e-6
+
+Kind = Literal["fired", "function", "message", "value", "error", "ended"]
+
+_COMMENT = re.compile(r";\s*(?P<kind>expect|given):(?P<text>.*)", re.IGNORECASE)
+_LATER = re.compile(r"\s*(?P<kind>expect|given):(?P<text>.*)", re.IGNORECASE | re.DOTALL)
+_TIME = r"(?:tick\s+\d+|[\d.]+\s*(?:us|µs|ms|s|min)?)"
+_WHEN = re.compile(
+    rf"(?:\s+at\s+(?P<at>{_TIME}(?:\s*,\s*{_TIME})*)|\s+before\s+(?P<before>{_TIME})"
+    rf"|\s+after\s+(?P<after>{_TIME})|\s+(?P<never>never)|\s+(?P<once>once)"
+    r"|\s+(?P<count>\d+)\s+times)+\s*$",
+    re.IGNORECASE,
+)
+_FIRED = re.compile(r"fired(?:\s+(?P<cycle>#?\d+))?(?:\s+line\s+(?P<line>\d+))?", re.IGNORECASE)
+_FUNCTION = re.compile(r"[MH]\d+", re.IGNORECASE)
+_MESSAGE = re.compile(r'message\s+"(?P<text>.*)"', re.IGNORECASE)
+_ERROR = re.compile(r"(?P<severity>error|warning)\s+(?P<number>\d+)", re.IGNORECASE)
+_VALUE = re.compile(
+    r"(?P<name>[A-Z#][\w.#\[\]]*)\s*=\s*(?P<value>[+-]?[\d.]+(?:e[+-]?\d+)?)"
+    rf"(?:\s+within\s+(?P<within>[\d.]+))?(?:\s+at\s+(?P<at>end|{_TIME}))?\s*$",
+    re.IGNORECASE,
+)
+_FILE = re.compile(r"(?P<what>plc|machine)\s+(?P<path>\S.*)", re.IGNORECASE)
+_LIMIT = re.compile(rf"(?P<what>limit|after)\s+(?P<time>{_TIME})", re.IGNORECASE)
+_GIVEN_AT = re.compile(rf"(?P<assignment>.*=.*?)\s+at\s+(?P<time>{_TIME})", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """A time of the run in microseconds, or a tick."""
+
+    value: int
+    is_tick: bool
+
+    def us(self, cycle_time_us: int) -> int:
+        """In microseconds."""
+        return self.value * cycle_time_us if self.is_tick else self.value
+
+
+@dataclass(frozen=True, slots=True)
+class Expectation:
+    """One thing that has to happen. ``line`` is where it stands, ``text`` as it is written.
+
+    ``about``: the line that it is about, ``None``: any. ``at``: exactly these moments, all of
+    them; ``count``: how often, ``None``: at least once.
+    """
+
+    line: int
+    text: str
+    kind: Kind
+    about: int | None
+    name: str = ""
+    number: float = 0.0
+    within: float = 0.0
+    at: tuple[Moment, ...] = ()
+    before: Moment | None = None
+    after: Moment | None = None
+    count: int | None = None
+
+
+@dataclass(slots=True)
+class Script:
+    """What the comments of a program say."""
+
+    expectations: list[Expectation] = field(default_factory=list)
+    initial: dict[str, float | str] = field(default_factory=dict)
+    stimuli: list[Stimulus] = field(default_factory=list)
+    plc: str | None = None
+    machine: str | None = None
+    limit_us: int | None = None
+    after_us: int = 0
+    waits_for_start: bool = False
+
+
+def read_script(path: Path, text: str) -> Script:
+    """The expectations of a program; raises ``Failure`` with every comment that is not understood.
+
+    900660 no expectation, 900661 nothing that can be given; 900510 … 900512 for times and values.
+    """
+    script = Script()
+    found: list[Diagnostic] = []
+    for number, line in enumerate(text.splitlines(), 1):
+        match = _COMMENT.search(line)
+        if match is None:
+            continue
+        about = number if line[: match.start()].strip() else None
+        kind = match["kind"].lower()
+        for part in _parts(match["text"]):
+            later = _LATER.fullmatch(part)
+            kind, words = (later["kind"].lower(), later["text"]) if later else (kind, part)
+            try:
+                if kind == "given":
+                    _give(script, words.strip())
+                else:
+                    script.expectations.append(_expectation(words.strip(), number, about))
+            except _NotUnderstoodError:
+                span = Span(str(path), number, match.start() + 1, len(line) + 1)
+                message = 900661 if kind == "given" else 900660
+                found.append(diagnostic(message, span, line, text=words.strip()))
+            except Failure as failure:
+                found.extend(failure.diagnostics)
+    if found:
+        raise Failure(*found)
+    return script
+
+
+class _NotUnderstoodError(Exception):
+    """A comment that is no expectation."""
+
+
+def _parts(text: str) -> list[str]:
+    """What is divided by ``;`` outside of quotes."""
+    parts = [""]
+    quoted = False
+    for character in text:
+        quoted ^= character == '"'
+        if character == ";" and not quoted:
+            parts.append("")
+        else:
+            parts[-1] += character
+    return [part for part in parts if part.strip()]
+
+
+def _moment(text: str) -> Moment:
+    text = text.strip()
+    if text.lower().startswith("tick"):
+        return Moment(int(text[4:]), True)
+    return Moment(parse_time(text), False)
+
+
+def _expectation(text: str, line: int, about: int | None) -> Expectation:
+    value = _VALUE.fullmatch(text)
+    if value is not None:
+        at_end = value["at"] is None or value["at"].lower() == "end"
+        return Expectation(
+            line,
+            text,
+            "value",
+            None,
+            value["name"],
+            float(value["value"]),
+            within=float(value["within"] or TOLERANCE),
+            at=() if at_end else (_moment(value["at"]),),
+        )
+    match = _WHEN.search(text)
+    head = text if match is None else text[: match.start()]
+    kind, name, number, about = _subject(head.strip(), about)
+    if match is None:
+        return Expectation(line, text, kind, about, name, number)
+    at = tuple(_moment(one) for one in (match["at"] or "").split(",") if one.strip())
+    count = int(match["count"]) if match["count"] else 1 if match["once"] else None
+    return Expectation(
+        line,
+        text,
+        kind,
+        about,
+        name,
+        number,
+        at=at,
+        before=None if match["before"] is None else _moment(match["before"]),
+        after=None if match["after"] is None else _moment(match["after"]),
+        count=0 if match["never"] else count,
+    )
+
+
+def _subject(text: str, about: int | None) -> tuple[Kind, str, float, int | None]:
+    """What has to happen: its kind, its name or text, its number, the line that it is about."""
+    if match := _FIRED.fullmatch(text):
+        return "fired", match["cycle"] or "", 0.0, int(match["line"] or 0) or about
+    if _FUNCTION.fullmatch(text):
+        return "function", text.upper(), 0.0, about
+    if match := _MESSAGE.fullmatch(text):
+        return "message", match["text"], 0.0, about
+    if match := _ERROR.fullmatch(text):
+        return "error", match["severity"].lower(), float(match["number"]), about
+    if text.lower() == "ended":
+        return "ended", "", 0.0, None
+    raise _NotUnderstoodError
+
+
+def _give(script: Script, text: str) -> None:
+    """One thing that a program is run with."""
+    if text.lower() == "start":
+        script.waits_for_start = True
+    elif match := _FILE.fullmatch(text):
+        setattr(script, match["what"].lower(), match["path"].strip())
+    elif match := _LIMIT.fullmatch(text):
+        setattr(script, f"{match['what'].lower()}_us", parse_time(match["time"]))
+    elif match := _GIVEN_AT.fullmatch(text):
+        assignment = parse_assignment(match["assignment"])
+        script.stimuli.append(Stimulus(parse_time(match["time"]), *assignment))
+    elif "=" in text:
+        name, value = parse_assignment(text)
+        script.initial[name] = value
+    else:
+        raise _NotUnderstoodError

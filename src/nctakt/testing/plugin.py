@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""The pytest plugin: fixtures ``machine``, ``controller``, ``run_nc``; NC files as tests.
+
+pytest loads it by its entry point in each session, so nothing of nctakt is imported before a test
+asks for it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from nctakt.controller import Controller
+    from nctakt.lists.machine import MachineConfiguration
+    from nctakt.testing.shop import NcRun
+
+_EXPECTS = re.compile(rb";\s*expect:", re.IGNORECASE)
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """The entries of pytest's own configuration."""
+    parser.addini(
+        "nctakt_machine", "folder with the lists of the machine under test [demo]", default=""
+    )
+    parser.addini(
+        "nctakt_files",
+        "patterns of the NC files whose expectations are tests",
+        type="args",
+        default=["*.nc"],
+    )
+
+
+def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
+    """An NC file with at least one expectation in its comments is a test."""
+    patterns = parent.config.getini("nctakt_files")
+    if not any(file_path.match(pattern) for pattern in patterns):
+        return None
+    if not _EXPECTS.search(file_path.read_bytes()):
+        return None
+    from nctakt.testing.collecting import NcFile  # noqa: PLC0415 - see above
+
+    return NcFile.from_parent(parent, path=file_path)
+
+
+@pytest.fixture
+def machine(pytestconfig: pytest.Config) -> MachineConfiguration:
+    """The machine under test: ``nctakt_machine`` of the configuration, else the demo machine."""
+    from nctakt.testing.shop import configured_machine  # noqa: PLC0415 - see above
+
+    return configured_machine(pytestconfig)
+
+
+@pytest.fixture
+def controller(machine: MachineConfiguration) -> Controller:
+    """A controller of the machine, just started."""
+    from nctakt.controller import Controller  # noqa: PLC0415 - see above
+
+    return Controller(machine)
+
+
+@pytest.fixture
+def run_nc(controller: Controller, request: pytest.FixtureRequest) -> Callable[..., NcRun]:
+    """Runs a program on the controller: ``run_nc("part.nc")``, ``run_nc(text, plc=…)``."""
+    from nctakt.testing.shop import run_program  # noqa: PLC0415 - see above
+
+    folder = request.path.parent
+
+    def run(program: str | Path, **options: Any) -> NcRun:
+        return run_program(controller, program, folder, **options)
+
+    return run

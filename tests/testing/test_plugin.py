@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: MIT
+"""The pytest plugin: fixtures, NC files as tests, what a failing expectation shows."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from importlib.metadata import entry_points
+from pathlib import Path
+
+import pytest
+
+import nctakt
+from nctakt.failure import Failure
+from nctakt.testing.expectations import read_script
+
+ROOT = Path(__file__).parent.parent.parent
+SOURCES = Path(nctakt.__file__).parent.parent
+
+MOTION = "G00 X10\nM100\nM30\n"
+CYCLE = """\
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  $IF ONCE V.RTA.ACS.ACT_POS.X >= 5 {first}
+    M101 {second}
+  $ENDIF
+#RT CYCLE END
+G00 X10
+M30
+"""
+
+
+def plugin_words() -> list[str]:
+    """How pytest finds the plugin: by its entry point, by ``-p`` where that is not installed."""
+    known = {one.name for one in entry_points(group="pytest11")}
+    return [] if "nctakt" in known else ["-p", "nctakt.testing.plugin"]
+
+
+def run_pytest(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    """Run pytest in a folder of its own."""
+    command = [sys.executable, "-m", "pytest", *plugin_words(), "-p", "no:cacheprovider", "-q"]
+    path = os.pathsep.join(filter(None, [str(SOURCES), os.environ.get("PYTHONPATH", "")]))
+    return subprocess.run(
+        [*command, "-W", "error", *words],
+        cwd=folder,
+        check=False,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        env={**os.environ, "PYTHONPATH": path, "PYTHONIOENCODING": "utf-8"},
+        timeout=300,
+    )
+
+
+def project(folder: Path, **files: str) -> Path:
+    """A folder with an empty configuration and these files, ``_`` for the dot in their names."""
+    (folder / "pytest.ini").write_text("[pytest]\n", "utf-8")
+    for name, text in files.items():
+        stem, _, suffix = name.rpartition("_")
+        (folder / f"{stem}.{suffix}").write_text(text, "utf-8")
+    return folder
+
+
+def failure(tmp_path: Path, text: str, **files: str) -> str:
+    """What pytest shows of a program whose expectations are not met."""
+    done = run_pytest(project(tmp_path, part_nc=text, **files))
+    assert done.returncode == 1, done.stdout + done.stderr
+    return done.stdout
+
+
+def passes(tmp_path: Path, text: str, **files: str) -> None:
+    """The expectations of a program are met."""
+    done = run_pytest(project(tmp_path, part_nc=text, **files))
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "1 passed" in done.stdout
+
+
+# --- the example project ------------------------------------------------------------------------
+
+
+def test_the_example_project_passes() -> None:
+    """Everything in ``examples/testing``: three programs and five tests."""
+    done = run_pytest(ROOT / "examples" / "testing")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "8 passed" in done.stdout
+
+
+def test_the_plugin_loads_nothing_before_a_test_asks_for_it(tmp_path: Path) -> None:
+    """A session without NC programs has of nctakt only the plugin."""
+    text = (
+        "import sys\n\ndef test_it():\n"
+        "    found = sorted(one for one in sys.modules if one.startswith('nctakt'))\n"
+        "    assert found == ['nctakt', 'nctakt.testing', 'nctakt.testing.plugin']\n"
+        "    assert 'numpy' not in sys.modules\n"
+    )
+    done = run_pytest(project(tmp_path, test_light_py=text))
+    assert done.returncode == 0, done.stdout
+
+
+# --- expectations that are met ------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ("; expect: fired", "; expect: M101"),
+        ("; expect: fired 1", "; expect: m101 once"),
+        ("; expect: fired at 50ms", "; expect: M101 at tick 50"),
+        ("; expect: fired 1 line 2 once at 0.05s", "; expect: M101 before 0.1s; X = 5 at 50ms"),
+        ("; expect: fired never after 51ms", "; expect: M101 1 times after 49ms"),
+        ("; expect: ended; X = 10", "; expect: X = 7.5 within 2.6 at 50ms"),
+        ("; expect: PATH.SPEED = 200 at 50ms", "; expect: V.E.COUNT = 0 at end"),
+    ],
+)
+def test_expectations_that_are_met(tmp_path: Path, first: str, second: str) -> None:
+    """After 50 ticks X reads 5 (MO-14): the cycle fires in tick 50, M101 goes out in it."""
+    passes(tmp_path, CYCLE.format(first=first, second=second))
+
+
+def test_what_is_given_is_there(tmp_path: Path) -> None:
+    """Values before and at times, a PLC, a limit, START, time behind the end."""
+    plc = "class Slow:\n    def cycle(self, hli):\n        pass\n"
+    text = (
+        "; given: V.E.VALUE = 4; given: V.E.TRIGGER = 1 at 30ms; given: plc slow.py\n"
+        "; given: start; HLI.START = 1 at 20ms; limit 200ms; after 10ms\n"
+        "; expect: V.E.VALUE = 4 at 0s; V.E.TRIGGER = 0 at 30ms; V.E.TRIGGER = 1 at 31ms\n"
+        "; expect: X = 0 at 21ms; X = 0.002 at 22ms; M100 at 121ms; ended\n"
+    )
+    passes(tmp_path, text + MOTION, slow_py=plc)
+
+
+def test_a_program_without_expectations_is_no_test(tmp_path: Path) -> None:
+    """Comments that only sound like one are passed over."""
+    text = "; what to expect from it: nothing\n; given the time\n" + MOTION
+    assert run_pytest(project(tmp_path, part_nc=text)).returncode == 5
+
+
+def test_the_configuration_names_machine_and_files(tmp_path: Path) -> None:
+    """``nctakt_machine`` is a folder under the root, ``nctakt_files`` are patterns."""
+    machine = Path(nctakt.__file__).parent / "machines" / "demo"
+    project(tmp_path, part_nc="M100 ; expect: M100\nM30\n", other_nc="M9 ; expect: M9\n")
+    ini = f"[pytest]\nnctakt_machine = {machine}\nnctakt_files = p*.nc\n"
+    (tmp_path / "pytest.ini").write_text(ini, "utf-8")
+    done = run_pytest(tmp_path)
+    assert "1 passed" in done.stdout
+
+
+# --- expectations that are not met --------------------------------------------------------------
+
+
+def test_a_wrong_time_shows_both(tmp_path: Path) -> None:
+    """Place of the comment, what was expected, what has happened and where."""
+    shown = failure(tmp_path, CYCLE.format(first="", second="; expect: M101 at 49ms"))
+    assert "part.nc:3: expect: M101 at 49ms" in shown
+    assert "- M101 at 0.049 s, tick 49 (line 3)" in shown
+    assert "+ M101 at 0.05 s, tick 50 (line 3)" in shown
+    assert "Traceback" not in shown
+
+
+def test_a_wrong_value_shows_both(tmp_path: Path) -> None:
+    """The value at that time."""
+    shown = failure(tmp_path, "; expect: X = 5.1 at 50ms\n" + MOTION)
+    assert "- X = 5.1 at 0.05 s" in shown
+    assert "+ X = 5" in shown
+
+
+def test_what_never_happens_shows_what_did(tmp_path: Path) -> None:
+    """The functions that went out instead."""
+    shown = failure(tmp_path, "; expect: M102\n" + MOTION)
+    assert "- M102\n" in shown
+    assert "+ M102: never; but M100 at 0.1 s, tick 100 (line 3)" in shown
+
+
+def test_what_must_not_happen(tmp_path: Path) -> None:
+    """``never`` in front of a function that went out."""
+    shown = failure(tmp_path, MOTION.replace("M100", "M100 ; expect: M100 never"))
+    assert "- M100 never (line 2)" in shown
+    assert "+ M100 at 0.1 s, tick 100 (line 2)" in shown
+
+
+def test_all_that_is_wrong_is_told_at_once(tmp_path: Path) -> None:
+    """Three expectations that are not met, in their order."""
+    shown = failure(tmp_path, '; expect: M102; M103; message "a; b"\n' + MOTION)
+    found = re.findall(r"part\.nc:1: expect: (.*)", shown)
+    assert found[:3] == ["M102", "M103", 'message "a; b"']
+
+
+def test_an_error_that_nobody_expects_fails(tmp_path: Path) -> None:
+    """With its place and its remedy; the other expectations are looked at all the same."""
+    shown = failure(tmp_path, "; expect: ended\nG01 X10 F0\nM30\n")
+    assert "error 20008" in shown
+    assert "nobody expects this error" in shown
+    assert "+ error after 0" in shown
+
+
+def test_an_expected_error_in_another_line(tmp_path: Path) -> None:
+    """The line counts where the expectation stands behind a block."""
+    shown = failure(tmp_path, "M100 ; expect: error 20008\nG01 X10 F0\nM30\n")
+    assert "- 20008 (line 1)" in shown
+    assert "+ line 2: 20008" in shown
+
+
+def test_comments_that_are_not_understood_are_all_told(tmp_path: Path) -> None:
+    """900660 and 900661 with place and remedy; times and values by their own numbers."""
+    text = "; expect: M100 soon\n; given: tea\n; expect: fired at 1parsec\nM30\n"
+    with pytest.raises(Failure) as caught:
+        read_script(Path("p.nc"), text)
+    assert [found.id for found in caught.value.diagnostics] == [900660, 900661, 900660]
+    assert "part.nc:1:1: error 900660" in failure(tmp_path, text)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("; given: plc none.py; expect: ended\n", "900500"),
+        ("; given: V.E.NOTHING = 1; expect: ended\n", "V.E.NOTHING"),
+        ("; expect: V.E.NOTHING = 1\n", "V.E.NOTHING"),
+        ("; given: machine nowhere; expect: ended\n", "nowhere"),
+        ("; given: V.E.VALUE = part; expect: ended\n", "900512"),
+    ],
+)
+def test_what_cannot_be_had_is_a_diagnostic(tmp_path: Path, text: str, words: str) -> None:
+    """Not a traceback through our code."""
+    shown = failure(tmp_path, text + MOTION)
+    assert words in shown
+    assert "Traceback" not in shown
+
+
+# --- fixtures -----------------------------------------------------------------------------------
+
+
+FIXTURES = '''
+import pytest
+
+TEXT = """
+#RT CYCLE [ID = 1 SCOPE = PROG]
+$IF ONCE V.RTA.ACS.ACT_POS.X >= 5
+M101
+H7
+$ENDIF
+#RT CYCLE END
+G00 X10
+#MSG ["there"]
+M30
+"""
+
+
+def test_questions(run_nc):
+    run = run_nc(TEXT.replace("H7", "H100"))
+    assert run.ended
+    assert run.fired(cycle=1, line=3).times == [0.05]
+    assert run.m_function(101).tick == 50
+    assert run.h_function(100, line=5)
+    assert not run.m_function(101, line=9)
+    assert run.message("there").at == 0.1
+    assert run.messages == ["there"]
+    assert run.axis("X").position_at(0) == 0
+    assert run.axis("X").position_at(0.05) == pytest.approx(5)
+    assert run.axis("X").actual_position_at(0.05) == pytest.approx(5)
+    assert run.axis("X").end_position == 10
+    assert run.errors == []
+
+
+def test_wrong_time(run_nc):
+    run = run_nc(TEXT.replace("H7", "H100"))
+    assert run.m_function(102), "shows what was put out"
+
+
+def test_wrong_ending(run_nc):
+    assert run_nc("G01 X1 F0\\nM30\\n").ended
+
+
+def test_two_runs_on_one_controller(run_nc, controller, machine):
+    assert run_nc("V.E.COUNT = 3\\nM30\\n").ended
+    assert run_nc("G00 X1\\nM30\\n", signals=["V.E.COUNT"]).value_at("V.E.COUNT", 0) == 3
+    assert controller.read("V.RTA.ACS.ACT_POS.X") == 1
+    assert controller.machine is machine
+'''
+
+
+def test_the_fixtures_answer_in_the_words_of_the_shop_floor(tmp_path: Path) -> None:
+    """What fails shows what has happened instead."""
+    done = run_pytest(project(tmp_path, test_shop_py=FIXTURES))
+    assert "2 failed, 2 passed" in done.stdout, done.stdout
+    assert "<M102: never; but M101 at 0.05 s, tick 50 (line 4)" in done.stdout
+    assert "<error after 0" in done.stdout
+    assert "error 20008" in done.stdout

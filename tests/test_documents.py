@@ -359,6 +359,9 @@ class _Names:
     def variable(self, cell: int) -> str:
         return str(cell)
 
+    def axis(self, index: int) -> str:
+        return str(index)
+
     def message(self, number: int) -> str:
         return str(number)
 
@@ -384,10 +387,11 @@ def test_the_kinds_of_events_are_those_of_the_code() -> None:
         value
         for name, value in vars(record).items()
         if name.isupper() and isinstance(value, int) and not name.endswith("_WIDTH")
-        if not name.startswith("ENDED_BY")
+        if not name.startswith(("ENDED_BY", "MOTION_"))
     )
     decoder = EventDecoder(1000, _Names())
     with_choices = (record.CREATED, record.ENDED, record.USER_VALUE, record.USER_TEXT)
+    with_choices += (record.AXIS_ENDED, record.AXIS_CHANGED)
     numbers = (0.0, -1.0, 50900.0, 900302.0)  # an M and an H function, an error and a warning
     told = {
         event.kind

@@ -25,6 +25,7 @@ from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.panel import Panel
 from nctakt.kernel.path import Path as KernelPath
 from nctakt.kernel.record import Record
+from nctakt.kernel.single_axes import SingleAxes
 from nctakt.kernel.timers import Timers
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.lists.machine import MachineConfiguration
@@ -48,8 +49,11 @@ _DIAGNOSIS_LEVEL_CELL = 2
 class Registry:
     """The names behind the numbers of events; they stay valid for the controller's life."""
 
-    def __init__(self, files: SourceFiles, variable: Callable[[int], str]) -> None:
+    def __init__(
+        self, files: SourceFiles, variable: Callable[[int], str], axes: Sequence[str]
+    ) -> None:
         self._files = files
+        self._axes = axes
         self._variable = variable
         self._cycle_names: list[str] = [""]
         self._anonymous = 0
@@ -73,6 +77,10 @@ class Registry:
     def variable(self, cell: int) -> str:
         """The name of the variable in a memory cell."""
         return self._variable(cell)
+
+    def axis(self, index: int) -> str:
+        """The name of an axis of the machine."""
+        return self._axes[index]
 
     def message(self, number: int) -> str:
         """The text of a message."""
@@ -212,10 +220,11 @@ class Machine:
         self.cells = memoryview(self.memory).cast("d")
         self.record = Record(self.memory)
         self.axes = Axes(self.memory, layout.axis_cell(0), len(configuration.axes))
+        self.single_axes = self._single_axes()
         self.channels = [
             self._channel(index, layout) for index in range(len(configuration.channels))
         ]
-        self.kernel = Kernel(self.memory, self.axes, self.channels, self.record)
+        self.kernel = Kernel(self.memory, self.axes, self.channels, self.record, self.single_axes)
         self.names = layout.tables[0]
         self.layout = layout
         self._tables = layout.tables
@@ -224,10 +233,48 @@ class Machine:
         first = configuration.channels[0]
         self.offsets = ActiveOffsets(self.members, first.zero_offsets, first.clamp_offsets)
         self.files = SourceFiles()
-        self.registry = Registry(self.files, self._name_of_cell)
+        self.registry = Registry(self.files, self._name_of_cell, self._axis_names())
         self.panel = {one.name: one for one in panel_values(layout.panel_cell(0))}
         self.access = VariableAccess(self.names, self.panel, self.memory, self.kernel)
         self._cell_names: dict[int, str] = {}
+
+    def _axis_names(self) -> list[str]:
+        """What the axes are called: by their channel, else by their list."""
+        names = [axis.name for axis in self.configuration.axes]
+        for channel in self.configuration.channels:
+            for axis in channel.axes:
+                names[axis.index] = axis.name
+        return names
+
+    def _single_axes(self) -> SingleAxes:
+        """What moves the axes on their own, with the limits of their lists."""
+        made = SingleAxes(self.axes, self.record, self.configuration.cycle_time_us)
+        jerky = {
+            axis.index
+            for channel in self.configuration.channels
+            if channel.parameters.program_start.slope_profile != 0
+            for axis in channel.axes
+        }
+        for index, axis in enumerate(self.configuration.axes):
+            self.axes.set_override(index, axis.override_mode, axis.max_override_pct)
+            if axis.is_modulo:
+                self.axes.set_modulo(index, axis.dynamics.modulo_low, axis.modulo_range)
+            slope = axis.dynamics.jerk_slope
+            has_jerk = index in jerky and slope.jerk > 0.0
+            if axis.enable_single_axis:
+                made.configure(
+                    index,
+                    low=axis.software_limit_low,
+                    high=axis.software_limit_high,
+                    speed=axis.max_speed,
+                    acceleration=(
+                        min(slope.least_acceleration, axis.dynamics.max_acceleration)
+                        if has_jerk
+                        else axis.max_acceleration
+                    ),
+                    jerk=slope.jerk if has_jerk else 0.0,
+                )
+        return made
 
     def _channel(self, index: int, layout: Layout) -> Channel:
         configuration = self.configuration.channels[index]
@@ -251,6 +298,7 @@ class Machine:
                 configuration.startup.look_ahead_blocks,
                 parameters.max_override_pct,
             ),
+            self.single_axes,
         )
         limits = parameters.realtime_cycles
         context = channel.context
@@ -277,6 +325,10 @@ class Machine:
     def path_stands(self) -> bool:
         """Whether nothing moves on the channel's path."""
         return bool(self.channels[0].path.has_stopped())
+
+    def stands(self) -> bool:
+        """Whether path and axes stand, but for independent motions without an end (RC-006)."""
+        return self.path_stands() and self.single_axes.ending_count() == 0
 
     def surroundings(
         self,

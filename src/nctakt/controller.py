@@ -310,6 +310,8 @@ class Controller:
         while self.tick < min(stop, end):
             self._advance(min(stop, end, self.tick + PROGRESS_TICKS))
             self._tell_progress(on_progress, min(stop, end))
+        while self.tick < end and not self._machine.stands():
+            self._advance(self.tick + 1)
         if self._channel.is_stopped:
             return "error"
         return "limit" if self.tick < stop else "ended"
@@ -342,7 +344,7 @@ class Controller:
 
     def _come_to_a_stand(self, end: int) -> None:
         """Run on until an error or a reset has braked the path."""
-        while self.tick < end and (self._channel.is_resetting or not self._machine.path_stands()):
+        while self.tick < end and (self._channel.is_resetting or not self._machine.stands()):
             self._advance(self.tick + 1)
 
     def _tell_progress(

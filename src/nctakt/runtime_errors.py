@@ -56,10 +56,22 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
             values = {"timer": int(a)}
         case 900346:
             values = {"variable": machine.registry.variable(machine.kernel.image.next_refused())}
-        case 900420:
-            values = {}
         case 900460 | 900461:
             values = {"value": number_text(a)}
+        case 900420 | 900435:
+            values = {"axis": machine.registry.axis(int(machine.channels[0].error_detail))}
+        case 50966 | 900430 | 900431 | 900433:
+            values = {"axis": machine.registry.axis(int(a))}
+        case 900432:
+            axis = machine.configuration.axes[int(a)]
+            values = {
+                "axis": machine.registry.axis(int(a)),
+                "target": number_text(b),
+                "low": number_text(axis.software_limit_low),
+                "high": number_text(axis.software_limit_high),
+            }
+        case 900434 | 900436:
+            values = {"axis": machine.registry.axis(machine.single_axes.next_failed())}
         case _:
             raise AssertionError(number)
     line = "" if event.span is None else machine.files.line_at(event.span)

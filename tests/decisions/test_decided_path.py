@@ -54,9 +54,11 @@ def test_g00_ends_with_an_exact_stop_where_the_channel_says_so() -> None:
     assert ticks_of("G00 X2\nM30") == 45
 
 
-def test_a_modulo_axis_runs_on() -> None:
-    """Positions of a rotary modulo axis are not wrapped, and it has no software limits."""
-    assert left("G00 A725\nM30", "V.RTA.ACS.ACT_POS.A") == 725.0
+def test_a_modulo_axis_shows_positions_in_its_range() -> None:
+    """A725 turns twice and 5° (2014 + 90 ticks at 360 °/s), and shows 5°; A-5 shows 355°."""
+    assert left("G00 A725\nM30", "V.RTA.ACS.ACT_POS.A") == 5.0
+    assert left("G00 A-5\nM30", "V.RTA.ACS.ACT_POS.A") == 355.0
+    assert ticks_of("G00 A725\nM30") == 2104
 
 
 def test_a_target_beyond_a_software_limit_gives_the_program_up() -> None:

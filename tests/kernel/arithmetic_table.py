@@ -37,6 +37,7 @@ UNARY = (
     "is_bit_pattern",
 )
 BINARY = ("divide", "modulo", "power", "arc_tangent_2", "bit_and", "bit_or", "bit_xor")
+TERNARY = ("within",)
 
 
 def operands() -> list[float]:
@@ -66,6 +67,9 @@ def table() -> dict[str, list[str]]:
     for name in BINARY:
         function = getattr(arithmetic, name)
         found[name] = [bits_of(function(left, right)) for left, right in pairs]
+    for name in TERNARY:
+        function = getattr(arithmetic, name)
+        found[name] = [bits_of(function(left, right, 360.0)) for left, right in pairs]
     return found
 
 

@@ -68,6 +68,8 @@ def _setting(chance: random.Random) -> str:
 def violations(positions: Sequence[float], name: str, jerk_mm: float = 0.0) -> list[str]:
     """Where an axis is faster than it may, or changes its speed more than it may, in a tick."""
     path = np.concatenate([[0.0] * 3, np.asarray(positions), [positions[-1]] * 3])
+    if name == "A":  # a modulo axis is shown within its range
+        path = np.unwrap(path, period=360.0)
     speed = np.diff(path)
     step = np.diff(speed)
     found = []

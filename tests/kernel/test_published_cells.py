@@ -52,6 +52,7 @@ def test_every_cell_of_an_axis_holds_what_its_name_says() -> None:
     for axis, target in targets.items():
         position = positions[axis]
         expected = {"OVERRIDE.VEL.CYCLE": 33.0 if axis == "Y" else 100.0}
+        expected["STATE"] = 1.0 if axis == "Z" else 6.0
         for system in ("ACS", "MCS", "PCS", "IPO"):
             expected[f"{system}.ACT_POS"] = position
             expected[f"{system}.CUR_POS"] = position

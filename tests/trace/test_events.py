@@ -29,6 +29,9 @@ class Names:
     def message(self, number: int) -> str:
         return {3: "tool; worn <out>"}[number]
 
+    def axis(self, index: int) -> str:
+        return {2: "Z"}[index]
+
     def variable_text(self, number: int) -> str:
         return {4: "V.E.ASYNC"}[number]
 

@@ -17,6 +17,8 @@ cpdef double truncate(double value) noexcept nogil
 cpdef double fraction(double value) noexcept nogil
 @cython.locals(below=double, rest=double)
 cpdef double round_half_even(double value) noexcept nogil
+@cython.locals(inside=double)
+cpdef double within(double value, double low, double full) noexcept nogil
 cpdef double square_root(double value) noexcept nogil
 cpdef double exponential(double value) noexcept nogil
 cpdef double decimal_exponential(double value) noexcept nogil

@@ -85,6 +85,14 @@ def round_half_even(value: float) -> float:
     return below
 
 
+def within(value: float, low: float, full: float) -> float:
+    """``value`` less so many times ``full`` (> 0) that it lies in [``low``, ``low + full``)."""
+    if low <= value < low + full:
+        return value
+    inside = value - full * floor((value - low) / full)
+    return inside if low <= inside < low + full else low
+
+
 def square_root(value: float) -> float:
     """SQRT; NaN for a negative operand."""
     if value < 0.0 or value != value:

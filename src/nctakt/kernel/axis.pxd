@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of axis.py.
 cimport cython
+from nctakt.kernel cimport arithmetic
 from nctakt.kernel.coordinates cimport Offsets
 
 cdef class Axes:
@@ -10,6 +11,15 @@ cdef class Axes:
     cdef double[::1] command
     cdef double[::1] actual
     cdef double[::1] target
+    cdef double[::1] modulo_low
+    cdef double[::1] modulo_range
+    cdef bint has_modulo
+    cdef long long[::1] on_path
+    cdef long long[::1] independent
+    cdef long long[::1] override_mode
+    cdef double[::1] override_pct
+    cdef double[::1] max_override_pct
+    cdef double[::1] independent_pct
     cdef readonly Offsets offsets
     cdef bint has_moved
 
@@ -17,5 +27,12 @@ cdef class Axes:
     cdef void begin_tick(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, base=Py_ssize_t)
     cdef void publish(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t, k=Py_ssize_t, base=Py_ssize_t)
+    cdef void wrap(self) noexcept nogil
+    @cython.locals(low=double)
+    cdef void wrap_cell(self, Py_ssize_t i, Py_ssize_t cell) noexcept nogil
+    @cython.locals(base=Py_ssize_t, pct=double)
+    cdef void publish_override(self, Py_ssize_t i, double operator_pct) noexcept nogil
+    cdef void show_state(self, Py_ssize_t i, int state) noexcept nogil
     cdef void set_offset(self, Py_ssize_t axis, int kind, double value) noexcept nogil
     cdef void publish_system(self, Py_ssize_t i, Py_ssize_t base, double offset) noexcept nogil

@@ -7,10 +7,15 @@ Arrays over the axes, since the tick walks over all of them. Each axis has a row
 memory, in the order of ``nc/names.py`` (``AXIS_VARIABLES``): positions in ACS, MCS, PCS and IPO
 (RC-304). PCS differs by the offsets in ``coordinates.py``. The simulated drive follows at
 once: actual position = command position (MO-15).
+
+Command and target of a modulo axis run on over the range while it moves; the cells show them within
+it. ``on_path`` tells which axes the current block moves, ``independent`` which ones move on their
+own (MO-13); ``independent_pct`` is the override of the latter (RC-305).
 """
 
 from __future__ import annotations
 
+from nctakt.kernel import arithmetic
 from nctakt.kernel.coordinates import Offsets
 
 
@@ -24,6 +29,18 @@ class Axes:
         self.command = memoryview(bytearray(8 * count)).cast("d")
         self.actual = memoryview(bytearray(8 * count)).cast("d")
         self.target = memoryview(bytearray(8 * count)).cast("d")
+        self.modulo_low = memoryview(bytearray(8 * count)).cast("d")
+        self.modulo_range = memoryview(bytearray(8 * count)).cast("d")
+        self.has_modulo = False
+        self.on_path = memoryview(bytearray(8 * count)).cast("q")
+        self.independent = memoryview(bytearray(8 * count)).cast("q")
+        self.override_mode = memoryview(bytearray(8 * count)).cast("q")
+        self.override_pct = memoryview(bytearray(8 * count)).cast("d")
+        self.max_override_pct = memoryview(bytearray(8 * count)).cast("d")
+        self.independent_pct = memoryview(bytearray(8 * count)).cast("d")
+        for i in range(count):
+            self.override_pct[i] = 100.0
+            self.max_override_pct[i] = 100.0
         self.offsets = Offsets(count)
         self.has_moved = True
 
@@ -31,7 +48,7 @@ class Axes:
         """Read actual positions; the CYCLE overrides are 100 % again (RC-305)."""
         for i in range(self.count):
             self.actual[i] = self.command[i]
-            self.cells[self.first_cell + i * 20 + 15] = 100.0
+            self.cells[self.first_cell + i * 21 + 15] = 100.0
 
     def publish(self) -> None:
         """Write what cycles, decoder and trace read."""
@@ -39,13 +56,44 @@ class Axes:
             return
         self.has_moved = False
         for i in range(self.count):
-            base = self.first_cell + i * 20
+            base = self.first_cell + i * 21
             self.cells[base] = self.command[i]
             self.cells[base + 1] = self.command[i]
             self.cells[base + 2] = self.target[i]
             self.publish_system(i, base + 3, 0.0)
             self.publish_system(i, base + 7, self.offsets.program[i])
             self.publish_system(i, base + 11, 0.0)
+        if self.has_modulo:
+            self.wrap()
+
+    def wrap(self) -> None:
+        """Bring the published positions of modulo axes into their range."""
+        for i in range(self.count):
+            if self.modulo_range[i] > 0.0:
+                base = self.first_cell + i * 21
+                for k in range(3):
+                    self.wrap_cell(i, base + k)
+                    self.wrap_cell(i, base + 3 + k)
+                    self.wrap_cell(i, base + 7 + k)
+                    self.wrap_cell(i, base + 11 + k)
+
+    def wrap_cell(self, i: int, cell: int) -> None:
+        """Bring one position into the range."""
+        low = self.modulo_low[i]
+        self.cells[cell] = arithmetic.within(self.cells[cell], low, self.modulo_range[i])
+
+    def publish_override(self, i: int, operator_pct: float) -> None:
+        """The override of an independent motion: of the channel or the axis (P-AXIS-00491)."""
+        base = self.first_cell + i * 21
+        pct = operator_pct
+        if self.override_mode[i] == 1:
+            pct = min(pct, self.override_pct[i])
+        elif self.override_mode[i] == 2:
+            pct = self.override_pct[i]
+        pct = min(pct * self.cells[base + 15] / 100.0, self.max_override_pct[i])
+        self.independent_pct[i] = pct
+        if pct != self.cells[base + 16]:
+            self.cells[base + 16] = arithmetic.round_half_even(pct)
 
     def publish_system(self, i: int, base: int, offset: float) -> None:
         """Command, actual and target position and distance to go in one system."""
@@ -53,6 +101,10 @@ class Axes:
         self.cells[base + 1] = self.command[i] - offset
         self.cells[base + 2] = self.target[i] - offset
         self.cells[base + 3] = self.target[i] - self.command[i]
+
+    def show_state(self, i: int, state: int) -> None:
+        """Publish the PLCopen state of an axis (``single_axes.py``)."""
+        self.cells[self.first_cell + i * 21 + 20] = state
 
     def set_offset(self, axis: int, kind: int, value: float) -> None:
         """Another offset is active: the positions in PCS differ from now on (MO-8)."""
@@ -68,6 +120,17 @@ class Axes:
     def shift(self, index: int, kind: int, value: float) -> None:
         """``set_offset`` for Python's side: before the first tick."""
         self.set_offset(index, kind, value)
+
+    def set_modulo(self, index: int, low: float, full: float) -> None:
+        """Let the positions of an axis repeat after ``full`` (P-AXIS-00015)."""
+        self.modulo_low[index] = low
+        self.modulo_range[index] = full
+        self.has_modulo = True
+
+    def set_override(self, index: int, mode: int, most_pct: float) -> None:
+        """P-AXIS-00491 and P-AXIS-00109 of an axis."""
+        self.override_mode[index] = mode
+        self.max_override_pct[index] = most_pct
 
     def positions(self) -> list[float]:
         """The command positions: for Python's side."""

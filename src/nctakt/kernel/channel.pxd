@@ -8,6 +8,7 @@ from nctakt.kernel.memory cimport Context
 from nctakt.kernel.panel cimport Panel
 from nctakt.kernel.record cimport Record
 from nctakt.kernel.ring cimport CommandRing
+from nctakt.kernel.single_axes cimport SingleAxes
 
 cdef class Channel(CommandRing):
     cdef double[::1] cells
@@ -34,9 +35,11 @@ cdef class Channel(CommandRing):
     cdef bint is_reset_due
     cdef readonly int error_message
 
+    @cython.locals(commands=Py_ssize_t, single=Py_ssize_t)
     cdef Py_ssize_t event_bound(self) noexcept nogil
     cdef int needs_python(self) noexcept nogil
     cdef int is_idle(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self, long long tick) noexcept nogil
     @cython.locals(base=Py_ssize_t)
     cdef void take_commands(self, long long tick) noexcept nogil
@@ -44,7 +47,7 @@ cdef class Channel(CommandRing):
     cdef int enter_block(self, Py_ssize_t base) noexcept nogil
     @cython.locals(kind=int)
     cdef int take(self, long long tick, Py_ssize_t base) noexcept nogil
-    @cython.locals(is_current=bint)
+    @cython.locals(is_current=bint, message=int)
     cdef int take_block(self, Py_ssize_t base) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int, detail=double)
     cdef int take_cycle(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
@@ -70,6 +73,10 @@ cdef class Channel(CommandRing):
     cdef void publish_block(self) noexcept nogil
     @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int)
     cdef void go_on(self, double factor, int stops) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef int axes_stand(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t, message=int)
+    cdef void report_axes(self) noexcept nogil
     @cython.locals(state=int)
     cdef void end_tick(self) noexcept nogil
     cdef void begin_reset(self) noexcept nogil

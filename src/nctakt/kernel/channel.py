@@ -19,6 +19,7 @@ from nctakt.kernel.memory import Context
 from nctakt.kernel.path import Path
 from nctakt.kernel.record import Record
 from nctakt.kernel.ring import CommandRing
+from nctakt.kernel.single_axes import SingleAxes
 from nctakt.kernel.timers import Timers
 
 #: Commands that take time below which the kernel asks for more.
@@ -39,6 +40,7 @@ class Channel(CommandRing):
         timers: Timers,
         max_override_pct: float,
         ahead: LookAhead,
+        single_axes: SingleAxes,
     ) -> None:
         super().__init__(path, ahead)
         self.cells = memoryview(memory).cast("d")
@@ -49,7 +51,7 @@ class Channel(CommandRing):
         self.panel = hli.panel
         self.manager = manager
         self.max_override_pct = max_override_pct
-        self.context = Context(memory, record, hli, timers)
+        self.context = Context(memory, record, hli, timers, single_axes)
         self.low_water = max(LOW_WATER, ahead.blocks)
         self.decoder_open = False
         self.wants_slot = False
@@ -82,7 +84,9 @@ class Channel(CommandRing):
 
     def event_bound(self) -> int:
         """The most events that one tick can record: a few for each command, cycle and slot."""
-        return 8 + 3 * (self.tail - self.head) + self.manager.events_bound + self.manager.capacity
+        commands = self.tail - self.head
+        single = self.context.single_axes.event_bound(commands)
+        return 8 + single + 3 * commands + self.manager.events_bound + self.manager.capacity
 
     # --- the tick -------------------------------------------------------------------------------
 
@@ -122,6 +126,8 @@ class Channel(CommandRing):
             self.is_reset_due = False
             self.hli.clear()
             self.manager.reset()
+            for i in range(self.path.count):
+                self.context.single_axes.reset(self.path.members[i])
         self.cells[self.first_cell] = 100.0
 
     def take_commands(self, tick: int) -> None:
@@ -197,9 +203,11 @@ class Channel(CommandRing):
             if self.head == self.begun:
                 self.begun = -1
             return 1
-        if self.queue[base] == 1.0 and not self.path.starts_where_axes_stand(base, self.queue):
-            self.report(int(self.queue[base + 1]), 900420, 0.0)
-            return 1
+        if self.queue[base] == 1.0:
+            message = self.path.refusal(base, self.queue)
+            if message:
+                self.report(int(self.queue[base + 1]), message, self.path.refused_axis)
+                return 1
         self.path.begin(base, self.queue, 0.0)
         self.manager.enter_block(self.path.serial)
         return 1
@@ -346,6 +354,8 @@ class Channel(CommandRing):
             base = position % self.capacity * self.width
             kind = int(self.queue[base])
             if kind == 1:
+                if self.path.refusal(base, self.queue):
+                    return
                 self.begun = position
                 self.path.begin(base, self.queue, self.path.left_t)
                 self.publish_block()
@@ -361,13 +371,31 @@ class Channel(CommandRing):
         if self.path.stands():
             if self.waiting in (9, 10):
                 self.answer_waiting()
-            if self.is_resetting:
+            if self.is_resetting and self.axes_stand():
                 self.end_reset()
+        if self.context.single_axes.fault_count > 0:
+            self.report_axes()
         self.hli.run_default_plc(self.context.tick)
         self.panel.publish(state, self.error_message)
         self.cells[self.first_cell + 6] = self.path.speed_v
         self.cells[self.first_cell + 8] = self.manager.running_count
         self.cells[self.first_cell + 9] = self.path.rest_d()
+
+    def axes_stand(self) -> int:
+        """Whether no axis of the channel moves on its own."""
+        for i in range(self.path.count):
+            if not self.context.single_axes.is_free(self.path.members[i]):
+                return 0
+        return 1
+
+    def report_axes(self) -> None:
+        """An independent motion of one of the channel's axes has failed: error state."""
+        for i in range(self.path.count):
+            message = self.context.single_axes.take_fault(self.path.members[i])
+            if message:
+                self.error_message = message
+                self.error_pending = True
+                self.is_stopped = True
 
     def answer_waiting(self) -> None:
         """Flush and synchronous read at the head: answered with the values of now."""

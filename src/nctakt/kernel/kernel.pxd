@@ -5,6 +5,7 @@ from nctakt.kernel.axis cimport Axes
 from nctakt.kernel.channel cimport Channel
 from nctakt.kernel.image cimport InterfaceImage
 from nctakt.kernel.record cimport Record
+from nctakt.kernel.single_axes cimport SingleAxes
 
 cdef class Lane:
     cdef int needs_python(self) noexcept nogil
@@ -27,6 +28,7 @@ cdef class Kernel:
     cdef long long[::1] words
     cdef Axes axes
     cdef Record record
+    cdef SingleAxes single_axes
     cdef readonly InterfaceImage image
     cdef Lane lane
     cdef readonly long long tick

@@ -18,6 +18,7 @@ from nctakt.kernel.axis import Axes
 from nctakt.kernel.channel import Channel
 from nctakt.kernel.image import InterfaceImage
 from nctakt.kernel.record import Record
+from nctakt.kernel.single_axes import SingleAxes
 
 # Why ``run`` returned.
 DONE = 0
@@ -88,10 +89,16 @@ class Kernel:
     """The realtime part of one machine."""
 
     def __init__(
-        self, memory: bytearray, axes: Axes, channels: list[Channel], record: Record
+        self,
+        memory: bytearray,
+        axes: Axes,
+        channels: list[Channel],
+        record: Record,
+        single_axes: SingleAxes,
     ) -> None:
         self.words = memoryview(memory).cast("q")
         self.axes = axes
+        self.single_axes = single_axes
         self.record = record
         self.image = InterfaceImage(memory, record)
         lane = Lane()
@@ -162,6 +169,7 @@ class Kernel:
         self.latch_inputs()
         self.axes.begin_tick()
         self.lane.begin_tick(self.tick)
+        self.single_axes.step()
         self.axes.publish()
         self.lane.end_tick()
         if self.image.is_attached:

@@ -2,6 +2,7 @@
 # C types of memory.py.
 from nctakt.kernel.hli cimport Hli
 from nctakt.kernel.record cimport Record
+from nctakt.kernel.single_axes cimport SingleAxes
 from nctakt.kernel.timers cimport Timers
 
 cdef class Context:
@@ -9,6 +10,7 @@ cdef class Context:
     cdef Record record
     cdef Hli hli
     cdef Timers timers
+    cdef readonly SingleAxes single_axes
     cdef public long long tick
     cdef public long long serial
     cdef public long long run

@@ -9,9 +9,11 @@ a channel is its view of that block, with what the channel's cycles need beside 
 
 from __future__ import annotations
 
+from nctakt.kernel.axis import Axes
 from nctakt.kernel.hli import Hli
 from nctakt.kernel.panel import Panel
 from nctakt.kernel.record import Record
+from nctakt.kernel.single_axes import SingleAxes
 from nctakt.kernel.timers import Timers
 
 
@@ -25,11 +27,19 @@ class Context:
     which values. ``user_reaction`` is the highest RC of the ``#ERROR`` in this tick (RC-402).
     """
 
-    def __init__(self, memory: bytearray, record: Record, hli: Hli, timers: Timers) -> None:
+    def __init__(
+        self,
+        memory: bytearray,
+        record: Record,
+        hli: Hli,
+        timers: Timers,
+        single_axes: SingleAxes,
+    ) -> None:
         self.cells = memoryview(memory).cast("d")
         self.record = record
         self.hli = hli
         self.timers = timers
+        self.single_axes = single_axes
         self.tick = 0
         self.serial = 0
         self.run = 0
@@ -79,4 +89,6 @@ class Context:
 def empty_context() -> Context:
     """A context without variables, for expressions whose operands are all known."""
     memory = bytearray(8 * 10)
-    return Context(memory, Record(memory), Hli(Panel(memory, 0)), Timers(memory, 0, 1000))
+    record = Record(memory)
+    single_axes = SingleAxes(Axes(memory, 0, 0), record, 1000)
+    return Context(memory, record, Hli(Panel(memory, 0)), Timers(memory, 0, 1000), single_axes)

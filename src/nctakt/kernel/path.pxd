@@ -13,6 +13,9 @@ cdef class Path:
     cdef double cycle_time_t
     cdef double cycle_time_us
     cdef readonly Py_ssize_t width
+    cdef long long[::1] moved
+    cdef Py_ssize_t moved_count
+    cdef readonly Py_ssize_t refused_axis
     cdef Py_ssize_t ring_size
     cdef double[::1] ring
     cdef readonly long long used
@@ -37,14 +40,20 @@ cdef class Path:
 
     @cython.locals(i=Py_ssize_t)
     cdef void begin(self, Py_ssize_t queue_base, double[::1] queue, double offset_t) noexcept nogil
+    @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
+    cdef int refusal(self, Py_ssize_t queue_base, double[::1] queue) noexcept nogil
+    @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
+    cdef void claim(self) noexcept nogil
+    @cython.locals(k=Py_ssize_t)
+    cdef void release(self) noexcept nogil
+    @cython.locals(k=Py_ssize_t, axis=Py_ssize_t)
+    cdef void rest(self) noexcept nogil
     @cython.locals(way=double)
     cdef int next_stage(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t)
-    cdef int starts_where_axes_stand(self, Py_ssize_t queue_base, double[::1] queue) noexcept nogil
     @cython.locals(limit_v=double)
     cdef int step(self, double factor, int is_stopping) noexcept nogil
     cdef void set_single(self, bint is_single) noexcept nogil
-    @cython.locals(i=Py_ssize_t, base=Py_ssize_t, pct=double)
+    @cython.locals(i=Py_ssize_t)
     cdef void publish_overrides(self, double operator_pct) noexcept nogil
     cdef int step_carried(self, double factor, int is_stopping) noexcept nogil
     cdef double highest_speed(self, double factor, int is_stopping) noexcept nogil
@@ -54,9 +63,9 @@ cdef class Path:
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
     @cython.locals(end_v=double, stop_v=double, brake2=double, free_v=double)
     cdef double block_end_speed(self, double rest_d, double limit_a) noexcept nogil
-    @cython.locals(now_t=double, over_t=double, i=Py_ssize_t, end=Py_ssize_t)
+    @cython.locals(now_t=double, over_t=double, i=Py_ssize_t, k=Py_ssize_t, end=Py_ssize_t)
     cdef int advance(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t)
+    @cython.locals(i=Py_ssize_t, k=Py_ssize_t)
     cdef void move_axes(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
     cdef void abandon(self) noexcept nogil

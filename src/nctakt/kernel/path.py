@@ -33,6 +33,9 @@ class Path:
         self.cycle_time_t = cycle_time_us / 1e6
         self.cycle_time_us = cycle_time_us
         self.width = shape.width(len(members))
+        self.moved = memoryview(bytearray(8 * max(1, len(members)))).cast("q")
+        self.moved_count = 0
+        self.refused_axis = 0
         self.ring_size = RING_SIZE
         self.ring = memoryview(bytearray(8 * RING_SIZE * self.width)).cast("d")
         self.used = 0
@@ -74,9 +77,7 @@ class Path:
             self.stage = -1
             self.stage_end_d = 0.0
             self.next_stage()
-            for i in range(self.count):
-                self.axes.target[self.members[i]] = self.ring[self.base + 12 + self.count + i]
-            self.axes.has_moved = True
+            self.claim()
 
     def next_stage(self) -> int:
         """Go on to the next stage of the segment that has a way: 0 where there is none left."""
@@ -88,12 +89,39 @@ class Path:
                 return 1
         return 0
 
-    def starts_where_axes_stand(self, queue_base: int, queue: memoryview[float]) -> int:
-        """Whether a segment starts where the axes stand: the path never jumps (RC-409)."""
+    def refusal(self, queue_base: int, queue: memoryview[float]) -> int:
+        """Why the path cannot take a segment: 0 it can.
+
+        The axes that it moves must stand where it starts, since the path never jumps (RC-409), and
+        have no motion of their own (MO-13); ``refused_axis`` is the first that has not.
+        """
         for i in range(self.count):
-            if queue[queue_base + 12 + i] != self.axes.command[self.members[i]]:
-                return 0
-        return 1
+            axis = self.members[i]
+            if shape.moves(queue, queue_base, self.count, i):
+                self.refused_axis = axis
+                if self.axes.independent[axis]:
+                    return 900435
+                if queue[queue_base + 12 + i] != self.axes.command[axis]:
+                    return 900420
+        return 0
+
+    def claim(self) -> None:
+        """The axes that the segment moves belong to the path until it ends (MO-13)."""
+        self.axes.has_moved = True
+        self.moved_count = 0
+        for i in range(self.count):
+            if shape.moves(self.ring, self.base, self.count, i):
+                axis = self.members[i]
+                self.moved[self.moved_count] = i
+                self.moved_count += 1
+                self.axes.target[axis] = self.ring[self.base + 12 + self.count + i]
+                self.axes.on_path[axis] = 1
+                self.axes.show_state(axis, 6)
+
+    def release(self) -> None:
+        """The segment is over: its axes are free."""
+        for k in range(self.moved_count):
+            self.axes.on_path[self.members[self.moved[k]]] = 0
 
     def step(self, factor: float, is_stopping: int) -> int:
         """One tick with the override as a factor: 1 when the segment has ended with time left.
@@ -102,6 +130,8 @@ class Path:
         """
         if not self.is_active:
             self.speed_v = 0.0
+            if self.moved_count > 0:
+                self.rest()
             return 0
         if self.is_dwell:
             self.limit_v = 0.0 if is_stopping else -1.0
@@ -125,10 +155,15 @@ class Path:
     def publish_overrides(self, operator_pct: float) -> None:
         """TOTAL of the members' independent motions: operator's and CYCLE part (RC-305)."""
         for i in range(self.count):
-            base = self.axes.first_cell + self.members[i] * 20
-            pct = operator_pct * self.axes.cells[base + 15] / 100.0
-            if pct != self.axes.cells[base + 16]:
-                self.axes.cells[base + 16] = arithmetic.round_half_even(pct)
+            self.axes.publish_override(self.members[i], operator_pct)
+
+    def rest(self) -> None:
+        """The tick behind a segment: its axes stand, unless they move on their own by now."""
+        for k in range(self.moved_count):
+            axis = self.members[self.moved[k]]
+            if not self.axes.independent[axis]:
+                self.axes.show_state(axis, 1)
+        self.moved_count = 0
 
     def step_carried(self, factor: float, is_stopping: int) -> int:
         """The rest of a tick in the segment that has just begun: 1 when that has ended, too."""
@@ -207,22 +242,27 @@ class Path:
         end = self.base + 12 + self.count
         if self.ring[end + self.count + 4] > 0.0:
             end += self.count + 19
-        for i in range(self.count):
+        for k in range(self.moved_count):
+            i = self.moved[k]
             self.axes.command[self.members[i]] = self.ring[end + i]
         self.axes.has_moved = True
+        self.release()
         return 1 if self.ring[self.base + 8] == 0.0 and self.left_t > 0.0 else 0
 
     def move_axes(self) -> None:
         """Put the axes where they are after the way that is covered."""
         self.axes.has_moved = True
         shape.locate(self.ring, self.base, self.count, self.covered_d, self.places)
-        for i in range(self.count):
+        for k in range(self.moved_count):
+            i = self.moved[k]
             self.axes.command[self.members[i]] = self.places[i]
 
     def abandon(self) -> None:
         """Reset: the rest of the segment is dropped where the axes stand, to be read at once."""
         self.is_active = False
         self.speed_v = 0.0
+        self.release()
+        self.rest()
         for i in range(self.count):
             axis = self.members[i]
             self.axes.target[axis] = self.axes.command[axis]

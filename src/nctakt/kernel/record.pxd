@@ -37,6 +37,9 @@ cdef class Record:
     cdef void error(self, long long source, long long serial, int message, double detail) noexcept nogil
     cdef void program_end(self, long long source, long long program) noexcept nogil
     cdef void paused(self, long long source) noexcept nogil
+    cdef void axis_begun(self, long long source, long long serial, Py_ssize_t axis, double target) noexcept nogil
+    cdef void axis_ended(self, long long source, long long serial, Py_ssize_t axis, int how) noexcept nogil
+    cdef void axis_changed(self, long long source, long long serial, Py_ssize_t axis, int what) noexcept nogil
     cdef void notice(self, long long source, long long serial, int message) noexcept nogil
     cdef void frozen(self, long long source, long long serial, long long name, double value) noexcept nogil
     cdef void user_error(self, long long source, long long serial, double identity, double reaction) noexcept nogil

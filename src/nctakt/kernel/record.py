@@ -38,6 +38,9 @@ NOTICE = 14  # serial, message ID: diagnosis level 2
 USER_ERROR = 15  # serial (0: the program), ID, RC
 USER_VALUE = 16  # serial, keyword, value
 USER_TEXT = 17  # serial, keyword, number of the text
+AXIS_BEGUN = 20  # serial (0: the PLC), axis, target; endless: -1 - axis, direction
+AXIS_ENDED = 21  # serial, axis, MOTION_DONE …
+AXIS_CHANGED = 22  # serial, axis, MOTION_HELD …
 FROZEN = 40  # serial, number of the variable's text, value; the source is the access
 PAUSED = 31  # nothing; the source is what waits
 
@@ -45,6 +48,14 @@ ENDED_BY_SCOPE = 0
 ENDED_BY_DELETE = 1
 ENDED_BY_RESET = 2
 ENDED_BY_ERROR = 3
+
+MOTION_DONE = 0
+MOTION_ABORTED = 1
+MOTION_FAILED = 2
+
+MOTION_HELD = 0
+MOTION_CONTINUED = 1
+MOTION_STOPPED = 2
 
 
 class Record:
@@ -160,6 +171,18 @@ class Record:
     def notice(self, source: int, serial: int, message: int) -> None:
         """Something without effect that may be a mistake: diagnosis level 2."""
         self.event(14, source, serial, message, 0.0)
+
+    def axis_begun(self, source: int, serial: int, axis: int, target: float) -> None:
+        """An independent motion has begun; an endless one tells -1 - axis and its direction."""
+        self.event(20, source, serial, axis, target)
+
+    def axis_ended(self, source: int, serial: int, axis: int, how: int) -> None:
+        """An independent motion is done, aborted or has failed (MOTION_DONE …)."""
+        self.event(21, source, serial, axis, how)
+
+    def axis_changed(self, source: int, serial: int, axis: int, what: int) -> None:
+        """An independent motion is held, goes on, or was braked to a stand (MOTION_HELD …)."""
+        self.event(22, source, serial, axis, what)
 
     def frozen(self, source: int, serial: int, name: int, value: float) -> None:
         """An asynchronous variable became a constant of a realtime cycle (RC-302)."""

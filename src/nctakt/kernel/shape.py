@@ -50,6 +50,17 @@ def whole_way(row: memoryview[float], base: int, count: int) -> float:
     return row[base + 3] + row[base + 12 + 2 * count + 4]
 
 
+def moves(row: memoryview[float], base: int, count: int, i: int) -> int:
+    """Whether a segment moves its axis ``i``: on its way, or on the curve behind it."""
+    tail = base + 12 + 2 * count
+    target = row[base + 12 + count + i]
+    if row[base + 12 + i] != target:
+        return 1
+    if row[base + 9] == 1.0 and (row[tail + 7] == i or row[tail + 8] == i):
+        return 1
+    return 1 if row[tail + 4] > 0.0 and row[tail + 19 + i] != target else 0
+
+
 def stage_way(row: memoryview[float], base: int, count: int, stage: int) -> float:
     """The way of one stage."""
     tail = base + 12 + 2 * count

@@ -64,6 +64,18 @@ class JerkSlope:
     ramp_times_us: tuple[int, int, int, int]
     rapid_ramp_time_us: int
 
+    @property
+    def least_acceleration(self) -> float:
+        """The acceleration that never exceeds those of feed, braking and rapid."""
+        return min(self.acceleration, self.deceleration, self.rapid_acceleration)
+
+    @property
+    def jerk(self) -> float:
+        """The jerk that never exceeds those of any ramp; 0 where no ramp takes time."""
+        up, down, brake, release = self.ramp_times_us
+        longest_us = max(up, down, brake, release, self.rapid_ramp_time_us)
+        return self.least_acceleration / (longest_us / 1e6) if longest_us > 0 else 0.0
+
 
 @dataclass(frozen=True, slots=True)
 class AxisDynamics:

@@ -346,6 +346,11 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the number behind JUMPS": "die Zahl hinter JUMPS",
         "how many calls are open": "wie viele Aufrufe offen sind",
         "the parameter of the call": "der Parameter des Aufrufs",
+        "the axis": "die Achse",
+        "the first such axis": "die erste solche Achse",
+        "the target in mm or degrees": "das Ziel in mm oder Grad",
+        "the lower limit": "die untere Grenze",
+        "the upper limit": "die obere Grenze",
     }
 )
 

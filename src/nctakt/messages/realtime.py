@@ -246,14 +246,112 @@ _add(
 _add(
     900420,
     ERROR,
-    "the block does not begin where the axes stand",
-    "der Satz beginnt nicht dort, wo die Achsen stehen",
+    "the block does not begin where the axis {axis} stands",
+    "der Satz beginnt nicht dort, wo die Achse {axis} steht",
     remedy_en="Let the decoder read the positions anew before, with #FLUSH WAIT or #CHANNEL INIT.",
     remedy_de="Den Dekoder die Positionen vorher neu lesen lassen: #FLUSH WAIT, #CHANNEL INIT",
     cause_en="Something other than the path has moved an axis since the block was decoded; the "
     "path never jumps.",
     cause_de="Etwas anderes als die Bahn hat eine Achse bewegt, seit der Satz dekodiert wurde; die"
     " Bahn springt nie.",
+    parameters={"axis": "the first such axis"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    900430,
+    ERROR,
+    "the axis {axis} is being moved by the path: it takes no command of its own now",
+    "die Achse {axis} wird gerade von der Bahn bewegt: sie nimmt jetzt keinen eigenen Auftrag an",
+    remedy_en="Command the axis while no block moves it.",
+    remedy_de="Die Achse beauftragen, während kein Satz sie bewegt.",
+    cause_en="An axis has one owner at a time: the path while the current block moves it.",
+    cause_de="Eine Achse hat immer nur einen Eigentümer: die Bahn, während der aktuelle Satz sie"
+    " bewegt.",
+    parameters={"axis": "the axis"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    900431,
+    ERROR,
+    "the axis {axis} is in error state: it takes no command before a reset",
+    "die Achse {axis} ist im Fehlerzustand: vor einem Reset nimmt sie keinen Auftrag an",
+    remedy_en="Reset the channel; the error before this one tells what happened.",
+    remedy_de="Den Kanal zurücksetzen; der Fehler davor sagt, was geschehen ist.",
+    parameters={"axis": "the axis"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    900432,
+    ERROR,
+    "the target {target} of the axis {axis} lies beyond its software limits {low} … {high}",
+    "das Ziel {target} der Achse {axis} liegt außerhalb ihrer Softwareendschalter {low} … {high}",
+    remedy_en="Give a target between kenngr.swe_neg and kenngr.swe_pos, offsets included.",
+    remedy_de="Ein Ziel zwischen kenngr.swe_neg und kenngr.swe_pos angeben, samt Versätzen.",
+    parameters={
+        "axis": "the axis",
+        "target": "the target in mm or degrees",
+        "low": "the lower limit",
+        "high": "the upper limit",
+    },
+    reaction=6,
+    clearing=6,
+)
+_add(
+    900433,
+    ERROR,
+    "a motion of the axis {axis} is waiting already: only one BUFFERED motion can wait",
+    "es wartet schon eine Bewegung der Achse {axis}: nur eine BUFFERED-Bewegung kann warten",
+    remedy_en="Command the next one when the waiting one has begun, or use ABORTING.",
+    remedy_de="Die nächste erst beauftragen, wenn die wartende begonnen hat, oder ABORTING"
+    " verwenden.",
+    parameters={"axis": "the axis"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    900434,
+    ERROR,
+    "the endless motion of the axis {axis} has come to its software limit",
+    "die Endlosbewegung der Achse {axis} ist an ihrem Softwareendschalter angekommen",
+    remedy_en="Stop the axis before, or make it a modulo axis.",
+    remedy_de="Die Achse vorher stoppen oder zur Modulo-Achse machen.",
+    cause_en="It was braked so that it stands on the limit.",
+    cause_de="Sie wurde so gebremst, dass sie auf dem Endschalter steht.",
+    parameters={"axis": "the axis"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    900435,
+    ERROR,
+    "the block moves the axis {axis}, which has an independent motion",
+    "der Satz bewegt die Achse {axis}, die eine unabhängige Bewegung hat",
+    remedy_en="Let the motion end before, or stop the axis.",
+    remedy_de="Die Bewegung vorher enden lassen oder die Achse stoppen.",
+    cause_en="An axis has one owner at a time, and the path never jumps. An endless or held motion"
+    " never ends by itself.",
+    cause_de="Eine Achse hat immer nur einen Eigentümer, und die Bahn springt nie. Eine endlose"
+    " oder angehaltene Bewegung endet nie von selbst.",
+    parameters={"axis": "the axis"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    900436,
+    ERROR,
+    "the waiting motion of the axis {axis} would go beyond a software limit from where it begins",
+    "die wartende Bewegung der Achse {axis} ginge von ihrem Beginn aus über einen"
+    " Softwareendschalter",
+    remedy_en="Give a shorter distance, or an absolute target.",
+    remedy_de="Einen kürzeren Weg oder ein absolutes Ziel angeben.",
+    cause_en="A BUFFERED distance behind an endless motion begins where that one reaches its"
+    " speed.",
+    cause_de="Ein BUFFERED-Weg hinter einer Endlosbewegung beginnt dort, wo diese ihre"
+    " Geschwindigkeit erreicht.",
+    parameters={"axis": "the axis"},
     reaction=6,
     clearing=6,
 )

@@ -78,6 +78,7 @@ AXIS_VARIABLES = (
     RealtimeVariable("FIXED_STOP.ACTIVE", "BOOLEAN", "", Access.READ, Access.READ),
     RealtimeVariable("FIXED_STOP.DETECTED", "BOOLEAN", "", Access.READ, Access.READ),
     RealtimeVariable("FIXED_STOP.ACS.POS", *_POSITION),
+    RealtimeVariable("STATE", "UNS08", "", Access.NONE, Access.NONE),
 )
 
 #: What programs and cycles may do with a V.E variable.
@@ -385,7 +386,8 @@ class NameTable:
         """Every V.RTG and V.RTA value that programs know: its name, its cell."""
         for axis, number in self._axes.items():
             for row, offset in self._rta.values():
-                yield f"V.RTA.{row.path}.{axis}", self._layout.axis_cell(number) + offset
+                if row.decoder or row.cycle:
+                    yield f"V.RTA.{row.path}.{axis}", self._layout.axis_cell(number) + offset
         for row, offset in self._rtg.values():
             if row.decoder or row.cycle:
                 for index in range(max(1, row.count)):

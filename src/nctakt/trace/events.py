@@ -27,6 +27,16 @@ _ENDED_BY = {
     record.ENDED_BY_RESET: "reset",
     record.ENDED_BY_ERROR: "error",
 }
+_MOTION_ENDED = {
+    record.MOTION_DONE: "done",
+    record.MOTION_ABORTED: "aborted",
+    record.MOTION_FAILED: "failed",
+}
+_MOTION_CHANGED = {
+    record.MOTION_HELD: "held",
+    record.MOTION_CONTINUED: "continued",
+    record.MOTION_STOPPED: "stopped",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +67,9 @@ class EventNames(Protocol):
 
     def variable(self, cell: int) -> str:
         """The name of the variable in a memory cell."""
+
+    def axis(self, index: int) -> str:
+        """The name of an axis."""
 
     def message(self, number: int) -> str:
         """The text of the message with this number."""
@@ -103,6 +116,9 @@ class EventDecoder:
             record.USER_ERROR: self._user_error,
             record.USER_VALUE: self._user_value,
             record.USER_TEXT: self._user_text,
+            record.AXIS_BEGUN: self._axis_begun,
+            record.AXIS_ENDED: self._axis_ended,
+            record.AXIS_CHANGED: self._axis_changed,
         }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
@@ -163,6 +179,18 @@ class EventDecoder:
 
     def _notice(self, _kind: int, _serial: int, number: float, _b: float) -> tuple[str, str]:
         return "notice", str(int(number))
+
+    def _axis_begun(self, _kind: int, _serial: int, axis: float, target: float) -> tuple[str, str]:
+        if axis < 0:
+            direction = "positive" if target > 0 else "negative"
+            return "axis", f"{self._names.axis(-1 - int(axis))} begun {direction}"
+        return "axis", f"{self._names.axis(int(axis))} begun {number_text(target)}"
+
+    def _axis_ended(self, _kind: int, _serial: int, axis: float, how: float) -> tuple[str, str]:
+        return "axis", f"{self._names.axis(int(axis))} {_MOTION_ENDED[int(how)]}"
+
+    def _axis_changed(self, _kind: int, _serial: int, axis: float, what: float) -> tuple[str, str]:
+        return "axis", f"{self._names.axis(int(axis))} {_MOTION_CHANGED[int(what)]}"
 
     def _frozen(self, _kind: int, _serial: int, number: float, value: float) -> tuple[str, str]:
         return "frozen", f"{self._names.variable_text(int(number))} {number_text(value)}"

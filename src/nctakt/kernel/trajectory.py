@@ -1,0 +1,414 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""One axis on its own: state, target and limits -> a time-optimal motion in closed form (MO-11).
+
+A plan begins in any state (distance 0, a speed, an acceleration) and ends at rest after a distance,
+or with a speed. It is a row of phases of constant jerk; ``evaluate`` gives distance, speed and
+acceleration at any time by the polynomial of the phase. With the jerk 0 the acceleration may step:
+a trapezoid of at most three phases. Else there are at most seven: two changes of speed, each
+with three phases (the acceleration builds up, is kept, fades), and a constant speed between them.
+
+Which change of speed is looked for: let the axis brake at once, and see where it would stand. If
+the target lies beyond, it has to go on in that direction, else to come back; mirrored where need
+be, what is left to find is one number: the highest speed, or, where the axis is braking already (or
+is too fast) and only has to brake less, the acceleration between two brakings. The distance covered
+grows with that number, so it is found in a bracket; only sums, products, quotients and square roots
+are used, so that all machines find the same bits.
+
+Units: ``_d`` mm or degrees, ``_v`` per second, ``_a`` per second squared, ``_j`` per second cubed,
+``_t`` seconds.
+"""
+
+from __future__ import annotations
+
+import math
+
+# The unknown of a plan: how far its highest speed lies above the slowest that makes sense, as the
+# root of the difference; the acceleration with which ``top_v`` is passed while braking; that up to
+# which a braking is taken back.
+HIGHEST_SPEED = 0
+CROSSING = 1
+LEAST_BRAKING = 2
+
+PHASE_WIDTH = 5
+PLAN_WIDTH = 3 + 8 * PHASE_WIDTH
+
+
+class Trajectories:
+    """The plans of ``count`` axes.
+
+    A plan's row: 0 number of phases but the last, 1 duration, 2 the phase of the last evaluation;
+    then for each phase from 3 on: start time, distance, speed, acceleration, jerk. The last phase
+    goes on with the speed that was reached.
+    """
+
+    def __init__(self, count: int) -> None:
+        self.rows = memoryview(bytearray(8 * PLAN_WIDTH * max(1, count))).cast("d")
+        self.distance_d = 0.0
+        self.speed_v = 0.0
+        self.acceleration_a = 0.0
+        self.top_v = 0.0
+        self.limit_a = 0.0
+        self.limit_j = 0.0
+        self.from_v = 0.0
+        self.from_a = 0.0
+        self.middle_v = 0.0
+        self.middle_a = 0.0
+        self.slowest_v = 0.0
+        self.slowest_peak2 = 0.0
+        self.first_peak2 = 0.0
+        self.sign = 1.0
+        self.cruise_t = 0.0
+        self.first_t = 0.0
+        self.hold_t = 0.0
+        self.last_t = 0.0
+        self.peak_a = 0.0
+        self.first_j = 0.0
+        self.base = 0
+        self.count = 0
+        self.end_t = 0.0
+        self.end_d = 0.0
+        self.end_v = 0.0
+        self.side = 1.0
+
+    # --- what is asked --------------------------------------------------------------------------
+
+    def plan_distance(
+        self,
+        axis: int,
+        distance_d: float,
+        start_v: float,
+        start_a: float,
+        top_v: float,
+        limit_a: float,
+        limit_j: float,
+    ) -> None:
+        """Plan to stand after ``distance_d``, nowhere faster than ``top_v`` (> 0) but at first."""
+        self.begin(axis, top_v, limit_a, limit_j)
+        beyond_d = distance_d - self.stopping(start_v, start_a)
+        self.side = 1.0 if beyond_d >= 0.0 else -1.0
+        self.from_v = self.side * start_v
+        self.from_a = self.side * start_a
+        if limit_j == 0.0:
+            self.trapezoid(self.side * distance_d)
+        elif beyond_d * self.side <= 1e-10:
+            self.brake(self.from_v, self.from_a, 1.0 if self.settled() < 0.0 else -1.0)
+            self.append_change(0.0)
+        else:
+            self.solve(self.side * distance_d)
+            self.append_both()
+        self.finish()
+
+    def plan_speed(
+        self,
+        axis: int,
+        end_v: float,
+        start_v: float,
+        start_a: float,
+        limit_a: float,
+        limit_j: float,
+    ) -> None:
+        """Plan to reach the speed ``end_v`` as fast as possible, and to keep it."""
+        self.begin(axis, 0.0, limit_a, limit_j)
+        self.side = 1.0
+        self.from_v = start_v
+        self.from_a = start_a
+        if limit_j == 0.0:
+            rise = limit_a if end_v > start_v else 0.0 - limit_a
+            self.end_v = start_v
+            self.append((end_v - start_v) / rise, rise, 0.0)
+            self.end_v = end_v
+        else:
+            sign = 1.0 if end_v > self.settled() else -1.0
+            peak2 = self.peak2(start_v, start_a, end_v, 0.0, sign)
+            self.change(start_v, start_a, end_v, 0.0, sign, peak2)
+            self.append_change(end_v)
+        self.finish()
+
+    def evaluate(self, axis: int, time_t: float) -> None:
+        """Distance, speed and acceleration at ``time_t`` since the plan's start, never going back.
+
+        The times of one plan have to rise from call to call.
+        """
+        base = axis * 43
+        phase = int(self.rows[base + 2])
+        last = int(self.rows[base])
+        while phase < last and time_t >= self.rows[base + 8 + 5 * phase]:
+            phase += 1
+        self.rows[base + 2] = phase
+        base += 3 + 5 * phase
+        since = time_t - self.rows[base]
+        speed_v = self.rows[base + 2]
+        rise_a = self.rows[base + 3]
+        jerk = self.rows[base + 4]
+        half = 0.5 * since
+        self.distance_d = self.rows[base + 1] + since * (
+            speed_v + half * (rise_a + since * jerk / 3.0)
+        )
+        self.speed_v = speed_v + since * (rise_a + half * jerk)
+        self.acceleration_a = rise_a + since * jerk
+
+    def duration_t(self, axis: int) -> float:
+        """When the target, or the speed, is reached."""
+        return self.rows[axis * 43 + 1]
+
+    def stopping_d(self, start_v: float, start_a: float, limit_a: float, limit_j: float) -> float:
+        """The way that braking at once takes."""
+        self.limit_a = limit_a
+        self.limit_j = limit_j
+        return self.stopping(start_v, start_a)
+
+    # --- the trapezoid --------------------------------------------------------------------------
+
+    def trapezoid(self, distance_d: float) -> None:
+        """Change to the highest speed that can be used, keep it, brake."""
+        rise = self.limit_a
+        highest_v = self.top_v
+        if self.from_v > self.top_v:
+            rise = 0.0 - self.limit_a
+        else:
+            peak2 = self.limit_a * distance_d + 0.5 * self.from_v * self.from_v
+            highest_v = min(highest_v, math.sqrt(max(peak2, 0.0)))
+        first_t = max((highest_v - self.from_v) / rise, 0.0)
+        rest_d = distance_d - 0.5 * (self.from_v + highest_v) * first_t
+        rest_d -= 0.5 * highest_v * highest_v / self.limit_a
+        self.end_v = self.side * self.from_v
+        self.append(first_t, self.side * rise, 0.0)
+        self.end_v = self.side * highest_v
+        if highest_v > 0.0:
+            self.append(max(rest_d, 0.0) / highest_v, 0.0, 0.0)
+            self.append(highest_v / self.limit_a, 0.0 - self.side * self.limit_a, 0.0)
+        self.end_v = 0.0
+
+    # --- the S-curve ----------------------------------------------------------------------------
+
+    def settled(self) -> float:
+        """The speed that is left once the acceleration of the start has faded."""
+        return self.from_v + 0.5 * self.from_a * math.fabs(self.from_a) / self.limit_j
+
+    def stopping(self, start_v: float, start_a: float) -> float:
+        """The way that braking at once takes."""
+        if self.limit_j == 0.0:
+            return 0.5 * start_v * math.fabs(start_v) / self.limit_a
+        left_v = start_v + 0.5 * start_a * math.fabs(start_a) / self.limit_j
+        return self.brake(start_v, start_a, 1.0 if left_v < 0.0 else -1.0)
+
+    def peak2(
+        self, start_v: float, start_a: float, end_v: float, end_a: float, sign: float
+    ) -> float:
+        """The square of the peak that the acceleration needs for a change, where nothing limits."""
+        return 0.5 * (start_a * start_a + end_a * end_a) + sign * self.limit_j * (end_v - start_v)
+
+    def change(
+        self,
+        start_v: float,
+        start_a: float,
+        end_v: float,
+        end_a: float,
+        sign: float,
+        peak2: float,
+    ) -> float:
+        """From one speed and acceleration to another with the acceleration's peak in ``sign``.
+
+        The way; its three times, peak and first jerk are kept for ``append_change``.
+        """
+        peak_a = math.sqrt(max(peak2, 0.0))
+        self.hold_t = 0.0
+        is_held = peak_a > self.limit_a
+        if is_held:
+            peak_a = self.limit_a
+        peak_a = peak_a * sign
+        self.first_j = sign * self.limit_j
+        if sign * (peak_a - start_a) < 0.0:
+            self.first_j = 0.0 - self.first_j
+        self.first_t = (peak_a - start_a) / self.first_j
+        self.last_t = max(sign * (peak_a - end_a) / self.limit_j, 0.0)
+        if is_held:
+            ramps_v = 0.5 * (start_a + peak_a) * self.first_t + 0.5 * (peak_a + end_a) * self.last_t
+            self.hold_t = max((end_v - start_v - ramps_v) / peak_a, 0.0)
+        self.peak_a = peak_a
+        time = self.first_t
+        way_d = time * (start_v + 0.5 * time * (start_a + time * self.first_j / 3.0))
+        speed_v = start_v + 0.5 * (start_a + peak_a) * time
+        time = self.hold_t
+        way_d += time * (speed_v + 0.5 * time * peak_a)
+        speed_v += peak_a * time
+        time = self.last_t
+        return way_d + time * (speed_v + 0.5 * time * (peak_a - sign * time * self.limit_j / 3.0))
+
+    def brake(self, start_v: float, start_a: float, sign: float) -> float:
+        """``change`` to a stand."""
+        peak2 = self.peak2(start_v, start_a, 0.0, 0.0, sign)
+        return self.change(start_v, start_a, 0.0, 0.0, sign, peak2)
+
+    def solve(self, distance_d: float) -> None:
+        """Find speed and acceleration in the middle for a distance that braking at once misses."""
+        self.cruise_t = 0.0
+        settled_v = self.settled()
+        self.slowest_v = max(settled_v, 0.0)
+        rising_a = max(self.from_a, 0.0)
+        self.slowest_peak2 = rising_a * rising_a + self.limit_j * (self.slowest_v - settled_v)
+        self.sign = -1.0 if settled_v > self.top_v else 1.0
+        self.middle_v = self.top_v
+        self.middle_a = 0.0
+        self.first_peak2 = self.peak2(self.from_v, self.from_a, self.top_v, 0.0, self.sign)
+        longest_d = self.way()
+        if distance_d >= longest_d:
+            self.cruise_t = (distance_d - longest_d) / self.top_v
+        elif settled_v > self.top_v:
+            self.search(1, 0.0 - self.crossing(), 0.0, distance_d)
+        elif distance_d >= self.measure(0, 0.0):
+            self.search(0, 0.0, math.sqrt(self.top_v - self.slowest_v), distance_d)
+        else:
+            self.sign = -1.0
+            self.search(2, self.from_a, 0.0, distance_d)
+
+    def crossing(self) -> float:
+        """The deceleration with which an axis that brakes at once passes ``top_v``."""
+        rising = self.from_a * self.from_a + 2.0 * self.limit_j * (self.from_v - self.top_v)
+        peak2 = 0.5 * self.from_a * self.from_a + self.limit_j * self.from_v
+        falling = 2.0 * self.limit_j * self.top_v
+        return min(self.limit_a, math.sqrt(max(min(rising, peak2, falling), 0.0)))
+
+    def measure(self, unknown: int, value: float) -> float:
+        """The way of the whole plan for a value of the unknown (see the constants above)."""
+        if unknown == 0:
+            self.middle_v = self.slowest_v + value * value
+            self.first_peak2 = self.slowest_peak2 + self.limit_j * value * value
+            return self.way()
+        self.middle_a = value
+        self.middle_v = self.top_v
+        if unknown == 2:
+            turned = value * value - self.from_a * self.from_a
+            self.middle_v = self.from_v + 0.5 * turned / self.limit_j
+        self.first_peak2 = self.peak2(self.from_v, self.from_a, self.middle_v, value, -1.0)
+        return self.way()
+
+    def way(self) -> float:
+        """The way of both changes."""
+        way_d = self.change(
+            self.from_v, self.from_a, self.middle_v, self.middle_a, self.sign, self.first_peak2
+        )
+        return way_d + self.brake(self.middle_v, self.middle_a, -1.0)
+
+    def search(self, unknown: int, low: float, high: float, distance_d: float) -> None:
+        """Find the value between two for which the way is ``distance_d``.
+
+        Inverse quadratic interpolation through the last three values where it can be trusted, else
+        bisection (Chandrupatla 1997).
+        """
+        other, before, value = low, low, high
+        other_d = self.measure(unknown, low) - distance_d
+        before_d = other_d
+        value_d = self.measure(unknown, high) - distance_d
+        allowed_d = 1e-12 + 1e-15 * math.fabs(distance_d)
+        allowed = 1e-15 * (math.fabs(low) + math.fabs(high))
+        part = 0.5
+        for _attempt in range(100):
+            found = value + part * (other - value)
+            found_d = self.measure(unknown, found) - distance_d
+            if math.fabs(found_d) <= allowed_d or math.fabs(other - value) <= allowed:
+                return
+            if (found_d > 0.0) == (value_d > 0.0):
+                before, before_d = value, value_d
+            else:
+                before, before_d = other, other_d
+                other, other_d = value, value_d
+            value, value_d = found, found_d
+            part = 0.5
+            ratio = (value - other) / (before - other)
+            ratio_d = (value_d - other_d) / (before_d - other_d)
+            if ratio_d * ratio_d < ratio and (1.0 - ratio_d) * (1.0 - ratio_d) < 1.0 - ratio:
+                part = value_d / (other_d - value_d) * before_d / (other_d - before_d)
+                part += (
+                    (before - value)
+                    / (other - value)
+                    * value_d
+                    / (before_d - value_d)
+                    * other_d
+                    / (before_d - other_d)
+                )
+
+    # --- the row of phases ----------------------------------------------------------------------
+
+    def begin(self, axis: int, top_v: float, limit_a: float, limit_j: float) -> None:
+        """An empty plan."""
+        self.base = axis * 43
+        self.rows[self.base + 2] = 0.0
+        self.count = 0
+        self.end_t = 0.0
+        self.end_d = 0.0
+        self.end_v = 0.0
+        self.top_v = top_v
+        self.limit_a = limit_a
+        self.limit_j = limit_j
+
+    def append(self, time_t: float, start_a: float, jerk_j: float) -> None:
+        """Append a phase, unless it takes no time."""
+        if time_t <= 0.0:
+            return
+        place = self.base + 3 + 5 * self.count
+        self.count += 1
+        self.rows[place] = self.end_t
+        self.rows[place + 1] = self.end_d
+        self.rows[place + 2] = self.end_v
+        self.rows[place + 3] = start_a
+        self.rows[place + 4] = jerk_j
+        self.end_t += time_t
+        self.end_d += time_t * (self.end_v + 0.5 * time_t * (start_a + time_t * jerk_j / 3.0))
+        self.end_v += time_t * (start_a + 0.5 * time_t * jerk_j)
+
+    def append_both(self) -> None:
+        """Append both changes that ``solve`` has found, and the constant speed between them."""
+        self.change(
+            self.from_v, self.from_a, self.middle_v, self.middle_a, self.sign, self.first_peak2
+        )
+        self.append_change(self.middle_v)
+        self.append(self.cruise_t, 0.0, 0.0)
+        self.from_v = self.middle_v
+        self.from_a = self.middle_a
+        self.brake(self.from_v, self.from_a, -1.0)
+        self.append_change(0.0)
+
+    def append_change(self, end_v: float) -> None:
+        """Append the three phases of a change that ends with exactly the speed ``end_v``."""
+        if self.count == 0:
+            self.end_v = self.side * self.from_v
+        self.append(self.first_t, self.side * self.from_a, self.side * self.first_j)
+        self.append(self.hold_t, self.side * self.peak_a, 0.0)
+        fading_j = self.limit_j if self.peak_a < 0.0 else 0.0 - self.limit_j
+        self.append(self.last_t, self.side * self.peak_a, self.side * fading_j)
+        self.end_v = self.side * end_v
+
+    def finish(self) -> None:
+        """The last phase: what has been reached is kept."""
+        self.rows[self.base] = self.count
+        self.rows[self.base + 1] = self.end_t
+        place = self.base + 3 + 5 * self.count
+        self.rows[place] = self.end_t
+        self.rows[place + 1] = self.end_d
+        self.rows[place + 2] = self.end_v
+        self.rows[place + 3] = 0.0
+        self.rows[place + 4] = 0.0
+
+    # --- Python's side --------------------------------------------------------------------------
+
+    def prepare_distance(
+        self, distance: float, v: float, a: float, top_v: float, limit_a: float, limit_j: float
+    ) -> float:
+        """``plan_distance`` of axis 0: the duration."""
+        self.plan_distance(0, distance, v, a, top_v, limit_a, limit_j)
+        return self.duration_t(0)
+
+    def prepare_speed(
+        self, speed: float, v: float, a: float, limit_a: float, limit_j: float
+    ) -> float:
+        """``plan_speed`` of axis 0: the duration."""
+        self.plan_speed(0, speed, v, a, limit_a, limit_j)
+        return self.duration_t(0)
+
+    def at(self, time_t: float) -> tuple[float, float, float]:
+        """Distance, speed and acceleration of axis 0."""
+        self.evaluate(0, time_t)
+        return self.distance_d, self.speed_v, self.acceleration_a

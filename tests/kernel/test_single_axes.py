@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: MIT
+"""Independent motion in the realtime part (MO-11, MO-13), commanded from Python's side.
+
+Demo machine: T 1 ms, ±10 000 mm, 500 mm/s, 4000 mm/s², trapezoid; A modulo 360°.
+"""
+
+from __future__ import annotations
+
+import pytest
+from kernel_rig import Rig
+
+from nctakt.trace.events import EventDecoder
+
+X, Y, Z, A = range(4)
+ABORTING, BUFFERED = 0, 1
+CUR, SHORTEST = 0, 2
+STANDSTILL, DISCRETE, CONTINUOUS, STOPPING, ERROR_STOP, SYNCHRONIZED = range(1, 7)
+OWNER = 7
+
+
+class AxesRig(Rig):
+    """A rig that keeps the position of one axis and the texts of all events, tick by tick."""
+
+    def __init__(self, axis: int = Z) -> None:
+        super().__init__()
+        self.axis = axis
+        self.single = self.machine.single_axes
+        self.places: list[float] = []
+        self.told: list[tuple[int, str]] = []
+        self._decoder = EventDecoder(1000, self.machine.registry)
+
+    def run(self, ticks: int) -> list[float]:
+        before = len(self.places)
+        for _ in range(ticks):
+            self.machine.reserve()
+            self.machine.kernel.run(1)
+            tick = len(self.places)
+            rows = self._decoder.decode(self.machine.record.take_events())
+            self.told += [(tick, str(event)) for event in rows]
+            self.machine.record.take_probes()
+            self.places.append(self.machine.axes.positions()[self.axis])
+        return self.places[before:]
+
+    def run_to_stand(self, most: int = 100_000) -> int:
+        """Run until the axis stands: the ticks that it took."""
+        for ticks in range(most):
+            if self.single.ending_count() == 0:
+                return ticks
+            self.run(1)
+        raise AssertionError("the axis never stands")
+
+    def state(self) -> int:
+        return self.single.state_of(self.axis)[0]
+
+    def absolute(self, target: float, speed: float = 500.0, mode: int = ABORTING) -> int:
+        return self.single.absolute(self.axis, target, speed, mode, SHORTEST, OWNER)
+
+
+def assert_no_step(places: list[float], *, top: float = 500.0, rise: float = 4000.0) -> None:
+    """From rest at 0: mean speeds within the limits, those of neighbours at most a·T apart."""
+    before = 0.0
+    for first, second in zip([0.0, *places], places, strict=False):
+        speed = (second - first) / 0.001
+        assert abs(speed) <= top + 1e-6
+        assert abs(speed - before) <= rise * 0.001 + 1e-6
+        before = speed
+
+
+def test_a_trapezoid_by_hand() -> None:
+    """MO-11, MO-14: 10 mm at 100 mm/s: 25 ms to accelerate (1.25 mm), 75 ms, 25 ms to brake.
+
+    After i ticks 2·i² µm, from 25 on 1250 + 100·(i - 25) µm; 125 ticks; the end is exact.
+    """
+    rig = AxesRig()
+    assert rig.absolute(10.0, 100.0) == 0
+    assert rig.run_to_stand() == 125
+    assert rig.places[9] == pytest.approx(0.2)
+    assert rig.places[24] == pytest.approx(1.25)
+    assert rig.places[49] == pytest.approx(3.75)
+    assert rig.places[124] == 10.0
+    assert rig.told == [(0, "axis Z begun 10"), (124, "axis Z done")]
+
+
+def test_states_of_a_motion() -> None:
+    """PLCopen: Standstill, DiscreteMotion, Stopping while it brakes, Standstill."""
+    rig = AxesRig()
+    assert rig.state() == STANDSTILL
+    rig.absolute(100.0)
+    rig.run(10)
+    assert rig.state() == DISCRETE
+    assert rig.single.halt(Z, OWNER) == 0
+    rig.run(5)
+    assert rig.state() == STOPPING
+    rig.run_to_stand()
+    assert rig.state() == STANDSTILL
+    assert [text for _, text in rig.told] == [
+        "axis Z begun 100",
+        "axis Z aborted",
+        "axis Z stopped",
+    ]
+
+
+def test_stop_brakes_from_its_tick_on() -> None:
+    """At 40 mm/s after 10 ticks (0.2 mm): 10 ticks and 0.2 mm more."""
+    rig = AxesRig()
+    rig.absolute(100.0)
+    rig.run(10)
+    rig.single.halt(Z, OWNER)
+    assert rig.run_to_stand() == 10
+    assert rig.places[-1] == pytest.approx(0.4)
+
+
+def test_aborting_takes_over_the_speed() -> None:
+    """MO-11: another target against the motion: no step in position or speed, then exact."""
+    rig = AxesRig()
+    rig.absolute(100.0)
+    rig.run(60)
+    rig.absolute(-5.0)
+    rig.run_to_stand()
+    assert_no_step(rig.places)
+    assert rig.places[-1] == -5.0
+
+
+def test_buffered_begins_in_the_tick_behind() -> None:
+    """The waiting motion begins where the first one ends, with an exact stop between (MO-14)."""
+    rig = AxesRig()
+    rig.absolute(10.0, 100.0)
+    assert rig.absolute(20.0, 100.0, BUFFERED) == 0
+    assert rig.absolute(30.0, 100.0, BUFFERED) == 900433
+    assert rig.run_to_stand() == 250
+    assert rig.places[124] == 10.0
+    assert rig.places[125] == pytest.approx(10.002)
+    assert rig.places[-1] == 20.0
+    assert rig.single.opened(OWNER) == 0
+
+
+def test_buffered_distance_counts_from_the_target_in_front() -> None:
+    """G91 with BUFFERED: 10 mm, then 5 mm more."""
+    rig = AxesRig()
+    rig.absolute(10.0)
+    assert rig.single.relative(Z, 5.0, 500.0, BUFFERED, OWNER) == 0
+    assert rig.single.opened(OWNER) == 2
+    rig.run_to_stand()
+    assert rig.places[-1] == 15.0
+
+
+def test_endless_and_the_motion_that_waits_for_its_speed() -> None:
+    """PLCopen: a motion behind MC_MoveVelocity begins when that one has reached its speed."""
+    rig = AxesRig()
+    assert rig.single.velocity(Z, 100.0, 1, ABORTING, OWNER) == 0
+    rig.run(24)
+    assert rig.state() == CONTINUOUS
+    assert not rig.single.at_speed(Z)
+    rig.run(1)
+    assert rig.single.at_speed(Z)
+    rig.run(10)
+    assert rig.places[-1] == pytest.approx(1.25 + 1.0)
+    rig.absolute(50.0, 100.0, BUFFERED)
+    rig.run_to_stand()
+    assert rig.places[-1] == 50.0
+    assert_no_step(rig.places, top=100.0)
+
+
+def test_endless_at_a_software_limit() -> None:
+    """RC-405: brakes to stand on the limit, then an error; ErrorStop until a reset."""
+    rig = AxesRig()
+    rig.absolute(9990.0)
+    rig.run_to_stand()
+    rig.single.velocity(Z, 500.0, 1, ABORTING, OWNER)
+    rig.run(200)
+    assert rig.places[-1] == 10_000.0
+    assert rig.state() == ERROR_STOP
+    assert rig.absolute(0.0) == 900431
+    assert [text for _, text in rig.told[-3:]] == [
+        "axis Z begun positive",
+        "error 900434",
+        "axis Z failed",
+    ]
+    assert_no_step(rig.places)
+    rig.channel.clear_error()
+    rig.channel.request_reset()
+    rig.run(2)
+    assert rig.state() == STANDSTILL
+    assert rig.absolute(0.0) == 0
+
+
+def test_a_target_beyond_a_limit_moves_nothing() -> None:
+    """RC-406."""
+    rig = AxesRig()
+    assert rig.absolute(10_000.5) == 900432
+    assert rig.single.relative(Z, -10_000.5, 500.0, ABORTING, OWNER) == 900432
+    assert rig.run(3) == [0.0, 0.0, 0.0]
+    assert rig.told == []
+
+
+def test_hold_and_continue() -> None:
+    """RC-111: brakes from that tick on, keeps its target, goes on from the state of now."""
+    rig = AxesRig()
+    rig.absolute(10.0, 100.0)
+    rig.run(50)
+    rig.single.command_owner("hold", OWNER)
+    rig.run(10)
+    assert rig.state() == STOPPING
+    rig.run(15)
+    assert rig.state() == STANDSTILL
+    assert rig.places[-1] == pytest.approx(5.0)
+    assert rig.single.opened(OWNER) == 1
+    assert rig.run(5) == [rig.places[-1]] * 5
+    rig.single.command_owner("resume", OWNER)
+    rig.run(10)
+    rig.single.command_owner("hold", OWNER)
+    rig.run(2)
+    rig.single.command_owner("resume", OWNER)
+    rig.run_to_stand()
+    assert rig.places[-1] == 10.0
+    assert_no_step(rig.places, top=100.0)
+
+
+def test_abort_drops_held_and_waiting_motions() -> None:
+    """RC-111: ABORT ACTION."""
+    rig = AxesRig()
+    rig.absolute(10.0, 100.0)
+    rig.absolute(20.0, 100.0, BUFFERED)
+    rig.run(50)
+    rig.single.command_owner("hold", OWNER)
+    rig.run(30)
+    rig.single.command_owner("abort", OWNER)
+    assert rig.single.opened(OWNER) == 0
+    rig.run(5)
+    assert rig.state() == STANDSTILL
+    assert rig.places[-1] == pytest.approx(5.0)
+    texts = [text for _, text in rig.told]
+    assert texts == ["axis Z begun 10", "axis Z held", *["axis Z aborted"] * 2, "axis Z stopped"]
+
+
+def test_motions_that_go_on_without_their_owner() -> None:
+    """RC-110: MOVE_CONT."""
+    rig = AxesRig()
+    rig.absolute(10.0)
+    rig.run(5)
+    rig.single.command_owner("leave", OWNER)
+    assert rig.single.opened(OWNER) == 0
+    rig.run_to_stand()
+    assert rig.places[-1] == 10.0
+
+
+def test_modulo_the_short_way_and_a_given_direction() -> None:
+    """MO-11: from 350° to 10° is 20° forward the short way, 340° back in negative direction."""
+    rig = AxesRig(A)
+    rig.absolute(350.0)
+    rig.run_to_stand()
+    assert min(rig.places) == pytest.approx(-10.0, abs=0.01)
+    assert rig.places[-1] == 350.0
+    rig.absolute(10.0)
+    rig.run_to_stand()
+    assert max(rig.places) == pytest.approx(370.0, abs=0.01)
+    assert rig.places[-1] == 10.0
+    rig.single.absolute(A, 350.0, 360.0, ABORTING, 1, OWNER)
+    first = len(rig.places)
+    rig.run_to_stand()
+    assert min(rig.places[first:]) > 10.0
+    assert rig.places[-1] == 350.0
+    rig.single.absolute(A, 10.0, 360.0, ABORTING, -1, OWNER)
+    rig.run_to_stand()
+    assert rig.places[-1] == 10.0
+
+
+def test_modulo_never_comes_back_in_a_given_direction() -> None:
+    """A target that lies within the braking distance is reached a turn later."""
+    rig = AxesRig(A)
+    rig.single.velocity(A, 360.0, 1, ABORTING, OWNER)
+    rig.run(500)
+    here = rig.places[-1]
+    rig.single.absolute(A, (here + 1.0) % 360.0, 360.0, ABORTING, 1, OWNER)
+    rig.run_to_stand()
+    assert max(rig.places) == pytest.approx(here + 361.0, abs=0.01)
+    assert_no_step(rig.places[:-1], top=360.0)
+
+
+def test_the_path_owns_what_its_block_moves() -> None:
+    """MO-13: a command for an axis of the current block is refused; another axis takes it."""
+    rig = AxesRig(X)
+    rig.segment(10.0)
+    rig.run(5)
+    assert rig.state() == SYNCHRONIZED
+    assert rig.absolute(50.0) == 900430
+    assert rig.single.absolute(Z, 5.0, 500.0, ABORTING, SHORTEST, OWNER) == 0
+    rig.run_to_the_end()
+    assert rig.places[-1] == 10.0
+    rig.run(1)
+    assert rig.state() == STANDSTILL
+
+
+def test_the_path_does_not_take_an_axis_in_motion() -> None:
+    """MO-13: the block is an error, and nothing jumps."""
+    rig = AxesRig(X)
+    rig.absolute(5.0)
+    rig.run(3)
+    rig.segment(10.0)
+    rig.run(1)
+    assert rig.told[-1][1] == "error 900435"
+    rig.channel.clear_error()
+    rig.run_to_stand()
+    assert rig.places[-1] == 5.0
+
+
+def test_reset_brakes_and_ends_when_all_stands() -> None:
+    """RC-007: 40 mm/s take 10 ticks to brake; the reset is over when the axis stands."""
+    rig = AxesRig()
+    rig.absolute(100.0)
+    rig.run(10)
+    rig.channel.request_reset()
+    ticks = 0
+    while rig.channel.is_resetting:
+        rig.run(1)
+        ticks += 1
+    assert ticks == 10
+    assert rig.state() == STANDSTILL
+    assert_no_step(rig.places)

@@ -13,7 +13,6 @@ cdef class Axes:
     cdef double[::1] target
     cdef double[::1] modulo_low
     cdef double[::1] modulo_range
-    cdef bint has_modulo
     cdef long long[::1] on_path
     cdef long long[::1] independent
     cdef long long[::1] override_mode
@@ -25,14 +24,10 @@ cdef class Axes:
 
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, base=Py_ssize_t)
+    @cython.locals(i=Py_ssize_t, base=Py_ssize_t, here=double, there=double, rest=double, offset=double)
     cdef void publish(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, k=Py_ssize_t, base=Py_ssize_t)
-    cdef void wrap(self) noexcept nogil
-    @cython.locals(low=double)
-    cdef void wrap_cell(self, Py_ssize_t i, Py_ssize_t cell) noexcept nogil
     @cython.locals(base=Py_ssize_t, pct=double)
     cdef void publish_override(self, Py_ssize_t i, double operator_pct) noexcept nogil
     cdef void show_state(self, Py_ssize_t i, int state) noexcept nogil
     cdef void set_offset(self, Py_ssize_t axis, int kind, double value) noexcept nogil
-    cdef void publish_system(self, Py_ssize_t i, Py_ssize_t base, double offset) noexcept nogil
+    cdef void publish_system(self, Py_ssize_t base, double here, double there, double rest) noexcept nogil

@@ -31,7 +31,6 @@ class Axes:
         self.target = memoryview(bytearray(8 * count)).cast("d")
         self.modulo_low = memoryview(bytearray(8 * count)).cast("d")
         self.modulo_range = memoryview(bytearray(8 * count)).cast("d")
-        self.has_modulo = False
         self.on_path = memoryview(bytearray(8 * count)).cast("q")
         self.independent = memoryview(bytearray(8 * count)).cast("q")
         self.override_mode = memoryview(bytearray(8 * count)).cast("q")
@@ -57,30 +56,26 @@ class Axes:
         self.has_moved = False
         for i in range(self.count):
             base = self.first_cell + i * 21
-            self.cells[base] = self.command[i]
-            self.cells[base + 1] = self.command[i]
-            self.cells[base + 2] = self.target[i]
-            self.publish_system(i, base + 3, 0.0)
-            self.publish_system(i, base + 7, self.offsets.program[i])
-            self.publish_system(i, base + 11, 0.0)
-        if self.has_modulo:
-            self.wrap()
-
-    def wrap(self) -> None:
-        """Bring the published positions of modulo axes into their range."""
-        for i in range(self.count):
+            here = self.command[i]
+            there = self.target[i]
             if self.modulo_range[i] > 0.0:
-                base = self.first_cell + i * 21
-                for k in range(3):
-                    self.wrap_cell(i, base + k)
-                    self.wrap_cell(i, base + 3 + k)
-                    self.wrap_cell(i, base + 7 + k)
-                    self.wrap_cell(i, base + 11 + k)
+                here = arithmetic.within(here, self.modulo_low[i], self.modulo_range[i])
+                there = arithmetic.within(there, self.modulo_low[i], self.modulo_range[i])
+            self.cells[base] = here
+            self.cells[base + 1] = here
+            self.cells[base + 2] = there
+            rest = self.target[i] - self.command[i]
+            self.publish_system(base + 3, here, there, rest)
+            offset = self.offsets.program[i]
+            self.publish_system(base + 7, here - offset, there - offset, rest)
+            self.publish_system(base + 11, here, there, rest)
 
-    def wrap_cell(self, i: int, cell: int) -> None:
-        """Bring one position into the range."""
-        low = self.modulo_low[i]
-        self.cells[cell] = arithmetic.within(self.cells[cell], low, self.modulo_range[i])
+    def publish_system(self, base: int, here: float, there: float, rest: float) -> None:
+        """Command, actual and target position and distance to go in one system."""
+        self.cells[base] = here
+        self.cells[base + 1] = here
+        self.cells[base + 2] = there
+        self.cells[base + 3] = rest
 
     def publish_override(self, i: int, operator_pct: float) -> None:
         """The override of an independent motion: of the channel or the axis (P-AXIS-00491)."""
@@ -94,13 +89,6 @@ class Axes:
         self.independent_pct[i] = pct
         if pct != self.cells[base + 16]:
             self.cells[base + 16] = arithmetic.round_half_even(pct)
-
-    def publish_system(self, i: int, base: int, offset: float) -> None:
-        """Command, actual and target position and distance to go in one system."""
-        self.cells[base] = self.command[i] - offset
-        self.cells[base + 1] = self.command[i] - offset
-        self.cells[base + 2] = self.target[i] - offset
-        self.cells[base + 3] = self.target[i] - self.command[i]
 
     def show_state(self, i: int, state: int) -> None:
         """Publish the PLCopen state of an axis (``single_axes.py``)."""
@@ -125,7 +113,6 @@ class Axes:
         """Let the positions of an axis repeat after ``full`` (P-AXIS-00015)."""
         self.modulo_low[index] = low
         self.modulo_range[index] = full
-        self.has_modulo = True
 
     def set_override(self, index: int, mode: int, most_pct: float) -> None:
         """P-AXIS-00491 and P-AXIS-00109 of an axis."""

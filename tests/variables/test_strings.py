@@ -143,11 +143,11 @@ def test_a_bare_text_variable_is_read_and_dropped(texts: Machine) -> None:
 
 
 def test_a_synchronous_text_is_written_in_its_tick() -> None:
-    """RC-308: behind the motion that stands before it, in front of the one behind it."""
+    """RC-308: behind the motion before it (with exact stop), in front of the one behind it."""
     m = demo()
     m.controller.write("V.E.TEXT", "before")
     m.controller.step(1)
-    m.controller.start(NcText("p.nc", 'G01 X1 F600\nV.E.TEXT = "after"\nG01 X2\nM30'))
+    m.controller.start(NcText("p.nc", 'G60 G01 X1 F600\nV.E.TEXT = "after"\nG01 X2\nM30'))
     seen = []
     for _ in range(150):
         m.controller.step(1)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import importlib.util
 import io
+import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
@@ -145,7 +146,7 @@ class _Drawing:
             buffer = io.BytesIO()
             metadata = {"Software": None} if format_ == "png" else {"Date": None, "Creator": None}
             sheet.savefig(buffer, format=format_, metadata=metadata)
-        return buffer.getvalue()
+        return buffer.getvalue() if format_ == "png" else _with_steady_names(buffer.getvalue())
 
     def _text(self, text: Text) -> str:
         return text.get(self._language)
@@ -245,6 +246,18 @@ class _Drawing:
                 color=_MARK_COLOURS[marks[0].kind],
                 annotation_clip=False,
             )
+
+
+def _with_steady_names(svg: bytes) -> bytes:
+    """The names of its clip paths and markers numbered: some are made of places in memory."""
+    names: dict[bytes, bytes] = {}
+    for found in re.finditer(rb'id="([a-zA-Z][0-9a-f]{10})"', svg):
+        names.setdefault(found[1], b"i%d" % len(names))
+    return re.sub(
+        rb'(id="|url\(#|href="#)([a-zA-Z][0-9a-f]{10})(?=["\)])',
+        lambda found: found[1] + names.get(found[2], found[2]),
+        svg,
+    )
 
 
 def _points(*axes: AxisMotion) -> list[Any]:

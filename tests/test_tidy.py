@@ -41,6 +41,7 @@ STAGES = (
     ("assembly",),
     ("interface", "loading", "runtime_errors", "stimuli"),
     ("checking", "feed", "plc"),
+    ("channelrun",),
     ("controller",),
     ("schedule",),
     ("linux",),

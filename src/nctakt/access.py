@@ -8,7 +8,8 @@ latches (RC-002). Values are checked when they come (RC-307); what cannot be is 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from nctakt.failure import Failure
@@ -22,6 +23,16 @@ from nctakt.nc.cells import CELL_BYTES
 from nctakt.nc.names import Location, NameTable, NotFound
 from nctakt.text import nearest
 
+_CHANNEL = re.compile(r"\s*[Cc][Hh](\d{1,4})\.")
+
+
+def split_channel(name: str) -> tuple[str, int, str]:
+    """``CH2.V.E.X`` -> ``("CH2.", 2, "V.E.X")``; channel 1 for a name without one."""
+    match = _CHANNEL.match(name)
+    if match is None:
+        return "", 1, name
+    return match[0].strip(), int(match[1]), name[match.end() :]
+
 
 @dataclass(frozen=True, slots=True)
 class Write:
@@ -32,40 +43,54 @@ class Write:
 
 
 class VariableAccess:
-    """The variables of one channel, with the writes that wait for the next tick."""
+    """The variables of all channels, with the writes that wait for the next tick.
+
+    ``CH2.V.E.X`` is that of the second channel; without a channel a name is the first one's.
+    ``panels`` are the operator's values of each channel.
+    """
 
     def __init__(
         self,
-        names: NameTable,
-        panel: Mapping[str, PanelValue],
+        names: Sequence[NameTable],
+        panels: Sequence[Mapping[str, PanelValue]],
         memory: bytearray,
         kernel: Kernel,
     ) -> None:
         self._names = names
-        self._panel = panel
+        self._panels = panels
         self._bytes = memoryview(memory)
         self._cells = self._bytes.cast("d")
         self._kernel = kernel
         self._pending: dict[int, float | bytes] = {}
 
     def _find(self, name: str) -> tuple[Location, int]:
-        found = self._names.resolve_text(name)
+        prefix, number, path = split_channel(name)
+        names = self._names[self._index(number)]
+        found = names.resolve_text(path)
         if isinstance(found, NotFound):
-            near = found.nearest or nearest(name, (known for known, _, _ in self._names.values()))
+            near = found.nearest or nearest(path, (known for known, _, _ in names.values()))
             if near:
-                raise Failure(diagnostic(900541, name=name, nearest=near))
+                raise Failure(diagnostic(900541, name=name, nearest=f"{prefix}{near}"))
             raise Failure(diagnostic(900540, name=name))
         return found
 
     def _find_panel(self, name: str) -> PanelValue | None:
         """The operator's value of this name; ``None`` for a variable."""
-        upper = name.strip().upper()
+        prefix, number, path = split_channel(name)
+        upper = path.strip().upper()
         if not upper.startswith(PREFIX):
             return None
-        found = self._panel.get(upper)
+        panel = self._panels[self._index(number)]
+        found = panel.get(upper)
         if found is None:
-            raise Failure(diagnostic(900541, name=name, nearest=nearest(upper, self._panel)))
+            near = f"{prefix}{nearest(upper, panel)}"
+            raise Failure(diagnostic(900541, name=name, nearest=near))
         return found
+
+    def _index(self, number: int) -> int:
+        if not 0 < number <= len(self._names):
+            raise Failure(diagnostic(900749, channel=number, count=len(self._names)))
+        return number - 1
 
     def read(self, name: str) -> float | bool | str:
         """The value of a variable; a value that waits for the next tick is read already."""

@@ -7,7 +7,8 @@ knows the names behind the numbers of events.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 
 from nctakt.access import VariableAccess
 from nctakt.decoder.commands import UserMessage
@@ -16,7 +17,7 @@ from nctakt.decoder.offsets import ActiveOffsets
 from nctakt.decoder.preparation import look_ahead
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.diagnostics import Diagnostic, Span
-from nctakt.hli.layout import PANEL_CELLS, panel_values
+from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.channel import Channel
 from nctakt.kernel.cycles import CycleManager, RealtimeCycle
@@ -28,10 +29,10 @@ from nctakt.kernel.record import Record
 from nctakt.kernel.single_axes import SingleAxes
 from nctakt.kernel.timers import Timers
 from nctakt.lists.channel_configuration import ChannelParameters
-from nctakt.lists.machine import MachineConfiguration
+from nctakt.lists.machine import ChannelConfiguration, MachineConfiguration
 from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
-from nctakt.nc.names import ChannelNames, Layout, Location
+from nctakt.nc.names import ChannelNames, Layout, Location, NameTable
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import FrozenValue, Reaction
 from nctakt.sources import SourceFiles
@@ -56,7 +57,7 @@ class Registry:
         self._axes = axes
         self._variable = variable
         self._cycle_names: list[str] = [""]
-        self._anonymous = 0
+        self._anonymous: dict[int, int] = {}
         self._probes = 0
         self._messages: list[UserMessage] = []
         self._programs: list[str] = []
@@ -121,13 +122,15 @@ class Registry:
         """Serial number and first probe of the cycle that is defined next."""
         return len(self._cycle_names), self._probes
 
-    def keep(self, definition: CycleDefinition) -> None:
-        """A cycle was built."""
+    def keep(self, definition: CycleDefinition, channel: int = 0) -> None:
+        """A cycle was built, in this channel where there is more than one."""
         assert definition.serial == len(self._cycle_names)
         name = str(definition.identity)
         if definition.identity == 0:
-            self._anonymous += 1
-            name = f"#{self._anonymous}"
+            self._anonymous[channel] = self._anonymous.get(channel, 0) + 1
+            name = f"#{self._anonymous[channel]}"
+        if channel:
+            name = f"{channel}:{name}"
         self._cycle_names.append(name)
         self._probes += definition.cycle.probes
         self._latest[name] = definition
@@ -141,7 +144,7 @@ class Registry:
             del self._living[cycle.serial]
             name = self._cycle_names[cycle.serial]
             self._past_runs[name] = self._past_runs.get(name, 0) + cycle.runs
-            if name.startswith("#"):
+            if "#" in name:
                 del self._latest[name]
 
     def add_message(self, message: UserMessage) -> int:
@@ -197,8 +200,64 @@ def _begins_at(span: Span, place: Span | None) -> bool:
     return (span.file, span.line, span.column) == (place.file, place.line, place.column)
 
 
+@dataclass(frozen=True, slots=True)
+class AssembledChannel:
+    """What belongs to one channel; ``index`` counts from 0, ``members`` are indices of axes.
+
+    ``panel`` are the operator's values by name, ``offsets`` those that count for its axes.
+    """
+
+    index: int
+    configuration: ChannelConfiguration
+    names: NameTable
+    members: tuple[int, ...]
+    panel: Mapping[str, PanelValue]
+    offsets: ActiveOffsets
+
+    @property
+    def parameters(self) -> ChannelParameters:
+        """Its list."""
+        return self.configuration.parameters
+
+    @property
+    def prefix(self) -> str:
+        """What stands in front of its names where there is more than one channel."""
+        return f"CH{self.index + 1}."
+
+
+def _offsets_of(channel: ChannelConfiguration) -> ActiveOffsets:
+    members = [axis.index for axis in channel.axes]
+    return ActiveOffsets(members, channel.zero_offsets, channel.clamp_offsets)
+
+
+def _signals_of(channel: AssembledChannel) -> dict[str, tuple[int, str, bool]]:
+    """What can be recorded of a channel."""
+    rows = channel.names.signals()
+    known = {name: (cell, row.unit, row.type != "REAL64") for name, cell, row in rows}
+    for name, cell, type_ in channel.names.values():
+        scalar = SCALARS[type_]
+        if scalar.is_numeric:
+            known[name] = (cell, "", scalar.is_integer)
+    for value in channel.panel.values():
+        entry = value.entry
+        known[value.name] = (value.cell, entry.unit, entry.type != "REAL64")
+    return known
+
+
+def _default_signals(channel: AssembledChannel) -> list[str]:
+    names = [
+        f"{axis.name}.ACS.{position}"
+        for position in ("ACT_POS", "CUR_POS")
+        for axis in channel.configuration.axes
+    ]
+    return [*names, "PATH.SPEED", "OVERRIDE.VEL.TOTAL", "BLOCK", "CYCLES.ACTIVE"]
+
+
 class Machine:
-    """One machine's realtime part with its names; the first channel is the one that runs."""
+    """One machine's realtime part with its names.
+
+    ``names``, ``parameters`` and ``members`` are those of the first channel.
+    """
 
     def __init__(self, configuration: MachineConfiguration) -> None:
         self.configuration = configuration
@@ -225,17 +284,28 @@ class Machine:
             self._channel(index, layout) for index in range(len(configuration.channels))
         ]
         self.kernel = Kernel(self.memory, self.axes, self.channels, self.record, self.single_axes)
-        self.names = layout.tables[0]
+        self.assembled = tuple(
+            AssembledChannel(
+                index,
+                one,
+                names,
+                tuple(axis.index for axis in one.axes),
+                {value.name: value for value in panel_values(layout.panel_cell(index))},
+                _offsets_of(one),
+            )
+            for index, (one, names) in enumerate(
+                zip(configuration.channels, layout.tables, strict=True)
+            )
+        )
+        self.names = self.assembled[0].names
+        self.parameters = self.assembled[0].parameters
+        self.members = self.assembled[0].members
         self.layout = layout
-        self._tables = layout.tables
-        self.parameters: ChannelParameters = configuration.channels[0].parameters
-        self.members = [axis.index for axis in configuration.channels[0].axes]
-        first = configuration.channels[0]
-        self.offsets = ActiveOffsets(self.members, first.zero_offsets, first.clamp_offsets)
         self.files = SourceFiles()
         self.registry = Registry(self.files, self._name_of_cell, self._axis_names())
-        self.panel = {one.name: one for one in panel_values(layout.panel_cell(0))}
-        self.access = VariableAccess(self.names, self.panel, self.memory, self.kernel)
+        self.access = VariableAccess(
+            layout.tables, [one.panel for one in self.assembled], self.memory, self.kernel
+        )
         self._cell_names: dict[int, str] = {}
 
     def _axis_names(self) -> list[str]:
@@ -317,34 +387,40 @@ class Machine:
         """Room in the record for a tick of the present load."""
         self.kernel.reserve()
 
-    def positions(self) -> list[float]:
-        """The command positions of the channel's axes, in the order of its list."""
-        positions = self.axes.positions()
-        return [positions[i] for i in self.members]
+    def number_in_names(self, channel: int) -> int:
+        """The number that names of cycles and events have: 0 where there is one channel only."""
+        return channel + 1 if len(self.assembled) > 1 else 0
 
-    def path_stands(self) -> bool:
+    def positions(self, channel: int = 0) -> list[float]:
+        """The command positions of a channel's axes, in the order of its list."""
+        positions = self.axes.positions()
+        return [positions[i] for i in self.assembled[channel].members]
+
+    def path_stands(self, channel: int = 0) -> bool:
         """Whether nothing moves on the channel's path."""
-        return bool(self.channels[0].path.has_stopped())
+        return bool(self.channels[channel].path.has_stopped())
 
     def stands(self) -> bool:
         """Whether path and axes stand, but for independent motions without an end (RC-006)."""
-        return self.path_stands() and self.single_axes.ending_count() == 0
+        paths = all(self.path_stands(one.index) for one in self.assembled)
+        return paths and self.single_axes.ending_count() == 0
 
     def surroundings(
         self,
         subprogram: Callable[[str, str, Span], ProgramText],
         notice: Callable[[Diagnostic], None],
         skip_levels: frozenset[int],
+        channel: int,
     ) -> Surroundings:
-        """What the decoder of a program works with."""
-        axes = tuple(self.configuration.axes[i] for i in self.members)
-        channel = self.configuration.channels[0]
+        """What the decoder of a program of this channel works with."""
+        own = self.assembled[channel]
+        axes = tuple(self.configuration.axes[i] for i in own.members)
         return Surroundings(
-            self.names,
-            self.parameters,
-            {axis.name: place for place, axis in enumerate(channel.axes)},
+            own.names,
+            own.parameters,
+            {axis.name: place for place, axis in enumerate(own.configuration.axes)},
             axes,
-            self.offsets,
+            own.offsets,
             self.cells,
             memoryview(self.memory),
             self.configuration.cycle_time_us,
@@ -368,36 +444,30 @@ class Machine:
 
     def _name_of_cell(self, cell: int) -> str:
         if not self._cell_names:
-            for table in reversed(self._tables):
-                self._cell_names.update((place, name) for name, place, _ in table.values())
-            self._cell_names.update((place, name) for name, place in self.names.realtime())
-            self._cell_names.update((one.cell, one.name) for one in self.panel.values())
+            for one in reversed(self.assembled):
+                self._cell_names.update((place, name) for name, place, _ in one.names.values())
+                self._cell_names.update((place, name) for name, place in one.names.realtime())
+                self._cell_names.update((value.cell, value.name) for value in one.panel.values())
         return self._cell_names[cell]
 
     # --- signals --------------------------------------------------------------------------------
 
     def signals(self) -> dict[str, tuple[int, str, bool]]:
-        """Everything that can be recorded: name -> cell, unit, whether it is a whole number."""
-        known = {
-            name: (cell, row.unit, row.type != "REAL64") for name, cell, row in self.names.signals()
-        }
-        for name, cell, type_ in self.names.values():
-            scalar = SCALARS[type_]
-            if scalar.is_numeric:
-                known[name] = (cell, "", scalar.is_integer)
-        for value in self.panel.values():
-            entry = value.entry
-            known[value.name] = (value.cell, entry.unit, entry.type != "REAL64")
+        """Everything that can be recorded: name -> cell, unit, whether it is a whole number.
+
+        A name with the number of its channel in front is that channel's, ``CH2.BLOCK``; without it
+        is the first one's.
+        """
+        known = _signals_of(self.assembled[0])
+        for one in self.assembled:
+            known |= {f"{one.prefix}{name}": signal for name, signal in _signals_of(one).items()}
         return known
 
     def default_signals(self) -> list[str]:
         """Positions of all axes, path speed, override, block number, active cycles."""
-        names = [
-            f"{axis.name}.ACS.{position}"
-            for position in ("ACT_POS", "CUR_POS")
-            for axis in self.configuration.channels[0].axes
-        ]
-        return [*names, "PATH.SPEED", "OVERRIDE.VEL.TOTAL", "BLOCK", "CYCLES.ACTIVE"]
+        if len(self.assembled) == 1:
+            return _default_signals(self.assembled[0])
+        return [f"{one.prefix}{name}" for one in self.assembled for name in _default_signals(one)]
 
     def unknown_signal(self, name: str) -> Diagnostic:
         """The diagnostic of a signal that is none."""

@@ -13,10 +13,10 @@ from pathlib import Path
 
 from nctakt import loading
 from nctakt.assembly import Machine
+from nctakt.channelrun import ChannelRun
 from nctakt.decoder.cycles import CycleDefinition
 from nctakt.diagnostics import Diagnostic
 from nctakt.failure import Failure
-from nctakt.feed import Feed
 from nctakt.image import InterfaceImage
 from nctakt.interface import Interface
 from nctakt.kernel import kernel as reasons
@@ -46,7 +46,7 @@ PROGRESS_TICKS = 100_000
 
 
 class Controller:
-    """One machine with its channel, from start-up on.
+    """One machine with its channels, from start-up on.
 
     ``machine`` is a folder with lists, a configuration, or ``None`` for the demo machine. Raises
     ``Failure`` where no machine results.
@@ -62,11 +62,11 @@ class Controller:
         self.cycle_time_us = machine.cycle_time_us
         self.diagnostics: list[Diagnostic] = list(machine.diagnostics)
         self._machine = Machine(machine)
-        self._channel = self._machine.channels[0]
+        self._channels = [
+            ChannelRun(self._machine, index, self.diagnostics.append)
+            for index in range(len(self._machine.channels))
+        ]
         self._kernel = self._machine.kernel
-        self._feed: Feed | None = None
-        self._selected: LoadedProgram | None = None
-        self._outcome: RunState | None = None
         self._events = EventDecoder(self.cycle_time_us, self._machine.registry)
         self._sinks: list[Sink] = []
         self._stimuli: list[Stimulus] = []
@@ -76,7 +76,6 @@ class Controller:
         self._probes: ProbeLog | None = None
         self._image: InterfaceImage | None = None
         self._loaded: list[LoadedProgram] = []
-        self._skip_levels: frozenset[int] = frozenset()
 
     # --- state and variables --------------------------------------------------------------------
 
@@ -86,11 +85,19 @@ class Controller:
         return self._kernel.tick
 
     @property
+    def channel_count(self) -> int:
+        """How many channels the machine has; they count from 1."""
+        return len(self._channels)
+
+    @property
     def state(self) -> str:
-        """``running`` while a program runs, ``error`` after an NC error, else ``ready``."""
-        if self._channel.is_stopped:
+        """``running`` while a program runs, ``error`` after an NC error, else ``ready``.
+
+        Of several channels the worst counts: an error, else a program that runs.
+        """
+        if any(one.is_stopped for one in self._channels):
             return "error"
-        return "ready" if self._feed is None else "running"
+        return "running" if any(one.is_running for one in self._channels) else "ready"
 
     @property
     def hli(self) -> Interface:
@@ -110,10 +117,12 @@ class Controller:
     @property
     def instructions_in_tick(self) -> int:
         """Elementary instructions that the realtime cycles ran in the last tick (RC-501)."""
-        return self._channel.context.steps
+        return sum(one.channel.context.steps for one in self._channels)
 
     def read(self, name: str) -> float | bool | str:
         """The value of a V. variable, such as ``V.E.LIST[3]`` or ``V.RTA.ACS.ACT_POS.X``.
+
+        Of several channels the first one is meant, ``CH2.V.CH.COUNT`` is that of the second.
 
         What ``write`` has put is read back at once. Raises ``Failure`` for an unknown name.
         """
@@ -145,17 +154,21 @@ class Controller:
 
     # --- tick by tick ---------------------------------------------------------------------------
 
-    def start(self, program: str | Path | NcText) -> None:
-        """Start a program; ``step`` runs it. Raises ``Failure`` with its diagnostics.
+    def start(self, program: str | Path | NcText, channel: int = 1) -> None:
+        """Start a program in a channel; ``step`` runs it. Raises ``Failure`` with its diagnostics.
 
         What the program before has left, an error or itself still running, is reset first.
         """
-        loaded = loading.load(program, self._machine, self.diagnostics)
-        self._begin(loaded)
+        one = self._channels[self._index(channel)]
+        loaded = loading.load(program, self._machine, self.diagnostics, channel - 1)
+        self._make_ready([one])
+        one.begin(loaded)
 
-    def select(self, program: str | Path | NcText) -> None:
+    def select(self, program: str | Path | NcText, channel: int = 1) -> None:
         """Select a program: START on the HLI begins it. Raises ``Failure`` with its diagnostics."""
-        self._arm(loading.load(program, self._machine, self.diagnostics))
+        self._channels[self._index(channel)].select(
+            loading.load(program, self._machine, self.diagnostics, channel - 1)
+        )
 
     def step(self, ticks: int = 1) -> None:
         """Run so many ticks, whatever the state."""
@@ -163,18 +176,29 @@ class Controller:
         while self.tick < end:
             self._advance(end)
 
-    def reset(self) -> None:
-        """Reset the channel (RC-007): runs until everything stands, at least one tick."""
-        self._give_up()
-        self._channel.request_reset()
-        while self._channel.is_resetting:
+    def reset(self, channel: int | None = None) -> None:
+        """Reset a channel, else all (RC-007): runs until they stand, at least one tick."""
+        chosen = self._channels if channel is None else [self._channels[self._index(channel)]]
+        self._reset(chosen)
+
+    def _reset(self, chosen: Sequence[ChannelRun]) -> None:
+        for one in chosen:
+            one.request_reset()
+        while any(one.channel.is_resetting for one in chosen):
             self.step(1)
+
+    def _index(self, channel: int) -> int:
+        """The index of a channel, which counts from 0; ``Failure`` where there is none."""
+        if not 0 < channel <= len(self._channels):
+            raise Failure(diagnostic(900749, channel=channel, count=len(self._channels)))
+        return channel - 1
 
     # --- whole programs -------------------------------------------------------------------------
 
     def run(
         self,
         *programs: str | Path | NcText,
+        channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
         plc: AnyPlc | None = None,
         until_us: int | None = None,
         ticks: int | None = None,
@@ -184,18 +208,20 @@ class Controller:
         sinks: Sequence[Sink] = (),
         signals: Sequence[str] | None = None,
         waits_for_start: bool = False,
+        skip_levels: Collection[int] = (),
         memory_trace: bool = True,
         record_writes: bool = True,
         why: bool = False,
         on_message: Callable[[SaidMessage], None] | None = None,
         on_progress: Callable[[int, int | None], None] | None = None,
         on_cycle: Callable[[str, CycleDefinition], None] | None = None,
-        skip_levels: Collection[int] = (),
     ) -> Run:
         """Run programs one after another; their GLOBAL cycles and V.E and V.CH variables live on.
 
+        ``programs`` are those of channel 1, ``channels`` those of others: number -> programs. All
+        channels begin together; an error stops its own channel only.
         ``until_us`` and ``ticks`` limit the run (``DEFAULT_LIMIT_US``), ``after_us`` is how long
-        the channel goes on behind the last program. ``initial`` are values before the first tick,
+        the machine goes on behind the last program. ``initial`` are values before the first tick,
         ``stimuli`` values at times of the run. With ``waits_for_start`` each program is begun by
         START on the HLI, again after a RESET. ``sinks`` get the trace, which ``memory_trace``
         keeps in the result, of ``signals`` (positions of all axes, path speed, override, block
@@ -206,7 +232,11 @@ class Controller:
         definition of each realtime cycle when it is decoded. Blocks of the ``skip_levels`` 1 … 10
         are left out.
         """
-        self._skip_levels = frozenset(skip_levels)
+        wanted = {1: programs, **(channels or {})}
+        for channel in wanted:
+            self._index(channel)
+        for one in self._channels:
+            one.skip_levels = frozenset(skip_levels)
         first_tick = self.tick
         for name, value in (initial or {}).items():
             self._machine.write(name, value)
@@ -225,14 +255,15 @@ class Controller:
         self._probes = self._probe_log() if why else None
         self._machine.record.records_series = why
         self._plc = plc
-        self._channel.hli.acknowledges_itself = plc is None
+        for one in self._channels:
+            one.channel.hli.acknowledges_itself = plc is None
         self._on_message = on_message
         self._stimuli = sorted(stimuli, key=lambda one: one.time_us)
         self._stimuli_from = first_tick
         limit = self._limit(until_us, ticks)
         try:
             state = self._run_programs(
-                programs, first_tick + limit, after_us, waits_for_start, on_progress
+                wanted, first_tick + limit, after_us, waits_for_start, on_progress
             )
         except KeyboardInterrupt:
             self._drain()
@@ -241,10 +272,11 @@ class Controller:
             for sink in self._sinks:
                 sink.close()
             self._sinks = []
-            self._channel.panel.arm(False)
+            for one in self._channels:
+                one.close()
             registry.on_cycle = None
         return Run(
-            programs=tuple(loading.name_of(program) for program in programs),
+            programs=tuple(loading.name_of(program) for one in wanted.values() for program in one),
             cycle_time_us=self.cycle_time_us,
             first_tick=first_tick,
             ticks=self.tick - first_tick,
@@ -259,9 +291,10 @@ class Controller:
 
     def _probe_log(self) -> ProbeLog:
         """What gathers the histories of conditions, those of living cycles from now on."""
-        machine, manager = self._machine, self._channel.manager
+        machine = self._machine
         living = [
             (machine.registry.definition(cycle.serial), manager.state_of(cycle.slot))
+            for manager in (channel.manager for channel in machine.channels)
             for cycle in manager.loaded
             if DEFINED <= manager.state_of(cycle.slot) <= HELD
         ]
@@ -288,64 +321,69 @@ class Controller:
 
     def _run_programs(
         self,
-        programs: Sequence[str | Path | NcText],
+        programs: Mapping[int, Sequence[str | Path | NcText]],
         end: int,
         after_us: int,
         waits_for_start: bool,
         on_progress: Callable[[int, int | None], None] | None,
     ) -> RunState:
-        loaded = self._loaded = []
-        for program in programs:
-            try:
-                loaded.append(loading.load(program, self._machine, self.diagnostics))
-            except Failure:
-                continue
-        if len(loaded) < len(programs):
+        loaded = self._load(programs)
+        if loaded is None:
             return "error"
-        for one in loaded:
-            state = self._run_program(one, end, waits_for_start, on_progress)
-            if state != "ended":
-                return state
+        chosen = [self._channels[number - 1] for number, own in loaded.items() if own]
+        if not waits_for_start:
+            self._make_ready(chosen)
+        for number, own in loaded.items():
+            self._channels[number - 1].queue(own, waits_for_start=waits_for_start)
+        while self._proceed(chosen):
+            if self.tick >= end:
+                return _worst(chosen, "limit")
+            # A path that brakes ends the run in the tick in which it stands.
+            patience = 1 if any(one.is_braking for one in chosen) else PROGRESS_TICKS
+            self._advance(min(end, self.tick + patience))
+            self._tell_progress(on_progress, end)
+        state = _worst(chosen, "ended")
+        if state != "ended":
+            return state
         stop = self.tick - (-after_us // self.cycle_time_us)
         while self.tick < min(stop, end):
             self._advance(min(stop, end, self.tick + PROGRESS_TICKS))
             self._tell_progress(on_progress, min(stop, end))
         while self.tick < end and not self._machine.stands():
             self._advance(self.tick + 1)
-        if self._channel.is_stopped:
+        if self.state == "error":
             return "error"
         return "limit" if self.tick < stop else "ended"
 
-    def _run_program(
-        self,
-        program: LoadedProgram,
-        end: int,
-        waits_for_start: bool,
-        on_progress: Callable[[int, int | None], None] | None,
-    ) -> RunState:
-        """One program; where the operator starts it, again after each reset."""
-        if waits_for_start:
-            self._arm(program)
-        else:
-            self._begin(program)
-        while self._outcome is None:
-            if self._channel.is_stopped and not waits_for_start:
-                self._come_to_a_stand(end)
-                return "error"
-            if self.tick >= end:
-                return "error" if self._channel.is_stopped else "limit"
-            self._advance(min(end, self.tick + PROGRESS_TICKS))
-            self._tell_progress(on_progress, end)
-            if self._outcome == "reset":
-                self._come_to_a_stand(end)
-                if waits_for_start:
-                    self._arm(program)
-        return self._outcome
+    def _proceed(self, chosen: Sequence[ChannelRun]) -> bool:
+        """Let each channel begin what is due; whether one of them has still something to do."""
+        for one in chosen:
+            one.proceed()
+        return any(one.result is None for one in chosen)
 
-    def _come_to_a_stand(self, end: int) -> None:
-        """Run on until an error or a reset has braked the path."""
-        while self.tick < end and (self._channel.is_resetting or not self._machine.stands()):
-            self._advance(self.tick + 1)
+    def _load(
+        self, programs: Mapping[int, Sequence[str | Path | NcText]]
+    ) -> dict[int, list[LoadedProgram]] | None:
+        """The checked programs of each channel; ``None`` if one of them is not in order."""
+        loaded: dict[int, list[LoadedProgram]] = {number: [] for number in programs}
+        self._loaded = []
+        wrong = False
+        for number, own in programs.items():
+            for program in own:
+                try:
+                    tree = loading.load(program, self._machine, self.diagnostics, number - 1)
+                except Failure:
+                    wrong = True
+                    continue
+                loaded[number].append(tree)
+                self._loaded.append(tree)
+        return None if wrong else loaded
+
+    def _make_ready(self, chosen: Sequence[ChannelRun]) -> None:
+        """Reset what an error or a limit of an earlier run has left in these channels."""
+        left = [one for one in chosen if one.is_stopped or one.is_running]
+        if left:
+            self._reset(left)
 
     def _tell_progress(
         self, on_progress: Callable[[int, int | None], None] | None, end: int
@@ -354,33 +392,6 @@ class Controller:
             on_progress(self.tick, end)
 
     # --- the loop decoder <-> kernel ------------------------------------------------------------
-
-    def _begin(self, program: LoadedProgram) -> None:
-        """Put a checked program at the start of the channel.
-
-        What an error or a limit of an earlier run has left is reset first.
-        """
-        if self._channel.is_stopped or self._feed is not None:
-            self.reset()
-        if self._channel.is_fatal:
-            raise Failure(diagnostic(900466))
-        self._outcome = None
-        self._feed = Feed(self._machine, program, self.diagnostics.append, self._skip_levels)
-        self._channel.panel.begin_program()
-
-    def _arm(self, program: LoadedProgram) -> None:
-        """Let a program wait for START."""
-        self._outcome = None
-        self._selected = program
-        self._channel.panel.arm(True)
-
-    def _give_up(self) -> None:
-        """A reset: nothing more of the program is decoded, and what it left is forgotten."""
-        if self._feed is not None:
-            self._feed.stop()
-            self._feed = None
-        self._channel.panel.end_program()
-        self._channel.manager.drop_unborn()
 
     def _advance(self, end: int) -> None:
         """Run up to tick ``end``, at most until something of Python's is due."""
@@ -391,27 +402,9 @@ class Controller:
         self._machine.reserve()
         reason = self._kernel.run(due - self.tick)
         self._drain()
-        channel = self._channel
-        if reason == reasons.ERROR:
-            self._stop_program()
-        elif reason == reasons.PROGRAM_END:
-            channel.accept_end()
-            channel.panel.end_program()
-            self._feed = None
-            self._outcome = "ended"
-        elif reason == reasons.START:
-            assert self._selected is not None
-            self._begin(self._selected)
-        elif reason == reasons.RESET:
-            self._give_up()
-            channel.panel.accept_reset()
-            self._outcome = "reset"
-        elif reason == reasons.ANSWER:
-            assert self._feed is not None
-            self._feed.answer()
-        elif reason == reasons.REFILL:
-            assert self._feed is not None
-            self._feed.refill()
+        if reason not in (reasons.DONE, reasons.FULL):
+            for one in self._channels:
+                one.serve()
         if self._plc is not None and self._kernel.tick == due and reason != reasons.FULL:
             self._plc.cycle(Interface(self._machine))
 
@@ -425,14 +418,6 @@ class Controller:
             self._machine.write(stimulus.name, stimulus.value)
             self._stimuli.pop(0)
         return self.tick + (1 << 60)
-
-    def _stop_program(self) -> None:
-        """An error of the realtime part: its diagnostic; the program is given up."""
-        self._channel.clear_error()
-        self._channel.panel.end_program()
-        if self._feed is not None:
-            self._feed.stop()
-            self._feed = None
 
     def _drain(self) -> None:
         """Hand on what the kernel has recorded."""
@@ -457,7 +442,8 @@ class Controller:
         for event, subject in zip(events, events.subjects(), strict=True):
             if event.kind == "message" and self._on_message is not None:
                 style = self._machine.registry.message_style(subject)
-                self._on_message(SaidMessage(event.time_us, event.text, *style))
+                said = SaidMessage(event.time_us, event.text, *style, event.channel)
+                self._on_message(said)
             elif event.kind == "user_error":
                 report = next(raised)
                 line = "" if report.span is None else self._machine.files.line_at(report.span)
@@ -467,7 +453,8 @@ class Controller:
 
     def _is_told(self, event: Event) -> bool:
         """Whether the error is the decoder's, whose diagnostic is there since it gave up."""
-        given_up = None if self._feed is None else self._feed.given_up
+        feed = self._channels[max(event.channel - 1, 0)].feed
+        given_up = None if feed is None else feed.given_up
         return given_up is not None and not event.cycle and event.text == str(given_up.id)
 
     def _select(
@@ -484,3 +471,10 @@ class Controller:
         self._machine.record.records_writes = records and record_writes
         signals = tuple(Signal(name, known[name][1], known[name][2]) for name in names)
         return TraceHeader(self.cycle_time_us, signals if records else ())
+
+
+def _worst(channels: Sequence[ChannelRun], otherwise: RunState) -> RunState:
+    """How a run of several channels has ended: an error counts before a reset."""
+    if any(one.is_stopped for one in channels):
+        return "error"
+    return "reset" if any(one.result == "reset" for one in channels) else otherwise

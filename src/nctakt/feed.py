@@ -8,6 +8,7 @@ Python happens to be there: so decode moments do not depend on how a run is cut 
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
+from functools import partial
 
 from nctakt.assembly import Machine
 from nctakt.decoder import commands
@@ -25,7 +26,7 @@ HIGH_WATER = 64
 
 
 class Feed:
-    """One program on its way into the machine's channel; ``report`` takes what stops it.
+    """One program on its way into its channel; ``report`` takes what stops it.
 
     Blocks of ``skip_levels`` are left out.
     """
@@ -39,15 +40,22 @@ class Feed:
     ) -> None:
         assert LOW_WATER < HIGH_WATER
         self._machine = machine
-        self._channel = machine.channels[0]
+        self._index = program.channel
+        self._channel = machine.channels[program.channel]
         self._report = report
         self._number = machine.registry.add_program(program.text.source.file)
-        self._surroundings = machine.surroundings(program.subprogram, report, skip_levels)
-        machine.offsets.adopt(machine.axes.offsets)
-        state = state_at_program_start(machine.parameters.program_start, machine.positions())
+        self._surroundings = machine.surroundings(
+            program.subprogram, report, skip_levels, program.channel
+        )
+        self._surroundings.offsets.adopt(machine.axes.offsets)
+        start = program.parameters.program_start
+        state = state_at_program_start(start, machine.positions(program.channel))
         registry = machine.registry
         self._decoder = ProgramDecoder(
-            self._surroundings, state, registry.next_cycle, registry.keep
+            self._surroundings,
+            state,
+            registry.next_cycle,
+            partial(registry.keep, channel=machine.number_in_names(program.channel)),
         )
         self._decoded: Generator[Command, Answer] = self._decoder.decode(program.text)
         self.given_up: Diagnostic | None = None
@@ -73,7 +81,7 @@ class Feed:
         value = self._channel.take_answer()
         answer: Answer = value
         if isinstance(self._waiting, commands.PositionRequest):
-            answer = tuple(self._machine.positions())
+            answer = tuple(self._machine.positions(self._index))
         self._waiting = None
         self._channel.decoder_open = True
         self._free_slots()

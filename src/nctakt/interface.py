@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from nctakt.access import split_channel
 from nctakt.assembly import Machine
 from nctakt.failure import Failure
 from nctakt.hli.layout import AXIS, CHANNEL
@@ -42,11 +43,19 @@ class TechnologyEntry:
 
 
 class Interface:
-    """The PLC's side of one channel."""
+    """The PLC's side of one channel; ``of_channel(2)`` is that of the second one."""
 
-    def __init__(self, machine: Machine) -> None:
+    def __init__(self, machine: Machine, index: int = 0) -> None:
         self._machine = machine
-        self._hli = machine.channels[0].hli
+        self._index = index
+        self._hli = machine.channels[index].hli
+
+    def of_channel(self, number: int) -> Interface:
+        """The PLC's side of a channel, from 1; ``Failure`` where there is none."""
+        count = len(self._machine.channels)
+        if not 0 < number <= count:
+            raise Failure(diagnostic(900749, channel=number, count=count))
+        return Interface(self._machine, number - 1)
 
     @property
     def tick(self) -> int:
@@ -66,10 +75,11 @@ class Interface:
     def channel(self) -> dict[str, float]:
         """The state of the channel, by the names of ``hli_channel``: ``path_speed``, ``block`` …"""
         machine = self._machine
-        shown = {one.entry.name: one.cell for one in machine.panel.values() if not one.is_command}
+        panel = machine.assembled[self._index].panel
+        shown = {one.entry.name: one.cell for one in panel.values() if not one.is_command}
         for entry in CHANNEL.entries:
             if entry.source:
-                shown[entry.name] = machine.layout.channel_value(0, entry.source)
+                shown[entry.name] = machine.layout.channel_value(self._index, entry.source)
         return {name: machine.cells[cell] for name, cell in shown.items()}
 
     def axis(self, name: str) -> dict[str, float]:
@@ -90,7 +100,7 @@ class Interface:
     def _waiting(self, *, is_realtime: bool) -> Iterator[TechnologyEntry]:
         section = self._hli.realtime if is_realtime else self._hli.program
         cycle_time_us = self._machine.configuration.cycle_time_us
-        parameters = self._machine.parameters
+        parameters = self._machine.assembled[self._index].parameters
         for slot, function, sequence, tick in section.entries():
             letter, number = ("H", -function - 1) if function < 0 else ("M", function)
             stamp_us = tick * cycle_time_us
@@ -112,11 +122,11 @@ class Interface:
 
     def read(self, name: str) -> float | bool | str:
         """The value of a V. variable after this tick; V.CH is not the PLC's to see (RC-309)."""
-        return self._machine.read(_seen(name))
+        return self._machine.read(self._own(name))
 
     def write(self, name: str, value: float | bool | str) -> None:
         """A value for a V.E variable; raises ``Failure`` for a wrong name or value."""
-        self._machine.write(_seen(name), value)
+        self._machine.write(self._own(name), value)
 
     @property
     def override_pct(self) -> float:
@@ -174,6 +184,12 @@ class Interface:
     def error(self) -> int:
         """The number of the error that has stopped the channel, 0 without one."""
         return int(self._machine.read("HLI.ERROR"))
+
+    def _own(self, name: str) -> str:
+        """The name with its channel, unless it is that of a variable that a PLC does not see."""
+        prefix, _, path = split_channel(name)
+        own = self._machine.assembled[self._index].prefix if self._index else ""
+        return f"{prefix or own}{_seen(path)}"
 
 
 def _seen(name: str) -> str:

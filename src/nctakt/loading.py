@@ -71,10 +71,16 @@ def missing(name: str, folders: list[Path], span: Span, line: str) -> Diagnostic
 
 
 class LoadedProgram:
-    """A program with the files that it calls; ``text`` is its own, ``texts`` are all."""
+    """A program with the files that it calls; ``text`` is its own, ``texts`` are all.
 
-    def __init__(self, machine: Machine) -> None:
+    ``channel`` is the index of the channel that it is checked for, from 0, ``parameters`` its list.
+    """
+
+    def __init__(self, machine: Machine, channel: int) -> None:
         self._machine = machine
+        self._names = machine.assembled[channel].names
+        self.channel = channel
+        self.parameters = machine.assembled[channel].parameters
         self._files: dict[Path, ProgramText] = {}
         self.texts: list[ProgramText] = []
 
@@ -85,9 +91,8 @@ class LoadedProgram:
 
     def add(self, source: Source, collector: Collector, role: Role) -> ProgramText:
         """Check a text."""
-        machine = self._machine
-        machine.files.add(source.file, source.lines)
-        text = inspect(source, machine.names, machine.parameters, collector, role=role)
+        self._machine.files.add(source.file, source.lines)
+        text = inspect(source, self._names, self.parameters, collector, role=role)
         self.texts.append(text)
         return text
 
@@ -104,7 +109,7 @@ class LoadedProgram:
 
     def add_implicit(self, collector: Collector) -> None:
         """Check the programs that the channel list names, as if the main program called them."""
-        implicit = self._machine.parameters.implicit_programs
+        implicit = self.parameters.implicit_programs
         names = [implicit.program_start, implicit.program_end, implicit.m6]
         for name in (*names, *implicit.g800.values()):
             if name:
@@ -115,7 +120,7 @@ class LoadedProgram:
 
     def _find(self, name: str, caller: str, span: Span, collector: Collector) -> ProgramText | None:
         """The text of a file that is called; what is wrong goes to ``collector``."""
-        folders = search_folders(caller, self._machine.parameters, self._folder)
+        folders = search_folders(caller, self.parameters, self._folder)
         path = find_program(name, folders)
         if path is None:
             line = self._machine.files.line_at(span)
@@ -154,15 +159,19 @@ class LoadedProgram:
 
 
 def load(
-    program: str | Path | NcText, machine: Machine, diagnostics: list[Diagnostic]
+    program: str | Path | NcText,
+    machine: Machine,
+    diagnostics: list[Diagnostic],
+    channel: int = 0,
 ) -> LoadedProgram:
     """Read, parse and check a program with all that it calls; findings go to ``diagnostics``.
 
-    Raises ``Failure`` with the errors when there are any.
+    ``channel``: the index of the channel that it is for, from 0. Raises ``Failure`` with the errors
+    when there are any.
     """
     collector = Collector()
     text = program.text if isinstance(program, NcText) else _read(Path(program))
-    loaded = LoadedProgram(machine)
+    loaded = LoadedProgram(machine, channel)
     main = loaded.add(Source(name_of(program), split_lines(text)), collector, "main")
     loaded.add_called(main, collector)
     loaded.add_implicit(collector)

@@ -19,7 +19,9 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
     The values come from the context of the cycle at fault, which keeps them until the next tick.
     """
     number = int(event.text)
-    context = machine.channels[0].context
+    index = max(event.channel - 1, 0)
+    channel = machine.channels[index]
+    context = channel.context
     a, b = context.fault_a, context.fault_b
     cycle = event.cycle
     values: dict[str, object]
@@ -28,7 +30,7 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
             values = {"cycle": cycle, "operation": OPERATIONS.get(int(a), "=")}
         case 50892:
             name = machine.registry.variable(int(a))
-            location = machine.names.resolve_text(name)
+            location = machine.assembled[index].names.resolve_text(name)
             assert isinstance(location, tuple)
             scalar = SCALARS[location[0].type]
             values = {
@@ -45,13 +47,13 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
         case 50854 | 50939:
             values = {"cycle": cycle, "steps": int(a), "limit": int(b)}
         case 50858 | 50900:
-            values = {"id": int(machine.channels[0].error_detail)}
+            values = {"id": int(channel.error_detail)}
         case 50855 | 50857:
-            manager = machine.channels[0].manager
+            manager = channel.manager
             free = manager.memory_limit - manager.memory_used
-            values = {"needed": int(machine.channels[0].error_detail), "free": free}
+            values = {"needed": int(channel.error_detail), "free": free}
         case 50877:
-            values = {"count": machine.channels[0].manager.capacity}
+            values = {"count": channel.manager.capacity}
         case 900421:
             values = {"timer": int(a)}
         case 900346:

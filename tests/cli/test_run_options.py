@@ -63,13 +63,14 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> Iterator[Asked]:
 
     class Controller:
         cycle_time_us = 1000
+        channel_count = 1
         tick = 0
 
         def __init__(self, machine: object = None) -> None:
             noted.machine = machine
 
         def read(self, name: str) -> float:
-            assert name == "V.RTG.CYCLES.DIAG_LEVEL"
+            assert name == "CH1.V.RTG.CYCLES.DIAG_LEVEL"
             return noted.level
 
         def run(self, *programs: object, **options: Any) -> Run:
@@ -333,7 +334,7 @@ def test_unusable_input_is_told_all_at_once(
     ("words", "text"),
     [
         ("", "Usage"),
-        ("run", "Missing argument"),
+        ("run", "no program is named"),
         ("rum part.nc", "No such command"),
         ("run part.nc --ticks 0", "--ticks"),
         ("run part.nc --ticks many", "--ticks"),

@@ -32,7 +32,7 @@ def rows_of(condition: str, values: list[float]) -> tuple[Controller, list[tuple
     assert isinstance(found, tuple)
     machine.access.post_writes()
     machine.kernel.run(0)
-    controller._feed.refill()
+    controller._channels[0].feed.refill()
     rows: list[tuple[int, int]] = []
     for value in values:
         machine.kernel.post(found[1], value)

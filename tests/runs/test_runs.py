@@ -2,7 +2,9 @@
 """Runs whole programs and compares them with traces that were worked out by hand.
 
 Each folder beside this file is a test: programs, ``run.toml`` with values and limits where needed,
-and ``expected.trace``. Its README derives the trace from the rules. Lines of ``expected.trace``:
+and ``expected.trace``. Programs of other channels than the first are named in ``run.toml``
+(``[channels]``), a machine folder of the test's own as well (``machine_folder``). Its README
+derives the trace from the rules. Lines of ``expected.trace``:
 ``value <tick> <signal> <number>``; ``event <tick> <kind> <text>``, where all events are listed, and
 all notices if there is one; ``diagnostic <number> <line> <words>``, where all errors are listed if
 there is one. Without ``exit = 1`` in ``run.toml`` a run has no errors.
@@ -52,10 +54,21 @@ def changed_machine(changes: Mapping[str, Sequence[str]], target: Path) -> Path:
 def perform(folder: Path, names: set[str], work: Path, programs: str = "*.nc") -> Run:
     """Run the programs of a folder and record the signals ``names``."""
     given = settings(folder)
-    machine = given.get("machine")
+    machine = given.get("machine_folder")
+    changes = given.get("machine")
+    if machine is not None:
+        machine = folder / machine
+    elif changes is not None:
+        machine = changed_machine(changes, work / "machine")
     plc = given.get("plc")
-    return Controller(None if machine is None else changed_machine(machine, work / "machine")).run(
-        *sorted(folder.glob(programs)),
+    others = {
+        int(number): [folder / name for name in names]
+        for number, names in given.get("channels", {}).items()
+    }
+    taken = [program for own in others.values() for program in own]
+    return Controller(machine).run(
+        *(program for program in sorted(folder.glob(programs)) if program not in taken),
+        channels=others,
         plc=None if plc is None else load_plc(folder / plc),
         initial=given.get("set", {}),
         stimuli=[Stimulus(*stimulus) for stimulus in given.get("at", ())],
@@ -89,11 +102,11 @@ def expectations(folder: Path) -> tuple[list[tuple[int, str, float]], list[str],
 
 def settled(event: str) -> str:
     """An event whose value, where it has one, is rounded to a millionth of a thousandth."""
-    tick, kind, text = event.split(" ", 2)
-    if kind != "written":
+    head, written, rest = event.partition(" written ")
+    if not written:
         return event
-    name, value = text.rsplit(" ", 1)
-    return f"{tick} {kind} {name} {round(float(value), 9) + 0.0:g}"
+    name, value = rest.rsplit(" ", 1)
+    return f"{head} written {name} {round(float(value), 9) + 0.0:g}"
 
 
 @pytest.mark.parametrize("name", FOLDERS)

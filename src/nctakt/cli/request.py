@@ -36,6 +36,7 @@ class Options:
     """The words of the command line as they were given; ``None``: not given."""
 
     programs: tuple[str, ...]
+    others: tuple[tuple[str, str], ...] = ()
     machine: str | None
     assignments: tuple[str, ...]
     stimuli: tuple[tuple[str, str], ...]
@@ -59,9 +60,13 @@ class Options:
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """What the controller is asked for; times in microseconds, ``signals`` ``None``: its choice."""
+    """What the controller is asked for; times in microseconds, ``signals`` ``None``: its choice.
+
+    ``programs`` are those of channel 1, ``channels`` those of the others.
+    """
 
     programs: tuple[Path | NcText, ...]
+    channels: dict[int, tuple[Path | NcText, ...]]
     initial: dict[str, float | str]
     stimuli: tuple[Stimulus, ...]
     until_us: int | None
@@ -91,10 +96,14 @@ class _Reader:
 def read_request(options: Options) -> Request:
     """Read every word; raises one ``Failure`` with everything that is wrong."""
     reader = _Reader()
-    if options.programs.count(STANDARD_INPUT) > 1:
+    words = (*options.programs, *(program for _, program in options.others))
+    if not words:
+        reader.found.append(diagnostic(900751))
+    if words.count(STANDARD_INPUT) > 1:
         reader.found.append(diagnostic(900504))
-    for program in dict.fromkeys(options.programs):
+    for program in dict.fromkeys(words):
         reader.read(_check_program, program)
+    numbers = [reader.read(_channel_number, number) for number, _ in options.others]
     if options.machine is not None:
         reader.read(_check_folder, options.machine)
     assignments = [reader.read(parse_assignment, text) for text in options.assignments]
@@ -108,8 +117,12 @@ def read_request(options: Options) -> Request:
     signals = None if options.signals is None else split_names(options.signals)
     if reader.found:
         raise Failure(*reader.found)
+    programs: dict[int, list[Path | NcText]] = {1: [_program(one) for one in options.programs]}
+    for (number,), (_, program) in zip(numbers, options.others, strict=True):
+        programs.setdefault(number, []).append(_program(program))
     return Request(
-        tuple(_program(program) for program in options.programs),
+        tuple(programs.pop(1)),
+        {number: tuple(own) for number, own in programs.items()},
         dict(pair for one in assignments for pair in one),
         tuple(stimulus for one in stimuli for stimulus in one),
         next(iter(until), None),
@@ -127,6 +140,12 @@ def _skip_levels(text: str) -> tuple[int, ...]:
     if wrong:
         raise Failure(diagnostic(900490, found=wrong[0], most=SKIP_LEVELS))
     return tuple(int(word) for word in words)
+
+
+def _channel_number(text: str) -> int:
+    if not (text.isascii() and text.isdigit()):
+        raise Failure(diagnostic(900752, text=text))
+    return int(text)
 
 
 def _check_program(program: str) -> None:

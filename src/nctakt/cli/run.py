@@ -91,8 +91,8 @@ def _run(options: Options) -> int:
         log = _open_file(options.error_log, files)
         if log is not None:
             sinks.append(_error_log(controller, log))
-        diagnosis = None if report is None else _diagnosis(controller)
-        listeners = sinks if diagnosis is None else [*sinks, diagnosis]
+        diagnosis = [] if report is None else _diagnosis(controller)
+        listeners = [*sinks, *diagnosis]
         request = _with_partner(options, request, controller, files)
         if plot is not None:
             listeners = plot.sinks(listeners, request)
@@ -101,8 +101,9 @@ def _run(options: Options) -> int:
         run = _run_controller(options, request, controller, listeners, messages)
         wall_s = time.perf_counter() - begin_s
         diagnostics = () if run is None else run.diagnostics
-        if report is not None and diagnosis is not None:
-            report.write(diagnosis.report.render(options.language, diagnostics))
+        if report is not None:
+            texts = [one.report.render(options.language, diagnostics) for one in diagnosis]
+            report.write("\n".join(texts))
         if plot is not None and run is not None:
             plot.draw()
     return EXIT_NC_ERROR if run is None else _tell(options, run, wall_s)
@@ -149,14 +150,17 @@ def _error_log(controller: Controller, file: OutputFile) -> Sink:
     return UserErrorLog(controller.machine.user_texts, file.write)
 
 
-def _diagnosis(controller: Controller) -> DiagnosisSink:
-    """Gathers the diagnosis data, from the level on that counts at the first tick."""
+def _diagnosis(controller: Controller) -> list[DiagnosisSink]:
+    """Gathers each channel's diagnosis data, from the level on that counts at the first tick."""
     from nctakt.results.report import DiagnosisReport, DiagnosisSink  # noqa: PLC0415 - as above
 
-    level = float(controller.read("V.RTG.CYCLES.DIAG_LEVEL"))
-    report = DiagnosisReport()
-    report.initialised(controller.tick * controller.cycle_time_us, 0, level)
-    return DiagnosisSink(report, level)
+    sinks: list[DiagnosisSink] = []
+    for number in range(1, controller.channel_count + 1):
+        level = float(controller.read(f"CH{number}.V.RTG.CYCLES.DIAG_LEVEL"))
+        report = DiagnosisReport(number)
+        report.initialised(controller.tick * controller.cycle_time_us, 0, level)
+        sinks.append(DiagnosisSink(report, level))
+    return sinks
 
 
 def _run_controller(
@@ -169,7 +173,7 @@ def _run_controller(
     """The result of the run, its messages shown and saved as they come."""
 
     def show_message(said: SaidMessage) -> None:
-        click.echo(message_line(said.time_us, said.text))
+        click.echo(message_line(said))
         if messages is not None:
             messages.write(saved_message(said))
 

@@ -34,7 +34,15 @@ def run_options(stimulus: str, language_of: str) -> Callable[[_Command], _Comman
     the language is that of.
     """
     options = (
-        click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True),
+        click.argument("programs", metavar="PROGRAM...", nargs=-1),
+        click.option(
+            "--channel",
+            "others",
+            metavar="N PROGRAM",
+            nargs=2,
+            multiple=True,
+            help="Run a program in channel N at the same time; again for the one after it.",
+        ),
         click.option(
             "--machine", metavar="DIR", help="Folder with the machine's lists [default: demo]."
         ),
@@ -136,6 +144,7 @@ def run_programs(
         with InterruptRequest() as interrupt:
             return controller.run(
                 *request.programs,
+                channels=request.channels,
                 plc=request.plc,
                 until_us=request.until_us,
                 ticks=options.ticks,

@@ -51,15 +51,20 @@ def print_diagnostics(
                 click.echo(line, err=True)
 
 
-def message_line(time_us: int, text: str) -> str:
+def message_line(said: SaidMessage) -> str:
     """A message of a program with its virtual time, on one line."""
-    return f"{_seconds(time_us)}  {_printable(text)}"
+    return f"{_seconds(said.time_us)}  {_channel(said)}{_printable(said.text)}"
 
 
 def saved_message(said: SaidMessage) -> str:
     """What the message file gets: time stamp and line end unless the message forbids them."""
-    stamp = "" if said.exclusive else f"{_seconds(said.time_us)}  "
+    stamp = "" if said.exclusive else f"{_seconds(said.time_us)}  {_channel(said)}"
     return f"{stamp}{_printable(said.text)}" + ("" if said.unbroken else "\n")
+
+
+def _channel(said: SaidMessage) -> str:
+    """Which channel says it, where there is more than one."""
+    return f"CH{said.channel}  " if said.channel else ""
 
 
 def _seconds(time_us: int) -> str:

@@ -82,6 +82,10 @@ class Channel(CommandRing):
         """
         return not self.is_idle()
 
+    def due(self) -> int:
+        """What the channel needs Python for, as ``needs_python``."""
+        return self.needs_python()
+
     def event_bound(self) -> int:
         """The most events that one tick can record: a few for each command, cycle and slot."""
         commands = self.tail - self.head

@@ -16,6 +16,8 @@ cdef class Lane:
 
 cdef class ChannelLane(Lane):
     cdef Channel channel
+    cdef Record record
+    cdef int channel_code
     cdef Lane others
     @cython.locals(reason=int)
     cdef int needs_python(self) noexcept nogil

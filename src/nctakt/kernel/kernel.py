@@ -59,8 +59,10 @@ class Lane:
 class ChannelLane(Lane):
     """One channel and those behind it."""
 
-    def __init__(self, channel: Channel, others: Lane) -> None:
+    def __init__(self, channel: Channel, record: Record, channel_code: int, others: Lane) -> None:
         self.channel = channel
+        self.record = record
+        self.channel_code = channel_code
         self.others = others
 
     def needs_python(self) -> int:
@@ -74,6 +76,7 @@ class ChannelLane(Lane):
         return self.channel.manager.probes_bound + self.others.probe_bound()
 
     def begin_tick(self, tick: int) -> None:
+        self.record.channel_code = self.channel_code
         self.channel.begin_tick(tick)
         self.channel.take_commands(tick)
         self.channel.run_cycles()
@@ -81,6 +84,7 @@ class ChannelLane(Lane):
         self.others.begin_tick(tick)
 
     def end_tick(self) -> None:
+        self.record.channel_code = self.channel_code
         self.channel.end_tick()
         self.others.end_tick()
 
@@ -102,8 +106,9 @@ class Kernel:
         self.record = record
         self.image = InterfaceImage(memory, record)
         lane = Lane()
-        for channel in reversed(channels):
-            lane = ChannelLane(channel, lane)
+        for number in range(len(channels), 0, -1):
+            code = 256 * number if len(channels) > 1 else 0
+            lane = ChannelLane(channels[number - 1], record, code, lane)
         self.lane = lane
         self.tick = 0
         self.input_count = 0
@@ -166,12 +171,15 @@ class Kernel:
     def run_tick(self) -> None:
         """One tick: a table of its phases (RC-002)."""
         self.record.tick = self.tick
+        self.record.channel_code = 0
         self.latch_inputs()
         self.axes.begin_tick()
         self.lane.begin_tick(self.tick)
+        self.record.channel_code = 0
         self.single_axes.step()
         self.axes.publish()
         self.lane.end_tick()
+        self.record.channel_code = 0
         if self.image.is_attached:
             self.image.publish(self.tick + 1)
         self.record_row()

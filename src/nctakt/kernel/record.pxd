@@ -16,6 +16,7 @@ cdef class Record:
     cdef readonly Py_ssize_t probe_capacity
     cdef readonly Py_ssize_t probe_count
     cdef public long long tick
+    cdef public int channel_code
     cdef public bint records_writes
     cdef public bint records_series
 

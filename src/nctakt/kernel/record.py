@@ -8,7 +8,8 @@ calls of ``Kernel.run``. Before a tick there must be room for all that it can re
 (``has_room``), else ``run`` returns: nothing is ever lost. Every signal is a cell of the memory, so
 a row is a copy of the chosen cells.
 
-Event row, ``EVENT_WIDTH`` floats: tick, kind, source ID, subject, a, b. Probe row, ``PROBE_WIDTH``
+Event row, ``EVENT_WIDTH`` floats: tick, kind + 256 * channel, source ID, subject, a, b; channel 0
+is that of a machine with one, or none. Probe row, ``PROBE_WIDTH``
 floats: tick, 2 * probe number + truth, left operand, right operand. Where series are recorded,
 there are rows in which a series of evaluations (``kind`` 0) or of run-throughs of a body (1) begins
 after a tick without: tick, -1 - (2 * probe number + kind), the tick behind the last one of the
@@ -18,6 +19,7 @@ series before (-1: none), 0.
 from __future__ import annotations
 
 EVENT_WIDTH = 6
+CHANNEL_CODE_WIDTH = 256
 PROBE_WIDTH = 4
 
 # Kinds of events; behind each what subject, a and b hold.
@@ -82,6 +84,7 @@ class Record:
         self.probes = memoryview(bytearray(8 * PROBE_WIDTH * probe_capacity)).cast("d")
         self.probe_count = 0
         self.tick = 0
+        self.channel_code = 0
         self.records_writes = False
         self.records_series = False
 
@@ -105,7 +108,7 @@ class Record:
         """Append an event of this tick; that there is room was seen before the tick began."""
         base = self.event_count * 6
         self.events[base] = self.tick
-        self.events[base + 1] = kind
+        self.events[base + 1] = kind + self.channel_code
         self.events[base + 2] = source
         self.events[base + 3] = subject
         self.events[base + 4] = a

@@ -165,6 +165,7 @@ class _Loader:
         self.startup_file = startup_file
         self.folder = startup_file.parent
         self.collector = collector
+        self.owners: dict[int, int] = {}
         self.lists = LinkedLists(startup_file, collector, verbose=verbose)
 
     def machine(self) -> MachineConfiguration:
@@ -301,7 +302,7 @@ class _Loader:
         axes: tuple[AxisConfiguration, ...],
     ) -> ChannelConfiguration:
         channel = startup.channels[index]
-        members = self._channel_axes(parameters, axes)
+        members = self._channel_axes(parameters, axes, index + 1)
         linear = tuple(axes[one.index].is_linear for one in members)
         return ChannelConfiguration(
             index + 1,
@@ -342,12 +343,19 @@ class _Loader:
         return None
 
     def _channel_axes(
-        self, parameters: ChannelParameters, axes: tuple[AxisConfiguration, ...]
+        self, parameters: ChannelParameters, axes: tuple[AxisConfiguration, ...], channel: int
     ) -> tuple[ChannelAxis, ...]:
+        """The axes of a channel, without those that an earlier channel has."""
         found: list[ChannelAxis] = []
         for axis in parameters.axes:
             index = self._axis_index(axis.name, axis.logical_number, axes)
-            if index is not None:
+            if index is None:
+                continue
+            owner = self.owners.setdefault(index, channel)
+            if owner != channel:
+                number = axis.logical_number
+                self.collector.report(900750, None, axis=number, first=owner, second=channel)
+            else:
                 found.append(ChannelAxis(axis.name, axis.logical_number, index))
         return tuple(found)
 

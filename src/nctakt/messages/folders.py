@@ -68,6 +68,45 @@ _add(
     },
 )
 _add(
+    900749,
+    ERROR,
+    "there is no channel {channel}: the machine has {count}",
+    "einen Kanal {channel} gibt es nicht: die Maschine hat {count}",
+    remedy_en="Count the channels from 1, or give the machine more (kanal_anzahl).",
+    remedy_de="Die Kanäle ab 1 zählen oder der Maschine mehr geben (kanal_anzahl).",
+    parameters={"channel": "the number of the channel", "count": "how many the machine has"},
+)
+_add(
+    900750,
+    ERROR,
+    "axis {axis} belongs to channel {first} and to channel {second}; the latter does without",
+    "die Achse {axis} gehört zu Kanal {first} und zu Kanal {second}; dort fehlt sie",
+    remedy_en="Give each axis to one channel (log_achs_nr).",
+    remedy_de="Jede Achse einem Kanal geben (log_achs_nr).",
+    parameters={
+        "axis": "the logical number",
+        "first": "the channel that has it",
+        "second": "the channel that wants it, too",
+    },
+)
+_add(
+    900751,
+    ERROR,
+    "no program is named",
+    "es ist kein Programm genannt",
+    remedy_en="Name the programs of channel 1, or one of another channel: --channel 2 part.nc",
+    remedy_de="Die Programme von Kanal 1 nennen oder das eines anderen: --channel 2 part.nc",
+)
+_add(
+    900752,
+    ERROR,
+    "'{text}' is no number of a channel",
+    "'{text}' ist keine Nummer eines Kanals",
+    remedy_en="Write the number in front of the program: --channel 2 part.nc",
+    remedy_de="Die Nummer vor das Programm schreiben: --channel 2 part.nc",
+    parameters={"text": "the word as the user wrote it"},
+)
+_add(
     900746,
     ERROR,
     "{folder} is not empty; nothing is written",

@@ -135,9 +135,9 @@ class ProbeLog:
                 series.begin(int(tick), int(left))
 
     def _event(
-        self, tick: float, kind: float, source: float, subject: float, a: float, _b: float
+        self, tick: float, code: float, source: float, subject: float, a: float, _b: float
     ) -> None:
-        serial = int(subject)
+        kind, serial = int(code) % record.CHANNEL_CODE_WIDTH, int(subject)
         if kind == record.CREATED:
             self._make_room()
             self._add(self._names.definition(serial), None)
@@ -146,7 +146,7 @@ class ProbeLog:
             return
         span = self._names.place(int(source))
         if kind in _LIFE:
-            cycle.live(LifeEvent(int(tick), _LIFE[int(kind)], span))
+            cycle.live(LifeEvent(int(tick), _LIFE[kind], span))
         elif kind == record.ENDED:
             self._ended(cycle, int(tick), int(a), span)
         elif kind == record.ERROR and serial:

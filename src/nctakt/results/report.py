@@ -110,7 +110,7 @@ class DiagnosisReport:
 
     def __init__(self, channel: int = 1, capacity: int = DIAGNOSIS_CAPACITY) -> None:
         assert capacity > 0
-        self._channel = channel
+        self.channel = channel
         self._lines: deque[Line] = deque(maxlen=capacity)
         self._pushed_out = 0
 
@@ -149,7 +149,7 @@ class DiagnosisReport:
         ``details`` are the diagnostics of the run: they know what the errors say, whose numbers
         alone an event holds.
         """
-        title = _TITLE.get(language).format(channel=self._channel)
+        title = _TITLE.get(language).format(channel=self.channel)
         text = [title, "=" * _WIDTH, "", _NOTE.get(language)]
         if self._pushed_out:
             text.append(_PUSHED_OUT.get(language).format(count=self._pushed_out))
@@ -184,6 +184,8 @@ class DiagnosisSink:
     def events(self, events: Sequence[Event]) -> None:
         """Make lines of these events."""
         for event in events:
+            if event.channel not in (0, self.report.channel):
+                continue
             self.report.add(event, self._level)
             if event.kind == "written" and event.text.startswith(_LEVEL_VARIABLE):
                 self._level = float(event.text.removeprefix(_LEVEL_VARIABLE))

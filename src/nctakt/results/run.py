@@ -31,12 +31,14 @@ class SaidMessage:
     """A ``#MSG`` as it comes; ``exclusive`` and ``unbroken`` are for the message file.
 
     There it stands without its time stamp if it is exclusive, without line end if unbroken.
+    ``channel``: its number where the machine has more than one, else 0.
     """
 
     time_us: int
     text: str
     exclusive: bool = False
     unbroken: bool = False
+    channel: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -257,7 +259,7 @@ class RunStatistics:
 
     def _created(self, event: Event) -> None:
         scope = event.text.split()[-1]
-        name = "#" if event.cycle.startswith("#") else event.cycle
+        name = event.cycle.partition("#")[0] + "#" if "#" in event.cycle else event.cycle
         key = (name, scope, event.span)
         if key not in self._cycles:
             made = _Cycle(event.cycle, scope, event.span)
@@ -317,7 +319,7 @@ class RunStatistics:
 
     def _runs(self, cycle: _Cycle, runs: Mapping[str, int]) -> int | None:
         """The cycle's run-throughs, if ``runs`` counts them for this definition alone."""
-        if cycle.instances > 1 and cycle.name.startswith("#"):
+        if cycle.instances > 1 and "#" in cycle.name:
             return None
         if sum(other.name == cycle.name for other in self._cycles.values()) > 1:
             return None

@@ -46,6 +46,8 @@ class Event:
     ``kind`` is a word, ``text`` its particulars (``fired``, ``17 line 5``). ``span`` is the place
     in a program that it comes from. ``cycle`` is the realtime cycle it comes from: its programmed
     ID, or ``#1`` for the first cycle without ID; empty for the path, the decoder and the manager.
+    ``channel`` is the number of its channel where the machine has more than one, else 0; cycles are
+    called ``2:17`` there.
     """
 
     tick: int
@@ -54,9 +56,15 @@ class Event:
     text: str
     span: Span | None = None
     cycle: str = ""
+    channel: int = 0
 
     def __str__(self) -> str:
-        return f"{self.kind} {self.text}"
+        return f"{self.prefix}{self.kind} {self.text}"
+
+    @property
+    def prefix(self) -> str:
+        """What tells the channel in front of an event's text, ``CH2``, where there are several."""
+        return f"CH{self.channel} " if self.channel else ""
 
 
 class EventNames(Protocol):
@@ -126,8 +134,9 @@ class EventDecoder:
         return [self._event(*row) for row in _ROW.iter_unpack(data)]
 
     def _event(
-        self, tick: float, kind: float, source: float, subject: float, a: float, b: float
+        self, tick: float, code: float, source: float, subject: float, a: float, b: float
     ) -> Event:
+        channel, kind = divmod(int(code), record.CHANNEL_CODE_WIDTH)
         number, serial = int(tick), int(subject)
         time_us = number * self._cycle_time_us
         span = self._place(int(source))
@@ -138,9 +147,9 @@ class EventDecoder:
         elif kind == record.TECHNOLOGY_RT:
             word, text = self._technology_rt(a, b, time_us)
         else:
-            word, text = self._makers[int(kind)](int(kind), serial, a, b)
+            word, text = self._makers[kind](kind, serial, a, b)
         cycle = self._names.cycle(serial) if serial and kind not in _WITHOUT_CYCLE else ""
-        return Event(number, time_us, word, text, span, cycle)
+        return Event(number, time_us, word, text, span, cycle, channel)
 
     def _place(self, source: int) -> Span | None:
         """Few places make many events: each is looked up once."""

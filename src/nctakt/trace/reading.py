@@ -26,6 +26,7 @@ from nctakt.trace.sinks import FORMAT_NAME, FORMAT_VERSION, SUFFIXES, Signal, Tr
 
 _ORIGIN = re.compile(r"(?s)(?P<cycle>\S+) (?P<place>.+)")
 _PLACE = re.compile(r"(?s)(?P<file>.+):(?P<line>\d+):(?P<column>\d+)")
+_CHANNEL = re.compile(r"CH(\d+) ")
 _UNMARKED = {"n": "\n", "r": "\r"}
 
 
@@ -129,7 +130,9 @@ def _event_of(content: dict[str, Any], tick: int, time_us: int) -> Event:
     if "file" in content:
         span = Span(content["file"], content["line"], content["column"], content["end_column"])
     kind, text = content["kind"], content["text"]
-    return Event(tick, time_us, kind, text, span, content.get("cycle", ""))
+    return Event(
+        tick, time_us, kind, text, span, content.get("cycle", ""), content.get("channel", 0)
+    )
 
 
 def split_events(cell: str, tick: int, time_us: int) -> list[Event]:
@@ -139,9 +142,13 @@ def split_events(cell: str, tick: int, time_us: int) -> list[Event]:
 
 def _event(text: str, tick: int, time_us: int) -> Event:
     body, *origin = _divide(text, " <")
+    channel = _CHANNEL.match(body)
+    if channel is not None:
+        body = body[channel.end() :]
     kind, _, particulars = body.partition(" ")
     cycle, span = _origin(origin[0].removesuffix(">")) if origin else ("", None)
-    return Event(tick, time_us, kind, _unescape(particulars), span, cycle)
+    number = 0 if channel is None else int(channel[1])
+    return Event(tick, time_us, kind, _unescape(particulars), span, cycle, number)
 
 
 def _origin(text: str) -> tuple[str, Span | None]:

@@ -80,7 +80,7 @@ def join_events(events: Iterable[Event]) -> str:
 
 
 def _event_text(event: Event) -> str:
-    text = f"{event.kind} {escape(event.text)}"
+    text = f"{event.prefix}{event.kind} {escape(event.text)}"
     if event.span is None and not event.cycle:
         return text
     return f"{text} <{escape(event.cycle) or '-'} {escape(str(event.span or '-'))}>"
@@ -96,6 +96,8 @@ def escape(text: str) -> str:
 def event_object(event: Event) -> dict[str, object]:
     """An event as a JSON object; cycle and place only where there are some."""
     content: dict[str, object] = {"kind": event.kind, "text": event.text}
+    if event.channel:
+        content["channel"] = event.channel
     if event.cycle:
         content["cycle"] = event.cycle
     if event.span is not None:

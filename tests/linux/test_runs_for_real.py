@@ -38,7 +38,7 @@ from linux_runs import (
     write_files,
 )
 
-from nctakt.linux import machine
+from nctakt.linux import machine, plan
 
 pytestmark = needs_runner
 Capture = pytest.CaptureFixture[str]
@@ -525,3 +525,10 @@ def test_log_without_room(tmp_path: Path, capsys: Capture, monkeypatch: pytest.M
     shown = capsys.readouterr()
     assert "warning 900691: the run ended after " in shown.err
     assert 1 <= counts(shown.out, "GEO")["due"] < 40
+
+
+def test_longest_run(tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
+    """900691: nor does it last longer than a run can; what was asked for may be any number."""
+    monkeypatch.setattr(plan, "MOST_CYCLES", 3)
+    run(*write_files(tmp_path), "--duration", "100000min", "--no-fifo")
+    assert "warning 900691: the run ended after 3 NC cycles" in capsys.readouterr().err

@@ -84,7 +84,7 @@ def _run(words: dict[str, Any]) -> int:
         collector.report(900692, None, names=", ".join(names))
     log = run_plan(plan)
     measurement = measure(log, drawn_cycles(model, words))
-    _report_end(log, measurement, collector)
+    _report_end(log, measurement, wanted_cycles(model, words), collector)
     found = [*collector.diagnostics, *simulation_findings(measurement.run)]
     tell([*read.found, *found], words)
     simulated = simulate(model, measurement.run.cycles, record=0)
@@ -140,7 +140,7 @@ def _plan(read: ListRead, model: Model, words: dict[str, Any], collector: Collec
     return plan
 
 
-def _report_end(log: RunLog, measurement: Measurement, collector: Collector) -> None:
+def _report_end(log: RunLog, measurement: Measurement, wanted: int, collector: Collector) -> None:
     """Report how the run ended, and what it could not have."""
     from nctakt.linux.measure import late_wakes  # noqa: PLC0415
     from nctakt.linux.run import placement_refusals  # noqa: PLC0415
@@ -151,7 +151,8 @@ def _report_end(log: RunLog, measurement: Measurement, collector: Collector) -> 
         collector.diagnostics.append(refused)
     if log.was_stopped:
         collector.report(900693, None, cycles=cycles)
-    if log.is_cut:
+    is_shorter = cycles == log.plan.cycles < wanted
+    if log.is_cut or is_shorter:
         collector.report(900691, None, cycles=cycles)
     if late := late_wakes(measurement):
         collector.report(900694, None, count=len(late), latest=us(max(late)))

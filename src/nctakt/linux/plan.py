@@ -20,6 +20,8 @@ from nctakt.schedule.work import Work
 
 #: The priority of SCHED_FIFO that the most urgent thread gets; the scheduler has 90.
 HIGHEST_PRIORITY = 80
+#: The most NC cycles of one run.
+MOST_CYCLES = 1_000_000
 #: So many different execution times of a task are kept, then they come again from the first.
 MOST_TIMES = 200_000
 #: From this share of a processor on its other programs could come to a standstill.
@@ -71,8 +73,10 @@ def semaphore_name(name: str) -> str:
 def make_plan(
     model: Model, cycles: int, *, is_fifo: bool, plays_external: bool, source: str | None = None
 ) -> Plan:
-    """The plan of ``cycles`` NC cycles; ``source``: the list's ``external_object_name``."""
+    """The plan of ``cycles`` NC cycles, at most ``MOST_CYCLES``; ``source``: the list's
+    ``external_object_name``."""
     assert cycles > 0
+    cycles = min(cycles, MOST_CYCLES)
     chance = Chance(model.seed)
     works = [Work(task, 0, chance) for task in model.tasks]
     moments, rows = _draw(model, cycles, works, chance)

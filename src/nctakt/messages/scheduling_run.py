@@ -133,8 +133,8 @@ _add(
 _add(
     900691,
     WARNING,
-    "the run ended after {cycles} NC cycles: its log has no more room",
-    "der Lauf endete nach {cycles} NC-Takten: sein Protokoll ist voll",
+    "the run ended after {cycles} NC cycles: more cannot be recorded",
+    "der Lauf endete nach {cycles} NC-Takten: mehr lässt sich nicht aufzeichnen",
     remedy_en="Run shorter pieces.",
     remedy_de="In kürzeren Stücken laufen lassen.",
     parameters={

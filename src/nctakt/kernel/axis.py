@@ -40,6 +40,7 @@ class Axes:
         for i in range(count):
             self.override_pct[i] = 100.0
             self.max_override_pct[i] = 100.0
+            self.independent_pct[i] = 100.0
         self.offsets = Offsets(count)
         self.has_moved = True
 

@@ -7,6 +7,7 @@ knows the names behind the numbers of events.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -28,6 +29,7 @@ from nctakt.kernel.path import Path as KernelPath
 from nctakt.kernel.record import Record
 from nctakt.kernel.single_axes import SingleAxes
 from nctakt.kernel.timers import Timers
+from nctakt.lists.axis_configuration import AxisConfiguration
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.lists.machine import ChannelConfiguration, MachineConfiguration
 from nctakt.lists.variables import SCALARS
@@ -329,6 +331,8 @@ class Machine:
             self.axes.set_override(index, axis.override_mode, axis.max_override_pct)
             if axis.is_modulo:
                 self.axes.set_modulo(index, axis.dynamics.modulo_low, axis.modulo_range)
+            if not axis.follows_exactly:
+                self._let_lag(index, axis)
             slope = axis.dynamics.jerk_slope
             has_jerk = index in jerky and slope.jerk > 0.0
             if axis.enable_single_axis:
@@ -345,6 +349,13 @@ class Machine:
                     jerk=slope.jerk if has_jerk else 0.0,
                 )
         return made
+
+    def _let_lag(self, index: int, axis: AxisConfiguration) -> None:
+        """The lag of an axis in each tick (MO-10); a share of 1 leaves none."""
+        reach = axis.kv * self.configuration.cycle_time_us / 1e6
+        kept = math.exp(-reach)
+        share = axis.feed_forward_share
+        self.axes.set_lag(index, kept, (1.0 - share) * (1.0 - kept) / reach)
 
     def _channel(self, index: int, layout: Layout) -> Channel:
         configuration = self.configuration.channels[index]

@@ -6,9 +6,16 @@ Demo machine: T 1 ms, ±10 000 mm, 500 mm/s, 4000 mm/s², trapezoid; A modulo 36
 
 from __future__ import annotations
 
-import pytest
-from kernel_rig import Rig
+import itertools
+import math
+import shutil
+from pathlib import Path
 
+import pytest
+from kernel_rig import DEMO, Rig
+
+from nctakt.assembly import Machine
+from nctakt.lists.machine import load_machine
 from nctakt.trace.events import EventDecoder
 
 X, Y, Z, A = range(4)
@@ -21,8 +28,11 @@ OWNER = 7
 class AxesRig(Rig):
     """A rig that keeps the position of one axis and the texts of all events, tick by tick."""
 
-    def __init__(self, axis: int = Z) -> None:
+    def __init__(self, axis: int = Z, machine: Machine | None = None) -> None:
         super().__init__()
+        if machine is not None:
+            self.machine = machine
+            self.channel = machine.channels[0]
         self.axis = axis
         self.single = self.machine.single_axes
         self.places: list[float] = []
@@ -317,3 +327,130 @@ def test_reset_brakes_and_ends_when_all_stands() -> None:
     assert ticks == 10
     assert rig.state() == STANDSTILL
     assert_no_step(rig.places)
+
+
+# --- other machines ----------------------------------------------------------------------------
+
+
+def machine_with(folder: Path, changes: dict[str, str]) -> Machine:
+    """The demo machine with other lines in its lists: beginning of the old line -> new line."""
+    shutil.copytree(DEMO.folder, folder / "machine")
+    for path in sorted((folder / "machine").glob("*.lis")):
+        lines = path.read_text("utf-8").split("\n")
+        for begin, line in changes.items():
+            lines = [line if one.startswith(begin) else one for one in lines]
+        path.write_text("\n".join(lines), "utf-8")
+    return Machine(load_machine(folder / "machine"))
+
+
+def test_a_jerk_limited_motion_by_hand(tmp_path: Path) -> None:
+    """P-CHAN-00071 is 1: jerk 4000 mm/s² / 50 ms = 80 000 mm/s³ (P-AXIS-00196).
+
+    100 mm/s are reached in 2·√(100/80000) = 0.070711 s; 10 mm take 0.1 s more: 171 ticks. After
+    i ≤ 35 ticks j·t³/6 = 80000/6·i³·1e-9 mm.
+    """
+    rig = AxesRig(
+        machine=machine_with(tmp_path, {"prog_start.slope": "prog_start.slope.profile 1"})
+    )
+    rig.absolute(10.0, 100.0)
+    assert rig.run_to_stand() == 171
+    assert rig.places[9] == pytest.approx(80_000 / 6 * 1000e-9)
+    assert rig.places[34] == pytest.approx(80_000 / 6 * 42_875e-9)
+    assert rig.places[-1] == 10.0
+
+
+def test_a_jerk_limited_motion_is_stopped_and_turned_without_a_step(tmp_path: Path) -> None:
+    """MO-11: ABORTING in mid-acceleration, a stop, an override: jerk within its limit."""
+    rig = AxesRig(
+        machine=machine_with(tmp_path, {"prog_start.slope": "prog_start.slope.profile 1"})
+    )
+    rig.absolute(100.0, 300.0)
+    rig.run(40)
+    rig.absolute(-20.0, 500.0)
+    rig.run(90)
+    rig.single.command_owner("hold", OWNER)
+    rig.run(20)
+    rig.single.command_owner("resume", OWNER)
+    rig.run_to_stand()
+    assert rig.places[-1] == -20.0
+    assert_no_step(rig.places)
+    speeds = [b - a for a, b in itertools.pairwise([0.0, 0.0, *rig.places])]
+    rises = [b - a for a, b in itertools.pairwise(speeds)]
+    jerks = [abs(b - a) / 1e-9 for a, b in itertools.pairwise(rises)]
+    assert max(jerks) <= 80_000 * (1 + 1e-6)
+
+
+@pytest.mark.parametrize(("share", "error"), [("0", 2.0), ("3", 0.5)])
+def test_the_drive_lags_by_speed_over_gain(tmp_path: Path, share: str, error: float) -> None:
+    """MO-10: kv 50/s, 100 mm/s: 2 mm behind; with 3/4 of feed-forward 0.5 mm.
+
+    Where the axis stands, the error falls by exp(-0.05) a tick.
+    """
+    changes = {
+        "antr.simu.ist_gleich_soll": f"vorsteuer.vs_v_faktor {share}\nvorsteuer.vs_v_nenner 4",
+        "getriebe[0].vb_eilgang": "getriebe[0].vb_eilgang P-AXIS-00212.0\ngetriebe[0].kv 5000",
+    }
+    rig = AxesRig(machine=machine_with(tmp_path, changes))
+    cells = rig.machine.cells
+    command = rig.machine.signals()["Z.ACS.ACT_POS"][0]
+    actual = rig.machine.signals()["Z.ACS.CUR_POS"][0]
+    rig.single.velocity(Z, 100.0, 1, ABORTING, OWNER)
+    rig.run(600)
+    assert cells[command] - cells[actual] == pytest.approx(error, rel=1e-6)
+    rig.single.halt(Z, OWNER)
+    rig.run_to_stand()
+    before = cells[command] - cells[actual]
+    rig.run(10)
+    assert cells[command] - cells[actual] == pytest.approx(before * math.exp(-0.5))
+    rig.run(1000)
+    assert cells[command] == cells[actual]
+
+
+@pytest.mark.parametrize(("mode", "ticks"), [(0, 213), (1, 213), (2, 125)])
+def test_which_override_a_motion_follows(mode: int, ticks: int) -> None:
+    """P-AXIS-00491: the channel's (50 %: 10 mm at 50 mm/s), the lesser one, or the axis' own.
+
+    10 mm at 50 mm/s take 10/50 + 50/4000 s: 213 ticks; at 100 mm/s 125.
+    """
+    rig = AxesRig()
+    rig.machine.axes.set_override(Z, mode, 100.0)
+    rig.machine.access.write("HLI.OVERRIDE", 50.0)
+    rig.machine.access.post_writes()
+    rig.absolute(10.0, 100.0)
+    assert rig.run_to_stand() == ticks
+
+
+def test_at_zero_percent_the_motion_stands_and_goes_on() -> None:
+    """MO-11: override 0 brakes to a stand, the motion stays; with 100 % it goes on."""
+    rig = AxesRig()
+    rig.absolute(10.0, 100.0)
+    rig.run(50)
+    rig.machine.access.write("HLI.OVERRIDE", 0.0)
+    rig.machine.access.post_writes()
+    rig.run(50)
+    assert rig.places[-1] == pytest.approx(5.0)
+    assert rig.state() == DISCRETE
+    rig.machine.access.write("HLI.OVERRIDE", 100.0)
+    rig.machine.access.post_writes()
+    rig.run(1)
+    rig.run_to_stand()
+    assert rig.places[-1] == 10.0
+    assert_no_step(rig.places, top=100.0)
+
+
+def test_half_a_turn_goes_forward() -> None:
+    """From 0° to 180°: neither way is shorter."""
+    rig = AxesRig(A)
+    rig.absolute(180.0)
+    rig.run_to_stand()
+    assert min(rig.places) >= 0.0
+    assert rig.places[-1] == 180.0
+
+
+def test_feed_hold_leaves_independent_motions_alone() -> None:
+    """MO-6: feed hold is the path's."""
+    rig = AxesRig()
+    rig.machine.access.write("HLI.FEED_HOLD", 1.0)
+    rig.machine.access.post_writes()
+    rig.absolute(10.0, 100.0)
+    assert rig.run_to_stand() == 125

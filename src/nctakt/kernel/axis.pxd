@@ -9,7 +9,11 @@ cdef class Axes:
     cdef readonly Py_ssize_t first_cell
     cdef readonly Py_ssize_t count
     cdef double[::1] command
-    cdef double[::1] actual
+    cdef bint has_lag
+    cdef double[::1] lag_d
+    cdef double[::1] lag_kept
+    cdef double[::1] lag_gained
+    cdef double[::1] followed
     cdef double[::1] target
     cdef double[::1] modulo_low
     cdef double[::1] modulo_range
@@ -22,12 +26,14 @@ cdef class Axes:
     cdef readonly Offsets offsets
     cdef bint has_moved
 
+    @cython.locals(i=Py_ssize_t, step=double, half=double, lag=double)
+    cdef void follow(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, base=Py_ssize_t, here=double, there=double, rest=double, offset=double)
+    @cython.locals(i=Py_ssize_t, base=Py_ssize_t, here=double, real=double, there=double, rest=double, shift=double)
     cdef void publish(self) noexcept nogil
     @cython.locals(base=Py_ssize_t, pct=double)
     cdef void publish_override(self, Py_ssize_t i, double operator_pct) noexcept nogil
     cdef void show_state(self, Py_ssize_t i, int state) noexcept nogil
     cdef void set_offset(self, Py_ssize_t axis, int kind, double value) noexcept nogil
-    cdef void publish_system(self, Py_ssize_t base, double here, double there, double rest) noexcept nogil
+    cdef void publish_system(self, Py_ssize_t base, double here, double real, double there, double rest) noexcept nogil

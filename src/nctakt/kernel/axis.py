@@ -5,8 +5,12 @@
 
 Arrays over the axes, since the tick walks over all of them. Each axis has a row of cells in the
 memory, in the order of ``nc/names.py`` (``AXIS_VARIABLES``): positions in ACS, MCS, PCS and IPO
-(RC-304). PCS differs by the offsets in ``coordinates.py``. The simulated drive follows at
-once: actual position = command position (MO-15).
+(RC-304). PCS differs by the offsets in ``coordinates.py``.
+
+The simulated drive (MO-10): an axis follows its command at once (MO-15), or with the lag of a
+position control whose gain is kv, of which feed-forward takes a share: the following error e obeys
+de/dt = (1 - share) * command speed - kv * e. With the command's speed constant within a tick that
+is solved exactly.
 
 Command and target of a modulo axis run on over the range while it moves; the cells show them within
 it. ``on_path`` tells which axes the current block moves, ``independent`` which ones move on their
@@ -27,7 +31,11 @@ class Axes:
         self.first_cell = first_cell
         self.count = count
         self.command = memoryview(bytearray(8 * count)).cast("d")
-        self.actual = memoryview(bytearray(8 * count)).cast("d")
+        self.has_lag = False
+        self.lag_d = memoryview(bytearray(8 * count)).cast("d")
+        self.lag_kept = memoryview(bytearray(8 * count)).cast("d")
+        self.lag_gained = memoryview(bytearray(8 * count)).cast("d")
+        self.followed = memoryview(bytearray(8 * count)).cast("d")
         self.target = memoryview(bytearray(8 * count)).cast("d")
         self.modulo_low = memoryview(bytearray(8 * count)).cast("d")
         self.modulo_range = memoryview(bytearray(8 * count)).cast("d")
@@ -45,10 +53,23 @@ class Axes:
         self.has_moved = True
 
     def begin_tick(self) -> None:
-        """Read actual positions; the CYCLE overrides are 100 % again (RC-305)."""
+        """The CYCLE overrides are 100 % again (RC-305)."""
         for i in range(self.count):
-            self.actual[i] = self.command[i]
             self.cells[self.first_cell + i * 21 + 15] = 100.0
+
+    def follow(self) -> None:
+        """The drives' tick, where any has a lag."""
+        for i in range(self.count):
+            if self.lag_kept[i] > 0.0:
+                step = self.command[i] - self.followed[i]
+                if self.modulo_range[i] > 0.0:
+                    half = 0.5 * self.modulo_range[i]
+                    step = arithmetic.within(step, 0.0 - half, self.modulo_range[i])
+                self.followed[i] = self.command[i]
+                if step != 0.0 or self.lag_d[i] != 0.0:
+                    lag = self.lag_kept[i] * self.lag_d[i] + self.lag_gained[i] * step
+                    self.lag_d[i] = lag if lag > 1e-9 or lag < -1e-9 else 0.0
+                    self.has_moved = True
 
     def publish(self) -> None:
         """Write what cycles, decoder and trace read."""
@@ -57,24 +78,28 @@ class Axes:
         self.has_moved = False
         for i in range(self.count):
             base = self.first_cell + i * 21
+            rest = self.target[i] - self.command[i]
             here = self.command[i]
+            real = here - self.lag_d[i]
             there = self.target[i]
             if self.modulo_range[i] > 0.0:
                 here = arithmetic.within(here, self.modulo_low[i], self.modulo_range[i])
+                real = arithmetic.within(real, self.modulo_low[i], self.modulo_range[i])
                 there = arithmetic.within(there, self.modulo_low[i], self.modulo_range[i])
             self.cells[base] = here
-            self.cells[base + 1] = here
+            self.cells[base + 1] = real
             self.cells[base + 2] = there
-            rest = self.target[i] - self.command[i]
-            self.publish_system(base + 3, here, there, rest)
-            offset = self.offsets.program[i]
-            self.publish_system(base + 7, here - offset, there - offset, rest)
-            self.publish_system(base + 11, here, there, rest)
+            self.publish_system(base + 3, here, real, there, rest)
+            shift = self.offsets.program[i]
+            self.publish_system(base + 7, here - shift, real - shift, there - shift, rest)
+            self.publish_system(base + 11, here, real, there, rest)
 
-    def publish_system(self, base: int, here: float, there: float, rest: float) -> None:
+    def publish_system(
+        self, base: int, here: float, real: float, there: float, rest: float
+    ) -> None:
         """Command, actual and target position and distance to go in one system."""
         self.cells[base] = here
-        self.cells[base + 1] = here
+        self.cells[base + 1] = real
         self.cells[base + 2] = there
         self.cells[base + 3] = rest
 
@@ -115,6 +140,12 @@ class Axes:
         self.modulo_low[index] = low
         self.modulo_range[index] = full
 
+    def set_lag(self, index: int, kept: float, gained: float) -> None:
+        """Let an axis lag: what a tick keeps of the error, and adds of its way."""
+        self.lag_kept[index] = kept
+        self.lag_gained[index] = gained
+        self.has_lag = True
+
     def set_override(self, index: int, mode: int, most_pct: float) -> None:
         """P-AXIS-00491 and P-AXIS-00109 of an axis."""
         self.override_mode[index] = mode
@@ -127,6 +158,7 @@ class Axes:
     def place(self, index: int, position: float) -> None:
         """Set one axis to a position without a motion: before the first tick."""
         self.command[index] = position
-        self.actual[index] = position
+        self.followed[index] = position
+        self.lag_d[index] = 0.0
         self.target[index] = position
         self.publish_all()

@@ -177,6 +177,8 @@ class Kernel:
         self.lane.begin_tick(self.tick)
         self.record.channel_code = 0
         self.single_axes.step()
+        if self.axes.has_lag:
+            self.axes.follow()
         self.axes.publish()
         self.lane.end_tick()
         self.record.channel_code = 0

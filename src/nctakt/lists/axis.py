@@ -138,7 +138,6 @@ _CHARACTER = (
         False,
         "The axis may be moved on its own, beside the path",
         "Die Achse darf für sich, neben der Bahn, bewegt werden",
-        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00491",
@@ -148,7 +147,6 @@ _CHARACTER = (
         "Override of independent motions: 0 channel, 1 the lesser of both, 2 axis",
         "Override unabhängiger Bewegungen: 0 Kanal, 1 der kleinere von beiden, 2 Achse",
         high=2,
-        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00177",
@@ -188,7 +186,6 @@ _CHARACTER = (
         low=1,
         high=MOST_OVERRIDE,
         unit="0.1 %",
-        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00079",
@@ -215,7 +212,24 @@ _CHARACTER = (
         False,
         "The simulated drive follows exactly: actual position = command position",
         "Der simulierte Antrieb folgt genau: Istposition = Sollposition",
-        effect=Effect.CHECKED,
+    ),
+    _axis(
+        "P-AXIS-00228",
+        "vorsteuer.vs_v_faktor",
+        ValueType.SGN32,
+        1,
+        "Numerator of the weight of the feed-forward control",
+        "Zähler der Gewichtung der Vorsteuerung",
+        low=0,
+    ),
+    _axis(
+        "P-AXIS-00229",
+        "vorsteuer.vs_v_nenner",
+        ValueType.SGN32,
+        1,
+        "Denominator of the weight of the feed-forward control",
+        "Nenner der Gewichtung der Vorsteuerung",
+        low=1,
     ),
 )
 
@@ -296,7 +310,6 @@ _GEAR_STEP = (
         "Verstärkung der Lageregelung",
         low=1,
         unit="0.01/s",
-        effect=Effect.CHECKED,
     ),
     _gear(
         "P-AXIS-00236",
@@ -337,7 +350,6 @@ _RAMPS = (
         1000,
         "Acceleration at feed, jerk-limited slope",
         "Beschleunigung bei Vorschub, ruckbegrenzter Slope",
-        effect=Effect.CHECKED,
     ),
     _acceleration(
         "P-AXIS-00002",
@@ -345,7 +357,6 @@ _RAMPS = (
         1000,
         "Deceleration at feed, jerk-limited slope",
         "Verzögerung bei Vorschub, ruckbegrenzter Slope",
-        effect=Effect.CHECKED,
     ),
     _acceleration(
         "P-AXIS-00004",
@@ -353,7 +364,6 @@ _RAMPS = (
         1000,
         "Acceleration and deceleration at rapid, jerk-limited slope",
         "Beschleunigung und Verzögerung im Eilgang, ruckbegrenzter Slope",
-        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00196",
@@ -361,7 +371,6 @@ _RAMPS = (
         50_000,
         "Ramp time while the acceleration builds up",
         "Rampenzeit, während die Beschleunigung zunimmt",
-        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00195",
@@ -369,7 +378,6 @@ _RAMPS = (
         50_000,
         "Ramp time while the acceleration fades",
         "Rampenzeit, während die Beschleunigung abnimmt",
-        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00198",
@@ -377,7 +385,6 @@ _RAMPS = (
         50_000,
         "Ramp time while the deceleration builds up",
         "Rampenzeit, während die Verzögerung zunimmt",
-        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00197",
@@ -385,7 +392,6 @@ _RAMPS = (
         50_000,
         "Ramp time while the deceleration fades",
         "Rampenzeit, während die Verzögerung abnimmt",
-        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00200",
@@ -393,7 +399,6 @@ _RAMPS = (
         10_000,
         "Ramp time at rapid",
         "Rampenzeit im Eilgang",
-        effect=Effect.CHECKED,
     ),
     _acceleration(
         "P-AXIS-00011",

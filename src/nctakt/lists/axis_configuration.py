@@ -117,7 +117,8 @@ class AxisConfiguration:
     """One axis; ``dynamics`` are those of the gear step that is active after start-up.
 
     ``is_modulo``: positions repeat every ``modulo_range``, and there are no software limits.
-    ``override_mode``: P-AXIS-00491. ``max_override_pct``: P-AXIS-00109. ``follows_exactly``:
+    ``feed_forward_share``: P-AXIS-00228 / P-AXIS-00229. ``override_mode``: P-AXIS-00491.
+    ``max_override_pct``: P-AXIS-00109. ``follows_exactly``:
     actual position = command position (P-AXIS-00096). ``file``: the list that describes the axis.
     """
 
@@ -133,6 +134,7 @@ class AxisConfiguration:
     software_limit_tolerance: float
     optimised_schedule: bool
     follows_exactly: bool
+    feed_forward_share: float
     dynamics: AxisDynamics
     gears: tuple[AxisDynamics, ...]
     file: str
@@ -192,10 +194,19 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         values.integer("kenngr.swe_toleranz") / POSITION_UNITS,
         values.flag("lr_param.field_bus_allows_optimized_schedule"),
         values.flag("antr.simu.ist_gleich_soll"),
+        _feed_forward(values),
         _active_gear(values, gears, collector),
         gears,
         values.file,
     )
+
+
+def _feed_forward(values: Values) -> float:
+    """The share of the command speed that goes past the position control; none unless given."""
+    share, whole = "vorsteuer.vs_v_faktor", "vorsteuer.vs_v_nenner"
+    if not values.given(share) and not values.given(whole):
+        return 0.0
+    return values.integer(share) / values.integer(whole)
 
 
 def _software_limits(values: Values, collector: Collector) -> tuple[float, float]:

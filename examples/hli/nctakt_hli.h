@@ -113,6 +113,7 @@ typedef struct hli_axis {
     double program; /* command position, PCS (mm, °) */
     double distance_to_go; /* left to the target (mm, °) */
     uint32_t override_total; /* of its own motions (%) */
+    uint8_t state; /* PLCopen: 1 Standstill, 2 DiscreteMotion, 3 ContinuousMotion, 4 Stopping, 5 ErrorStop, 6 SynchronizedMotion */
 } hli_axis;
 _Static_assert(offsetof(hli_axis, name) == 0, "name");
 _Static_assert(offsetof(hli_axis, command) == 16, "command");
@@ -122,6 +123,7 @@ _Static_assert(offsetof(hli_axis, machine) == 40, "machine");
 _Static_assert(offsetof(hli_axis, program) == 48, "program");
 _Static_assert(offsetof(hli_axis, distance_to_go) == 56, "distance_to_go");
 _Static_assert(offsetof(hli_axis, override_total) == 64, "override_total");
+_Static_assert(offsetof(hli_axis, state) == 68, "state");
 _Static_assert(sizeof(hli_axis) == 72, "hli_axis");
 
 /* what the PLC commands a channel */

@@ -6,6 +6,7 @@ Everything that it writes counts from the next tick on (RC-002).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -13,6 +14,7 @@ from nctakt.access import split_channel
 from nctakt.assembly import Machine
 from nctakt.failure import Failure
 from nctakt.hli.layout import AXIS, CHANNEL
+from nctakt.kernel.axis_requests import HALT
 from nctakt.messages import diagnostic
 
 #: The states of a channel in the order of their numbers.
@@ -83,15 +85,60 @@ class Interface:
         return {name: machine.cells[cell] for name, cell in shown.items()}
 
     def axis(self, name: str) -> dict[str, float]:
-        """An axis, by the names of ``hli_axis``: ``command``, ``target`` …; ``KeyError``: none."""
-        machine = self._machine
-        names = {axis.name: i for i, axis in enumerate(machine.configuration.axes)}
-        index = names[name]
+        """An axis, by the names of ``hli_axis``: ``command``, ``target``, ``state`` …"""
+        machine, index = self._machine, self._axis(name)
         return {
             entry.name: machine.cells[machine.layout.axis_value(index, entry.source)]
             for entry in AXIS.entries
             if entry.source
         }
+
+    # --- single axes: what the function blocks of ``plc/axes.py`` need --------------------------
+
+    def _axis(self, name: str) -> int:
+        """The number of an axis; raises ``Failure`` (900656) where there is none."""
+        names = {axis.name: i for i, axis in enumerate(self._machine.configuration.axes)}
+        if name not in names:
+            raise Failure(diagnostic(900656, name=name, known=", ".join(names)))
+        return names[name]
+
+    def request_axis(
+        self, kind: int, name: str, value: float, speed: float, mode: int, direction: int
+    ) -> int:
+        """A request for the next tick (``kernel/axis_requests.py``): its owner number."""
+        axis = self._axis(name)
+        if kind != HALT and not (math.isfinite(value) and 0.0 < speed < math.inf):
+            raise Failure(diagnostic(900657, name=name, value=value, speed=speed))
+        owner = self._machine.kernel.requests.post(kind, axis, value, speed, mode, direction)
+        if owner == 0:
+            raise Failure(diagnostic(900658, name=name))
+        return owner
+
+    def axis_answer(self, owner: int) -> int:
+        """0 accepted, else the number of the message that refuses; -1: no tick has latched it."""
+        return self._machine.kernel.requests.answer_to(owner)
+
+    def is_axis_open(self, owner: int) -> bool:
+        """Whether what was requested runs or waits."""
+        return self._machine.kernel.requests.is_open(owner)
+
+    def is_axis_active(self, name: str, owner: int) -> bool:
+        """Whether it is what the axis does."""
+        return self._machine.kernel.requests.is_active(self._axis(name), owner)
+
+    def has_axis_arrived(self, name: str, owner: int) -> bool:
+        """Whether it has come to its target, and no motion behind it has."""
+        return self._machine.kernel.requests.has_arrived(self._axis(name), owner)
+
+    def is_axis_at_speed(self, name: str) -> bool:
+        """Whether an endless motion has its speed."""
+        return self._machine.single_axes.at_speed(self._axis(name))
+
+    def axis_fault(self, name: str) -> int:
+        """The number of the error that the axis is in."""
+        return self._machine.single_axes.fault_of(self._axis(name))
+
+    # --- M and H functions ----------------------------------------------------------------------
 
     def functions(self) -> list[TechnologyEntry]:
         """The functions that wait, the main program's first, then in the order of commanding."""

@@ -144,6 +144,14 @@ AXIS = Structure(
         Entry("program", "REAL64", "mm, °", "command position, PCS", source="PCS.ACT_POS"),
         Entry("distance_to_go", "REAL64", "mm, °", "left to the target", source="MCS.DIST_TO_GO"),
         Entry("override_total", "UNS32", "%", "of its own motions", source="OVERRIDE.VEL.TOTAL"),
+        Entry(
+            "state",
+            "UNS08",
+            "",
+            "PLCopen: 1 Standstill, 2 DiscreteMotion, 3 ContinuousMotion, 4 Stopping, "
+            "5 ErrorStop, 6 SynchronizedMotion",
+            source="STATE",
+        ),
     ),
 )
 

@@ -48,6 +48,7 @@ cdef class AxisMotions:
     cdef long long[::1] ticks
     cdef long long[::1] fault
     cdef long long[::1] failed
+    cdef long long[::1] arrived
     cdef Py_ssize_t failed_count
     cdef Py_ssize_t ring_size
 

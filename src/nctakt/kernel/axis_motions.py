@@ -86,6 +86,7 @@ class AxisMotions:
         self.ticks = memoryview(bytearray(8 * count)).cast("q")
         self.fault = memoryview(bytearray(8 * count)).cast("q")
         self.failed = memoryview(bytearray(8 * count)).cast("q")
+        self.arrived = memoryview(bytearray(8 * count)).cast("q")
         self.failed_count = 0
         self.ring_size = count
         for axis in range(count):
@@ -318,6 +319,7 @@ class AxisMotions:
             self.fail(axis, 900434)
         else:
             self.record.axis_ended(self.sources[axis], self.serials[axis], axis, 0)
+            self.arrived[axis] = self.owner[axis]
         self.come_to_stand(axis)
         return 1
 

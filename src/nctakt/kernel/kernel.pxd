@@ -2,6 +2,7 @@
 # C types of kernel.py.
 cimport cython
 from nctakt.kernel.axis cimport Axes
+from nctakt.kernel.axis_requests cimport AxisRequests
 from nctakt.kernel.channel cimport Channel
 from nctakt.kernel.image cimport InterfaceImage
 from nctakt.kernel.record cimport Record
@@ -31,6 +32,7 @@ cdef class Kernel:
     cdef Axes axes
     cdef Record record
     cdef SingleAxes single_axes
+    cdef readonly AxisRequests requests
     cdef readonly InterfaceImage image
     cdef Lane lane
     cdef readonly long long tick

@@ -15,6 +15,7 @@ import struct
 import cython
 
 from nctakt.kernel.axis import Axes
+from nctakt.kernel.axis_requests import AxisRequests
 from nctakt.kernel.channel import Channel
 from nctakt.kernel.image import InterfaceImage
 from nctakt.kernel.record import Record
@@ -103,6 +104,7 @@ class Kernel:
         self.words = memoryview(memory).cast("q")
         self.axes = axes
         self.single_axes = single_axes
+        self.requests = AxisRequests(single_axes)
         self.record = record
         self.image = InterfaceImage(memory, record)
         lane = Lane()
@@ -154,7 +156,7 @@ class Kernel:
 
     def event_bound(self) -> int:
         """The most events of one tick."""
-        return self.lane.event_bound() + self.image.event_bound
+        return self.lane.event_bound() + self.image.event_bound + self.requests.event_bound()
 
     def loop(self, ticks: int) -> int:
         """The loop over ticks, without Python objects."""
@@ -194,6 +196,7 @@ class Kernel:
         for i in range(self.input_count):
             self.words[self.input_cells[i]] = self.input_words[i]
         self.input_count = 0
+        self.requests.latch()
 
     def record_row(self) -> None:
         """The trace row of this tick."""

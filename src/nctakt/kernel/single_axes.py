@@ -242,6 +242,18 @@ class SingleAxes(AxisMotions):
         """PLCopen state, speed and acceleration."""
         return self.state(axis), self.speed[axis], self.acceleration[axis]
 
+    def present_owner(self, axis: int) -> int:
+        """Who has commanded the present motion."""
+        return self.owner[axis]
+
+    def arrived_owner(self, axis: int) -> int:
+        """Who had commanded the motion that came to its target last."""
+        return self.arrived[axis]
+
+    def fault_of(self, axis: int) -> int:
+        """The message of the error that the axis is in, 0 without one."""
+        return abs(self.fault[axis])
+
     def at_speed(self, axis: int) -> bool:
         """``is_at_speed``."""
         return bool(self.is_at_speed(axis))

@@ -67,6 +67,33 @@ _add(
     parameters={"file": "the file of inputs", "line": "the line in it"},
 )
 _add(
+    900656,
+    ERROR,
+    "there is no axis {name}",
+    "es gibt keine Achse {name}",
+    remedy_en="Name one of: {known}",
+    remedy_de="Eine von diesen nennen: {known}",
+    parameters={"name": "the name", "known": "the axes of the machine"},
+)
+_add(
+    900657,
+    ERROR,
+    "the axis {name} cannot be moved with the value {value} at the speed {speed}",
+    "die Achse {name} kann mit Wert {value} und Geschwindigkeit {speed} nicht fahren",
+    remedy_en="Give a finite position or distance, and a speed above 0.",
+    remedy_de="Eine endliche Position oder Strecke und eine Geschwindigkeit über 0 angeben.",
+    parameters={"name": "the axis", "value": "position or distance", "speed": "the axis' speed"},
+)
+_add(
+    900658,
+    ERROR,
+    "more commands of axes in one tick than can be taken: {name} is left out",
+    "mehr Aufträge an Achsen in einem Takt, als möglich ist: {name} bleibt außen vor",
+    remedy_en="Call function blocks with a rising execute in different ticks.",
+    remedy_de="Funktionsbausteine mit steigendem execute in verschiedenen Takten aufrufen.",
+    parameters={"name": "the axis"},
+)
+_add(
     900660,
     ERROR,
     "'{text}' is no expectation",

@@ -3,6 +3,16 @@
 
 from __future__ import annotations
 
+from nctakt.plc.axes import (
+    CURRENT,
+    NEGATIVE,
+    POSITIVE,
+    SHORTEST,
+    MC_Halt,
+    MC_MoveAbsolute,
+    MC_MoveRelative,
+    MC_MoveVelocity,
+)
 from nctakt.plc.loading import AnyPlc, PlcError, load_plc
 from nctakt.plc.partner import PartnerPlc
 from nctakt.plc.policies import ALL, NONE, Policy, after, only
@@ -10,8 +20,16 @@ from nctakt.plc.script import Plc, at, on, when
 
 __all__ = [
     "ALL",
+    "CURRENT",
+    "NEGATIVE",
     "NONE",
+    "POSITIVE",
+    "SHORTEST",
     "AnyPlc",
+    "MC_Halt",
+    "MC_MoveAbsolute",
+    "MC_MoveRelative",
+    "MC_MoveVelocity",
     "PartnerPlc",
     "Plc",
     "PlcError",

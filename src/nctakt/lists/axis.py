@@ -329,7 +329,6 @@ _GEAR_STEP = (
         "Upper end of the modulo range",
         "Obere Grenze des Modulobereichs",
         unit=_POSITION,
-        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00127",
@@ -339,7 +338,6 @@ _GEAR_STEP = (
         "Lower end of the modulo range",
         "Untere Grenze des Modulobereichs",
         unit=_POSITION,
-        effect=Effect.CHECKED,
     ),
 )
 

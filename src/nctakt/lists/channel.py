@@ -176,7 +176,6 @@ _PROGRAMS = (
         "Folder that is searched for NC programs",
         "Verzeichnis, in dem NC-Programme gesucht werden",
         high=_PATH_LENGTH,
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00402",
@@ -195,7 +194,6 @@ _PROGRAMS = (
         "What the folder holds, as bits: 1 main, 2 subprograms, 4 message files, 8 debug data",
         "Inhalt des Verzeichnisses, als Bits: 1 Haupt-, 2 Unterprogramme, 4 Meldedateien, 8 Debug",
         high=15,
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00404",
@@ -204,7 +202,6 @@ _PROGRAMS = (
         0,
         "Order of the search, the lowest first",
         "Reihenfolge der Suche, die kleinste zuerst",
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00119",
@@ -214,7 +211,6 @@ _PROGRAMS = (
         "Subprogram that runs at program start",
         "Unterprogramm, das bei Programmstart läuft",
         high=_FILE_LENGTH,
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00252",
@@ -224,7 +220,6 @@ _PROGRAMS = (
         "Subprogram that runs at program end",
         "Unterprogramm, das bei Programmende läuft",
         high=_FILE_LENGTH,
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00118",
@@ -234,7 +229,6 @@ _PROGRAMS = (
         "Subprogram that M6 calls",
         "Unterprogramm, das M6 ruft",
         high=_FILE_LENGTH,
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00187",
@@ -244,7 +238,6 @@ _PROGRAMS = (
         "Subprogram that G800 and the following call",
         "Unterprogramm, das G800 und folgende rufen",
         high=_FILE_LENGTH,
-        effect=Effect.CHECKED,
     ),
 )
 
@@ -288,7 +281,6 @@ _DEFAULTS = (
         "Slope bei Programmstart: 0 linear, 1 ruckbegrenzt, 2 Sinusquadrat, 3 HSC",
         low=0,
         high=3,
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00099",
@@ -325,7 +317,6 @@ _DEFAULTS = (
         False,
         "Each rapid block ends with an exact stop",
         "Jeder Eilgangsatz endet mit einem Genauhalt",
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00030",

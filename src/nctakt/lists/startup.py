@@ -221,7 +221,6 @@ _CONTROLLER = (
         ),
         names=_INTERPOLATOR_FLAGS,
         restart=True,
-        effect=Effect.CHECKED,
     ),
     Parameter(
         "P-STUP-00071",
@@ -238,7 +237,6 @@ _CONTROLLER = (
             Alias("configuration.channel[0..11].interpolator.param", silent=True),
         ),
         restart=True,
-        effect=Effect.CHECKED,
     ),
     Parameter(
         "P-STUP-00169",

@@ -81,10 +81,10 @@ def _synchronisation(
     )
 
 
-def _process_time(id_: str, path: str, en: str, de: str) -> Parameter:
-    return Parameter(
-        id_, path, ValueType.UNS32, 0, Text(en, de), unit="0.1 µs", effect=Effect.CHECKED
-    )
+def _process_time(
+    id_: str, path: str, en: str, de: str, effect: Effect = Effect.TAKEN
+) -> Parameter:
+    return Parameter(id_, path, ValueType.UNS32, 0, Text(en, de), unit="0.1 µs", effect=effect)
 
 
 def _axis_name(id_: str, path: str, en: str, de: str) -> Parameter:
@@ -162,6 +162,7 @@ def _spindle_function(name: str) -> tuple[Parameter, Parameter]:
             f"{prefix}_prozess_zeit",
             f"Time that a spindle's {word} takes, for simulations",
             f"Dauer von {word} einer Spindel, für Simulationen",
+            Effect.CHECKED,
         ),
     )
 

@@ -52,6 +52,8 @@ cdef class Trajectories:
     cdef double brake(self, double start_v, double start_a, double sign) noexcept nogil
     @cython.locals(settled_v=double, longest_d=double, rising_a=double)
     cdef void solve(self, double distance_d) noexcept nogil
+    @cython.locals(ramp_v=double, least_v=double, left_d=double, middle2=double, highest_v=double)
+    cdef int guess(self, double distance_d, double longest_d) noexcept nogil
     @cython.locals(rising=double, peak2=double, falling=double)
     cdef double crossing(self) noexcept nogil
     @cython.locals(turned=double)

@@ -256,6 +256,8 @@ class Trajectories:
         longest_d = self.way()
         if distance_d >= longest_d:
             self.cruise_t = (distance_d - longest_d) / self.top_v
+        elif self.sign > 0.0 and self.guess(distance_d, longest_d):
+            return
         elif settled_v > self.top_v:
             self.search(1, 0.0 - self.crossing(), 0.0, distance_d)
         elif distance_d >= self.measure(0, 0.0):
@@ -263,6 +265,26 @@ class Trajectories:
         else:
             self.sign = -1.0
             self.search(2, self.from_a, 0.0, distance_d)
+
+    def guess(self, distance_d: float, longest_d: float) -> int:
+        """The highest speed where both changes keep the highest acceleration for a while: 1.
+
+        Then the way is v²/a + v·a/j + c, and a quadratic equation; c follows from the way to
+        ``top_v``.
+        """
+        ramp_v = self.limit_a * self.limit_a / self.limit_j
+        least_v = self.from_v + ramp_v - 0.5 * self.from_a * self.from_a / self.limit_j
+        least_v = max(least_v, ramp_v)
+        if self.top_v < least_v:
+            return 0
+        left_d = longest_d - self.top_v * (self.top_v + ramp_v) / self.limit_a
+        middle2 = 0.25 * ramp_v * ramp_v + self.limit_a * (distance_d - left_d)
+        highest_v = math.sqrt(max(middle2, 0.0)) - 0.5 * ramp_v
+        if highest_v < least_v:
+            return 0
+        self.middle_v = highest_v
+        self.first_peak2 = self.peak2(self.from_v, self.from_a, highest_v, 0.0, 1.0)
+        return 1
 
     def crossing(self) -> float:
         """The deceleration with which an axis that brakes at once passes ``top_v``."""

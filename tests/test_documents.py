@@ -365,6 +365,9 @@ class _Names:
     def message(self, number: int) -> str:
         return str(number)
 
+    def spindle(self, number: int) -> str:
+        return f"S{number + 1}"
+
     def user_text(self, number: int) -> str:
         return ""
 

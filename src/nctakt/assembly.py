@@ -16,6 +16,7 @@ from nctakt.decoder.commands import UserMessage
 from nctakt.decoder.cycles import CycleDefinition
 from nctakt.decoder.offsets import ActiveOffsets
 from nctakt.decoder.preparation import look_ahead
+from nctakt.decoder.spindles import names_of
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.diagnostics import Diagnostic, Span
 from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values
@@ -28,9 +29,10 @@ from nctakt.kernel.panel import Panel
 from nctakt.kernel.path import Path as KernelPath
 from nctakt.kernel.record import Record
 from nctakt.kernel.single_axes import SingleAxes
+from nctakt.kernel.spindles import Spindles
 from nctakt.kernel.timers import Timers
 from nctakt.lists.axis_configuration import AxisConfiguration
-from nctakt.lists.channel_configuration import ChannelParameters
+from nctakt.lists.channel_configuration import ChannelParameters, Spindle
 from nctakt.lists.machine import ChannelConfiguration, MachineConfiguration
 from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
@@ -53,7 +55,11 @@ class Registry:
     """The names behind the numbers of events; they stay valid for the controller's life."""
 
     def __init__(
-        self, files: SourceFiles, variable: Callable[[int], str], axes: Sequence[str]
+        self,
+        files: SourceFiles,
+        variable: Callable[[int], str],
+        axes: Sequence[str],
+        spindles: Sequence[str],
     ) -> None:
         self._files = files
         self._axes = axes
@@ -65,6 +71,7 @@ class Registry:
         self._programs: list[str] = []
         self._variable_texts: list[str] = []
         self._user_texts: list[str] = []
+        self._spindles = spindles
         self._variable_numbers: dict[str, int] = {}
         self._latest: dict[str, CycleDefinition] = {}
         self._living: dict[int, CycleDefinition] = {}
@@ -160,6 +167,10 @@ class Registry:
             self._variable_numbers[text] = len(self._variable_texts)
             self._variable_texts.append(text)
         return self._variable_numbers[text]
+
+    def spindle(self, number: int) -> str:
+        """The name of a spindle of the channel."""
+        return self._spindles[number]
 
     def add_user_text(self, text: str) -> int:
         """The number of a text that is told with a user error."""
@@ -271,6 +282,7 @@ class Machine:
                     linear,
                     channel.external_variables,
                     channel.channel_variables,
+                    names_of(channel.parameters.spindles),
                 )
                 for channel in configuration.channels
             ],
@@ -304,7 +316,12 @@ class Machine:
         self.members = self.assembled[0].members
         self.layout = layout
         self.files = SourceFiles()
-        self.registry = Registry(self.files, self._name_of_cell, self._axis_names())
+        spindles = [
+            name
+            for channel in configuration.channels
+            for name in names_of(channel.parameters.spindles)
+        ]
+        self.registry = Registry(self.files, self._name_of_cell, self._axis_names(), spindles)
         self.access = VariableAccess(
             layout.tables, [one.panel for one in self.assembled], self.memory, self.kernel
         )
@@ -382,6 +399,7 @@ class Machine:
             self.single_axes,
         )
         limits = parameters.realtime_cycles
+        channel.set_spindles(self._spindles(index, layout), limits.buffers)
         context = channel.context
         context.max_steps = limits.max_steps
         context.cont_steps = limits.cont_steps
@@ -391,6 +409,30 @@ class Machine:
         self.cells[first] = self.cells[first + 1] = 100.0
         self.cells[first + _DIAGNOSIS_LEVEL_CELL] = DEFAULT_DIAGNOSIS_LEVEL
         return channel
+
+    def _spindles(self, index: int, layout: Layout) -> Spindles:
+        """The channel's spindles with the limits of their axis lists."""
+        spindles = self.configuration.channels[index].parameters.spindles
+        first, cycle_time_us = layout.spindle_cell(index), self.configuration.cycle_time_us
+        made = Spindles(self.memory, first, len(spindles), self.record, cycle_time_us)
+        channels = self.configuration.channels[:index]
+        made.first_number = sum(len(channel.parameters.spindles) for channel in channels)
+        for place, spindle in enumerate(spindles):
+            axis = self._spindle_axis(spindle)
+            made.configure(
+                place,
+                plc=spindle.plc_controlled,
+                speed=0.0 if axis is None else axis.max_speed,
+                acceleration=0.0 if axis is None else axis.max_acceleration,
+            )
+        return made
+
+    def _spindle_axis(self, spindle: Spindle) -> AxisConfiguration | None:
+        """The axis list of a spindle; none for one that the PLC turns."""
+        for axis in self.configuration.axes:
+            if axis.logical_number == spindle.logical_number and not spindle.plc_controlled:
+                return axis
+        return None
 
     # --- running --------------------------------------------------------------------------------
 
@@ -412,9 +454,10 @@ class Machine:
         return bool(self.channels[channel].path.has_stopped())
 
     def stands(self) -> bool:
-        """Whether path and axes stand, but for independent motions without an end (RC-006)."""
+        """Whether all stands but for axes and spindles in motion without an end (RC-006)."""
         paths = all(self.path_stands(one.index) for one in self.assembled)
-        return paths and self.single_axes.ending_count() == 0
+        spindles = sum(one.context.spindles.ending_count() for one in self.channels)
+        return paths and self.single_axes.ending_count() + spindles == 0
 
     def surroundings(
         self,
@@ -426,6 +469,8 @@ class Machine:
         """What the decoder of a program of this channel works with."""
         own = self.assembled[channel]
         axes = tuple(self.configuration.axes[i] for i in own.members)
+        spindles = own.parameters.spindles
+        turning = [i for i, one in enumerate(spindles) if self._spindle_axis(one) is not None]
         return Surroundings(
             own.names,
             own.parameters,
@@ -438,6 +483,7 @@ class Machine:
             self.files.number,
             self.files.line_at,
             self.registry.add_user_text,
+            frozenset(turning),
             notice,
             subprogram,
             skip_levels,

@@ -44,6 +44,23 @@ class TechnologyEntry:
         return f"{self.letter}{self.number}"
 
 
+@dataclass(frozen=True, slots=True)
+class SpindleEntry:
+    """A job of a spindle that the PLC turns, until it is acknowledged.
+
+    ``function``: M 3, 4, 5 or 19. ``speed``: revolutions per minute. ``position``: degrees, that of
+    M19. ``direction`` of M19: 1 forward, -1 back, 0 the shorter way.
+    """
+
+    spindle: str
+    function: int
+    speed: float
+    position: float
+    direction: int
+    time_us: int
+    place: int
+
+
 class Interface:
     """The PLC's side of one channel; ``of_channel(2)`` is that of the second one."""
 
@@ -162,8 +179,32 @@ class Interface:
         section = self._hli.realtime if entry.is_realtime else self._hli.program
         section.acknowledge(entry.slot)
 
+    def spindle_jobs(self) -> list[SpindleEntry]:
+        """The jobs of spindles that the PLC turns, in the order of the channel list."""
+        spindles = self._machine.channels[self._index].context.spindles
+        cycle_time_us = self._machine.configuration.cycle_time_us
+        name = self._machine.registry.spindle
+        return [
+            SpindleEntry(
+                name(spindles.first_number + place),
+                function,
+                speed_v / 6.0,
+                position,
+                way,
+                tick * cycle_time_us,
+                place,
+            )
+            for place, function, speed_v, position, way, tick in spindles.jobs()
+        ]
+
+    def acknowledge_spindle(self, job: SpindleEntry) -> None:
+        """The PLC has done this job."""
+        self._machine.channels[self._index].context.spindles.acknowledge(job.place)
+
     def acknowledge_all(self) -> None:
         """The PLC has taken everything that waits."""
+        for job in self.spindle_jobs():
+            self.acknowledge_spindle(job)
         for entry in self.functions():
             self.acknowledge(entry)
 

@@ -58,7 +58,13 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
             values = {"timer": int(a)}
         case 900346:
             values = {"variable": machine.registry.variable(machine.kernel.image.next_refused())}
-        case 900460 | 900461:
+        case 50935:
+            values = {"spindle": machine.registry.spindle(int(a))}
+        case 51028:
+            values = {"cycle": cycle, "places": int(a)}
+        case 900472:
+            values = {}
+        case 900460 | 900461 | 900470:
             values = {"value": number_text(a)}
         case 900420 | 900435:
             values = {"axis": machine.registry.axis(int(machine.channels[0].error_detail))}

@@ -200,9 +200,17 @@ M30
 #RT CYCLE END
 ; --- spindles and single axes: later versions
 #RT CYCLE
-  M03 S1000 ; error 900200 "M03"
-  M03 M19 S1000 S.POS314 ; error 900200 "M03"
-  S2[M03 REV=1000] ; error 900200 "S2[…]"
+  M03 S1000
+  M03 M19 S1000 S.POS314 M100
+  S2[M03 REV=1000] S[M5]
+  M03 ; error 50954 "M03"
+  S1000 ; error 50954 "S1000"
+  M05 S1000 ; error 50954 "M05"
+  M03 M04 S1000 ; error 50954 "M03"
+  M19 S1000 S.POS314 ; error 50954 "M19"
+  M03 M19 S1000 ; error 50954 "M03"
+  S2[M04 REV=10 POS=3] ; error 50954 "S2["
+  S2[M04 REV=V.E.COUNT + 1 M100] ; error 900282 "M does"
   Z [INDP ABORTING G01 G90 FEED=500 POS=900 OFFSET=ALL] ; error 900200 "Z[INDP]"
   Q[INDP STOP] ; error 900203 "Q"
 #RT CYCLE END

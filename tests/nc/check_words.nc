@@ -49,12 +49,21 @@ G805[1, P2] ; error 900200 "G805"
 G129 = 50 ; error 900200 "G129"
 G166 X1 ; error 900200 "G166"
 G163 ; error 900200 "G163"
-S1000 ; error 900200 "S1000 (speed of the main spindle)"
-S2=2000 ; error 900200 "S2=2000"
-S.POS=90 ; error 900200 "S.POS=90"
-S2[M03 REV=1000] ; error 900200 "S2["
-M3 ; error 900200 "M03"
-M19 ; error 900200 "M19"
+S1000
+S2=2000 ; error 900282 "S2=2000"
+S.POS=90 ; error 50954 "S.POS=90"
+S2[M03 REV=1000]
+S2[M19 POS=90] M3 S100 X1
+S2[M03 FEED=1000] ; error 900282 "FEED"
+S2[M03 REV=1000 REV=2000] ; error 900224 "REV"
+S2[] ; error 50954 "S2[]"
+S1000 S ; error 900282 "S"
+M3
+M3 M4 ; error 50954 "M3"
+M5 M19 ; error 50954 "M5"
+M3=4 S100 ; error 900282 "M3=4"
+M3 S=V.E.NONE ; error 900213 "V.E.NONE"
+M19
 M0 ; error 900200 "M00"
 T1 D2 ; error 900200 "T1"; error 900200 "D2"
 E100 ; error 900200 "E100"

@@ -39,6 +39,14 @@ def test_a_tool_change_program_is_a_call() -> None:
     assert [one.id for one in findings(("M6",))] == [900205]
 
 
+def test_words_of_the_main_spindle_need_one() -> None:
+    """P-CHAN-00051: without a main spindle S and M3 are nobody's, in cycles, too."""
+    parameters = replace(demo_channel().parameters, spindles=())
+    lines = ("M3 S100", "#RT CYCLE", "M5", "#RT CYCLE END", "S2[M5]")
+    found = [(one.id, one.span and one.span.line) for one in findings(lines, parameters)]
+    assert found == [(900473, 1), (900473, 3), (900203, 5)]
+
+
 def test_a_channel_without_axes_knows_no_axis() -> None:
     """Axis words are those of the channel list."""
     found = findings(("G00 X1",), replace(demo_channel().parameters, axes=()))

@@ -35,6 +35,9 @@ class Names:
     def variable_text(self, number: int) -> str:
         return {4: "V.E.ASYNC"}[number]
 
+    def spindle(self, number: int) -> str:
+        return f"S{number + 1}"
+
     def user_text(self, number: int) -> str:
         return {6: "worn"}[number]
 
@@ -78,6 +81,9 @@ def row(kind: int, subject: int = 0, a: float = 0.0, b: float = 0.0, tick: int =
         (row(record.ERROR, 0, 900531), "warning", "900531", ""),
         (row(record.PROGRAM_END, 0), "end", "part.nc", ""),
         (row(record.NOTICE, 1, 900531), "notice", "900531", "17"),
+        (row(record.SPINDLE, 1, 219, 1000.5), "spindle", "S3 m19 1000.5", "17"),
+        (row(record.SPINDLE_POSITION, 1, 2, 314), "spindle_position", "S3 314", "17"),
+        (row(record.SPINDLE_REACHED, 0, 0), "spindle_reached", "S1", ""),
         (row(record.USER_ERROR, 1, 666, 2), "user_error", "666 2", "17"),
         (row(record.USER_VALUE, 1, 3, 99.5), "user_value", "PV1 99.5", "17"),
         (row(record.USER_TEXT, 0, 6, 6), "user_value", "PV2 worn", ""),

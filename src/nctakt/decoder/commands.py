@@ -86,6 +86,29 @@ class AwaitAcknowledge(Command):
 
 
 @dataclass(frozen=True, slots=True)
+class SpindleJob(Command):
+    """M ``function`` 3, 4, 5 or 19 of a spindle (by its place in the channel).
+
+    Degrees and degrees per second; ``direction`` 0 of M19: the shortest way. ``ticks``: how long a
+    spindle of the PLC takes.
+    """
+
+    spindle: int
+    function: int
+    speed_v: float
+    position: float
+    direction: int
+    ticks: int
+
+
+@dataclass(frozen=True, slots=True)
+class AwaitSpindle(Command):
+    """Goes on when the spindle has reached its speed or position, or the PLC has acknowledged."""
+
+    spindle: int
+
+
+@dataclass(frozen=True, slots=True)
 class WriteVariable(Command):
     """A synchronous variable gets a value when this is taken (RC-308).
 
@@ -217,6 +240,11 @@ def pack(command: Command, place: int = 0) -> list[float]:
             return [ring.TECHNOLOGY, *head, command.function, command.ticks]
         case AwaitAcknowledge():
             return [ring.AWAIT_ACKNOWLEDGE, *head, command.function]
+        case SpindleJob():
+            row = [ring.SPINDLE, *head, command.spindle, command.function, command.speed_v]
+            return [*row, command.position, command.direction, command.ticks]
+        case AwaitSpindle():
+            return [ring.AWAIT_SPINDLE, *head, command.spindle]
         case WriteVariable():
             return [ring.WRITE, *head, command.cell, command.value, command.is_told]
         case WriteText():

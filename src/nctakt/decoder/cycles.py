@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from nctakt.decoder.expressions import Built, ExpressionBuilder, constant, load
 from nctakt.decoder.memory import memory_bytes
+from nctakt.decoder.spindles import cycle_statement, names_of
 from nctakt.decoder.technology import process_ticks
 from nctakt.decoder.user_errors import parts
 from nctakt.decoder.values import Values
@@ -22,9 +23,10 @@ from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
 from nctakt.kernel.instructions import Branch, Reaction, Statement
 from nctakt.lists.variables import SCALARS
 from nctakt.nc import syntax
-from nctakt.nc.cost import condition_steps, most_steps
+from nctakt.nc.cost import command_steps, condition_steps, most_steps
 from nctakt.nc.names import Location
 from nctakt.nc.printer import format_expression
+from nctakt.nc.spindle_commands import split
 
 SCOPES = {"BLOCK": BLOCK, "PROG": PROG, "GLOBAL": GLOBAL}
 
@@ -152,7 +154,12 @@ class CycleBuilder:
         """The M and H functions of a block, in their order (RC-403)."""
         surroundings = self._values.surroundings
         built: list[Statement] = []
-        for word in block.words:
+        commands, words = split(block.words, names_of(surroundings.parameters.spindles))
+        for command in commands:
+            cost = command_steps(command, self._names)
+            built.append(cycle_statement(self._values, self._builder, command, cost))
+        self._statements += len(commands)
+        for word in words:
             assert isinstance(word, syntax.Word)
             assert isinstance(word.value, syntax.Number)
             number = int(word.value.value)

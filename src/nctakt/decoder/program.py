@@ -245,7 +245,7 @@ class ProgramDecoder:
             case syntax.UserMessage():
                 yield from self._message(statement, source, number)
             case syntax.HashCommand() if [word.name for word in statement.words] == EXPLICIT:
-                yield from self._words.technology.explicit(number)
+                yield from self._words.technology.explicit()
             case syntax.HashCommand() if command_name(statement) in FORMS:
                 yield from self._words.path.command(statement, number)
             case syntax.ProgramStart() | syntax.HashCommand():

@@ -22,6 +22,7 @@ class Surroundings:
     ``axis_numbers``: axis name -> place in the path's positions. ``cells``: the machine's memory,
     ``memory`` the same as bytes.
     ``place``: the source number of a span (``sources.py``). ``line``: the text line of a span.
+    ``turning``: the places of the spindles that the CNC turns and has an axis list for.
     ``text_number``: the number of a text that is told with a user error.
     ``notice``: takes a finding that does not stop the program. ``subprogram``: the text of the
     file of this name, called at this place of that file; raises ``DecodeError``. Blocks of
@@ -39,6 +40,7 @@ class Surroundings:
     place: Callable[[Span], int]
     line: Callable[[Span], str]
     text_number: Callable[[str], int]
+    turning: frozenset[int]
     notice: Callable[[Diagnostic], None]
     subprogram: Callable[[str, str, Span], ProgramText]
     skip_levels: frozenset[int]

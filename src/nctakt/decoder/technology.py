@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from nctakt.decoder.commands import AwaitAcknowledge, TechnologyOutput
+from nctakt.decoder.commands import Command
 from nctakt.lists.technology import TechnologyFunction
 
 #: Types that go out before the motion of their block, and those that do so behind it. A measuring
@@ -31,12 +31,11 @@ def process_ticks(function: TechnologyFunction, cycle_time_us: int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Issued:
-    """A function of a block: its place, its number (an H function: -number - 1), how it is done."""
+    """A function of a block: when it goes out and is waited for, and the commands of both."""
 
-    source: int
-    function: int
     synchronisation: str
-    ticks: int
+    output: Command
+    wait: Command
 
 
 class TechnologyOutputs:
@@ -45,49 +44,39 @@ class TechnologyOutputs:
     def __init__(self) -> None:
         self._late: dict[str, list[Issued]] = {"MVS_SLM": [], "MVS_SLP": []}
 
-    def before(
-        self, functions: Sequence[Issued], number: int
-    ) -> Iterator[TechnologyOutput | AwaitAcknowledge]:
+    def before(self, functions: Sequence[Issued]) -> Iterator[Command]:
         """What happens before the motion of the block with these functions."""
         for one in functions:
             if one.synchronisation in _BEFORE:
-                yield _output(one, number)
+                yield one.output
             if one.synchronisation in self._late:
                 self._late[one.synchronisation].append(one)
-        yield from _awaits(functions, _AWAITED_BEFORE, number)
+        yield from _awaits(functions, _AWAITED_BEFORE)
 
-    def behind(
-        self, functions: Sequence[Issued], number: int
-    ) -> Iterator[TechnologyOutput | AwaitAcknowledge]:
+    def behind(self, functions: Sequence[Issued]) -> Iterator[Command]:
         """What happens behind the motion of the block."""
         for one in functions:
             if one.synchronisation in _BEHIND:
-                yield _output(one, number)
-        yield from _awaits(functions, _AWAITED_BEHIND, number)
+                yield one.output
+        yield from _awaits(functions, _AWAITED_BEHIND)
 
-    def before_feed(self, number: int) -> Iterator[AwaitAcknowledge]:
+    def before_feed(self) -> Iterator[Command]:
         """A motion with feed begins: MVS_SLM is due."""
-        return self._settle("MVS_SLM", number)
+        return self._settle("MVS_SLM")
 
-    def explicit(self, number: int) -> Iterator[AwaitAcknowledge]:
+    def explicit(self) -> Iterator[Command]:
         """``#EXPL SYN``: MVS_SLP is due."""
-        return self._settle("MVS_SLP", number)
+        return self._settle("MVS_SLP")
 
-    def _settle(self, synchronisation: str, number: int) -> Iterator[AwaitAcknowledge]:
+    def _settle(self, synchronisation: str) -> Iterator[Command]:
         """Wait for what went out under a type that waits late."""
         due = self._late[synchronisation]
         self._late[synchronisation] = []
         for one in due:
-            yield AwaitAcknowledge(one.source, number, one.function)
+            yield one.wait
 
 
-def _output(one: Issued, number: int) -> TechnologyOutput:
-    return TechnologyOutput(one.source, number, one.function, one.ticks)
-
-
-def _awaits(
-    functions: Sequence[Issued], synchronisations: Sequence[str], number: int
-) -> Iterator[AwaitAcknowledge]:
+def _awaits(functions: Sequence[Issued], synchronisations: Sequence[str]) -> Iterator[Command]:
     for one in functions:
         if one.synchronisation in synchronisations:
-            yield AwaitAcknowledge(one.source, number, one.function)
+            yield one.wait

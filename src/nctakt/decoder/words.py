@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Generator, Iterator
 from dataclasses import dataclass, field
 
-from nctakt.decoder.commands import Answer, Command, Dwell
+from nctakt.decoder.commands import Answer, AwaitAcknowledge, Command, Dwell, TechnologyOutput
 from nctakt.decoder.motion import CENTRE_WORDS, CONTOURING, EXACT_STOP, PathMotion, PathWords
 from nctakt.decoder.offsets import ALL, ZERO_GROUPS
+from nctakt.decoder.spindles import SpindleWords, names_of
 from nctakt.decoder.technology import Issued, TechnologyOutputs, process_ticks
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
@@ -20,6 +21,7 @@ from nctakt.kernel import arithmetic
 from nctakt.lists.offsets import MOST_GROUPS
 from nctakt.lists.technology import TechnologyFunction
 from nctakt.nc import syntax
+from nctakt.nc.spindle_commands import split
 
 #: The G functions that set a reference point offset, and select a zero offset by its number.
 REFERENCE = 92
@@ -54,6 +56,8 @@ class Words:
         self._state = values.state
         self.path = PathMotion(values)
         self.technology = TechnologyOutputs()
+        self._spindles = SpindleWords(values)
+        self._spindle_names = names_of(self._surroundings.parameters.spindles)
 
     def presets(self, command: syntax.OffsetCommand, number: int) -> Generator[Command, Answer]:
         """``#PSET``, ``#PRESET``."""
@@ -84,11 +88,11 @@ class Words:
         content.path.offset_kinds = kinds
         source = self._surroundings.place(block.span)
         yield from self._offsets(content, source, number)
-        yield from self.technology.before(content.functions, number)
+        yield from self.technology.before(content.functions)
         yield from self._motion(content, block.span, number)
         if content.dwell_s is not None:
             yield from self.dwell(content.dwell_s, block.span, number)
-        yield from self.technology.behind(content.functions, number)
+        yield from self.technology.behind(content.functions)
         return content.ends_program
 
     def _sort(self, block: syntax.Block, number: int) -> Generator[Command, Answer, _Content]:
@@ -106,7 +110,8 @@ class Words:
             content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
         content.is_reference = REFERENCE in numbers
         content.path.once.update({EXACT_STOP, CONTOURING}.intersection(numbers))
-        for word in block.words:
+        commands, words = split(block.words, self._spindle_names)
+        for word in words:
             if isinstance(word, syntax.AxisWord):
                 if word.value is not None:
                     value = yield from self._values.evaluate(word.value, number)
@@ -120,7 +125,9 @@ class Words:
                 continue
             assert word.value is not None, word
             value = yield from self._values.evaluate(word.value, number)
-            self._word(word, value, content)
+            self._word(word, value, number, content)
+        for command in commands:
+            content.functions += yield from self._spindles.issued(command, number)
         if DWELL in numbers and content.axes:
             content.dwell_s = content.axes.pop()[1]
         return content
@@ -163,7 +170,7 @@ class Words:
         elif function != DWELL:
             self.path.modal(function)
 
-    def _word(self, word: syntax.Word, value: float, content: _Content) -> None:
+    def _word(self, word: syntax.Word, value: float, block: int, content: _Content) -> None:
         if word.name == "F":
             self._state.feed_mm_s = self._feed(value)
             return
@@ -180,15 +187,16 @@ class Words:
         parameters = self._surroundings.parameters
         table = parameters.m_functions if word.name == "M" else parameters.h_functions
         if number in table:
-            content.functions.append(self._issued(word, number, table[number]))
+            content.functions.append(self._issued(word, number, table[number], block))
 
-    def _issued(self, word: syntax.Word, number: int, function: TechnologyFunction) -> Issued:
-        return Issued(
-            self._surroundings.place(word.span),
-            number if word.name == "M" else -number - 1,
-            function.synchronisation,
-            process_ticks(function, self._surroundings.cycle_time_us),
-        )
+    def _issued(
+        self, word: syntax.Word, number: int, function: TechnologyFunction, block: int
+    ) -> Issued:
+        source = self._surroundings.place(word.span)
+        code = number if word.name == "M" else -number - 1
+        ticks = process_ticks(function, self._surroundings.cycle_time_us)
+        output = TechnologyOutput(source, block, code, ticks)
+        return Issued(function.synchronisation, output, AwaitAcknowledge(source, block, code))
 
     def _feed(self, value: float) -> float:
         """F in mm/s; in inch per minute under G70, whatever P-CHAN-00108 says."""
@@ -209,7 +217,7 @@ class Words:
         if segment is None:
             return
         if segment.feed > 0.0:
-            yield from self.technology.before_feed(number)
+            yield from self.technology.before_feed()
         yield segment
 
     def _set_target(

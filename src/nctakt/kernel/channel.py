@@ -20,6 +20,7 @@ from nctakt.kernel.path import Path
 from nctakt.kernel.record import Record
 from nctakt.kernel.ring import CommandRing
 from nctakt.kernel.single_axes import SingleAxes
+from nctakt.kernel.spindles import Spindles
 from nctakt.kernel.timers import Timers
 
 #: Commands that take time below which the kernel asks for more.
@@ -67,6 +68,12 @@ class Channel(CommandRing):
         self.is_reset_due = False
         self.error_message = 0
 
+    def set_spindles(self, spindles: Spindles, action_places: int) -> None:
+        """The channel's spindles; so many actions of a realtime cycle are open (P-CHAN-00480)."""
+        self.context.spindles = spindles
+        self.context.action_places = action_places
+        self.manager.spindles = spindles
+
     # --- Python's side, between two runs --------------------------------------------------------
 
     def take_answer(self) -> float:
@@ -89,7 +96,7 @@ class Channel(CommandRing):
     def event_bound(self) -> int:
         """The most events that one tick can record: a few for each command, cycle and slot."""
         commands = self.tail - self.head
-        single = self.context.single_axes.event_bound(commands)
+        single = self.context.single_axes.event_bound(commands) + self.context.spindles.count
         return 8 + single + 3 * commands + self.manager.events_bound + self.manager.capacity
 
     # --- the tick -------------------------------------------------------------------------------
@@ -122,6 +129,7 @@ class Channel(CommandRing):
         """Latch the PLC's answers and a reset; the CYCLE override is 100 % again (RC-305)."""
         self.context.begin(tick)
         self.hli.latch()
+        self.context.spindles.latch()
         if self.panel.reset_pressed:
             self.begin_reset()
         elif self.panel.start_pressed:
@@ -188,6 +196,13 @@ class Channel(CommandRing):
         if 20 <= kind <= 22:
             self.take_user_error(base, kind)
             return 1
+        if kind == 23:
+            return self.take_spindle(tick, base)
+        if kind == 24:
+            if self.context.spindles.is_busy(int(self.queue[base + 3])):
+                return 0
+            self.timed_count -= 1
+            return 1
         if kind == 12:
             self.timed_count -= 1
             self.report(int(self.queue[base + 1]), int(self.queue[base + 3]), 0.0)
@@ -242,6 +257,25 @@ class Channel(CommandRing):
         if self.hli.program.issue(function, tick, int(self.queue[base + 4])) <= 0:
             return 0
         self.record.technology(int(self.queue[base + 1]), function)
+        return 1
+
+    def take_spindle(self, tick: int, base: int) -> int:
+        """A spindle's job of the main program; waits until the spindle can take it."""
+        spindle = int(self.queue[base + 3])
+        if not self.context.spindles.is_ready(spindle, tick):
+            return 0
+        self.context.spindles.command(
+            spindle,
+            int(self.queue[base + 4]),
+            self.queue[base + 5],
+            self.queue[base + 6],
+            int(self.queue[base + 7]),
+            0,
+            tick,
+        )
+        self.context.spindles.tell(spindle, int(self.queue[base + 1]), 0)
+        ticks = int(self.queue[base + 8])
+        self.context.spindles.hand_over(spindle, tick + ticks)
         return 1
 
     def take_write(self, base: int) -> None:
@@ -379,6 +413,7 @@ class Channel(CommandRing):
                 self.end_reset()
         if self.context.single_axes.fault_count > 0:
             self.report_axes()
+        self.context.spindles.step(self.context.tick, self.hli.acknowledges_itself)
         self.hli.run_default_plc(self.context.tick)
         self.panel.publish(state, self.error_message)
         self.cells[self.first_cell + 6] = self.path.speed_v

@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel.instructions cimport Statement
 from nctakt.kernel.memory cimport Context
 from nctakt.kernel.record cimport Record
+from nctakt.kernel.spindles cimport Spindles
 
 cdef class RunThrough:
     cdef int run_through(self, CycleManager manager, Context context) noexcept nogil
@@ -28,6 +29,7 @@ cdef class RealtimeCycle(RunThrough):
     cdef int run_through(self, CycleManager manager, Context context) noexcept nogil
 
 cdef class CycleManager:
+    cdef public Spindles spindles
     cdef Record record
     cdef readonly Py_ssize_t capacity
     cdef long long[::1] state

@@ -13,6 +13,7 @@ from __future__ import annotations
 from nctakt.kernel.instructions import Statement
 from nctakt.kernel.memory import Context
 from nctakt.kernel.record import Record
+from nctakt.kernel.spindles import Spindles
 
 # States of a slot.
 EMPTY = 0
@@ -101,6 +102,7 @@ class CycleManager:
 
     def __init__(self, record: Record, capacity: int = 256) -> None:
         self.record = record
+        self.spindles = Spindles(bytearray(8), 0, 0, record, 1000)
         self.capacity = capacity
         self.state = memoryview(bytearray(8 * capacity)).cast("q")
         self.identity = memoryview(bytearray(8 * capacity)).cast("q")
@@ -212,6 +214,8 @@ class CycleManager:
         if state == 4:
             self.running_count += 1
         self.armed_count += self.awaits_block(slot)
+        if state in (2, 6):
+            self.spindles.leave(self.serial[slot])
         if state == 6:
             self.dead_count += 1
             if before != 1:
@@ -248,6 +252,7 @@ class CycleManager:
         self.restarts[slot] = 1
         self.started_tick[slot] = tick
         self.latest_start = tick
+        self.spindles.resume(self.serial[slot], tick)
         self.record.started(source, self.serial[slot])
         self.enter(slot, 3 if self.scope[slot] == 0 else 4)
 
@@ -285,6 +290,7 @@ class CycleManager:
             self.resume(slot, source)
         elif action == 4:
             self.record.aborted(source, self.serial[slot])
+            self.spindles.abort(self.serial[slot], tick)
         else:
             self.enter(slot, 6)
             self.record.ended(source, self.serial[slot], 1)
@@ -295,6 +301,7 @@ class CycleManager:
         if self.state[slot] == 3 or self.state[slot] == 4:
             self.enter(slot, 5)
             self.record.held(source, self.serial[slot])
+            self.spindles.hold(self.serial[slot], self.record.tick)
         else:
             self.record.notice(source, self.serial[slot], 900411)
 
@@ -303,6 +310,7 @@ class CycleManager:
         if self.state[slot] == 5:
             self.enter(slot, 3 if self.scope[slot] == 0 and self.block[slot] == 0 else 4)
             self.record.continued(source, self.serial[slot])
+            self.spindles.resume(self.serial[slot], self.record.tick)
         else:
             self.record.notice(source, self.serial[slot], 900412)
 

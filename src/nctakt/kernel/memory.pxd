@@ -3,6 +3,7 @@
 from nctakt.kernel.hli cimport Hli
 from nctakt.kernel.record cimport Record
 from nctakt.kernel.single_axes cimport SingleAxes
+from nctakt.kernel.spindles cimport Spindles
 from nctakt.kernel.timers cimport Timers
 
 cdef class Context:
@@ -11,6 +12,8 @@ cdef class Context:
     cdef Hli hli
     cdef Timers timers
     cdef readonly SingleAxes single_axes
+    cdef public Spindles spindles
+    cdef public Py_ssize_t action_places
     cdef public long long tick
     cdef public long long serial
     cdef public long long run

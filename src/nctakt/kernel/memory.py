@@ -14,6 +14,7 @@ from nctakt.kernel.hli import Hli
 from nctakt.kernel.panel import Panel
 from nctakt.kernel.record import Record
 from nctakt.kernel.single_axes import SingleAxes
+from nctakt.kernel.spindles import Spindles
 from nctakt.kernel.timers import Timers
 
 
@@ -24,7 +25,8 @@ class Context:
     elementary instructions of this tick (RC-501), ``check_at`` is the count from which
     ``over_limit`` decides (RC-502, RC-503). ``fault`` is the message ID of what stopped the running
     cycle, 0 while all is well; ``fault_source``, ``fault_a`` and ``fault_b`` say where and with
-    which values. ``user_reaction`` is the highest RC of the ``#ERROR`` in this tick (RC-402).
+    which values. ``action_places``: actions of one cycle that are open at once (P-CHAN-00480).
+    ``user_reaction`` is the highest RC of the ``#ERROR`` in this tick (RC-402).
     """
 
     def __init__(
@@ -40,6 +42,8 @@ class Context:
         self.hli = hli
         self.timers = timers
         self.single_axes = single_axes
+        self.spindles = Spindles(memory, 0, 0, record, 1000)
+        self.action_places = 5
         self.tick = 0
         self.serial = 0
         self.run = 0

@@ -46,6 +46,9 @@ cdef class Record:
     cdef void user_error(self, long long source, long long serial, double identity, double reaction) noexcept nogil
     cdef void user_value(self, long long source, long long serial, int code, double value) noexcept nogil
     cdef void user_text(self, long long source, long long serial, int code, long long text) noexcept nogil
+    cdef void spindle(self, long long source, long long serial, Py_ssize_t spindle, long long function, double rpm) noexcept nogil
+    cdef void spindle_reached(self, long long source, long long serial, Py_ssize_t spindle) noexcept nogil
+    cdef void spindle_position(self, long long source, long long serial, Py_ssize_t spindle, double position) noexcept nogil
     @cython.locals(base=Py_ssize_t)
     cdef void probe(self, long long number, int truth, double left, double right) noexcept nogil
     @cython.locals(base=Py_ssize_t)

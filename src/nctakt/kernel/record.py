@@ -43,6 +43,9 @@ USER_TEXT = 17  # serial, keyword, number of the text
 AXIS_BEGUN = 20  # serial (0: the PLC), axis, target; endless: -1 - axis, direction
 AXIS_ENDED = 21  # serial, axis, MOTION_DONE …
 AXIS_CHANGED = 22  # serial, axis, MOTION_HELD …
+SPINDLE = 18  # serial (0: the program), 100 * spindle + M, revolutions per minute
+SPINDLE_REACHED = 19  # serial, spindle
+SPINDLE_POSITION = 36  # serial, spindle, degrees
 FROZEN = 40  # serial, number of the variable's text, value; the source is the access
 PAUSED = 31  # nothing; the source is what waits
 
@@ -206,6 +209,18 @@ class Record:
     def user_text(self, source: int, serial: int, code: int, text: int) -> None:
         """A text of the ``#ERROR`` before it."""
         self.event(17, source, serial, code, text)
+
+    def spindle(self, source: int, serial: int, spindle: int, function: int, rpm: float) -> None:
+        """A spindle has got a job."""
+        self.event(18, source, serial, 100 * spindle + function, rpm)
+
+    def spindle_reached(self, source: int, serial: int, spindle: int) -> None:
+        """A spindle's job is done."""
+        self.event(19, source, serial, spindle, 0.0)
+
+    def spindle_position(self, source: int, serial: int, spindle: int, position: float) -> None:
+        """The position of the job before it."""
+        self.event(36, source, serial, spindle, position)
 
     def probe(self, number: int, truth: int, left: float, right: float) -> None:
         """Append a change of a condition's truth."""

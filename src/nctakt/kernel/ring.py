@@ -31,6 +31,8 @@ GIVE_UP = 12
 USER_ERROR = 20
 USER_VALUE = 21
 USER_STOP = 22
+SPINDLE = 23
+AWAIT_SPINDLE = 24
 SET_OFFSET = 50
 FREEZE = 60
 
@@ -44,6 +46,7 @@ TIMED_KINDS = (
     PROGRAM_END,
     GIVE_UP,
     USER_STOP,
+    AWAIT_SPINDLE,
 )
 
 
@@ -171,4 +174,4 @@ class CommandRing:
 
     def passes(self, kind: int) -> int:
         """Whether the path passes a command of this kind between two blocks without a stop."""
-        return 1 if kind in (1, 3, 4, 5, 7, 8, 20, 21, 50, 60) else 0
+        return 1 if kind in (1, 3, 4, 5, 7, 8, 20, 21, 23, 50, 60) else 0

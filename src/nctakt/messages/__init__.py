@@ -20,6 +20,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``memory``            texts, wholes and the packed image of V.E (900340 … 900359)
 ``realtime``          the realtime part (900400 … 900499)
 ``user_errors``       ``#ERROR`` (900280 … 900281, 900460 … 900469)
+``spindles``          spindles (900282, 900470 … 900479)
 ``outside``           command line, files, PLC, stimuli (900500 … 900549, 900570 … 900579)
 ``checking``          the command ``nctakt check`` (900580 … 900599)
 ``plc``               the PLC's side: partners in other processes, scripts (900650 … 900679)
@@ -56,6 +57,7 @@ from nctakt.messages import (
     schedule,
     scheduling,
     scheduling_run,
+    spindles,
     unreached,
     user_errors,
     variables,
@@ -84,6 +86,7 @@ for _stage in (
     memory,
     realtime,
     user_errors,
+    spindles,
     outside,
     plc,
     checking,

@@ -13,10 +13,12 @@ from difflib import get_close_matches
 
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.nc import support
+from nctakt.nc.check_spindles import SpindleChecker
 from nctakt.nc.check_user_errors import UserErrorChecker
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.check_words import RETURN_COMMANDS, WordChecker
 from nctakt.nc.findings import Findings
+from nctakt.nc.spindle_commands import split
 from nctakt.nc.syntax import (
     Assignment,
     Block,
@@ -42,7 +44,6 @@ SCOPES = ("BLOCK", "PROG", "GLOBAL")
 END_ACTIONS = ("MOVE_ABORT", "MOVE_CONT")
 #: M functions that control programs (RC-403).
 RESERVED_M = (0, 1, 2, 17, 29, 30)
-SPINDLE_M = (3, 4, 5, 19)
 _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
 
 
@@ -65,6 +66,7 @@ class CycleChecker:
         self._program_values = program_values
         self._values = values
         self._findings = findings
+        self._spindles = SpindleChecker(channel, values, findings, in_cycle=True)
         self._user_errors = UserErrorChecker(values, findings, in_cycle=True)
 
     # --- definition and management ---------------------------------------------------------------
@@ -218,32 +220,24 @@ class CycleChecker:
     # --- words -----------------------------------------------------------------------------------
 
     def _block(self, block: Block) -> None:
-        """M and H functions; of words for the path and for spindles the first is reported."""
+        """M and H functions, commands to spindles; of words for the path the first is reported."""
         told: dict[int, None] = {}
-        for word in block.words:
+        commands, words = split(block.words, self._words.spindles)
+        for command in commands:
+            self._spindles.check(command)
+        for word in words:
             if isinstance(word, Word) and word.name in ("M", "H"):
-                self._function(word, told)
+                self._function(word)
             elif isinstance(word, StringWord):
                 self._findings.answer(support.form('"NAME"'), word.span)
             elif isinstance(word, BracketCommand) and word.name not in RETURN_COMMANDS:
                 if not self._words.bracket(word):
                     self._words.unknown(word)
-            elif isinstance(word, Word) and self._is_spindle_word(word):
-                self._spindle(word, told)
             elif 22002 not in told:
                 told[22002] = None
                 self._findings.report(22002, word.span, command=self._findings.written(word.span))
 
-    def _is_spindle_word(self, word: Word) -> bool:
-        return word.name in ("S", "S.POS") or word.name in self._words.spindles
-
-    def _spindle(self, word: Word, told: dict[int, None]) -> None:
-        if 900200 not in told:
-            told[900200] = None
-            entry = support.form("S2[…]")
-            self._findings.answer(entry, word.span, self._findings.written(word.span))
-
-    def _function(self, word: Word, told: dict[int, None]) -> None:
+    def _function(self, word: Word) -> None:
         """An M or H function: of the channel, in its list, not one that controls programs."""
         number = self._words.number(word)
         if number is None:
@@ -253,8 +247,6 @@ class CycleChecker:
         functions = self._channel.m_functions if is_m else self._channel.h_functions
         if is_m and number in RESERVED_M:
             self._findings.report(900207, word.span, word=name)
-        elif is_m and number in SPINDLE_M:
-            self._spindle(word, told)
         elif number not in functions:
             self._findings.report(50938 if is_m else 50940, word.span, function=number)
         elif functions[number].axis_name:

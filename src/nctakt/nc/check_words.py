@@ -14,8 +14,10 @@ from typing import Literal
 
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.nc import support
+from nctakt.nc.check_spindles import SpindleChecker
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.findings import Findings
+from nctakt.nc.spindle_commands import split
 from nctakt.nc.support import Answer, Entry
 from nctakt.nc.syntax import (
     AxisWord,
@@ -73,6 +75,7 @@ class WordChecker:
         self._findings = findings
         self.axes = tuple(axis.name for axis in channel.axes)
         self.spindles = tuple(spindle.name for spindle in channel.spindles)
+        self._commands = SpindleChecker(channel, values, findings, in_cycle=False)
 
     def block(self, block: Block, role: Role = "either") -> None:
         """One block of a program in this role."""
@@ -81,7 +84,10 @@ class WordChecker:
             self._dwell_block(block)
             return
         state = _Block(role, any(_returns(word) for word in block.words))
-        for word in block.words:
+        commands, words = split(block.words, self.spindles)
+        for command in commands:
+            self._commands.check(command)
+        for word in words:
             match word:
                 case AxisWord():
                     self._axis(word, state)
@@ -140,7 +146,10 @@ class WordChecker:
             return
         if word.name == "N" and state.returns:
             return
-        entry = support.answer_word("S" if word.name in self.spindles else word.name)
+        if word.name in self.spindles:
+            self._findings.report(900282, word.span, word=self._findings.written(word.span))
+            return
+        entry = support.answer_word(word.name)
         if entry is None:
             self._unknown(word, state)
         elif entry.answer is not Answer.SIMULATED:
@@ -241,8 +250,6 @@ class WordChecker:
             single = any(isinstance(i, Keyword) and i.name == "INDP" for i in command.items)
             form = "X[INDP …]" if single else "X[…]"
             shown = f"{name}[INDP]" if single else f"{name}[…]"
-        elif name in self.spindles:
-            form, shown = "S2[…]", f"{name}[…]"
         elif name in RETURN_COMMANDS:
             self._return(command, state)
             return True

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 from nctakt.nc.names import Location, NameTable
 from nctakt.nc.resolution import indices_of, resolve
+from nctakt.nc.spindle_commands import SpindleCommand, split
 from nctakt.nc.syntax import (
     Assignment,
     Binary,
@@ -42,7 +43,7 @@ def _statement(statement: Statement, names: NameTable) -> int:
         case If():
             return _if(statement, names)
         case Block():
-            return len(statement.words)
+            return _block(statement, names)
         case VariableBlock():
             return expression_steps(statement.variable, names)
         case Timer() | UserError():
@@ -52,6 +53,18 @@ def _statement(statement: Statement, names: NameTable) -> int:
                 if isinstance(keyword, Keyword) and keyword.value is not None
             )
     return 1
+
+
+def _block(block: Block, names: NameTable) -> int:
+    """Each M and H function counts one, each command to a spindle one and its values."""
+    commands, others = split(block.words, names.spindles)
+    return len(others) + sum(command_steps(command, names) for command in commands)
+
+
+def command_steps(command: SpindleCommand, names: NameTable) -> int:
+    """The cost of a command to a spindle."""
+    values = (command.speed, command.position)
+    return 1 + sum(expression_steps(value, names) for value in values if value is not None)
 
 
 def _assignment(statement: Assignment, names: NameTable) -> int:

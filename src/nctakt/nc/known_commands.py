@@ -177,7 +177,7 @@ VARIABLES = known(
 FORMS = known(
     ("X[INDP …]", "R", "independent motion of an axis", "unabhängige Bewegung einer Achse"),
     ("X[…]", "R", "command for one axis", "Befehl für eine Achse"),
-    ("S2[…]", "R", "command for a spindle", "Befehl für eine Spindel"),
+    ("S2[…]", "S", "command for a spindle", "Befehl für eine Spindel"),
     ("M17[…]", "S", "return with a jump", "Rücksprung mit Ziel"),
     ("L CYCLE [MODAL_MOVE]", "R", "call behind every block", "Aufruf hinter jedem Satz"),
     ("M110=130", "R", "M or H function with a value", "M- oder H-Funktion mit Wert"),

@@ -45,6 +45,12 @@ class RealtimeVariable:
     count: int = 0
 
 
+#: Signals of a spindle, in the order of its cells (``kernel/spindles.py``).
+SPINDLE_VALUES = (
+    RealtimeVariable("SPEED", "REAL64", "1/min", Access.NONE, Access.NONE),
+    RealtimeVariable("POSITION", "REAL64", "°", Access.NONE, Access.NONE),
+)
+
 #: V.RTG.*, in the order of the channel's cells (``kernel/channel.py``). What has no access at all
 #: is the channel's state for the trace.
 CHANNEL_VARIABLES = (
@@ -159,13 +165,14 @@ class NotFound:
 class ChannelNames:
     """What one channel brings: names and machine-wide numbers of its axes, its variables.
 
-    ``linear`` are the numbers of the axes whose positions are lengths.
+    ``linear`` are the numbers of the axes whose positions are lengths, ``spindles`` names.
     """
 
     axes: tuple[tuple[str, int], ...]
     linear: frozenset[int]
     external: tuple[Variable, ...]
     channel: tuple[Variable, ...]
+    spindles: tuple[str, ...] = ()
 
 
 def _row_cells(rows: Sequence[RealtimeVariable]) -> int:
@@ -188,7 +195,9 @@ class Layout:
         self.first_axis = self.channel_cells * len(channels)
         self.panel_cells = panel_cells
         self.first_panel = self.first_axis + self.axis_cells * axis_count
-        self.size = self.first_panel + panel_cells * len(channels)
+        self.spindles = [channel.spindles for channel in channels]
+        self.first_spindle = self.first_panel + panel_cells * len(channels)
+        self.size = self.first_spindle + len(SPINDLE_VALUES) * sum(map(len, self.spindles))
         self._names: list[tuple[int, str]] = []
         self._global: dict[str, tuple[Variable, int]] = {}
         self.external: dict[tuple[int, str], int] = {}
@@ -205,6 +214,11 @@ class Layout:
     def panel_cell(self, channel: int) -> int:
         """The first cell of a channel's operator's panel."""
         return self.first_panel + self.panel_cells * channel
+
+    def spindle_cell(self, channel: int) -> int:
+        """The first cell of a channel's spindles."""
+        before = sum(len(names) for names in self.spindles[:channel])
+        return self.first_spindle + len(SPINDLE_VALUES) * before
 
     def channel_value(self, channel: int, path: str) -> int:
         """The cell of a channel's value, ``PATH.SPEED``."""
@@ -235,6 +249,7 @@ class NameTable:
         self._index = index
         self._axes = dict(channel.axes)
         self._linear = channel.linear
+        self.spindles = channel.spindles
         self._variables: dict[str, dict[str, tuple[Node, int]]] = {"E": {}, "CH": {}}
         for variable in channel.external:
             cell = layout.place(variable)
@@ -375,6 +390,11 @@ class NameTable:
         for axis, number in self._axes.items():
             for row, offset in self._rta.values():
                 yield f"{axis}.{row.path}", self._layout.axis_cell(number) + offset, row
+        cell = self._layout.spindle_cell(self._index)
+        for spindle in self._layout.spindles[self._index]:
+            for row in SPINDLE_VALUES:
+                yield f"{spindle}.{row.path}", cell, row
+                cell += 1
         first = self._layout.channel_cell(self._index)
         for row, offset in self._rtg.values():
             if row.count == 0:

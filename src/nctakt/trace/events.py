@@ -85,6 +85,9 @@ class EventNames(Protocol):
     def variable_text(self, number: int) -> str:
         """The text of a variable whose value was frozen."""
 
+    def spindle(self, number: int) -> str:
+        """The name of a spindle of the channel."""
+
     def user_text(self, number: int) -> str:
         """A text that is told with a user error."""
 
@@ -121,6 +124,9 @@ class EventDecoder:
             record.PROGRAM_END: self._program_end,
             record.NOTICE: self._notice,
             record.FROZEN: self._frozen,
+            record.SPINDLE: self._spindle,
+            record.SPINDLE_REACHED: self._spindle_reached,
+            record.SPINDLE_POSITION: self._spindle_position,
             record.USER_ERROR: self._user_error,
             record.USER_VALUE: self._user_value,
             record.USER_TEXT: self._user_text,
@@ -203,6 +209,20 @@ class EventDecoder:
 
     def _frozen(self, _kind: int, _serial: int, number: float, value: float) -> tuple[str, str]:
         return "frozen", f"{self._names.variable_text(int(number))} {number_text(value)}"
+
+    def _spindle(self, _kind: int, _serial: int, job: float, rpm: float) -> tuple[str, str]:
+        spindle, function = divmod(int(job), 100)
+        return "spindle", f"{self._names.spindle(spindle)} m{function} {number_text(rpm)}"
+
+    def _spindle_reached(
+        self, _kind: int, _serial: int, number: float, _b: float
+    ) -> tuple[str, str]:
+        return "spindle_reached", self._names.spindle(int(number))
+
+    def _spindle_position(
+        self, _kind: int, _serial: int, number: float, position: float
+    ) -> tuple[str, str]:
+        return "spindle_position", f"{self._names.spindle(int(number))} {number_text(position)}"
 
     def _user_error(self, _kind: int, _serial: int, number: float, rc: float) -> tuple[str, str]:
         return "user_error", f"{int(number)} {int(rc)}"

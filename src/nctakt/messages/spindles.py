@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+"""Messages of spindles (900282, 900470 … 900479)."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import ERROR, Catalogue
+
+MESSAGES = Catalogue()
+_add = MESSAGES.add
+
+_add(
+    50935,
+    ERROR,
+    "spindle {spindle} is busy with a job of this tick, or one that the PLC has not acknowledged",
+    "Spindel {spindle} ist belegt: mit einem Auftrag dieses Takts oder einem unquittierten der SPS",
+    remedy_en="Give each spindle one job in a tick; let the PLC acknowledge in time.",
+    remedy_de="Jeder Spindel nur einen Auftrag je Takt geben; die SPS rechtzeitig quittieren "
+    "lassen.",
+    parameters={"spindle": "the spindle's name"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50954,
+    ERROR,
+    "too many or too few words for a spindle: {command}",
+    "zu viele oder zu wenige Wörter für eine Spindel: {command}",
+    remedy_en="A realtime cycle gives M3|M4 and speed, or M3|M4, M19, speed and position, or M5 "
+    "alone.",
+    remedy_de="Ein Echtzeit-Zyklus gibt M3|M4 und Drehzahl an, oder dazu M19 und Position, oder M5 "
+    "allein.",
+    cause_en="In the main program M3, M4 and M5 exclude each other, and a position needs M19.",
+    cause_de="Im Hauptprogramm schließen M3, M4 und M5 einander aus; eine Position braucht M19.",
+    parameters={"command": "the command as written"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    50955,
+    ERROR,
+    "spindle {spindle} cannot turn: no axis list has the logical number {logical}",
+    "Spindel {spindle} kann nicht drehen: keine Achsliste hat die logische Nummer {logical}",
+    remedy_en="Give it an axis list (kopf.achs_nr), or leave it to the PLC (plc_control 1).",
+    remedy_de="Ihr eine Achsliste geben (kopf.achs_nr) oder sie der SPS überlassen (plc_control "
+    "1).",
+    parameters={"spindle": "the spindle's name", "logical": "spindel[i].log_achs_nr"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    51028,
+    ERROR,
+    "realtime cycle {cycle} has {places} actions open, and no place for another",
+    "Echtzeit-Zyklus {cycle} hat {places} offene Aktionen und keinen Platz für eine weitere",
+    remedy_en="Let actions end first, or raise configuration.rt_cycles.buffers (P-CHAN-00480).",
+    remedy_de="Aktionen vorher enden lassen oder configuration.rt_cycles.buffers (P-CHAN-00480) "
+    "erhöhen.",
+    parameters={"cycle": "cycle at fault", "places": "P-CHAN-00480"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    900282,
+    ERROR,
+    "{word} does not belong to a spindle command",
+    "{word} gehört nicht zu einem Spindelbefehl",
+    remedy_en="A spindle knows M3, M4, M5, M19, S or REV, and S.POS or POS: S2[M3 REV=1000]",
+    remedy_de="Eine Spindel kennt M3, M4, M5, M19, S oder REV und S.POS oder POS: S2[M3 REV=1000]",
+    parameters={"word": "the word as written"},
+)
+_add(
+    900473,
+    ERROR,
+    "the channel has no main spindle",
+    "der Kanal hat keine Hauptspindel",
+    remedy_en="Name one (main_spindle_ax_nr, P-CHAN-00051), or use a spindle's name: "
+    "S2[M3 REV=1000]",
+    remedy_de="Eine nennen (main_spindle_ax_nr, P-CHAN-00051) oder eine Spindel mit Namen "
+    "ansprechen: S2[M3]",
+)
+_add(
+    900470,
+    ERROR,
+    "a spindle's speed cannot be {value}: M3 and M4 give the direction",
+    "die Drehzahl einer Spindel kann nicht {value} sein: M3 und M4 geben die Richtung an",
+    remedy_en="Give a speed from 0 on, and M3 or M4.",
+    remedy_de="Eine Drehzahl ab 0 angeben, und M3 oder M4.",
+    parameters={"value": "the value"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    900471,
+    ERROR,
+    "M19 without a speed: none is active, and the block gives none",
+    "M19 ohne Drehzahl: keine ist aktiv, und der Satz gibt keine an",
+    remedy_en="Give the speed with which the spindle goes to its position: M19 S100 S.POS=90",
+    remedy_de="Die Drehzahl angeben, mit der die Spindel auf ihre Position fährt: M19 S100 "
+    "S.POS=90",
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900472,
+    ERROR,
+    "M19 with the speed 0: the spindle would never arrive",
+    "M19 mit der Drehzahl 0: die Spindel käme nie an",
+    remedy_en="Give a speed above 0.",
+    remedy_de="Eine Drehzahl über 0 angeben.",
+    reaction=6,
+    clearing=6,
+)

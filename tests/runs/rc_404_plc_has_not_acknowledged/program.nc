@@ -1,0 +1,8 @@
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  $IF V.E.COUNT == 0 || V.E.COUNT == 4 || V.E.COUNT == 7
+    S3[M3 REV=100]
+  $ENDIF
+  V.E.COUNT += 1
+#RT CYCLE END
+#TIME 0.02
+M30

@@ -1,0 +1,14 @@
+#RT CYCLE [ID = 7 SCOPE = PROG]
+  $IF V.E.COUNT == 0
+    M3 S60
+  $ELSEIF V.E.COUNT == 3
+    M3 S6
+  $ELSEIF V.E.COUNT == 5
+    S2[M3 REV=60]
+  $ELSEIF V.E.COUNT == 6
+    M5
+  $ENDIF
+  V.E.COUNT += 1
+#RT CYCLE END
+#TIME 0.02
+M30

@@ -37,7 +37,7 @@ STAGES = (
     ("trace",),
     ("reference", "results", "plots"),
     ("hli",),
-    ("access", "image"),
+    ("access", "image", "spindles"),
     ("assembly",),
     ("interface", "loading", "runtime_errors", "stimuli"),
     ("checking", "feed", "plc"),

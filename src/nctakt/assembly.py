@@ -29,17 +29,17 @@ from nctakt.kernel.panel import Panel
 from nctakt.kernel.path import Path as KernelPath
 from nctakt.kernel.record import Record
 from nctakt.kernel.single_axes import SingleAxes
-from nctakt.kernel.spindles import Spindles
 from nctakt.kernel.timers import Timers
 from nctakt.lists.axis_configuration import AxisConfiguration
-from nctakt.lists.channel_configuration import ChannelParameters, Spindle
+from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.lists.machine import ChannelConfiguration, MachineConfiguration
 from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.nc.names import ChannelNames, Layout, Location, NameTable
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import FrozenValue, Reaction
-from nctakt.sources import SourceFiles
+from nctakt.sources import SourceFiles, begins_at
+from nctakt.spindles import all_names, channel_spindles, turning
 from nctakt.text import nearest
 
 #: What an elementary instruction is taken to cost in virtual time, in ns (RC-503).
@@ -192,7 +192,7 @@ class Registry:
     def frozen_in(self, name: str, span: Span | None) -> Sequence[FrozenValue]:
         """What was frozen into the latest living cycle of this name and place (RC-302)."""
         for serial, definition in reversed(self._living.items()):
-            if self._cycle_names[serial] == name and _begins_at(definition.span, span):
+            if self._cycle_names[serial] == name and begins_at(definition.span, span):
                 found = definition.frozen
                 return [FrozenValue(one.name, one.value, one.span) for one in found]
         return ()
@@ -204,13 +204,6 @@ class Registry:
             name = self._cycle_names[definition.serial]
             runs[name] = runs.get(name, 0) + definition.cycle.runs
         return runs
-
-
-def _begins_at(span: Span, place: Span | None) -> bool:
-    """Whether a span begins at the place that an event knows."""
-    if place is None:
-        return False
-    return (span.file, span.line, span.column) == (place.file, place.line, place.column)
 
 
 @dataclass(frozen=True, slots=True)
@@ -316,11 +309,7 @@ class Machine:
         self.members = self.assembled[0].members
         self.layout = layout
         self.files = SourceFiles()
-        spindles = [
-            name
-            for channel in configuration.channels
-            for name in names_of(channel.parameters.spindles)
-        ]
+        spindles = all_names(configuration)
         self.registry = Registry(self.files, self._name_of_cell, self._axis_names(), spindles)
         self.access = VariableAccess(
             layout.tables, [one.panel for one in self.assembled], self.memory, self.kernel
@@ -399,7 +388,8 @@ class Machine:
             self.single_axes,
         )
         limits = parameters.realtime_cycles
-        channel.set_spindles(self._spindles(index, layout), limits.buffers)
+        spindles = channel_spindles(self.configuration, index, layout, self.memory, self.record)
+        channel.set_spindles(spindles, limits.buffers)
         context = channel.context
         context.max_steps = limits.max_steps
         context.cont_steps = limits.cont_steps
@@ -409,30 +399,6 @@ class Machine:
         self.cells[first] = self.cells[first + 1] = 100.0
         self.cells[first + _DIAGNOSIS_LEVEL_CELL] = DEFAULT_DIAGNOSIS_LEVEL
         return channel
-
-    def _spindles(self, index: int, layout: Layout) -> Spindles:
-        """The channel's spindles with the limits of their axis lists."""
-        spindles = self.configuration.channels[index].parameters.spindles
-        first, cycle_time_us = layout.spindle_cell(index), self.configuration.cycle_time_us
-        made = Spindles(self.memory, first, len(spindles), self.record, cycle_time_us)
-        channels = self.configuration.channels[:index]
-        made.first_number = sum(len(channel.parameters.spindles) for channel in channels)
-        for place, spindle in enumerate(spindles):
-            axis = self._spindle_axis(spindle)
-            made.configure(
-                place,
-                plc=spindle.plc_controlled,
-                speed=0.0 if axis is None else axis.max_speed,
-                acceleration=0.0 if axis is None else axis.max_acceleration,
-            )
-        return made
-
-    def _spindle_axis(self, spindle: Spindle) -> AxisConfiguration | None:
-        """The axis list of a spindle; none for one that the PLC turns."""
-        for axis in self.configuration.axes:
-            if axis.logical_number == spindle.logical_number and not spindle.plc_controlled:
-                return axis
-        return None
 
     # --- running --------------------------------------------------------------------------------
 
@@ -469,8 +435,6 @@ class Machine:
         """What the decoder of a program of this channel works with."""
         own = self.assembled[channel]
         axes = tuple(self.configuration.axes[i] for i in own.members)
-        spindles = own.parameters.spindles
-        turning = [i for i, one in enumerate(spindles) if self._spindle_axis(one) is not None]
         return Surroundings(
             own.names,
             own.parameters,
@@ -483,7 +447,7 @@ class Machine:
             self.files.number,
             self.files.line_at,
             self.registry.add_user_text,
-            frozenset(turning),
+            turning(self.configuration, channel),
             notice,
             subprogram,
             skip_levels,

@@ -100,3 +100,10 @@ class SourceFiles:
             return ""
         lines = self._files[file_index][1]
         return lines[line - 1] if line <= len(lines) else ""
+
+
+def begins_at(span: Span, place: Span | None) -> bool:
+    """Whether a span begins at the place that an event knows."""
+    if place is None:
+        return False
+    return (span.file, span.line, span.column) == (place.file, place.line, place.column)

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""The spindles of a machine's channels: their axis lists, their realtime part, their names."""
+
+from __future__ import annotations
+
+from nctakt.decoder.spindles import names_of
+from nctakt.kernel.record import Record
+from nctakt.kernel.spindles import Spindles
+from nctakt.lists.axis_configuration import AxisConfiguration
+from nctakt.lists.channel_configuration import Spindle
+from nctakt.lists.machine import MachineConfiguration
+from nctakt.nc.names import Layout
+
+
+def channel_spindles(
+    configuration: MachineConfiguration,
+    index: int,
+    layout: Layout,
+    memory: bytearray,
+    record: Record,
+) -> Spindles:
+    """The spindles of a channel with the limits of their axis lists."""
+    spindles = configuration.channels[index].parameters.spindles
+    first, cycle_time_us = layout.spindle_cell(index), configuration.cycle_time_us
+    made = Spindles(memory, first, len(spindles), record, cycle_time_us)
+    before = configuration.channels[:index]
+    made.first_number = sum(len(channel.parameters.spindles) for channel in before)
+    for place, spindle in enumerate(spindles):
+        axis = _axis_of(configuration, spindle)
+        made.configure(
+            place,
+            plc=spindle.plc_controlled,
+            speed=0.0 if axis is None else axis.max_speed,
+            acceleration=0.0 if axis is None else axis.max_acceleration,
+        )
+    return made
+
+
+def turning(configuration: MachineConfiguration, index: int) -> frozenset[int]:
+    """The places of a channel's spindles that the CNC turns and has an axis list for."""
+    spindles = configuration.channels[index].parameters.spindles
+    return frozenset(
+        place
+        for place, spindle in enumerate(spindles)
+        if _axis_of(configuration, spindle) is not None
+    )
+
+
+def all_names(configuration: MachineConfiguration) -> list[str]:
+    """The names of all spindles of the machine, channel by channel."""
+    return [
+        name for channel in configuration.channels for name in names_of(channel.parameters.spindles)
+    ]
+
+
+def _axis_of(configuration: MachineConfiguration, spindle: Spindle) -> AxisConfiguration | None:
+    """The axis list of a spindle; none for one that the PLC turns."""
+    for axis in configuration.axes:
+        if axis.logical_number == spindle.logical_number and not spindle.plc_controlled:
+            return axis
+    return None

@@ -245,11 +245,11 @@ def test_defaults_lists_come_first(tmp_path: Path) -> None:
 
 
 def test_channel_without_a_list_of_its_own(tmp_path: Path) -> None:
-    """The defaults list alone makes a channel."""
+    """The defaults list alone makes a channel; its axis belongs to the first one of two."""
     text = "kanal_anzahl 2\ndefault_sda_mds kanal.lis\nachs_mds[0] x.lis\nrtconf_lis rtconf.lis\n"
     machine, found = load(write(tmp_path, {"hochlauf.lis": text}))
-    assert found == []
-    assert [channel.axes[0].name for channel in machine.channels] == ["X", "X"]
+    assert found == [900750]
+    assert [[axis.name for axis in channel.axes] for channel in machine.channels] == [["X"], []]
 
 
 SHARED = "number_used_variables 2\nvar[0].name A\nvar[0].scope GLOBAL\nvar[1].name OWN\n"
@@ -259,7 +259,8 @@ def test_several_channels_share_global_variables(tmp_path: Path) -> None:
     """A GLOBAL variable is one for all channels, CHANNEL variables are each channel's own."""
     files = {
         "hochlauf.lis": STARTUP.replace("anzahl 1", "anzahl 2")
-        + "sda_mds[1] kanal.lis\nve_var[0] v.lis\nve_var[1] v.lis\n",
+        + "sda_mds[1] other.lis\nve_var[0] v.lis\nve_var[1] v.lis\n",
+        "other.lis": "max_vb_override 1000\n",
         "v.lis": SHARED,
     }
     machine, found = load(write(tmp_path, files))
@@ -274,7 +275,8 @@ def test_global_variables_that_differ(tmp_path: Path) -> None:
     """Channels that declare a GLOBAL variable differently get the first declaration."""
     files = {
         "hochlauf.lis": STARTUP.replace("anzahl 1", "anzahl 2")
-        + "sda_mds[1] kanal.lis\nve_var[0] v.lis\nve_var[1] w.lis\n",
+        + "sda_mds[1] other.lis\nve_var[0] v.lis\nve_var[1] w.lis\n",
+        "other.lis": "max_vb_override 1000\n",
         "v.lis": SHARED,
         "w.lis": f"{SHARED}var[0].type REAL64\n",
     }

@@ -160,6 +160,7 @@ class Feed:
                 command.feed,
                 command.exact_stop,
                 command.deviation,
+                command.limits_jerk,
                 command.arc,
             )
             self._decoder.took_time()

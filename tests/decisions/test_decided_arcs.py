@@ -4,9 +4,11 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 from decided import left, numbers, perform
+from kernel_rig import controller_with
 
 from nctakt.results.run import Run
 
@@ -177,3 +179,35 @@ def test_distance_to_go_ends_with_the_block() -> None:
     for tick in (0, 50, 150):
         found = run.trace.at(tick, "X.PCS.DIST_TO_GO")
         assert found == pytest.approx(-10 - place(run, tick)[0], abs=1e-12)
+
+
+def test_the_slope_is_that_of_the_channel_until_the_program_chooses(tmp_path: Path) -> None:
+    """P-CHAN-00071: 1 is the jerk-limited slope; #SLOPE DEFAULT goes back to it.
+
+    10 mm at 20 mm/s: 500 + 5 ms with the trapezoid; with the S-curve of 15.81 ms up, 15.81 ms on
+    and as much down 500 + 31.62 ms.
+    """
+    smooth = controller_with(tmp_path, "prog_start.slope.profile 1")
+    ticks = [
+        perform(f"{slope}G01 X10 F1200\nM30", controller_).ticks - 1
+        for controller_, slope in (
+            (None, ""),
+            (smooth, ""),
+            (None, "#SLOPE [TYPE=TRAPEZ]\n"),
+            (None, "#SLOPE [TYPE=TRAPEZ]\n#SLOPE DEFAULT\n"),
+        )
+    ]
+    assert ticks == [505, 532, 532, 505]
+
+
+def test_with_a_limit_of_the_jerk_each_block_stops() -> None:
+    """The path stands between two blocks, where one of them has the jerk-limited slope."""
+    one = moved("#SLOPE [TYPE=TRAPEZ]\nG01 X10 F1200").ticks
+    assert moved("#SLOPE [TYPE=TRAPEZ]\nG01 X10 F1200\nX20").ticks == 2 * one - 1
+
+
+def test_other_slopes_and_modes_are_refused_by_name() -> None:
+    """900706: what is not simulated would change positions or times; 900707: no deviation."""
+    assert numbers(perform("#SLOPE [TYPE=SIN2]\n#SLOPE [TYPE=HSC]\nM30")) == [900706, 900706]
+    assert numbers(perform("#CONTOUR MODE [DIST PRE_DIST=1]\nM30")) == [900706, 900706]
+    assert numbers(perform("#CONTOUR MODE [DEV PATH_DEV=0]\nM30")) == [900707]

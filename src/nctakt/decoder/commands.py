@@ -27,7 +27,8 @@ class Segment(Command):
     """A motion of the path's axes, mm or degrees, not packed but prepared in the queue.
 
     ``feed`` in mm/s, below 0 rapid. ``deviation``: how far the path may pass the target, 0 not at
-    all. ``arc``: first and second axis of its plane, centre, angle; ``None`` for a line.
+    all. ``limits_jerk``: its slope is an S-curve. ``arc``: first and second axis of its plane,
+    centre, angle; ``None`` for a line.
     """
 
     start: tuple[float, ...]
@@ -35,6 +36,7 @@ class Segment(Command):
     feed: float
     exact_stop: bool
     deviation: float = 0.0
+    limits_jerk: bool = False
     arc: tuple[float, ...] | None = None
 
 

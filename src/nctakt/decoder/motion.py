@@ -7,7 +7,7 @@ moves. Mistakes are a ``DecodeError``.
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass, field
 
 from nctakt.decoder.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
@@ -20,6 +20,9 @@ from nctakt.nc.check_path import keywords
 
 #: The words of a centre, one for each of the first three axes.
 CENTRE_WORDS = ("I", "J", "K")
+
+#: The type of slope with a limit of the jerk.
+JERK_LIMITED = "TRAPEZ"
 
 #: G functions for one block only.
 EXACT_STOP, CONTOURING = 60, 61
@@ -60,8 +63,11 @@ class PathMotion:
             path.exact_stop = function == 360
 
     def command(self, command: syntax.HashCommand, number: int) -> Generator[Command, Answer]:
-        """``#CONTOUR MODE``."""
+        """``#CONTOUR MODE``, ``#SLOPE``."""
         path = self._state.path
+        if command.words[0].name == "SLOPE":
+            path.limits_jerk = self._limits_jerk(keywords(command))
+            return
         for keyword in keywords(command):
             if keyword.name == "PATH_DEV" and keyword.value is not None:
                 value = yield from self._values.evaluate(keyword.value, number)
@@ -71,6 +77,13 @@ class PathMotion:
         switch = command.words[-1].name
         if switch in ("ON", "OFF"):
             path.contouring = switch == "ON"
+
+    def _limits_jerk(self, items: Sequence[syntax.Keyword]) -> bool:
+        """What ``#SLOPE`` chooses: without a type, the slope of the program's start."""
+        for keyword in items:
+            assert isinstance(keyword.value, syntax.Name)
+            return keyword.value.name == JERK_LIMITED
+        return self._surroundings.parameters.program_start.slope_profile > 0
 
     def segment(
         self, start: list[float], target: list[float], words: PathWords, span: Span, number: int
@@ -97,6 +110,7 @@ class PathMotion:
             feed,
             exact,
             state.path.deviation if rounds and not exact else 0.0,
+            state.path.limits_jerk,
             None if arc is None else arc.row,
         )
 

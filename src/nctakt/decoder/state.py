@@ -28,11 +28,13 @@ DEVIATION_MM = 1.0
 class PathState:
     """How the path goes on: plane, arcs, the ends of blocks.
 
-    ``radius``: the last R, 0 none yet. ``deviation``: how far contouring may pass a corner, mm.
+    ``limits_jerk``: the slope is an S-curve (P-CHAN-00071). ``radius``: the last R, 0 none yet.
+    ``deviation``: how far contouring may pass a corner, mm.
     """
 
     plane: int
     absolute_centre: bool
+    limits_jerk: bool
     radius: float = 0.0
     exact_stop: bool = False
     contouring: bool = False
@@ -68,7 +70,9 @@ def state_at_program_start(start: ProgramStart, positions: list[float]) -> Modal
     functions = start.g_functions
     return ModalState(
         motion=functions[MOTION_GROUP] if functions[MOTION_GROUP] <= MOST_MOTION else 0,
-        path=PathState(functions[PLANE_GROUP], functions[CENTRE_GROUP] == 161),
+        path=PathState(
+            functions[PLANE_GROUP], functions[CENTRE_GROUP] == 161, start.slope_profile > 0
+        ),
         inch=functions[UNIT_GROUP] == 70,
         absolute=functions[DIMENSION_GROUP] == 90,
         feed_mm_s=start.feed_mm_min / 60.0,

@@ -16,6 +16,10 @@ cdef class LookAhead:
     cdef double[::1] most_v
     cdef double[::1] rapid_a
     cdef double[::1] feed_a
+    cdef double[::1] rapid_slope_a
+    cdef double[::1] feed_slope_a
+    cdef double[::1] rapid_j
+    cdef double[::1] feed_j
     cdef double[::1] entering
     cdef double[::1] leaving
     cdef double[::1] steps
@@ -27,6 +31,8 @@ cdef class LookAhead:
     cdef double last_deviation
 
     cdef void measure(self, double[::1] row, Py_ssize_t base, double feed_v) noexcept nogil
+    @cython.locals(limit_a=double, limit_j=double, i=Py_ssize_t, way=double, part=double, slope_a=double, slope_j=double, tail=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, plane_j=double, plane_a=double, speed=double, fastest=double)
+    cdef void smooth(self, double[::1] row, Py_ssize_t base, double feed_v) noexcept nogil
     @cython.locals(linear2=double, rotary2=double, i=Py_ssize_t, way=double)
     cdef double straight_way(self, double[::1] row, Py_ssize_t base) noexcept nogil
     @cython.locals(highest=double, limit_a=double, rapid=double, i=Py_ssize_t, way=double, part=double)

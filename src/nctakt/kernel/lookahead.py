@@ -41,6 +41,10 @@ class LookAhead:
         self.most_v = memoryview(bytearray(8 * room)).cast("d")
         self.rapid_a = memoryview(bytearray(8 * room)).cast("d")
         self.feed_a = memoryview(bytearray(8 * room)).cast("d")
+        self.rapid_slope_a = memoryview(bytearray(8 * room)).cast("d")
+        self.feed_slope_a = memoryview(bytearray(8 * room)).cast("d")
+        self.rapid_j = memoryview(bytearray(8 * room)).cast("d")
+        self.feed_j = memoryview(bytearray(8 * room)).cast("d")
         self.entering = memoryview(bytearray(8 * room)).cast("d")
         self.leaving = memoryview(bytearray(8 * room)).cast("d")
         self.steps = memoryview(bytearray(8 * room)).cast("d")
@@ -63,6 +67,13 @@ class LookAhead:
         self.rapid_v[index], self.most_v[index] = speeds
         self.rapid_a[index], self.feed_a[index] = accelerations
 
+    def limit_slope(
+        self, index: int, accelerations: tuple[float, float], jerks: tuple[float, float]
+    ) -> None:
+        """The limits of one axis with the jerk-limited slope: of rapid and feed."""
+        self.rapid_slope_a[index], self.feed_slope_a[index] = accelerations
+        self.rapid_j[index], self.feed_j[index] = jerks
+
     # --- the limits of a segment ----------------------------------------------------------------
 
     def measure(self, row: memoryview[float], base: int, feed_v: float) -> None:
@@ -73,8 +84,46 @@ class LookAhead:
             self.measure_arc(row, base, feed_v)
         else:
             self.bound(row, base, feed_v)
+        if row[base + 10] > 0.0:
+            self.smooth(row, base, feed_v)
         row[base + 11] = 0.0
         shape.direct(row, base, self.count, 0, self.entering)
+
+    def smooth(self, row: memoryview[float], base: int, feed_v: float) -> None:
+        """Acceleration and jerk of the jerk-limited slope.
+
+        On an arc the jerk of an axis has three parts: 0.4 of its limit are for the path's own, 0.3
+        for the turning of the path's acceleration, 0.3 for that of the centripetal one.
+        """
+        limit_a = 1e300
+        limit_j = 1e300
+        for i in range(self.count):
+            way = row[base + 12 + self.count + i] - row[base + 12 + i]
+            if way == 0.0 or self.in_plane(row, base, i):
+                continue
+            part = (way if way > 0.0 else 0.0 - way) / row[base + 3]
+            slope_a = self.rapid_slope_a[i] if feed_v < 0.0 else self.feed_slope_a[i]
+            slope_j = self.rapid_j[i] if feed_v < 0.0 else self.feed_j[i]
+            limit_a = min(limit_a, slope_a / part)
+            limit_j = min(limit_j, slope_j / part)
+        if row[base + 9] == 1.0:
+            tail = base + 12 + 2 * self.count
+            first = int(row[tail + 7])
+            second = int(row[tail + 8])
+            x = row[base + 12 + first] - row[tail + 9]
+            y = row[base + 12 + second] - row[tail + 10]
+            radius = arithmetic.square_root(x * x + y * y)
+            plane_j = min(self.feed_j[first], self.feed_j[second])
+            plane_a = min(self.feed_slope_a[first], self.feed_slope_a[second])
+            plane_a = min(plane_a, row[base + 6])
+            speed = arithmetic.power(0.3 * plane_j * radius * radius, 1.0 / 3.0)
+            speed = min(speed, arithmetic.square_root(0.5 * plane_a * radius))
+            row[base + 5] = min(row[base + 5], speed)
+            fastest = min(row[base + 5], row[base + 4] * self.most_factor)
+            limit_a = min(limit_a, 0.8 * plane_a, 0.1 * plane_j * radius / fastest)
+            limit_j = min(limit_j, 0.4 * plane_j)
+        row[base + 6] = min(row[base + 6], limit_a)
+        row[base + 10] = limit_j
 
     def straight_way(self, row: memoryview[float], base: int) -> float:
         """The way in the linear axes, or in the rotary ones where no linear axis moves."""

@@ -5,6 +5,7 @@ from nctakt.kernel cimport arithmetic
 from nctakt.kernel cimport shape
 from nctakt.kernel.axis cimport Axes
 from nctakt.kernel.motion cimport Profile
+from nctakt.kernel.trajectory cimport Trajectories
 
 cdef class Path:
     cdef Axes axes
@@ -25,6 +26,8 @@ cdef class Path:
     cdef bint is_dwell
     cdef long long dwell_ticks
     cdef Profile profile
+    cdef Trajectories course
+    cdef double speed_a
     cdef double[::1] places
     cdef int stage
     cdef double stage_end_d
@@ -63,8 +66,14 @@ cdef class Path:
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
     @cython.locals(end_v=double, stop_v=double, brake2=double, free_v=double)
     cdef double block_end_speed(self, double rest_d, double limit_a) noexcept nogil
-    @cython.locals(now_t=double, over_t=double, i=Py_ssize_t, k=Py_ssize_t, end=Py_ssize_t)
+    @cython.locals(limit_a=double, limit_j=double, rest_d=double)
+    cdef void replan_smoothly(self, double limit_v) noexcept nogil
+    @cython.locals(now_t=double, over_t=double)
+    cdef int advance_smoothly(self) noexcept nogil
+    @cython.locals(now_t=double, over_t=double)
     cdef int advance(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t, k=Py_ssize_t, end=Py_ssize_t)
+    cdef int finish(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, k=Py_ssize_t)
     cdef void move_axes(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)

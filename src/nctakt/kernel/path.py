@@ -16,6 +16,7 @@ from __future__ import annotations
 from nctakt.kernel import arithmetic, shape
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.motion import Profile
+from nctakt.kernel.trajectory import Trajectories
 
 #: Segments that the ring holds, with the current one.
 RING_SIZE = 256
@@ -45,6 +46,8 @@ class Path:
         self.is_dwell = False
         self.dwell_ticks = 0
         self.profile = Profile()
+        self.course = Trajectories(1)
+        self.speed_a = 0.0
         self.places = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
         self.stage = 0
         self.stage_end_d = 0.0
@@ -182,12 +185,44 @@ class Path:
         self.limit_v = limit_v
         self.plan_d = self.covered_d
         self.ticks = 0
+        if self.ring[self.base + 10] > 0.0:
+            self.replan_smoothly(limit_v)
+            return
         rest_d = self.stage_end_d - self.covered_d
         limit_a = shape.stage_acceleration(self.ring, self.base, self.count, self.stage)
         end_v = self.end_speed(rest_d, limit_a)
         if self.stage == 3:
             limit_v = min(limit_v, self.ring[self.base + 12 + 2 * self.count + 5])
         self.profile.plan(rest_d, self.speed_v, end_v, limit_v, limit_a)
+
+    def replan_smoothly(self, limit_v: float) -> None:
+        """``replan`` with a limit of the jerk: to a stand at the end, or at once where it is 0."""
+        limit_a = self.ring[self.base + 6]
+        limit_j = self.ring[self.base + 10]
+        if limit_v > 0.0:
+            rest_d = self.stage_end_d - self.covered_d
+            self.course.plan_distance(
+                0, rest_d, self.speed_v, self.speed_a, limit_v, limit_a, limit_j
+            )
+        else:
+            self.course.plan_speed(0, 0.0, self.speed_v, self.speed_a, limit_a, limit_j)
+
+    def advance_smoothly(self) -> int:
+        """``advance`` with a limit of the jerk: the segment ends with a stand."""
+        now_t = self.offset_t + self.ticks * self.cycle_time_us / 1e6
+        over_t = now_t - self.course.duration_t(0)
+        if self.limit_v <= 0.0 or over_t < -1e-6 * self.cycle_time_t:
+            self.course.evaluate(0, now_t)
+            self.covered_d = min(self.plan_d + self.course.distance_d, self.stage_end_d)
+            self.speed_v = max(self.course.speed_v, 0.0)
+            self.speed_a = self.course.acceleration_a
+            self.move_axes()
+            return 0
+        self.left_t = max(over_t, 0.0)
+        self.speed_v = 0.0
+        self.speed_a = 0.0
+        self.covered_d = self.stage_end_d
+        return self.finish()
 
     def end_speed(self, rest_d: float, limit_a: float) -> float:
         """The highest speed at the end of the stage, ``rest_d`` from here."""
@@ -223,6 +258,8 @@ class Path:
 
     def advance(self) -> int:
         """Go to where the plan is at the end of this tick; 1 when the segment ended before."""
+        if self.ring[self.base + 10] > 0.0:
+            return self.advance_smoothly()
         while True:
             now_t = self.offset_t + self.ticks * self.cycle_time_us / 1e6
             over_t = now_t - self.profile.duration_t
@@ -238,6 +275,10 @@ class Path:
                 break
             self.offset_t = self.left_t
             self.replan(self.limit_v)
+        return self.finish()
+
+    def finish(self) -> int:
+        """Put the axes exactly to the segment's end: 1 when time is left to go on in this tick."""
         self.is_active = False
         end = self.base + 12 + self.count
         if self.ring[end + self.count + 4] > 0.0:
@@ -261,6 +302,7 @@ class Path:
         """Reset: the rest of the segment is dropped where the axes stand, to be read at once."""
         self.is_active = False
         self.speed_v = 0.0
+        self.speed_a = 0.0
         self.release()
         self.rest()
         for i in range(self.count):

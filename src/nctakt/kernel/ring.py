@@ -96,12 +96,14 @@ class CommandRing:
         feed_v: float,
         exact_stop: bool,
         deviation: float,
+        limits_jerk: bool,
         arc: Sequence[float] | None,
     ) -> None:
         """Append a segment, and let the path go on into it from the one before.
 
         ``feed_v``: mm/s, below 0 rapid. ``deviation``: how far the path may pass its target, 0 not
-        at all. ``arc``: first and second axis of the plane, centre, angle in degrees.
+        at all. ``limits_jerk``: the slope is an S-curve, and the path stops before and behind.
+        ``arc``: first and second axis of the plane, centre, angle in degrees.
         """
         base = self.next_row()
         for i in range(self.width):
@@ -110,6 +112,9 @@ class CommandRing:
         self.queue[base + 1] = source
         self.queue[base + 2] = number
         self.queue[base + 8] = exact_stop
+        self.queue[base + 10] = limits_jerk
+        if limits_jerk:
+            self.latest = -1
         for i in range(self.path.count):
             self.queue[base + 12 + i] = start[i]
             self.queue[base + 12 + self.path.count + i] = target[i]
@@ -120,7 +125,7 @@ class CommandRing:
         self.tail += 1
         self.timed_count += 1
         self.prepare(base, feed_v, deviation)
-        self.latest = -1 if exact_stop else self.tail - 1
+        self.latest = -1 if exact_stop or limits_jerk else self.tail - 1
 
     def prepare(self, base: int, feed_v: float, deviation: float) -> None:
         """Limits of the latest segment and the speeds of those before it."""

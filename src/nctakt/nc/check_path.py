@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``#`` commands that set how the path goes on: ``#CONTOUR MODE`` (MO-3).
+"""``#`` commands that set how the path goes on: ``#CONTOUR MODE``, ``#SLOPE`` (MO-2, MO-3).
 
 Their words and keywords are those that are simulated; every other one is refused by name, since it
 would change positions or times.
@@ -29,6 +29,8 @@ FORMS = {
     "CONTOUR MODE": Form(("DEV",), ("PATH_DEV",)),
     "CONTOUR MODE ON": Form(("DEV",), ("PATH_DEV",), needs_bracket=False),
     "CONTOUR MODE OFF": Form(needs_bracket=False),
+    "SLOPE": Form(names={"TYPE": ("STEP", "TRAPEZ")}),
+    "SLOPE DEFAULT": Form(needs_bracket=False),
 }
 
 
@@ -76,7 +78,9 @@ def _check_item(
     if item.name in form.numbers and item.value is not None:
         values.value(item.value)
         return
-    allowed = form.names.get(item.name, ())
-    if isinstance(item.value, Name) and item.value.name in allowed:
-        return
-    findings.report(900706, item.span, command=name, word=findings.written(item.span))
+    span = item.span
+    if item.name in form.names and isinstance(item.value, Name):
+        if item.value.name in form.names[item.name]:
+            return
+        span = item.value.span
+    findings.report(900706, span, command=name, word=findings.written(span))

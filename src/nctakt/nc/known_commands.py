@@ -127,7 +127,7 @@ COMMANDS = known(
     ("#SHIFT", "R", "shift", "Verschiebung"),
     ("#SIGNAL", "R", "signal between channels", "Signal zwischen Kanälen"),
     ("#SINGLE STEP", "R", "single step", "Einzelschritt"),
-    ("#SLOPE", "R", "profile of acceleration", "Beschleunigungsprofil"),
+    ("#SLOPE", "S", "profile of acceleration", "Beschleunigungsprofil"),
     ("#SPLINE", "R", "spline", "Spline"),
     ("#STOP REVERSIBLE", "R", "limit of backward motion", "Grenze der Rückwärtsfahrt"),
     ("#STROKE DEF", "R", "definition of strokes", "Hubdefinition"),

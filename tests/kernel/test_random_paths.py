@@ -113,7 +113,7 @@ def test_a_reset_in_any_tick_brakes_within_the_limits(seed: int, slope: str) -> 
     is_due = chance.randint(1, 1500)
     for tick in range(is_due + 600):
         if tick == is_due:
-            controller._channel.request_reset()
+            controller._machine.channels[0].request_reset()
         controller.step(1)
         for name in AXES:
             found[name].append(float(controller.read(f"V.RTA.ACS.ACT_POS.{name}")))

@@ -15,6 +15,7 @@ from nctakt.access import VariableAccess
 from nctakt.decoder.commands import UserMessage
 from nctakt.decoder.cycles import CycleDefinition
 from nctakt.decoder.offsets import ActiveOffsets
+from nctakt.decoder.own_variables import Variables
 from nctakt.decoder.preparation import look_ahead
 from nctakt.decoder.spindles import names_of
 from nctakt.decoder.surroundings import Surroundings
@@ -311,6 +312,9 @@ class Machine:
         self.files = SourceFiles()
         spindles = all_names(configuration)
         self.registry = Registry(self.files, self._name_of_cell, self._axis_names(), spindles)
+        #: V.S: what programs keep until the next start-up.
+        self.kept_variables: Variables = {}
+        self.registry = Registry(self.files, self._name_of_cell, self._axis_names())
         self.access = VariableAccess(
             layout.tables, [one.panel for one in self.assembled], self.memory, self.kernel
         )

@@ -13,6 +13,7 @@ from functools import partial
 from nctakt.assembly import Machine
 from nctakt.decoder import commands
 from nctakt.decoder.commands import Answer, Command
+from nctakt.decoder.own_variables import Scopes
 from nctakt.decoder.program import ProgramDecoder
 from nctakt.decoder.state import state_at_program_start
 from nctakt.decoder.surroundings import DecodeError
@@ -50,6 +51,10 @@ class Feed:
         self._surroundings.offsets.adopt(machine.axes.offsets)
         start = program.parameters.program_start
         state = state_at_program_start(start, machine.positions(program.channel))
+        self._surroundings = machine.surroundings(program.subprogram, report, skip_levels)
+        machine.offsets.adopt(machine.axes.offsets)
+        state = state_at_program_start(machine.parameters.program_start, machine.positions())
+        state.levels.scopes = Scopes(machine.kept_variables)
         registry = machine.registry
         self._decoder = ProgramDecoder(
             self._surroundings,

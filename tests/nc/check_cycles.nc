@@ -146,7 +146,7 @@ M30
   P[P1] = 3 ; error 22009 "P is"
   V.P.A = 3 ; error 22009 "V.P.A"
   V.L.A[1] = 3 ; error 22009 "V.L.A[]"
-  V.E.VALUE = V.P.A ; error 900200 "V.P.A"
+  V.E.VALUE = V.P.A
   V.E.INPUT = 1 ; error 900216 "V.E.INPUT"
   V.E.VALUE = V.E.OUTPUT ; error 900217 "V.E.OUTPUT"
   V.E.VALUE = V.RTG.MEAS_DELTA ; error 21993 "R access to V.RTG.MEAS_DELTA is not defined: program R/W, realtime cycle –"

@@ -50,16 +50,10 @@ P1 = V.CHAN.A ; error 900213 "V.CHAN.A"
 P1 = V.E.NONE[V.E.NEITHER] ; error 900213 "V.E.NONE[]"; error 900213 "V.E.NEITHER"
 XV.E.NONE ; error 900213 "V.E.NONE"
 ; --- families of later versions
-V.P.A = 1 ; error 900200 "V.P.A"
-P1 = V.L.B[3] ; error 900200 "V.L.B[]"
-V.S.C ; error 900200 "V.S.C"
 P1 = V.G.NP[1].V.X ; error 900200 "V.G.NP[].V.X"
 P1 = V.A.+SWE_MDS.Z ; error 900200 "V.A.+SWE_MDS.Z"
 P1 = @P1
 @P1 = 3
-#VAR ; error 900200 "#VAR"
-  V.L.A
-#ENDVAR
 ; --- indices
 P1 = V.E.LIST ; error 900214 "V.E.LIST has 1 indices here, not 0"
 P1 = V.E.VALUE[1] ; error 900214 "V.E.VALUE has 0 indices here, not 1"
@@ -114,9 +108,6 @@ P1 = SINE[30] ; error 900218 "SINE"
 P1 = FOO[V.E.NONE] ; error 900218 "FOO"; error 900213 "V.E.NONE"
 P1 = SIN[1, 2] ; error 900219 "SIN takes 1 arguments, not 2"
 P1 = ATAN2[1] ; error 900219 "ATAN2 takes 2 arguments, not 1"
-P1 = EXIST[V.P.A] ; error 900200 "EXIST"
-P1 = SIZEOF[V.E.LIST] ; error 900200 "SIZEOF"
-P1 = IS_STRING[P1] ; error 900200 "IS_STRING"
 P1 = SIN ; error 900221 "SIN"
 P1 = TRU ; error 900221 "TRU"
 ; --- structures of control
@@ -203,3 +194,50 @@ $ENDWHILE
 #MSG SAVE SAVE ["x"] ; error 900224 "SAVE"
 #MSG SAVE CONTINUE ["x"] ; error 900200 "#MSG CONTINUE"
 #MSG INFO ["x"] ; error 900200 "#MSG INFO"
+; --- variables of a program's own
+#VAR
+  V.L.A
+  V.L.B : UNS32 = 200
+  V.P.C[2][3] = [1, 2, 3, 4, 5, 6]
+  V.S.D : STRING[20] = "text"
+  V.CYC.E[P1] : STRING[P2]
+  V.P.GROUP[2].POS[3] : REAL
+  V.L.F : INT ; error 900136 "there is no type INT"
+  V.L.G[0] ; error 900140 "V.L.G[] cannot have 0 elements"
+  V.L.H[1][2][3][4][5] ; error 900139 "more than 4 indices"
+  V.E.VALUE = 3 ; error 900137 "V.E.VALUE is no variable that a program makes itself"
+  V.L.I = V.E.NONE ; error 900213 "V.E.NONE"
+#ENDVAR
+V.P.X = 1
+V.P.X += V.L.A * 2
+V.P.T = "text" + V.S.D
+V.P.T -= "text" ; error 900341 "-"
+XV.P.X Y[V.P.C[1][P1]]
+V.P.C = [1, [2, V.L.A], "text"]
+V.E.LIST = [1, 2] ; error 900200 "values of a list"
+$IF V.P.T == "text" && V.P.X == 1 && "text" != V.P.T + "more"
+$ENDIF
+#MSG ["%s %d", V.P.T, V.P.X]
+#DELETE V.P.X, V.S.D
+#DELETE V.P.
+#DELETE ; error 900233 "#DELETE"
+#DELETE V.E.VALUE ; error 900137 "V.E.VALUE"
+#RT CYCLE
+  V.E.VALUE = V.P.X + V.L.B
+  V.P.X = 1 ; error 22009 "V.P.X"
+#RT CYCLE END
+; --- functions of names and texts
+P1 = EXIST[V.P.NONE] + EXIST[@P1] + EXIST[M100] + EXIST[V.E.NONE[P1]]
+P1 = EXIST[V.E.NONE[V.E.NONE]] ; error 900213 "V.E.NONE"
+P1 = EXIST[5] ; error 900138 "5 is nothing that can be asked for"
+P1 = EXIST[COLOUR] ; error 900138 "COLOUR"
+P1 = SIZEOF[V.E.LIST] + SIZEOF[V.P.A, 2] + IS_STRING["text"] + IS_NUMBER[P1]
+P1 = LEN["text"] + FIND["text", "x"] + ORD["A"] + STR_TO_REAL["1"] + STR_TO_INT[V.P.T]
+V.E.TEXT = LEFT["text", 2] + RIGHT["text", 1] + MID["text", 1, 2] + REAL_TO_STR[3]
+V.E.TEXT = INSERT["text", "x", 1] + DELETE["text", 1, 1] + REPLACE["text", "x", 1, 1]
+P1 = LEN[5] ; error 900342 "5"
+P1 = LEFT["text", 2] ; error 900340 "LEFT"
+P1 = LEN["text", 2] ; error 900219 "LEN takes 1"
+#RT CYCLE
+  V.E.VALUE = LEN["text"] ; error 900220 "LEN"
+#RT CYCLE END

@@ -27,6 +27,7 @@ from nctakt.nc.cost import command_steps, condition_steps, most_steps
 from nctakt.nc.names import Location
 from nctakt.nc.printer import format_expression
 from nctakt.nc.spindle_commands import split
+from nctakt.nc.resolution import is_own
 
 SCOPES = {"BLOCK": BLOCK, "PROG": PROG, "GLOBAL": GLOBAL}
 
@@ -283,6 +284,8 @@ class CycleBuilder:
 
     def _leaf(self, node: syntax.Variable | syntax.Parameter) -> Built:
         if isinstance(node, syntax.Parameter):
+            return self._freeze(node)
+        if is_own(node):
             return self._freeze(node)
         location = self._values.locate(node)
         if not (location.synchronous or node.synchronous):

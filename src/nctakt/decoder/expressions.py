@@ -139,16 +139,19 @@ def load(cell: int) -> Built:
 class ExpressionBuilder:
     """``leaf`` says what a variable or parameter becomes.
 
-    ``compare_texts`` gives the value of ``==`` and ``!=`` between texts, ``None`` between numbers.
+    ``compare_texts`` gives the value of ``==`` and ``!=`` between texts, ``None`` between numbers;
+    ``ask`` that of a function of names or texts, ``None`` of one of numbers.
     """
 
     def __init__(
         self,
         leaf: Callable[[syntax.Variable | syntax.Parameter], Built],
         compare_texts: Callable[[syntax.Binary], Built | None] = lambda _: None,
+        ask: Callable[[syntax.Call], Built | None] = lambda _: None,
     ) -> None:
         self._leaf = leaf
         self._compare_texts = compare_texts
+        self._ask = ask
         self._context = empty_context()
 
     def build(self, expression: syntax.Expression) -> Built:
@@ -234,6 +237,9 @@ class ExpressionBuilder:
         return Built(node)
 
     def _call(self, call: syntax.Call) -> Built:
+        asked = self._ask(call)
+        if asked is not None:
+            return asked
         if call.function == "ATAN2":
             left, right = (self.build(argument) for argument in call.arguments)
             node = expressions.ArcTangent2(left.node, right.node)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from nctakt.decoder.own_variables import Scopes
 from nctakt.nc.outline import ProgramText, Section
 
 #: Programs inside each other, the main program included.
@@ -33,9 +34,24 @@ class Level:
 
 @dataclass(slots=True)
 class Levels:
-    """The levels from the main program on."""
+    """The levels from the main program on; ``scopes``: their variables."""
 
     stack: list[Level] = field(default_factory=list)
+    scopes: Scopes = field(default_factory=lambda: Scopes({}))
+
+    def enter(self, level: Level) -> None:
+        """A program begins: variables of its own, as a cycle also V.CYC."""
+        self.scopes.locals_.append({})
+        if level.arguments is not None or not self.stack:
+            self.scopes.cycles.append({})
+        self.stack.append(level)
+
+    def leave(self) -> None:
+        """The innermost program has ended."""
+        level = self.stack.pop()
+        self.scopes.locals_.pop()
+        if level.arguments is not None:
+            self.scopes.cycles.pop()
 
     @property
     def top(self) -> Level:

@@ -82,7 +82,7 @@ class ProgramDecoder:
         yield from self._surroundings.offsets.begin_program()
         implicit = self._surroundings.parameters.implicit_programs
         level = Level(program, program.main)
-        self._levels.stack.append(level)
+        self._levels.enter(level)
         signal: Signal = ""
         if implicit.program_start:
             start = self._calls.implicit(implicit.program_start, program.main.span)
@@ -116,9 +116,9 @@ class ProgramDecoder:
         """A subprogram; what is said to the caller behind it."""
         if len(self._levels.stack) >= MOST_LEVELS:
             self._values.fail(900307, span, limit=MOST_LEVELS)
-        self._levels.stack.append(level)
+        self._levels.enter(level)
         signal = yield from self._level(level)
-        self._levels.stack.pop()
+        self._levels.leave()
         if not isinstance(signal, Return):
             return signal
         calls = len(self._levels.stack) if signal.calls is None else signal.calls
@@ -248,6 +248,13 @@ class ProgramDecoder:
                 yield from self._words.technology.explicit()
             case syntax.HashCommand() if command_name(statement) in FORMS:
                 yield from self._words.path.command(statement, number)
+            case syntax.VariableDeclarations():
+                for declaration in statement.declarations:
+                    yield from self._values.declare(declaration, number)
+            case syntax.HashCommand() if statement.words[0].name == "DELETE":
+                for argument in statement.arguments:
+                    assert isinstance(argument, syntax.Variable)
+                    self._values.own.delete(argument)
             case syntax.ProgramStart() | syntax.HashCommand():
                 pass  # the checker lets only those pass that have no effect
             case _:

@@ -157,3 +157,50 @@ _add(
     clearing=6,
     known_as=(50895,),
 )
+_add(
+    900136,
+    ERROR,
+    "there is no type {word}",
+    "einen Typ {word} gibt es nicht",
+    remedy_en="Most similar: {nearest}. Without a type a variable is REAL64.",
+    remedy_de="Am ähnlichsten: {nearest}. Ohne Typ ist eine Variable REAL64.",
+    parameters={**_WORD, **_NEAREST},
+)
+_add(
+    900137,
+    ERROR,
+    "{word} is no variable that a program makes itself",
+    "{word} ist keine Variable, die ein Programm selbst anlegt",
+    remedy_en="Programs declare and delete these: {families}. V.E and V.CH stand in lists.",
+    remedy_de="In Programmen angelegt und gelöscht werden: {families}. V.E und V.CH stehen in "
+    "Listen.",
+    parameters={**_WORD, "families": "the families of such variables"},
+)
+_add(
+    900138,
+    ERROR,
+    "{word} is nothing that can be asked for",
+    "nach {word} kann nicht gefragt werden",
+    remedy_en="Ask for a variable, for @P1 … of a call, or for an M or H function: EXIST[M100]",
+    remedy_de="Nach einer Variablen, nach @P1 … oder nach einer M- oder H-Funktion fragen: "
+    "EXIST[M100]",
+    parameters=_WORD,
+)
+_add(
+    900139,
+    ERROR,
+    "{name} has more than {most} indices",
+    "{name} hat mehr als {most} Indizes",
+    remedy_en="Declare an array of at most {most} dimensions.",
+    remedy_de="Ein Feld mit höchstens {most} Dimensionen anlegen.",
+    parameters={**_NAME, "most": "the most indices"},
+)
+_add(
+    900140,
+    ERROR,
+    "{name} cannot have {count} elements",
+    "{name} kann nicht {count} Elemente haben",
+    remedy_en="Write a whole number from 1 on.",
+    remedy_de="Eine ganze Zahl ab 1 schreiben.",
+    parameters={**_NAME, "count": "the number as written"},
+)

@@ -182,3 +182,70 @@ _add(
     reaction=2,
     clearing=3,
 )
+_add(
+    900313,
+    ERROR,
+    "{name} cannot hold {value}: its type goes from {low} to {high}",
+    "{name} kann {value} nicht aufnehmen: ihr Typ reicht von {low} bis {high}",
+    remedy_en="Declare it with a wider type, or keep the value within.",
+    remedy_de="Sie mit einem weiteren Typ anlegen oder den Wert darin halten.",
+    parameters={
+        "name": "the variable",
+        "value": "the value",
+        "low": "the lowest value",
+        "high": "the highest value",
+    },
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900314,
+    ERROR,
+    "there is no {name} now",
+    "{name} gibt es jetzt nicht",
+    remedy_en="Nearest: {nearest}. Declare it in #VAR before; V.L lives as long as its program.",
+    remedy_de="Am nächsten: {nearest}. Vorher in #VAR anlegen; V.L lebt so lange wie ihr Programm.",
+    parameters={"name": "the variable", "nearest": "the nearest variable that there is"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900315,
+    ERROR,
+    "{given} values for {name}, which has {count} elements",
+    "{given} Werte für {name}, die {count} Elemente hat",
+    remedy_en="Give at most as many values as there are elements.",
+    remedy_de="Höchstens so viele Werte angeben, wie es Elemente gibt.",
+    parameters={
+        "name": "the variable",
+        "given": "how many values are given",
+        "count": "how many elements there are",
+    },
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900316,
+    ERROR,
+    "{name} would have {count} elements; {most} are possible",
+    "{name} hätte {count} Elemente; möglich sind {most}",
+    remedy_en="Declare a smaller array.",
+    remedy_de="Ein kleineres Feld anlegen.",
+    parameters={
+        "name": "the variable",
+        "count": "how many elements there are",
+        "most": "the most elements",
+    },
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900317,
+    ERROR,
+    "a list of values is no value of one element",
+    "eine Liste von Werten ist kein Wert eines einzelnen Elements",
+    remedy_en="Write the array without indices, or a single value.",
+    remedy_de="Das Feld ohne Indizes schreiben oder einen einzelnen Wert.",
+    reaction=2,
+    clearing=3,
+)

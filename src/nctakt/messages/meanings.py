@@ -373,6 +373,12 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the target in mm or degrees": "das Ziel in mm oder Grad",
         "the lower limit": "die untere Grenze",
         "the upper limit": "die obere Grenze",
+        "the nearest variable that there is": "die nächste Variable, die es gibt",
+        "how many elements there are": "wie viele Elemente es gibt",
+        "the most indices": "die meisten Indizes",
+        "the families of such variables": "die Familien solcher Variablen",
+        "the most elements": "die meisten Elemente",
+        "how many values are given": "wie viele Werte angegeben sind",
     }
 )
 

@@ -20,6 +20,7 @@ from nctakt.nc import support
 from nctakt.nc.check_calls import CallChecker
 from nctakt.nc.check_cycle import CycleChecker
 from nctakt.nc.check_path import check_path_command
+from nctakt.nc.check_own import OwnChecker
 from nctakt.nc.check_user_errors import UserErrorChecker
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.check_words import Role, WordChecker
@@ -85,6 +86,7 @@ class Checker:
         in_cycle = ValueChecker(names, axes, self._findings, in_cycle=True)
         self._cycles = CycleChecker(channel, self._words, self._values, in_cycle, self._findings)
         self._calls = CallChecker(self._words, self._values, self._findings)
+        self._own = OwnChecker(self._values, self._findings)
         self._loops = 0
         self._switches = 0
         self._role: Role = "main"
@@ -246,7 +248,7 @@ class Checker:
             case MacroDefinition():
                 self._findings.answer(support.form('"NAME"'), statement.span)
             case VariableDeclarations():
-                self._refuse_hash(statement, "VAR")
+                self._own.declarations(statement)
             case Timer():
                 self._refuse_hash(statement, "TIMER")
             case UserError():
@@ -270,6 +272,8 @@ class Checker:
             return
         elif check_path_command(command, self._values, self._findings):
             return
+        elif words == ["DELETE"]:
+            self._own.delete(command)
         elif entry.answer is Answer.SIMULATED:
             self._findings.report(900233, command.span, command=entry.name)
         else:

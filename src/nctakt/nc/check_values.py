@@ -11,16 +11,21 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from difflib import get_close_matches
+from itertools import zip_longest
 
 from nctakt.nc import strings, support
 from nctakt.nc.cells import leaf_cells
+from nctakt.nc.check_names import MissingNames
 from nctakt.nc.check_wholes import WholeChecker
+from nctakt.nc.cost import is_live
 from nctakt.nc.findings import Findings
-from nctakt.nc.names import Access, Location, NameTable, NotFound, Problem, Whole
+from nctakt.nc.names import DECLARED, Access, Location, NameTable, NotFound, Whole
 from nctakt.nc.operators import CONSTANTS, FUNCTIONS
 from nctakt.nc.resolution import (
     indices_of,
+    is_own,
     is_text,
+    may_be_text,
     path_text,
     resolve,
     resolve_whole,
@@ -42,9 +47,11 @@ from nctakt.nc.syntax import (
 )
 
 _RIGHTS = {Access.NONE: "–", Access.READ: "R", Access.WRITE: "W", Access.BOTH: "R/W"}
-#: Families whose variables the variables list declares, with rights of their own.
-_DECLARED = ("E", "CH")
-_INDEX = re.compile(r"\[\d+\]")
+_M_FUNCTION = re.compile(r"[MH]\d{1,5}")
+
+
+#: Indices that a variable of a program's own may have.
+MOST_DIMENSIONS = 4
 
 
 class ValueChecker:
@@ -54,7 +61,7 @@ class ValueChecker:
         self, names: NameTable, axes: Sequence[str], findings: Findings, *, in_cycle: bool
     ) -> None:
         self._names = names
-        self._axes = axes
+        self._missing = MissingNames(names, axes, findings)
         self._findings = findings
         self._in_cycle = in_cycle
         self._wholes = WholeChecker(self, names, findings, in_cycle=in_cycle)
@@ -72,7 +79,7 @@ class ValueChecker:
         found: dict[str, list[Variable]] = {}
         for expression in expressions:
             for variable in variables_in(expression):
-                if variable.family in _DECLARED:
+                if variable.family in DECLARED:
                     found.setdefault(path_text(variable), []).append(variable)
         for name, variables in found.items():
             if not any(variable.synchronous for variable in variables):
@@ -106,6 +113,8 @@ class ValueChecker:
                 self._binary(expression)
             case Call():
                 self._call(expression)
+                if self.is_text(expression):
+                    self._no_number(expression, expression.function)
             case Name():
                 known = [*FUNCTIONS, *CONSTANTS]
                 near = get_close_matches(expression.name, known, 1)
@@ -132,7 +141,11 @@ class ValueChecker:
         """An expression whose value must be a text."""
         if isinstance(expression, StringLiteral):
             return
-        if isinstance(expression, Variable) and self.is_text(expression):
+        if isinstance(expression, Call) and self.is_text(expression):
+            self._call(expression)
+        elif may_be_text(expression):
+            self.value(expression)
+        elif isinstance(expression, Variable) and self.is_text(expression):
             self.read(expression, text=True)
         elif isinstance(expression, Binary) and self.is_text(expression):
             self.text(expression.left)
@@ -172,8 +185,8 @@ class ValueChecker:
             near = get_close_matches(call.function, list(FUNCTIONS), 1)
             nearest = near[0] if near else "–"
             self._findings.report(900218, call.span, word=call.function, nearest=nearest)
-        elif function.decoder_only:
-            self._asks_about_names(call)
+        elif function.decoder_only and self._in_cycle:
+            self._findings.report(900220, call.span, word=call.function)
             return
         elif not function.minimum <= len(call.arguments) <= function.maximum:
             self._findings.report(
@@ -183,21 +196,39 @@ class ValueChecker:
                 expected=function.minimum,
                 given=len(call.arguments),
             )
-        for argument in call.arguments:
+        kinds = "" if function is None else function.arguments
+        for kind, argument in zip_longest(kinds[: len(call.arguments)], call.arguments):
+            self._argument(kind, argument)
+
+    def _argument(self, kind: str | None, argument: Expression) -> None:
+        """What a function takes: see ``operators.Function``."""
+        if kind == "T":
+            self.text(argument)
+        elif kind == "V":
+            self.any_value(argument)
+        elif kind == "A":
+            self._asked(argument)
+        else:
             self.value(argument)
 
-    def _asks_about_names(self, call: Call) -> None:
-        if self._in_cycle:
-            self._findings.report(900220, call.span, word=call.function)
-            return
-        entry = support.answer_function(call.function)
-        assert entry is not None
-        self._findings.answer(entry, call.span)
+    def _asked(self, argument: Expression) -> None:
+        """A name that may exist or not; only its indices have to."""
+        if isinstance(argument, Variable):
+            for index in indices_of(argument):
+                self.value(index)
+        elif isinstance(argument, Parameter):
+            self.value(argument.index)
+        elif not isinstance(argument, Name) or _M_FUNCTION.fullmatch(argument.name) is None:
+            written = self._findings.written(argument.span)
+            self._findings.report(900138, argument.span, word=written)
 
     # --- variables -------------------------------------------------------------------------------
 
     def read(self, variable: Variable, *, text: bool = False) -> None:
         """A variable whose value is needed, as a number or as a text."""
+        if is_own(variable):
+            self._own(variable)
+            return
         location = self._found(variable)
         if location is None or not self._may(variable, location, Access.READ):
             return
@@ -216,6 +247,12 @@ class ValueChecker:
             if self._in_cycle:
                 self._asynchronous(target)
             return
+        if is_own(target):
+            if self._in_cycle:
+                self._asynchronous(target)
+            else:
+                self._own(target)
+            return
         entry = support.answer_family(target.family)
         if self._in_cycle and entry is not None and entry.answer is Answer.REFUSED:
             self._asynchronous(target)
@@ -230,6 +267,16 @@ class ValueChecker:
         elif self._in_cycle and not (location.synchronous or target.synchronous):
             self._findings.report(22009, target.span, name=location.name)
 
+    def _own(self, variable: Variable) -> None:
+        """V.P, V.S, V.L, V.CYC: whether it exists only the run shows."""
+        for index in indices_of(variable):
+            self.value(index)
+        if not variable.parts:
+            self._findings.report(900213, variable.span, name=path_text(variable), nearest="–")
+        elif sum(1 for _ in indices_of(variable)) > MOST_DIMENSIONS:
+            name = path_text(variable)
+            self._findings.report(900139, variable.span, name=name, most=MOST_DIMENSIONS)
+
     def assignment(self, statement: Assignment) -> None:
         """``target operator value``, texts, structures and lists of values among them."""
         target, value = statement.target, statement.value
@@ -242,7 +289,13 @@ class ValueChecker:
             self._assigned_text(statement, target)
         else:
             self.write(target, compound=statement.operator != "=")
-            self.value(value)
+            if may_be_text(target) and self.is_text(value):
+                if statement.operator not in ("=", "+="):
+                    operator = statement.operator[0]
+                    self._findings.report(900341, statement.span, operator=operator)
+                self.text(value)
+            else:
+                self.value(value)
 
     def _assigned_text(self, statement: Assignment, target: Variable) -> None:
         """A text is given to a variable, or put behind what it holds."""
@@ -262,8 +315,19 @@ class ValueChecker:
         if self._in_cycle:
             name = path_text(target) if isinstance(target, Variable) else "P"
             self._findings.report(22001, value.span, name=name)
+        elif isinstance(target, Variable) and is_own(target):
+            self._own(target)
+            self.list_items(value)
         else:
             self._findings.answer(support.form("[1, 2]"), value.span)
+
+    def list_items(self, value: ArrayLiteral) -> None:
+        """The values of a list, lists inside it included."""
+        for item in value.items:
+            if isinstance(item, ArrayLiteral):
+                self.list_items(item)
+            else:
+                self.any_value(item)
 
     def _asynchronous(self, target: Variable | Parameter) -> None:
         name = path_text(target) if isinstance(target, Variable) else "P"
@@ -292,38 +356,7 @@ class ValueChecker:
 
     def not_found(self, variable: Variable, found: NotFound) -> None:
         """Report why a variable does not exist."""
-        report, span = self._findings.report, variable.span
-        match found.reason:
-            case Problem.UNKNOWN:
-                nearest = (
-                    self._with_axis(variable) or self._spelled(variable) or found.nearest or "–"
-                )
-                report(900213, span, name=path_text(variable), nearest=nearest)
-            case Problem.INDICES:
-                given = sum(1 for _ in indices_of(variable))
-                report(900214, span, name=found.name, expected=found.expected_indices, given=given)
-            case Problem.STRUCTURE:
-                report(900215, span, name=found.name, member=found.nearest)
-
-    def _with_axis(self, variable: Variable) -> str:
-        """``V.RTA.ACS.ACT_POS.X`` where the axis is missing at the end; else nothing."""
-        if variable.family == "RTA":
-            parts = [(part.name, len(part.indices)) for part in variable.parts]
-            for axis in self._axes:
-                location = self._names.resolve("RTA", [*parts, (axis, 0)])
-                if isinstance(location, Location):
-                    return location.name
-        return ""
-
-    def _spelled(self, variable: Variable) -> str:
-        """The variable that differs in upper and lower case only; else nothing."""
-        wanted = path_text(variable).casefold()
-        if variable.family in _DECLARED:
-            known = (_INDEX.sub("[]", name) for name, _, _ in self._names.values())
-            return next((name for name in known if name.casefold() == wanted), "")
-        parts = [(part.name.upper(), len(part.indices)) for part in variable.parts]
-        found = self._names.resolve(variable.family, parts)
-        return found.name if isinstance(found, Location) else ""
+        self._missing.report(variable, found)
 
     def indices_fit(self, variable: Variable, location: Location | Whole) -> bool:
         """Constant indices inside the array; those that are computed are checked when they are."""
@@ -344,7 +377,7 @@ class ValueChecker:
         allowed = location.cycle if self._in_cycle else location.decoder
         if wanted in allowed:
             return True
-        if location.family in _DECLARED:
+        if location.family in DECLARED:
             number = 900216 if wanted is Access.WRITE else 900217
             self._findings.report(number, variable.span, name=location.name)
             return False
@@ -360,8 +393,4 @@ class ValueChecker:
 
     def _is_live(self, index: Expression) -> bool:
         """Whether an index holds something that a realtime cycle reads in each tick."""
-        for variable in variables_in(index):
-            found = resolve(variable, self._names)
-            if isinstance(found, Location) and (found.synchronous or variable.synchronous):
-                return True
-        return False
+        return any(is_live(variable, self._names) for variable in variables_in(index))

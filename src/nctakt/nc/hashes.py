@@ -25,6 +25,7 @@ from nctakt.nc.expressions import (
     starts_value,
 )
 from nctakt.nc.lexer import BlockError, BlockText
+from nctakt.nc.operators import TEXT_FUNCTIONS
 from nctakt.nc.syntax import (
     Bracket,
     CycleControl,
@@ -68,7 +69,9 @@ def parse_words(text: BlockText) -> tuple[Name, ...]:
     """``#`` and the words behind it, at least one."""
     text.match(_HASH)
     words: list[Name] = []
-    while (word := text.looking_at(_WORD)) is not None and (not words or not starts_value(text)):
+    while (word := text.looking_at(_WORD)) is not None:
+        if words and word[1].upper() not in TEXT_FUNCTIONS and starts_value(text):
+            break
         text.pos = word.end()
         words.append(Name(text.span(*word.span(1)), word[1].upper(), word[1]))
     if not words:

@@ -87,6 +87,9 @@ AXIS_VARIABLES = (
     RealtimeVariable("STATE", "UNS08", "", Access.NONE, Access.NONE),
 )
 
+#: Families whose variables the variables list declares, with rights of their own.
+DECLARED = ("E", "CH")
+
 #: What programs and cycles may do with a V.E variable.
 RIGHTS = {
     AccessRights.READ_WRITE: Access.BOTH,

@@ -31,6 +31,9 @@ class Function:
     """``NAME[a, …]`` with ``minimum`` to ``maximum`` arguments.
 
     ``decoder_only``: asks about names or texts, so it has no place in a realtime cycle.
+    ``arguments``: T a text, N a number, V any value, A what may be asked for (a variable, a
+    parameter, a function), argument by argument; all numbers where it is empty. ``is_text``: the
+    result is a text.
     """
 
     name: str
@@ -39,6 +42,8 @@ class Function:
     meaning: Text
     domain: Text
     decoder_only: bool = False
+    arguments: str = ""
+    is_text: bool = False
 
 
 ANY = Text("any values", "beliebige Werte")
@@ -108,8 +113,8 @@ def _functions(*rows: tuple[str, int, int, str, str, Text, bool]) -> Mapping[str
     )
 
 
-#: Functions with their arguments in brackets (facts 2.2).
-FUNCTIONS = _functions(
+#: Functions of numbers with their arguments in brackets (facts 2.2).
+_OF_NUMBERS = _functions(
     ("ABS", 1, 1, "absolute value", "Betrag", ANY, False),
     ("SQR", 1, 1, "square", "Quadrat", ANY, False),
     ("SQRT", 1, 1, "square root", "Quadratwurzel", NOT_NEGATIVE, False),
@@ -140,20 +145,146 @@ FUNCTIONS = _functions(
     ("CEIL", 1, 1, "next whole number above", "nächste ganze Zahl darüber", ANY, False),
     ("FLOOR", 1, 1, "next whole number below", "nächste ganze Zahl darunter", ANY, False),
     ("INV", 1, 1, "all bits inverted", "alle Bits umgekehrt", WHOLE, False),
+)
+
+
+def _asking(
+    *rows: tuple[str, int, str, str, str, Text, bool],
+) -> Mapping[str, Function]:
+    return MappingProxyType(
+        {
+            name: Function(name, least, len(kinds), Text(en, de), domain, True, kinds, is_text)
+            for name, least, kinds, en, de, domain, is_text in rows
+        }
+    )
+
+
+PLACES = Text("positions from 1 to the text's length", "Stellen von 1 bis zur Länge des Textes")
+LENGTHS = Text("a number not below 0", "eine Zahl nicht unter 0")
+NUMBER_TEXT = Text("the text of a number", "der Text einer Zahl")
+
+#: Functions of names and texts; a realtime cycle has none of them.
+_OF_NAMES = _asking(
     (
         "EXIST",
         1,
-        1,
+        "A",
         "1 if the variable or M function exists",
         "1, wenn es die Variable oder M-Funktion gibt",
         NAMES,
+        False,
+    ),
+    (
+        "SIZEOF",
+        1,
+        "AN",
+        "elements of an array, in its first or another dimension; 0 for a single value",
+        "Elemente eines Feldes, in der ersten oder einer anderen Dimension; 0 bei Einzelwerten",
+        NAMES,
+        False,
+    ),
+    (
+        "IS_STRING",
+        1,
+        "V",
+        "1 if the value is a text",
+        "1, wenn der Wert ein Text ist",
+        ANY,
+        False,
+    ),
+    (
+        "IS_NUMBER",
+        1,
+        "V",
+        "1 if the value is a number",
+        "1, wenn der Wert eine Zahl ist",
+        ANY,
+        False,
+    ),
+    ("LEN", 1, "T", "characters of a text", "Zeichen eines Textes", ANY, False),
+    (
+        "FIND",
+        2,
+        "TT",
+        "where the second text stands in the first, 0 if it does not",
+        "wo der zweite Text im ersten steht, 0, wenn nirgends",
+        ANY,
+        False,
+    ),
+    ("ORD", 1, "TN", "code of a character", "Code eines Zeichens", PLACES, False),
+    (
+        "LEFT",
+        2,
+        "TN",
+        "so many characters from the left",
+        "so viele Zeichen von links",
+        LENGTHS,
         True,
     ),
-    ("SIZEOF", 1, 2, "elements of an array", "Elemente eines Feldes", NAMES, True),
-    ("IS_STRING", 1, 1, "1 if the value is a text", "1, wenn der Wert ein Text ist", ANY, True),
-    ("IS_NUMBER", 1, 1, "1 if the value is a number", "1, wenn der Wert eine Zahl ist", ANY, True),
-    ("REAL_TO_STR", 1, 1, "the number as text", "die Zahl als Text", ANY, True),
+    (
+        "RIGHT",
+        2,
+        "TN",
+        "so many characters from the right",
+        "so viele Zeichen von rechts",
+        LENGTHS,
+        True,
+    ),
+    (
+        "MID",
+        3,
+        "TNN",
+        "so many characters from a position on",
+        "so viele Zeichen ab einer Stelle",
+        PLACES,
+        True,
+    ),
+    (
+        "INSERT",
+        3,
+        "TTN",
+        "the first text with the second behind a position",
+        "der erste Text mit dem zweiten hinter einer Stelle",
+        PLACES,
+        True,
+    ),
+    (
+        "DELETE",
+        3,
+        "TNN",
+        "the text without so many characters from a position on",
+        "der Text ohne so viele Zeichen ab einer Stelle",
+        PLACES,
+        True,
+    ),
+    (
+        "REPLACE",
+        4,
+        "TTNN",
+        "the first text, so many characters from a position on replaced",
+        "der erste Text, so viele Zeichen ab einer Stelle ersetzt",
+        PLACES,
+        True,
+    ),
+    ("REAL_TO_STR", 1, "N", "the number as text", "die Zahl als Text", ANY, True),
+    ("INT_TO_STR", 1, "N", "the rounded number as text", "die gerundete Zahl als Text", ANY, True),
+    ("STR_TO_REAL", 1, "T", "the number of a text", "die Zahl eines Textes", NUMBER_TEXT, False),
+    (
+        "STR_TO_INT",
+        1,
+        "T",
+        "the whole number of a text",
+        "die ganze Zahl eines Textes",
+        NUMBER_TEXT,
+        False,
+    ),
 )
+
+#: Functions of names and texts; #RT CYCLE DELETE is none of them.
+TEXT_FUNCTIONS = frozenset(_OF_NAMES)
+
+#: All functions.
+FUNCTIONS: Mapping[str, Function] = MappingProxyType({**_OF_NUMBERS, **_OF_NAMES})
 
 #: Names with a fixed value.
 CONSTANTS = ("TRUE", "FALSE", "PI")

@@ -7,8 +7,10 @@ One way from a node to ``NameTable.resolve``, for checker and decoder.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import zip_longest
 
 from nctakt.nc.names import Location, NameTable, NotFound, Whole
+from nctakt.nc.operators import FUNCTIONS
 from nctakt.nc.syntax import (
     ArrayLiteral,
     Binary,
@@ -33,11 +35,38 @@ def resolve_whole(variable: Variable, names: NameTable) -> Whole | NotFound:
     return names.resolve_whole(variable.family, parts)
 
 
+#: Families of variables that programs make themselves.
+OWN_FAMILIES = ("P", "S", "L", "CYC")
+
+
+def is_own(expression: Expression) -> bool:
+    """Whether it is a variable that a program makes itself: what it is only the run shows."""
+    return isinstance(expression, Variable) and expression.family in OWN_FAMILIES
+
+
+def own_path(variable: Variable) -> str:
+    """The name of such a variable without its family and its indices."""
+    return ".".join(part.name for part in variable.parts)
+
+
+def may_be_text(expression: Expression) -> bool:
+    """Whether only the run shows if the value is a text or a number."""
+    match expression:
+        case Parameter():
+            return expression.call
+        case Binary(operator="+"):
+            return may_be_text(expression.left) and may_be_text(expression.right)
+    return is_own(expression)
+
+
 def is_text(expression: Expression, names: NameTable) -> bool:
     """Whether an expression has a text as its value, or would have, if it were right."""
     match expression:
         case StringLiteral():
             return True
+        case Call():
+            function = FUNCTIONS.get(expression.function)
+            return function is not None and function.is_text
         case Variable():
             found = resolve(expression, names)
             return isinstance(found, Location) and not found.is_numeric
@@ -72,8 +101,19 @@ def variables_in(expression: Expression) -> Iterator[Variable]:
             yield from variables_in(expression.left)
             yield from variables_in(expression.right)
         case Call():
-            for argument in expression.arguments:
-                yield from variables_in(argument)
+            yield from _variables_in_call(expression)
         case ArrayLiteral():
             for item in expression.items:
                 yield from variables_in(item)
+
+
+def _variables_in_call(call: Call) -> Iterator[Variable]:
+    """Those whose values a function needs: not the one that it asks for by name."""
+    function = FUNCTIONS.get(call.function)
+    kinds = "" if function is None else function.arguments
+    for kind, argument in zip_longest(kinds[: len(call.arguments)], call.arguments):
+        if kind == "A" and isinstance(argument, Variable):
+            for index in indices_of(argument):
+                yield from variables_in(index)
+        else:
+            yield from variables_in(argument)

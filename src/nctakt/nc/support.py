@@ -77,7 +77,7 @@ _FUNCTIONS = MappingProxyType(
         function.name: Entry(
             Kind.FUNCTION,
             function.name,
-            Answer.REFUSED if function.decoder_only else Answer.SIMULATED,
+            Answer.SIMULATED,
             function.meaning,
         )
         for function in FUNCTIONS.values()

@@ -19,6 +19,7 @@ from nctakt.decoder.own_variables import Variables
 from nctakt.decoder.preparation import look_ahead
 from nctakt.decoder.spindles import names_of
 from nctakt.decoder.surroundings import Surroundings
+from nctakt.decoder.system import TIMER_BYTES, SystemData
 from nctakt.diagnostics import Diagnostic, Span
 from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values
 from nctakt.kernel.axis import Axes
@@ -97,10 +98,10 @@ class Registry:
         """The text of a message."""
         return self._messages[number].text
 
-    def message_style(self, number: int) -> tuple[bool, bool]:
-        """Whether a message stands in the message file without time stamp, without line end."""
+    def message_style(self, number: int) -> tuple[bool, bool, str]:
+        """Whether a message is saved without time stamp, without line end, and in which file."""
         message = self._messages[number]
-        return message.exclusive, message.unbroken
+        return message.exclusive, message.unbroken, message.file
 
     def variable_text(self, number: int) -> str:
         """The text of a variable whose value was frozen."""
@@ -312,6 +313,13 @@ class Machine:
         self.files = SourceFiles()
         spindles = all_names(configuration)
         self.registry = Registry(self.files, self._name_of_cell, self._axis_names(), spindles)
+        timers = bytearray(TIMER_BYTES)
+        cycle_time_us = configuration.cycle_time_us
+        self.channels[0].program_timers = Timers(timers, 0, cycle_time_us)
+        axes = {
+            axis.name: configuration.axes[axis.index] for axis in configuration.channels[0].axes
+        }
+        self.system = SystemData(axes, timers, lambda: self.kernel.tick, cycle_time_us)
         #: V.S: what programs keep until the next start-up.
         self.kept_variables: Variables = {}
         self.registry = Registry(self.files, self._name_of_cell, self._axis_names())
@@ -435,6 +443,7 @@ class Machine:
         notice: Callable[[Diagnostic], None],
         skip_levels: frozenset[int],
         channel: int,
+        tells_blocks: bool,
     ) -> Surroundings:
         """What the decoder of a program of this channel works with."""
         own = self.assembled[channel]
@@ -455,6 +464,8 @@ class Machine:
             notice,
             subprogram,
             skip_levels,
+            tells_blocks,
+            self.system,
         )
 
     # --- variables by name ----------------------------------------------------------------------

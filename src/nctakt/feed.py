@@ -29,7 +29,8 @@ HIGH_WATER = 64
 class Feed:
     """One program on its way into its channel; ``report`` takes what stops it.
 
-    Blocks of ``skip_levels`` are left out.
+    Blocks of ``skip_levels`` are left out; ``tells_blocks``: events tell of each block when it was
+    decoded and when it is carried out, and why the channel is emptied.
     """
 
     def __init__(
@@ -38,6 +39,7 @@ class Feed:
         program: LoadedProgram,
         report: Callable[[Diagnostic], None],
         skip_levels: frozenset[int] = frozenset(),
+        tells_blocks: bool = False,
     ) -> None:
         assert LOW_WATER < HIGH_WATER
         self._machine = machine
@@ -53,6 +55,9 @@ class Feed:
         state = state_at_program_start(start, machine.positions(program.channel))
         self._surroundings = machine.surroundings(program.subprogram, report, skip_levels)
         machine.offsets.adopt(machine.axes.offsets)
+        self._surroundings = machine.surroundings(
+            program.subprogram, report, skip_levels, tells_blocks
+        )
         state = state_at_program_start(machine.parameters.program_start, machine.positions())
         state.levels.scopes = Scopes(machine.kept_variables)
         registry = machine.registry
@@ -125,7 +130,13 @@ class Feed:
         if isinstance(command, commands.LoadCycle):
             self._load(command)
             return
+        if self._surroundings.tells_blocks:
+            mark = commands.wait_mark(command)
+            if mark is not None:
+                self._put(mark, 0)
         place = 0
+        if isinstance(command, commands.BlockMark):
+            place = self._machine.kernel.tick
         if isinstance(command, commands.UserMessage):
             place = self._machine.registry.add_message(command)
         if isinstance(command, commands.Freeze):

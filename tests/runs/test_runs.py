@@ -78,6 +78,7 @@ def perform(folder: Path, names: set[str], work: Path, programs: str = "*.nc") -
         record_writes=given.get("record_writes", True),
         signals=sorted(names),
         skip_levels=given.get("skip", ()),
+        blocks=given.get("blocks", False),
     )
 
 

@@ -47,6 +47,7 @@ class Options:
     skip: str = ""
     trace: str | None = None
     plot: str | None = None
+    blocks: bool = False
     signals: str | None = None
     diagnosis: str | None = None
     error_log: str | None = None

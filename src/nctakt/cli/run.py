@@ -60,6 +60,7 @@ Ctrl-C, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 @click.option("--trace", metavar="FILE", help="Record each tick in a .csv or .jsonl file.")
 @click.option("--signals", metavar="NAME,...", help="What to record.")
 @click.option("--plot", metavar="FILE", help="Draw the motion: .png, .svg or .html.")
+@click.option("--blocks", is_flag=True, help="Tell of each block when it is decoded and run.")
 @click.option("--diagnosis", metavar="FILE", help="Write the realtime cycles' diagnosis data.")
 @click.option("--messages", metavar="FILE", help="Write what the programs say to a file, too.")
 @click.option(

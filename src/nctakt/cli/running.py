@@ -160,6 +160,7 @@ def run_programs(
                 on_progress=show_progress,
                 on_cycle=on_cycle,
                 skip_levels=request.skip_levels,
+                blocks=options.blocks,
             )
     except PlcError as failure:
         bar.hide()

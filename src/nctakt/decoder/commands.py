@@ -140,11 +140,13 @@ class UserMessage(Command):
     """A ``#MSG`` text, already formatted.
 
     For the message file: ``exclusive`` leaves out its time stamp, ``unbroken`` its line end.
+    ``file``: the file that the program has named for it, empty without one.
     """
 
     text: str
     exclusive: bool = False
     unbroken: bool = False
+    file: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,6 +199,8 @@ class Flush(Command):
     """The path stands before what follows is taken; ``waits``: the decoder, too (RC-005)."""
 
     waits: bool
+    reason: int = 0
+    cell: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -221,6 +225,31 @@ class GiveUp(Command):
     """Behind what was prepared the channel stops with an error of the decoder."""
 
     message: int
+
+
+@dataclass(frozen=True, slots=True)
+class BlockMark(Command):
+    """A block begins here: tells when it was decoded and when it is carried out."""
+
+
+#: Why the channel is emptied: ``#FLUSH``, a synchronous read, a position request, a V.RT* write.
+WAIT_FLUSH, WAIT_READ, WAIT_POSITIONS, WAIT_WRITE = range(4)
+
+
+@dataclass(frozen=True, slots=True)
+class WaitMark(Command):
+    """Why the command behind it empties the channel; ``cell``: the variable, 0 for none."""
+
+    reason: int
+    cell: int
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramTimer(Command):
+    """``#TIMER … SYN`` of the main program: START 1, STOP 2, READ 3, CLEAR 4."""
+
+    timer: int
+    action: int
 
 
 #: What the decoder gets back from a command that waits.
@@ -271,6 +300,12 @@ def pack(command: Command, place: int = 0) -> list[float]:
             return [ring.READ, *head, command.cell, 0, True]
         case PositionRequest():
             return [ring.FLUSH, *head, 0, 0, True]
+        case BlockMark():
+            return [ring.BLOCK_MARK, *head, place]
+        case WaitMark():
+            return [ring.WAIT_MARK, *head, command.reason, command.cell]
+        case ProgramTimer():
+            return [ring.TIMER, *head, command.timer, command.action]
         case ProgramEnd():
             return [ring.PROGRAM_END, *head, place]
         case GiveUp():
@@ -288,6 +323,18 @@ def write_text(
         part = text[first : first + room]
         is_last = first + room >= len(text)
         yield WriteText(source, number, cell, first, part, len(data) - len(text) if is_last else 0)
+
+
+def wait_mark(command: Command) -> WaitMark | None:
+    """The mark of a command that empties the channel."""
+    match command:
+        case ReadRealtime():
+            return WaitMark(command.source, command.number, WAIT_READ, command.cell)
+        case PositionRequest():
+            return WaitMark(command.source, command.number, WAIT_POSITIONS, 0)
+        case Flush():
+            return WaitMark(command.source, command.number, command.reason, command.cell)
+    return None
 
 
 def waits(command: Command) -> bool:

@@ -28,6 +28,7 @@ from nctakt.nc.names import Location
 from nctakt.nc.printer import format_expression
 from nctakt.nc.spindle_commands import split
 from nctakt.nc.resolution import is_own
+from nctakt.nc.system_variables import is_decoder_data
 
 SCOPES = {"BLOCK": BLOCK, "PROG": PROG, "GLOBAL": GLOBAL}
 
@@ -285,7 +286,7 @@ class CycleBuilder:
     def _leaf(self, node: syntax.Variable | syntax.Parameter) -> Built:
         if isinstance(node, syntax.Parameter):
             return self._freeze(node)
-        if is_own(node):
+        if is_decoder_data(node):
             return self._freeze(node)
         location = self._values.locate(node)
         if not (location.synchronous or node.synchronous):

@@ -13,6 +13,7 @@ from nctakt.decoder.calls import Calls
 from nctakt.decoder.commands import (
     CONTROL_ACTIONS,
     Answer,
+    BlockMark,
     Command,
     CycleControl,
     Flush,
@@ -24,6 +25,7 @@ from nctakt.decoder.commands import (
 )
 from nctakt.decoder.cycles import SCOPES, CycleBuilder, CycleDefinition
 from nctakt.decoder.flow import Decoded, Flow, Jump, Return, Signal
+from nctakt.decoder.hashes import Hashes
 from nctakt.decoder.levels import MOST_LEVELS, MOST_NESTED, Level
 from nctakt.decoder.offsets import ALL, left_over
 from nctakt.decoder.state import ModalState
@@ -67,6 +69,7 @@ class ProgramDecoder:
         self._values = Values(surroundings, state)
         self._words = Words(self._values)
         self._calls = Calls(self._values)
+        self._hashes = Hashes(self._values)
         self._flow = Flow(self._values, self._statements, self._count)
         self._levels = state.levels
         self._next_cycle = next_cycle
@@ -164,6 +167,8 @@ class ProgramDecoder:
         if statement.head.skip in self._surroundings.skip_levels:
             return ""
         number = yield from self._number(statement.head)
+        if self._surroundings.tells_blocks:
+            yield BlockMark(self._surroundings.place(statement.span), number)
         match statement:
             case syntax.Block():
                 return (yield from self._block(statement, number))
@@ -251,12 +256,12 @@ class ProgramDecoder:
             case syntax.VariableDeclarations():
                 for declaration in statement.declarations:
                     yield from self._values.declare(declaration, number)
-            case syntax.HashCommand() if statement.words[0].name == "DELETE":
-                for argument in statement.arguments:
-                    assert isinstance(argument, syntax.Variable)
-                    self._values.own.delete(argument)
-            case syntax.ProgramStart() | syntax.HashCommand():
-                pass  # the checker lets only those pass that have no effect
+            case syntax.Timer():
+                yield from self._hashes.timer(statement, number)
+            case syntax.HashCommand():
+                yield from self._hashes.command(statement, number)
+            case syntax.ProgramStart():
+                pass  # a comment
             case _:
                 raise AssertionError(statement)
 
@@ -317,7 +322,14 @@ class ProgramDecoder:
         except FormatError as error:
             self._values.fail(900304, statement.format.span, found=str(error))
         options = [option.name for option in statement.options]
-        yield UserMessage(source, number, text, "EXCLUSIVE" in options, "CONTINUE" in options)
+        yield UserMessage(
+            source,
+            number,
+            text,
+            "EXCLUSIVE" in options,
+            "CONTINUE" in options,
+            self._state.message_file if "SAVE" in options else "",
+        )
 
 
 def _keyword(

@@ -36,6 +36,12 @@ from nctakt.nc.resolution import (
     resolve_whole,
     variables_in,
 )
+from nctakt.nc.system_variables import (
+    SYSTEM_FAMILIES,
+    TIMERS,
+    is_decoder_data,
+    system_variable,
+)
 
 Decoding = Generator[Command, Answer, float]
 
@@ -206,8 +212,8 @@ class Reading:
     def _fetch(self, expression: syntax.Expression, number: int) -> Generator[Command, Answer]:
         """Get the values of all variables of an expression, innermost indices first."""
         for variable in variables_in(expression):
-            if is_own(variable):
-                self._fetched[id(variable)] = self.own.read(variable)
+            if is_decoder_data(variable):
+                self._fetched[id(variable)] = self._read_now(variable)
                 continue
             location = self.locate(variable)
             if not (location.synchronous or variable.synchronous):
@@ -245,8 +251,33 @@ class Reading:
     def _read_now(self, variable: syntax.Variable) -> float | str:
         if is_own(variable):
             return self.own.read(variable)
+        if variable.family in SYSTEM_FAMILIES:
+            return self._system(variable)
         location = self.locate(variable)
         return self._value_in(self.cell(variable, location), location)
+
+    def _system(self, variable: syntax.Variable) -> float:
+        """V.G and V.A; lengths in the program's unit."""
+        surroundings = self.surroundings
+        found = system_variable(variable, tuple(surroundings.axis_numbers))
+        assert found is not None
+        if found.kind == "timer":
+            assert found.number is not None
+            number = self._index(found.number)
+            if not 0 <= number < TIMERS:
+                self.fail(
+                    50929,
+                    found.number.span,
+                    variable="V.G.TIMER",
+                    index=int(number),
+                    count=TIMERS,
+                )
+            return surroundings.system.timer(int(number))
+        if found.kind == "tool":
+            return 0.0
+        limit = surroundings.system.software_limit(found.subject, is_high=found.kind == "high")
+        axis = surroundings.axes[surroundings.axis_numbers[found.subject]]
+        return limit / self.state.length_unit_mm if axis.is_linear else limit
 
     def _value_in(self, cell: int, location: Location) -> float | str:
         """What the memory holds in this moment."""

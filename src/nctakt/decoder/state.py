@@ -43,7 +43,10 @@ class PathState:
 
 @dataclass(slots=True)
 class ModalState:
-    """``motion``: G00 … G03. ``feed_mm_s`` 0: no feed yet. ``parameters``: P1, P2, …"""
+    """``motion``: G00 … G03. ``feed_mm_s`` 0: no feed yet. ``parameters``: P1, P2, …
+
+    ``message_file``: what #FILENAME has named for the messages that are saved.
+    """
 
     motion: int
     path: PathState
@@ -52,6 +55,7 @@ class ModalState:
     feed_mm_s: float
     positions: list[float]
     parameters: dict[int, float] = field(default_factory=dict)
+    message_file: str = ""
     levels: Levels = field(default_factory=Levels)
 
     @property

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from nctakt.decoder.offsets import ActiveOffsets
+from nctakt.decoder.system import SystemData
 from nctakt.diagnostics import Diagnostic, Span
 from nctakt.lists.axis_configuration import AxisConfiguration
 from nctakt.lists.channel_configuration import ChannelParameters
@@ -26,7 +27,8 @@ class Surroundings:
     ``text_number``: the number of a text that is told with a user error.
     ``notice``: takes a finding that does not stop the program. ``subprogram``: the text of the
     file of this name, called at this place of that file; raises ``DecodeError``. Blocks of
-    ``skip_levels`` are left out.
+    ``skip_levels`` are left out. ``tells_blocks``: each block is marked. ``system``: data of the
+    controller (V.G, V.A).
     """
 
     names: NameTable
@@ -44,6 +46,8 @@ class Surroundings:
     notice: Callable[[Diagnostic], None]
     subprogram: Callable[[str, str, Span], ProgramText]
     skip_levels: frozenset[int]
+    tells_blocks: bool
+    system: SystemData
 
 
 class DecodeError(Exception):

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Generator
 
 from nctakt.decoder.commands import (
+    WAIT_WRITE,
     Answer,
     Command,
     Flush,
@@ -87,7 +88,7 @@ class Values(Reading):
         source = self.surroundings.place(target.span)
         is_realtime = location.family in ("RTG", "RTA")
         if is_realtime:
-            yield Flush(source, number, True)
+            yield Flush(source, number, True, WAIT_WRITE, cell)
         if location.synchronous or target.synchronous:
             yield from self._send(cell, stored, source, number, is_realtime)
         else:

@@ -9,6 +9,7 @@ from nctakt.kernel.panel cimport Panel
 from nctakt.kernel.record cimport Record
 from nctakt.kernel.ring cimport CommandRing
 from nctakt.kernel.single_axes cimport SingleAxes
+from nctakt.kernel.timers cimport Timers
 
 cdef class Channel(CommandRing):
     cdef double[::1] cells
@@ -20,6 +21,7 @@ cdef class Channel(CommandRing):
     cdef readonly CycleManager manager
     cdef double max_override_pct
     cdef readonly Context context
+    cdef public Timers program_timers
     cdef public Py_ssize_t low_water
     cdef public bint decoder_open
     cdef public bint wants_slot
@@ -63,6 +65,8 @@ cdef class Channel(CommandRing):
     cdef void take_offset(self, Py_ssize_t base) noexcept nogil
     @cython.locals(source=cython.longlong, name=cython.longlong)
     cdef void take_frozen(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(source=cython.longlong, subject=cython.longlong)
+    cdef void take_mark(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
     cdef int take_program_end(self, long long tick, Py_ssize_t base) noexcept nogil
     @cython.locals(source=cython.longlong)
     cdef void take_user_error(self, Py_ssize_t base, int kind) noexcept nogil

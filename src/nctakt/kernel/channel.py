@@ -54,6 +54,7 @@ class Channel(CommandRing):
         self.max_override_pct = max_override_pct
         self.context = Context(memory, record, hli, timers, single_axes)
         self.low_water = max(LOW_WATER, ahead.blocks)
+        self.program_timers = timers
         self.decoder_open = False
         self.wants_slot = False
         self.waiting = 0
@@ -202,6 +203,8 @@ class Channel(CommandRing):
             if self.context.spindles.is_busy(int(self.queue[base + 3])):
                 return 0
             self.timed_count -= 1
+        if 30 <= kind <= 32:
+            self.take_mark(tick, base, kind)
             return 1
         if kind == 12:
             self.timed_count -= 1
@@ -309,6 +312,17 @@ class Channel(CommandRing):
         source = int(self.queue[base + 1])
         name = int(self.queue[base + 4])
         self.record.frozen(source, int(self.queue[base + 3]), name, self.queue[base + 5])
+
+    def take_mark(self, tick: int, base: int, kind: int) -> None:
+        """Where a block is carried out, why the decoder waits, a timer of the program."""
+        source = int(self.queue[base + 1])
+        subject = int(self.queue[base + 3])
+        if kind == 30:
+            self.record.block(source, int(self.queue[base + 2]), subject)
+        elif kind == 31:
+            self.record.wait(source, subject, int(self.queue[base + 4]))
+        else:
+            self.program_timers.command(int(self.queue[base + 4]), subject, tick)
 
     def take_program_end(self, tick: int, base: int) -> int:
         """M30; not in the tick in which a cycle that it deletes was started (RC-004, RC-106)."""

@@ -47,6 +47,8 @@ SPINDLE = 18  # serial (0: the program), 100 * spindle + M, revolutions per minu
 SPINDLE_REACHED = 19  # serial, spindle
 SPINDLE_POSITION = 36  # serial, spindle, degrees
 FROZEN = 40  # serial, number of the variable's text, value; the source is the access
+BLOCK = 25  # number of the block, tick in which it was decoded
+WAIT = 26  # reason, cell; the source is what waits
 PAUSED = 31  # nothing; the source is what waits
 
 ENDED_BY_SCOPE = 0
@@ -193,6 +195,14 @@ class Record:
     def frozen(self, source: int, serial: int, name: int, value: float) -> None:
         """An asynchronous variable became a constant of a realtime cycle (RC-302)."""
         self.event(40, source, serial, name, value)
+
+    def block(self, source: int, number: int, decoded_tick: int) -> None:
+        """A block of the main program is carried out; it was decoded in ``decoded_tick``."""
+        self.event(25, source, number, decoded_tick, 0.0)
+
+    def wait(self, source: int, reason: int, cell: int) -> None:
+        """The channel is emptied, for a reason of ``decoder/commands.py``."""
+        self.event(26, source, 0, reason, cell)
 
     def paused(self, source: int) -> None:
         """Single block has stopped the channel in front of a block."""

@@ -249,3 +249,14 @@ _add(
     reaction=2,
     clearing=3,
 )
+_add(
+    900318,
+    ERROR,
+    "there is no timer {id}",
+    "einen Zähler {id} gibt es nicht",
+    remedy_en="Timers have whole numbers from 0 to {most}.",
+    remedy_de="Zähler haben ganze Nummern von 0 bis {most}.",
+    parameters={"id": "the number as written", "most": "the highest number"},
+    reaction=2,
+    clearing=3,
+)

@@ -18,6 +18,7 @@ from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
 from nctakt.nc import support
 from nctakt.nc.check_calls import CallChecker
+from nctakt.nc.check_commands import CommandChecker
 from nctakt.nc.check_cycle import CycleChecker
 from nctakt.nc.check_path import check_path_command
 from nctakt.nc.check_own import OwnChecker
@@ -68,9 +69,9 @@ __all__ = ["PROGRAM_ENDS", "SUBPROGRAM_ENDS", "Checker", "Role", "ends"]
 #: M functions that end a main program, and those that end whatever they stand in.
 PROGRAM_ENDS = (2, 30)
 SUBPROGRAM_ENDS = (*PROGRAM_ENDS, 17, 29)
-_MESSAGE_OPTIONS = ("SAVE", "EXCLUSIVE")
+_MESSAGE_OPTIONS = ("SAVE", "EXCLUSIVE", "CONTINUE")
 #: Options of #MSG that exist and are not simulated.
-_REFUSED_OPTIONS = ("CONTINUE", "INFO", "SYN", "ACK")
+_REFUSED_OPTIONS = ("INFO", "SYN", "ACK")
 
 
 class Checker:
@@ -87,6 +88,7 @@ class Checker:
         self._cycles = CycleChecker(channel, self._words, self._values, in_cycle, self._findings)
         self._calls = CallChecker(self._words, self._values, self._findings)
         self._own = OwnChecker(self._values, self._findings)
+        self._commands = CommandChecker(self._values, self._findings)
         self._loops = 0
         self._switches = 0
         self._role: Role = "main"
@@ -250,7 +252,7 @@ class Checker:
             case VariableDeclarations():
                 self._own.declarations(statement)
             case Timer():
-                self._refuse_hash(statement, "TIMER")
+                self._commands.timer(statement)
             case UserError():
                 UserErrorChecker(self._values, self._findings, in_cycle=False).check(statement)
             case HashCommand():
@@ -274,6 +276,8 @@ class Checker:
             return
         elif words == ["DELETE"]:
             self._own.delete(command)
+        elif self._commands.command(command, words):
+            pass
         elif entry.answer is Answer.SIMULATED:
             self._findings.report(900233, command.span, command=entry.name)
         else:

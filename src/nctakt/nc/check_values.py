@@ -45,6 +45,7 @@ from nctakt.nc.syntax import (
     Unary,
     Variable,
 )
+from nctakt.nc.system_variables import system_variable
 
 _RIGHTS = {Access.NONE: "–", Access.READ: "R", Access.WRITE: "W", Access.BOTH: "R/W"}
 _M_FUNCTION = re.compile(r"[MH]\d{1,5}")
@@ -61,6 +62,7 @@ class ValueChecker:
         self, names: NameTable, axes: Sequence[str], findings: Findings, *, in_cycle: bool
     ) -> None:
         self._names = names
+        self._axes = axes
         self._missing = MissingNames(names, axes, findings)
         self._findings = findings
         self._in_cycle = in_cycle
@@ -228,6 +230,11 @@ class ValueChecker:
         """A variable whose value is needed, as a number or as a text."""
         if is_own(variable):
             self._own(variable)
+            return
+        system = system_variable(variable, self._axes)
+        if system is not None:
+            if system.number is not None:
+                self.value(system.number)
             return
         location = self._found(variable)
         if location is None or not self._may(variable, location, Access.READ):

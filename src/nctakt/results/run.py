@@ -32,6 +32,7 @@ class SaidMessage:
 
     There it stands without its time stamp if it is exclusive, without line end if unbroken.
     ``channel``: its number where the machine has more than one, else 0.
+    ``file``: where the program wants a saved one to be (#FILENAME), empty without a wish.
     """
 
     time_us: int
@@ -39,6 +40,7 @@ class SaidMessage:
     exclusive: bool = False
     unbroken: bool = False
     channel: int = 0
+    file: str = ""
 
 
 @dataclass(frozen=True, slots=True)

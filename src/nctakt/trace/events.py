@@ -21,6 +21,8 @@ from nctakt.nc.check_user_errors import KEYWORDS
 _ROW = struct.Struct(f"={record.EVENT_WIDTH}d")
 
 _SCOPES = ("BLOCK", "PROG", "GLOBAL")
+#: Why the channel is emptied, by number.
+_WAITS = ("flush", "read", "positions", "write")
 _ENDED_BY = {
     record.ENDED_BY_SCOPE: "scope",
     record.ENDED_BY_DELETE: "delete",
@@ -133,6 +135,8 @@ class EventDecoder:
             record.AXIS_BEGUN: self._axis_begun,
             record.AXIS_ENDED: self._axis_ended,
             record.AXIS_CHANGED: self._axis_changed,
+            record.BLOCK: self._block,
+            record.WAIT: self._wait,
         }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
@@ -233,12 +237,19 @@ class EventDecoder:
     def _user_text(self, _kind: int, _serial: int, code: float, text: float) -> tuple[str, str]:
         return "user_value", f"{KEYWORDS[int(code)]} {self._names.user_text(int(text))}"
 
+    def _block(self, _kind: int, number: int, decoded: float, _b: float) -> tuple[str, str]:
+        return "block", f"{number} decoded {int(decoded)}"
+
+    def _wait(self, _kind: int, _subject: int, reason: float, cell: float) -> tuple[str, str]:
+        word = _WAITS[int(reason)]
+        return "waits", f"{word} {self._names.variable(int(cell))}" if cell else word
+
     def _program_end(self, _kind: int, number: int, _a: float, _b: float) -> tuple[str, str]:
         return "end", self._names.program(number)
 
 
 #: Kinds whose subject is not the serial number of a cycle.
-_WITHOUT_CYCLE = (record.MESSAGE, record.PROGRAM_END, record.TECHNOLOGY)
+_WITHOUT_CYCLE = (record.MESSAGE, record.PROGRAM_END, record.TECHNOLOGY, record.BLOCK)
 
 
 def _function(code: float) -> tuple[str, int]:

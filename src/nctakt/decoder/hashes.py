@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT
+"""``#`` commands of the main program that have no file of their own.
+
+In: nodes that the checker has let pass. Out: commands, or an effect on the decoder's state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+
+from nctakt.decoder.commands import Answer, Command, Flush, PositionRequest, ProgramTimer
+from nctakt.decoder.cycles import TIMER_ACTIONS
+from nctakt.decoder.values import Values
+from nctakt.nc import syntax
+from nctakt.nc.system_variables import TIMERS
+
+
+class Hashes:
+    """Decodes them for one program."""
+
+    def __init__(self, values: Values) -> None:
+        self._values = values
+        self._surroundings = values.surroundings
+
+    def command(self, command: syntax.HashCommand, number: int) -> Generator[Command, Answer]:
+        """``#DELETE``, ``#FILENAME``, ``#CHANNEL INIT``; others that pass have no effect."""
+        words = tuple(word.name for word in command.words)
+        if words == ("DELETE",):
+            for argument in command.arguments:
+                assert isinstance(argument, syntax.Variable)
+                self._values.own.delete(argument)
+        elif words in (("FILENAME",), ("FILE", "NAME")):
+            yield from self._file(command, number)
+        elif words == ("CHANNEL", "INIT"):
+            source = self._surroundings.place(command.span)
+            answer = yield PositionRequest(source, number)
+            assert isinstance(answer, tuple)
+            self._values.state.positions = list(answer)
+
+    def _file(self, command: syntax.HashCommand, number: int) -> Generator[Command, Answer]:
+        (bracket,) = command.arguments
+        assert isinstance(bracket, syntax.Bracket)
+        for item in bracket.items:
+            assert isinstance(item, syntax.Keyword)
+            assert item.value is not None
+            if isinstance(item.value, syntax.Name):
+                self._values.state.message_file = item.value.text
+            else:
+                text = yield from self._values.evaluate_any(item.value, number)
+                assert isinstance(text, str)
+                self._values.state.message_file = text
+
+    def timer(self, timer: syntax.Timer, number: int) -> Generator[Command, Answer]:
+        """``#TIMER``: at once, or with SYN in its place among the blocks."""
+        identity = 0.0
+        for keyword in timer.keywords:
+            assert isinstance(keyword, syntax.Keyword)
+            assert keyword.value is not None
+            identity = yield from self._values.evaluate(keyword.value, number)
+            if not 0 <= identity == int(identity) < TIMERS:
+                most = TIMERS - 1
+                self._values.fail(900318, keyword.value.span, id=f"{identity:g}", most=most)
+        index = int(identity)
+        system = self._surroundings.system
+        if not timer.options:
+            system.command(timer.action, index)
+            return
+        source = self._surroundings.place(timer.span)
+        yield ProgramTimer(source, number, index, TIMER_ACTIONS[timer.action])
+        if timer.action == "READ":
+            yield Flush(source, number, True)
+            system.take_over(index)

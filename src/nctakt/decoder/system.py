@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""Data of the controller that programs read: V.G and V.A, as far as they are simulated.
+
+In: which value, of which axis or timer. Out: a number. Timers of the main program count at decode
+time, or with SYN in the tick (a bank apart from the realtime cycles'); READ latches V.G.TIMER.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from nctakt.kernel.timers import TIMER_COUNT
+from nctakt.lists.axis_configuration import AxisConfiguration
+
+#: Cells of the bank that counts with SYN, one for what each timer has latched.
+TIMER_BYTES = 8 * TIMER_COUNT
+
+
+class SystemData:
+    """``latched`` is the memory of the timers that count in the tick; ``tick`` tells the present
+    one."""
+
+    def __init__(
+        self,
+        axes: Mapping[str, AxisConfiguration],
+        latched: bytearray,
+        tick: Callable[[], int],
+        cycle_time_us: int,
+    ) -> None:
+        self._axes = axes
+        self._synchronous = memoryview(latched).cast("d")
+        self._tick = tick
+        self._cycle_time_us = cycle_time_us
+        self._values = [0.0] * TIMER_COUNT
+        self._counted = [0] * TIMER_COUNT
+        self._started: dict[int, int] = {}
+
+    # --- timers ---------------------------------------------------------------------------------
+
+    def command(self, action: str, timer: int) -> None:
+        """``#TIMER`` without SYN, at the moment of decoding."""
+        match action:
+            case "START":
+                self._started.setdefault(timer, self._tick())
+            case "STOP":
+                self._counted[timer] = self._elapsed(timer)
+                self._started.pop(timer, None)
+            case "READ":
+                self._values[timer] = float(self._elapsed(timer) * self._cycle_time_us // 1000)
+            case _:
+                self._started.pop(timer, None)
+                self._counted[timer] = 0
+
+    def _elapsed(self, timer: int) -> int:
+        started = self._started.get(timer)
+        return self._counted[timer] + (0 if started is None else self._tick() - started)
+
+    def take_over(self, timer: int) -> None:
+        """What ``#TIMER READ SYN`` has latched in the tick."""
+        self._values[timer] = self._synchronous[timer]
+
+    def timer(self, timer: int) -> float:
+        """V.G.TIMER[timer], in ms."""
+        return self._values[timer]
+
+    # --- axes -----------------------------------------------------------------------------------
+
+    def software_limit(self, axis: str, *, is_high: bool) -> float:
+        """V.A.+SWE_MDS and V.A.-SWE_MDS: in mm or degrees."""
+        found = self._axes[axis]
+        return found.software_limit_high if is_high else found.software_limit_low

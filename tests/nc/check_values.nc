@@ -51,7 +51,7 @@ P1 = V.E.NONE[V.E.NEITHER] ; error 900213 "V.E.NONE[]"; error 900213 "V.E.NEITHE
 XV.E.NONE ; error 900213 "V.E.NONE"
 ; --- families of later versions
 P1 = V.G.NP[1].V.X ; error 900200 "V.G.NP[].V.X"
-P1 = V.A.+SWE_MDS.Z ; error 900200 "V.A.+SWE_MDS.Z"
+P1 = V.A.+SWE_MDS.Z
 P1 = @P1
 @P1 = 3
 ; --- indices
@@ -160,10 +160,10 @@ $ENDWHILE
 #TIME ; error 900233 "#TIME"
 #TIME V.E.NONE ; error 900213 "V.E.NONE"
 #MSG ; error 900233 "#MSG"
-#TIMER START [ID=1] ; error 900200 "#TIMER"
+#TIMER START [ID=1]
 #ERROR [ID=1 RC=0]
 #ERROR [ID=1 TEXT=1 RC=0.5] ; error 900234 "TEXT"; error 900461 "0.5"
-#CHANNEL INIT [CMDPOS] ; error 900200 "#CHANNEL INIT"
+#CHANNEL INIT [CMDPOS]
 #KIN ID[9] ; error 900200 "#KIN ID"
 #TRAFO ON ; error 900200 "#TRAFO ON"
 #SLOPE [TYPE=SIN2] ; error 900706 "SIN2 of #SLOPE"
@@ -192,7 +192,7 @@ $ENDWHILE
 #MSG [V.E.TEXT] ; error 900200 "(format of a message in a variable)"
 #MSG SAFE ["x"] ; error 900234 "SAFE"
 #MSG SAVE SAVE ["x"] ; error 900224 "SAVE"
-#MSG SAVE CONTINUE ["x"] ; error 900200 "#MSG CONTINUE"
+#MSG SAVE CONTINUE ["x"]
 #MSG INFO ["x"] ; error 900200 "#MSG INFO"
 ; --- variables of a program's own
 #VAR
@@ -240,4 +240,27 @@ P1 = LEFT["text", 2] ; error 900340 "LEFT"
 P1 = LEN["text", 2] ; error 900219 "LEN takes 1"
 #RT CYCLE
   V.E.VALUE = LEN["text"] ; error 900220 "LEN"
+#RT CYCLE END
+; --- commands of the program
+#TIMER START
+#TIMER READ SYN [ID=P1]
+#TIMER READ [ID10]
+#TIMER CLEAR [ID=V.E.NONE] ; error 900213 "V.E.NONE"
+#TIMER PAUSE ; error 900234 "#TIMER has no option PAUSE"
+#TIMER START ASYN [NR=1] ; error 900234 "ASYN" ; error 900234 "NR"
+P1 = V.G.TIMER[P1] + V.G.WZ_AKT.R + V.A.+SWE_MDS.X - V.A.-SWE_MDS.X
+P1 = V.G.TIMER ; error 900200 "V.G.TIMER"
+V.G.TIMER[1] = 5 ; error 900200 "V.G.TIMER[]"
+P1 = V.A.+SWE_MDS.Q ; error 900200 "V.A.+SWE_MDS.Q"
+#FILENAME [MSG="report.txt"]
+#FILE NAME [MSG=report.txt]
+#FILENAME ; error 900233 "#FILENAME"
+#FILENAME [LOG=report.txt] ; error 900234 "LOG"
+#FILENAME [MSG=5] ; error 900342 "5"
+#CHANNEL INIT
+#CHANNEL INIT [CMDPOS]
+#CHANNEL INIT [POS] ; error 900234 "POS"
+#MSG SAVE EXCLUSIVE CONTINUE ["text"]
+#RT CYCLE
+  V.E.VALUE = V.G.TIMER[3]
 #RT CYCLE END

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: MIT
+"""Commands of the main program whose effect no trace shows."""
+
+from __future__ import annotations
+
+from nctakt.controller import Controller, NcText
+from nctakt.results.run import Run, SaidMessage
+
+
+def run(text: str, said: list[SaidMessage] | None = None) -> Run:
+    """A program on the demo machine; what it says goes to ``said``."""
+    listen = None if said is None else said.append
+    return Controller().run(NcText("p.nc", text + "M30\n"), on_message=listen)
+
+
+def test_saved_messages_name_the_file_that_the_program_wants() -> None:
+    """Only those with SAVE; the last name counts."""
+    said: list[SaidMessage] = []
+    result = run(
+        '#MSG SAVE ["a"]\n#FILENAME [MSG="one.txt"]\n#MSG SAVE ["b"]\n#MSG ["c"]\n'
+        '#FILE NAME [MSG=Two.txt]\n#MSG SAVE EXCLUSIVE CONTINUE ["d"]\n',
+        said,
+    )
+    assert result.errors == ()
+    found = [(one.text, one.file, one.exclusive, one.unbroken) for one in said]
+    assert found == [
+        ("a", "", False, False),
+        ("b", "one.txt", False, False),
+        ("c", "", False, False),
+        ("d", "Two.txt", True, True),
+    ]
+
+
+def test_channel_init_waits_until_the_path_stands() -> None:
+    """What follows is decoded with the positions of then."""
+    text = "G00 X100\n#CHANNEL INIT [CMDPOS]\nG91 X10\nV.E.VALUE = V.RTA.ACS.ACT_POS.X\n"
+    controller = Controller()
+    result = controller.run(NcText("p.nc", text + "M30\n"), blocks=True)
+    assert result.errors == ()
+    assert controller.read("V.E.VALUE") == 110
+    waits = [event.text for event in result.events if event.kind == "waits"]
+    assert waits == ["positions", "read V.RTA.ACS.ACT_POS.X"]
+
+
+def test_data_of_the_controller_are_read_when_the_block_is_decoded() -> None:
+    """Software limits in the program's unit; no tool is active."""
+    said: list[SaidMessage] = []
+    run(
+        '#MSG ["%g %g %g", V.A.+SWE_MDS.X, V.A.-SWE_MDS.X, V.G.WZ_AKT.R]\n'
+        'G70\n#MSG ["%.4f", V.A.+SWE_MDS.X]\n',
+        said,
+    )
+    high, low, tool = (float(word) for word in said[0].text.split())
+    assert low < 0 < high
+    assert tool == 0
+    assert float(said[1].text) == round(high / 25.4, 4)
+
+
+def test_a_timer_has_a_whole_number_within_the_bank() -> None:
+    """0 … 127."""
+    for identity in ("128", "-1", "0.5"):
+        assert [one.id for one in run(f"P1 = {identity}\n#TIMER START [ID=P1]\n").errors] == [
+            900318
+        ]

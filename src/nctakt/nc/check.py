@@ -20,8 +20,8 @@ from nctakt.nc import support
 from nctakt.nc.check_calls import CallChecker
 from nctakt.nc.check_commands import CommandChecker
 from nctakt.nc.check_cycle import CycleChecker
-from nctakt.nc.check_path import check_path_command
 from nctakt.nc.check_own import OwnChecker
+from nctakt.nc.check_path import check_path_command
 from nctakt.nc.check_user_errors import UserErrorChecker
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.check_words import Role, WordChecker

@@ -8,6 +8,7 @@ is called. Where files are searched: ``search_folders``.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path, PureWindowsPath
 
@@ -17,13 +18,14 @@ from nctakt.diagnostics import Diagnostic, Span
 from nctakt.failure import Failure
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.lists.files import find_below, find_file
+from nctakt.long_text import read_lines
 from nctakt.messages import Collector, diagnostic
 from nctakt.nc.check_words import Role
 from nctakt.nc.inspection import inspect
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.source import Source
 from nctakt.nc.syntax import StringLiteral
-from nctakt.text import decode_text, split_lines
+from nctakt.text import split_lines
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,7 +131,7 @@ class LoadedProgram:
         key = path.resolve()
         if key not in self._files:
             try:
-                source = Source(str(path), split_lines(_read(path)))
+                source = Source(str(path), _read(path))
             except Failure as failure:
                 collector.diagnostics += failure.diagnostics
                 return None
@@ -173,6 +175,12 @@ def load(
     text = program.text if isinstance(program, NcText) else _read(Path(program))
     loaded = LoadedProgram(machine, channel)
     main = loaded.add(Source(name_of(program), split_lines(text)), collector, "main")
+    if isinstance(program, NcText):
+        lines: Sequence[str] = split_lines(program.text)
+    else:
+        lines = _read(Path(program))
+    loaded = LoadedProgram(machine)
+    main = loaded.add(Source(name_of(program), lines), collector, "main")
     loaded.add_called(main, collector)
     loaded.add_implicit(collector)
     diagnostics += collector.diagnostics
@@ -182,15 +190,14 @@ def load(
     return loaded
 
 
-def _read(path: Path) -> str:
-    """The text of a program file; ``Failure`` where there is none."""
+def _read(path: Path) -> Sequence[str]:
+    """The lines of a program file; ``Failure`` where there is none."""
     if not path.exists():
         raise Failure(diagnostic(900500, file=str(path)))
     if path.is_dir():
         raise Failure(diagnostic(900501, file=str(path)))
     try:
-        data = path.read_bytes()
+        return read_lines(path)
     except OSError as error:
         reason = error.strerror or str(error)
         raise Failure(diagnostic(900503, file=str(path), reason=reason)) from error
-    return decode_text(data).text

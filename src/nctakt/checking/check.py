@@ -21,11 +21,12 @@ from nctakt.lists.kinds import check_list_alone, kind_of, references
 from nctakt.lists.machine import MachineError, load_machine
 from nctakt.lists.parameters import SCHEMAS
 from nctakt.loading import NcText
+from nctakt.long_text import read_lines
 from nctakt.messages import Collector, diagnostic
 from nctakt.nc.lint import GlobalCycles, never_deleted
 from nctakt.nc.lint_cycle import Budget
 from nctakt.nc.source import Source
-from nctakt.text import decode_text, split_lines
+from nctakt.text import split_lines
 
 #: The kind of a program; lists have the kinds of their schemas (``channel``, ``axis``, …).
 PROGRAM = "program"
@@ -96,11 +97,11 @@ class _Checker:
             if path.resolve() not in self._covered:
                 self._list(path)
         for path in gathered.programs:
-            data = self._read(path)
-            if data is not None:
-                self._program(path.as_posix(), decode_text(data).text)
+            lines = self._lines(path)
+            if lines is not None:
+                self._program(path.as_posix(), lines)
         for text in texts:
-            self._program(text.name, text.text)
+            self._program(text.name, split_lines(text.text))
         collector = Collector()
         never_deleted(self._global_cycles, collector)
         self._keep("", collector.diagnostics)
@@ -114,18 +115,34 @@ class _Checker:
 
     def _read(self, path: Path) -> bytes | None:
         """The bytes of a file of text; ``None`` where there are none, which is reported."""
-        name = path.as_posix()
         try:
             data = path.read_bytes()
         except OSError as error:
-            reason = error.strerror or str(error)
-            self._keep(name, [diagnostic(900503, file=name, reason=reason)])
+            self._unreadable(path, error)
             return None
-        if b"\0" not in data[:_LOOKED_AT_BYTES] or data.startswith(_UTF16_MARKS):
-            return data
+        return data if self._is_text(path, data[:_LOOKED_AT_BYTES]) else None
+
+    def _lines(self, path: Path) -> Sequence[str] | None:
+        """The lines of a program, however long it is; ``None`` as above."""
+        try:
+            with path.open("rb") as file:
+                begin = file.read(_LOOKED_AT_BYTES)
+            return read_lines(path) if self._is_text(path, begin) else None
+        except OSError as error:
+            self._unreadable(path, error)
+            return None
+
+    def _unreadable(self, path: Path, error: OSError) -> None:
+        name, reason = path.as_posix(), error.strerror or str(error)
+        self._keep(name, [diagnostic(900503, file=name, reason=reason)])
+
+    def _is_text(self, path: Path, begin: bytes) -> bool:
+        """Whether a file is no binary one, by its first bytes; reported if it is."""
+        if b"\0" not in begin or begin.startswith(_UTF16_MARKS):
+            return True
         number = 900582 if path.suffix.casefold() == _ENCRYPTED_SUFFIX else 900581
-        self._keep(name, [diagnostic(number, file=name)])
-        return None
+        self._keep(path.as_posix(), [diagnostic(number, file=path.as_posix())])
+        return False
 
     # --- lists -----------------------------------------------------------------------------------
 
@@ -171,10 +188,10 @@ class _Checker:
 
     # --- programs --------------------------------------------------------------------------------
 
-    def _program(self, name: str, text: str) -> None:
+    def _program(self, name: str, lines: Sequence[str]) -> None:
         self._files[name] = PROGRAM
         collector = Collector()
-        source = Source(name, split_lines(text))
+        source = Source(name, lines)
         uses = check_program(
             source, self._names, self._parameters, self._budget, collector, self._folder
         )

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from nctakt.diagnostics import Span
+from nctakt.long_text import LongText
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +23,9 @@ class Source:
     def numbered(self, first: int = 1) -> Iterator[tuple[int, str]]:
         """The lines from one on with their numbers."""
         if first == 1:
-            return iter(enumerate(self.lines, start=1))
+            return enumerate(self.lines, start=1)
+        if isinstance(self.lines, LongText):
+            return enumerate(self.lines.from_line(first - 1), start=first)
         return ((number + 1, self.lines[number]) for number in range(first - 1, len(self.lines)))
 
     def line_of(self, span: Span | None) -> str:

@@ -196,7 +196,7 @@ M30
   M[P1] ; error 900200 "computed number"
   M ; error 900208 "M"
   M1.5 ; error 900204 "M1.5"
-  "MACRO" ; error 900200 "macro"
+  "MACRO" ; error 22002 ""
 #RT CYCLE END
 ; --- spindles and single axes: later versions
 #RT CYCLE

@@ -65,7 +65,7 @@ M3=4 S100 ; error 900282 "M3=4"
 M3 S=V.E.NONE ; error 900213 "V.E.NONE"
 M19
 M0 ; error 900200 "M00"
-T1 D2 ; error 900200 "T1"; error 900200 "D2"
+T1 D2 ; note 900201 "T (tool"; error 900200 "D2"
 E100 ; error 900200 "E100"
 X[INDP G90 POS=10] ; error 900200 "X[INDP] (independent motion of an axis)"
 Z[DIST_CTRL OFF] ; error 900200 "Z[…]"
@@ -79,8 +79,6 @@ M116
 H116
 M200 ; error 900200 "M200 (M or H function of one axis)"
 H200 ; error 900200 "H200"
-"MACRO" ; error 900200 "macro"
-"DRILL" = "G1 Z-10" ; error 900200 "macro"
 G04 S10 ; error 900200 "G04 S (dwell in revolutions)"
 M30
 ; --- nobody knows it
@@ -98,7 +96,7 @@ G54.1 ; error 900204 "G54.1"
 G-1 ; error 900204 "G-1"
 M1.5 ; error 900204 "M1.5"
 M99 ; error 900205 "M99"
-M6 T5 ; error 900205 "M06"; error 900200 "T5"
+M6 T5 ; error 900205 "M06"; note 900201 "T (tool"
 H7 ; error 900205 "H07"
 ; --- words without a value
 G ; error 900208 "G"
@@ -247,3 +245,9 @@ N10 #SUPPRESS OFFSETS [ZERO TOOL] G01 X5 F100
 #SUPPRESS OFFSETS [ZERO, TOLL] X5 ; error 900773 "TOLL is no kind of offset"
 #SUPPRESS OFFSETS ; error 900771 "#SUPPRESS OFFSETS names no axis"
 #SUPPRESS OFFSETS [ZERO] ; error 900771 "names no axis"
+; --- macros are read when they are used
+"MACRO"
+"DRILL" = "G1 Z-10 what is this"
+G00 "DRILL" X1
+T5 ; note 900201 "T (tool"
+TV.E.NONE ; error 900213 "V.E.NONE"

@@ -27,6 +27,7 @@ from nctakt.decoder.cycles import SCOPES, CycleBuilder, CycleDefinition
 from nctakt.decoder.flow import Decoded, Flow, Jump, Return, Signal
 from nctakt.decoder.hashes import Hashes
 from nctakt.decoder.levels import MOST_LEVELS, MOST_NESTED, Level
+from nctakt.decoder.macros import Macros
 from nctakt.decoder.offsets import ALL, left_over
 from nctakt.decoder.state import ModalState
 from nctakt.decoder.surroundings import Surroundings
@@ -69,6 +70,7 @@ class ProgramDecoder:
         self._values = Values(surroundings, state)
         self._words = Words(self._values)
         self._calls = Calls(self._values)
+        self._macros = Macros(surroundings, self._values.fail)
         self._hashes = Hashes(self._values)
         self._flow = Flow(self._values, self._statements, self._count)
         self._levels = state.levels
@@ -213,6 +215,9 @@ class ProgramDecoder:
 
         ``kinds``: which offsets the block's positions have.
         """
+        meant = self._macros.expand(block)
+        if meant is not None:
+            return (yield from self._statements(meant))
         block, returning = yield from self._calls.returning(block, number)
         block, called = yield from self._calls.implied(block, number)
         ends = yield from self._words.block(block, number, kinds)
@@ -256,6 +261,8 @@ class ProgramDecoder:
             case syntax.VariableDeclarations():
                 for declaration in statement.declarations:
                     yield from self._values.declare(declaration, number)
+            case syntax.MacroDefinition():
+                self._macros.define(statement)
             case syntax.Timer():
                 yield from self._hashes.timer(statement, number)
             case syntax.HashCommand():

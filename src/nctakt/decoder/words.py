@@ -174,6 +174,8 @@ class Words:
         if word.name == "F":
             self._state.feed_mm_s = self._feed(value)
             return
+        if word.name == "T":
+            return
         if word.name == "R":
             self._state.path.radius = value * self._state.length_unit_mm
             return

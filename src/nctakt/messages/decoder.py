@@ -260,3 +260,15 @@ _add(
     reaction=2,
     clearing=3,
 )
+_add(
+    900319,
+    ERROR,
+    'no macro "{name}" is defined now',
+    'ein Makro "{name}" ist jetzt nicht definiert',
+    remedy_en='Nearest: {nearest}. Write "{name}" = "text" before; upper and lower case count.',
+    remedy_de='Am nächsten: {nearest}. Vorher "{name}" = "Text" schreiben; Groß- und '
+    "Kleinschreibung zählt.",
+    parameters={"name": "the name", "nearest": "the known name that is most like it"},
+    reaction=2,
+    clearing=3,
+)

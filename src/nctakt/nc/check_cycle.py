@@ -32,7 +32,6 @@ from nctakt.nc.syntax import (
     Number,
     RealtimeCycle,
     Statement,
-    StringWord,
     Timer,
     Unreadable,
     UserError,
@@ -230,6 +229,7 @@ class CycleChecker:
                 self._function(word)
             elif isinstance(word, StringWord):
                 self._findings.answer(support.form('"NAME"'), word.span)
+                self._function(word, told)
             elif isinstance(word, BracketCommand) and word.name not in RETURN_COMMANDS:
                 if not self._words.bracket(word):
                     self._words.unknown(word)

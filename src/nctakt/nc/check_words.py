@@ -97,7 +97,7 @@ class WordChecker:
                     if not self.bracket(word, state):
                         self._unknown(word, state)
                 case StringWord():
-                    self._findings.answer(support.form('"NAME"'), word.span)
+                    pass  # what it stands for is known when it is decoded
         self._exact_stop(block)
         self._reference(block)
 
@@ -152,9 +152,10 @@ class WordChecker:
         entry = support.answer_word(word.name)
         if entry is None:
             self._unknown(word, state)
-        elif entry.answer is not Answer.SIMULATED:
+        elif entry.answer is Answer.REFUSED:
             self._findings.answer(entry, word.span, self._findings.written(word.span))
         else:
+            self._findings.answer(entry, word.span)
             self._value(word, state)
 
     # --- G, M, H ---------------------------------------------------------------------------------

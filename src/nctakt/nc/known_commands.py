@@ -193,7 +193,7 @@ FORMS = known(
     ("M[P1]", "R", "function with a computed number", "Funktion mit berechneter Nummer"),
     ("M110 X", "R", "M or H function of one axis", "M- oder H-Funktion einer Achse"),
     ("G04 S", "R", "dwell in revolutions", "Verweilzeit in Umdrehungen"),
-    ('"NAME"', "R", "macro", "Makro"),
+    ('"NAME"', "S", "macro", "Makro"),
     ("V.P.A = [1, 2]", "S", "values of a program's own array", "Werte eines eigenen Feldes"),
     ('"text"', "S", "text as a value", "Text als Wert"),
     ("V.E.TEXT", "S", "variable that holds a text", "Variable, die einen Text enthält"),

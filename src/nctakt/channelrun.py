@@ -23,7 +23,8 @@ from nctakt.results.run import RunState
 class ChannelRun:
     """What runs in a channel; ``index`` counts from 0, ``report`` takes what stops a program.
 
-    Blocks of ``skip_levels`` are left out. ``result``: how the queued programs came to their end,
+    Blocks of ``skip_levels`` are left out; ``tells_blocks``: events tell of each block.
+    ``result``: how the queued programs came to their end,
     ``None`` while they have not.
     """
 
@@ -38,6 +39,7 @@ class ChannelRun:
         self.channel = machine.channels[index]
         self.feed: Feed | None = None
         self.skip_levels: frozenset[int] = frozenset()
+        self.tells_blocks = False
         self.result: RunState | None = "ended"
 
     @property
@@ -107,7 +109,7 @@ class ChannelRun:
             raise Failure(diagnostic(900466))
         self._outcome = None
         self._selected = program
-        self.feed = Feed(self._machine, program, self._report, self.skip_levels)
+        self.feed = Feed(self._machine, program, self._report, self.skip_levels, self.tells_blocks)
         self.channel.panel.begin_program()
 
     def close(self) -> None:

@@ -76,8 +76,6 @@ class Controller:
         self._probes: ProbeLog | None = None
         self._image: InterfaceImage | None = None
         self._loaded: list[LoadedProgram] = []
-        self._skip_levels: frozenset[int] = frozenset()
-        self._tells_blocks = False
 
     # --- state and variables --------------------------------------------------------------------
 
@@ -217,7 +215,6 @@ class Controller:
         on_message: Callable[[SaidMessage], None] | None = None,
         on_progress: Callable[[int, int | None], None] | None = None,
         on_cycle: Callable[[str, CycleDefinition], None] | None = None,
-        skip_levels: Collection[int] = (),
         blocks: bool = False,
     ) -> Run:
         """Run programs one after another; their GLOBAL cycles and V.E and V.CH variables live on.
@@ -242,8 +239,7 @@ class Controller:
             self._index(channel)
         for one in self._channels:
             one.skip_levels = frozenset(skip_levels)
-        self._skip_levels = frozenset(skip_levels)
-        self._tells_blocks = blocks
+            one.tells_blocks = blocks
         first_tick = self.tick
         for name, value in (initial or {}).items():
             self._machine.write(name, value)
@@ -400,35 +396,6 @@ class Controller:
 
     # --- the loop decoder <-> kernel ------------------------------------------------------------
 
-    def _begin(self, program: LoadedProgram) -> None:
-        """Put a checked program at the start of the channel.
-
-        What an error or a limit of an earlier run has left is reset first.
-        """
-        if self._channel.is_stopped or self._feed is not None:
-            self.reset()
-        if self._channel.is_fatal:
-            raise Failure(diagnostic(900466))
-        self._outcome = None
-        self._feed = Feed(
-            self._machine, program, self.diagnostics.append, self._skip_levels, self._tells_blocks
-        )
-        self._channel.panel.begin_program()
-
-    def _arm(self, program: LoadedProgram) -> None:
-        """Let a program wait for START."""
-        self._outcome = None
-        self._selected = program
-        self._channel.panel.arm(True)
-
-    def _give_up(self) -> None:
-        """A reset: nothing more of the program is decoded, and what it left is forgotten."""
-        if self._feed is not None:
-            self._feed.stop()
-            self._feed = None
-        self._channel.panel.end_program()
-        self._channel.manager.drop_unborn()
-
     def _advance(self, end: int) -> None:
         """Run up to tick ``end``, at most until something of Python's is due."""
         due = min(end, self._next_stimulus())
@@ -477,8 +444,10 @@ class Controller:
         raised = iter(user_errors(events))
         for event, subject in zip(events, events.subjects(), strict=True):
             if event.kind == "message" and self._on_message is not None:
-                style = self._machine.registry.message_style(subject)
-                said = SaidMessage(event.time_us, event.text, *style, event.channel)
+                exclusive, unbroken, file = self._machine.registry.message_style(subject)
+                said = SaidMessage(
+                    event.time_us, event.text, exclusive, unbroken, event.channel, file
+                )
                 self._on_message(said)
             elif event.kind == "user_error":
                 report = next(raised)

@@ -48,18 +48,12 @@ class Feed:
         self._report = report
         self._number = machine.registry.add_program(program.text.source.file)
         self._surroundings = machine.surroundings(
-            program.subprogram, report, skip_levels, program.channel
+            program.subprogram, report, skip_levels, program.channel, tells_blocks
         )
         self._surroundings.offsets.adopt(machine.axes.offsets)
         start = program.parameters.program_start
         state = state_at_program_start(start, machine.positions(program.channel))
-        self._surroundings = machine.surroundings(program.subprogram, report, skip_levels)
-        machine.offsets.adopt(machine.axes.offsets)
-        self._surroundings = machine.surroundings(
-            program.subprogram, report, skip_levels, tells_blocks
-        )
-        state = state_at_program_start(machine.parameters.program_start, machine.positions())
-        state.levels.scopes = Scopes(machine.kept_variables)
+        state.levels.scopes = Scopes(machine.kept_variables[program.channel])
         registry = machine.registry
         self._decoder = ProgramDecoder(
             self._surroundings,

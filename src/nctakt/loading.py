@@ -172,14 +172,11 @@ def load(
     when there are any.
     """
     collector = Collector()
-    text = program.text if isinstance(program, NcText) else _read(Path(program))
-    loaded = LoadedProgram(machine, channel)
-    main = loaded.add(Source(name_of(program), split_lines(text)), collector, "main")
     if isinstance(program, NcText):
         lines: Sequence[str] = split_lines(program.text)
     else:
         lines = _read(Path(program))
-    loaded = LoadedProgram(machine)
+    loaded = LoadedProgram(machine, channel)
     main = loaded.add(Source(name_of(program), lines), collector, "main")
     loaded.add_called(main, collector)
     loaded.add_implicit(collector)

@@ -61,12 +61,12 @@ class Hashes:
                 most = TIMERS - 1
                 self._values.fail(900318, keyword.value.span, id=f"{identity:g}", most=most)
         index = int(identity)
-        system = self._surroundings.system
+        timers = self._surroundings.system.timers
         if not timer.options:
-            system.command(timer.action, index)
+            timers.command(timer.action, index)
             return
         source = self._surroundings.place(timer.span)
         yield ProgramTimer(source, number, index, TIMER_ACTIONS[timer.action])
         if timer.action == "READ":
             yield Flush(source, number, True)
-            system.take_over(index)
+            timers.take_over(index)

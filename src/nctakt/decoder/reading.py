@@ -272,7 +272,7 @@ class Reading:
                     index=int(number),
                     count=TIMERS,
                 )
-            return surroundings.system.timer(int(number))
+            return surroundings.system.timers.read(int(number))
         if found.kind == "tool":
             return 0.0
         limit = surroundings.system.software_limit(found.subject, is_high=found.kind == "high")

@@ -16,26 +16,19 @@ from nctakt.lists.axis_configuration import AxisConfiguration
 TIMER_BYTES = 8 * TIMER_COUNT
 
 
-class SystemData:
-    """``latched`` is the memory of the timers that count in the tick; ``tick`` tells the present
-    one."""
+class ProgramTimers:
+    """The timers of ``#TIMER``, the same for all channels.
 
-    def __init__(
-        self,
-        axes: Mapping[str, AxisConfiguration],
-        latched: bytearray,
-        tick: Callable[[], int],
-        cycle_time_us: int,
-    ) -> None:
-        self._axes = axes
+    ``latched`` is the memory of those that count in the tick; ``tick`` tells the present one.
+    """
+
+    def __init__(self, latched: bytearray, tick: Callable[[], int], cycle_time_us: int) -> None:
         self._synchronous = memoryview(latched).cast("d")
         self._tick = tick
         self._cycle_time_us = cycle_time_us
         self._values = [0.0] * TIMER_COUNT
         self._counted = [0] * TIMER_COUNT
         self._started: dict[int, int] = {}
-
-    # --- timers ---------------------------------------------------------------------------------
 
     def command(self, action: str, timer: int) -> None:
         """``#TIMER`` without SYN, at the moment of decoding."""
@@ -59,11 +52,17 @@ class SystemData:
         """What ``#TIMER READ SYN`` has latched in the tick."""
         self._values[timer] = self._synchronous[timer]
 
-    def timer(self, timer: int) -> float:
+    def read(self, timer: int) -> float:
         """V.G.TIMER[timer], in ms."""
         return self._values[timer]
 
-    # --- axes -----------------------------------------------------------------------------------
+
+class SystemData:
+    """What programs of one channel read; ``axes``: its own."""
+
+    def __init__(self, axes: Mapping[str, AxisConfiguration], timers: ProgramTimers) -> None:
+        self._axes = axes
+        self.timers = timers
 
     def software_limit(self, axis: str, *, is_high: bool) -> float:
         """V.A.+SWE_MDS and V.A.-SWE_MDS: in mm or degrees."""

@@ -29,6 +29,7 @@ STAGES = (
     ("mode", "diagnostics"),
     ("messages",),
     ("failure", "text", "sources", "options"),
+    ("long_text",),
     ("lists",),
     ("machines",),
     ("nc",),

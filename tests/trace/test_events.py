@@ -88,8 +88,8 @@ def row(kind: int, subject: int = 0, a: float = 0.0, b: float = 0.0, tick: int =
         (row(record.USER_VALUE, 1, 3, 99.5), "user_value", "PV1 99.5", "17"),
         (row(record.USER_TEXT, 0, 6, 6), "user_value", "PV2 worn", ""),
         (row(record.BLOCK, 10, 5), "block", "10 decoded 5", ""),
-        (row(record.WAIT, 0, 0), "waits", "flush", ""),
-        (row(record.WAIT, 0, 1, 40), "waits", "read V.E.VALUE", ""),
+        (row(record.WAIT), "waits", "flush", ""),
+        (row(record.WAIT, 1, 40), "waits", "read V.E.VALUE", ""),
         (row(record.FROZEN, 2, 4, 16.5), "frozen", "V.E.ASYNC 16.5", "#1"),
     ],
 )

@@ -202,7 +202,7 @@ class Record:
 
     def wait(self, source: int, reason: int, cell: int) -> None:
         """The channel is emptied, for a reason of ``decoder/commands.py``."""
-        self.event(26, source, 0, reason, cell)
+        self.event(26, source, reason, cell, 0.0)
 
     def paused(self, source: int) -> None:
         """Single block has stopped the channel in front of a block."""

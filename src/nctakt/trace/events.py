@@ -240,8 +240,8 @@ class EventDecoder:
     def _block(self, _kind: int, number: int, decoded: float, _b: float) -> tuple[str, str]:
         return "block", f"{number} decoded {int(decoded)}"
 
-    def _wait(self, _kind: int, _subject: int, reason: float, cell: float) -> tuple[str, str]:
-        word = _WAITS[int(reason)]
+    def _wait(self, _kind: int, reason: int, cell: float, _b: float) -> tuple[str, str]:
+        word = _WAITS[reason]
         return "waits", f"{word} {self._names.variable(int(cell))}" if cell else word
 
     def _program_end(self, _kind: int, number: int, _a: float, _b: float) -> tuple[str, str]:
@@ -249,7 +249,7 @@ class EventDecoder:
 
 
 #: Kinds whose subject is not the serial number of a cycle.
-_WITHOUT_CYCLE = (record.MESSAGE, record.PROGRAM_END, record.TECHNOLOGY, record.BLOCK)
+_WITHOUT_CYCLE = (record.MESSAGE, record.PROGRAM_END, record.TECHNOLOGY, record.BLOCK, record.WAIT)
 
 
 def _function(code: float) -> tuple[str, int]:

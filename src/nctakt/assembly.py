@@ -19,7 +19,7 @@ from nctakt.decoder.own_variables import Variables
 from nctakt.decoder.preparation import look_ahead
 from nctakt.decoder.spindles import names_of
 from nctakt.decoder.surroundings import Surroundings
-from nctakt.decoder.system import TIMER_BYTES, ProgramTimers, SystemData
+from nctakt.decoder.system import system_data
 from nctakt.diagnostics import Diagnostic, Span
 from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values
 from nctakt.kernel.axis import Axes
@@ -323,6 +323,7 @@ class Machine:
         #: V.S: what programs keep until the next start-up.
         self.kept_variables: Variables = {}
         self.system = self._system()
+        self.system = system_data(configuration, self.channels, lambda: self.kernel.tick)
         #: V.S of each channel: what programs keep until the next start-up.
         self.kept_variables: list[Variables] = [{} for _ in self.channels]
         self.registry = Registry(self.files, self._name_of_cell, self._axis_names())
@@ -439,19 +440,6 @@ class Machine:
         paths = all(self.path_stands(one.index) for one in self.assembled)
         spindles = sum(one.context.spindles.ending_count() for one in self.channels)
         return paths and self.single_axes.ending_count() + spindles == 0
-
-    def _system(self) -> list[SystemData]:
-        """The controller's data channel by channel; all have the same timers."""
-        latched = bytearray(TIMER_BYTES)
-        cycle_time_us = self.configuration.cycle_time_us
-        timers = ProgramTimers(latched, lambda: self.kernel.tick, cycle_time_us)
-        counting = Timers(latched, 0, cycle_time_us)
-        made = []
-        for channel, one in zip(self.channels, self.configuration.channels, strict=True):
-            channel.program_timers = counting
-            axes = {axis.name: self.configuration.axes[axis.index] for axis in one.axes}
-            made.append(SystemData(axes, timers))
-        return made
 
     def surroundings(
         self,

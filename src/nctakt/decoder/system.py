@@ -7,10 +7,12 @@ time, or with SYN in the tick (a bank apart from the realtime cycles'); READ lat
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
-from nctakt.kernel.timers import TIMER_COUNT
+from nctakt.kernel.channel import Channel
+from nctakt.kernel.timers import TIMER_COUNT, Timers
 from nctakt.lists.axis_configuration import AxisConfiguration
+from nctakt.lists.machine import MachineConfiguration
 
 #: Cells of the bank that counts with SYN, one for what each timer has latched.
 TIMER_BYTES = 8 * TIMER_COUNT
@@ -68,3 +70,18 @@ class SystemData:
         """V.A.+SWE_MDS and V.A.-SWE_MDS: in mm or degrees."""
         found = self._axes[axis]
         return found.software_limit_high if is_high else found.software_limit_low
+
+
+def system_data(
+    configuration: MachineConfiguration, channels: Sequence[Channel], tick: Callable[[], int]
+) -> list[SystemData]:
+    """The controller's data channel by channel; all have the same timers."""
+    latched = bytearray(TIMER_BYTES)
+    counting = Timers(latched, 0, configuration.cycle_time_us)
+    timers = ProgramTimers(latched, tick, configuration.cycle_time_us)
+    made = []
+    for channel, one in zip(channels, configuration.channels, strict=True):
+        channel.program_timers = counting
+        axes = {axis.name: configuration.axes[axis.index] for axis in one.axes}
+        made.append(SystemData(axes, timers))
+    return made

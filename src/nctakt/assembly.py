@@ -15,7 +15,6 @@ from nctakt.access import VariableAccess
 from nctakt.decoder.commands import UserMessage
 from nctakt.decoder.cycles import CycleDefinition
 from nctakt.decoder.offsets import ActiveOffsets
-from nctakt.decoder.own_variables import Variables
 from nctakt.decoder.preparation import look_ahead
 from nctakt.decoder.spindles import names_of
 from nctakt.decoder.surroundings import Surroundings
@@ -313,20 +312,7 @@ class Machine:
         self.files = SourceFiles()
         spindles = all_names(configuration)
         self.registry = Registry(self.files, self._name_of_cell, self._axis_names(), spindles)
-        timers = bytearray(TIMER_BYTES)
-        cycle_time_us = configuration.cycle_time_us
-        self.channels[0].program_timers = Timers(timers, 0, cycle_time_us)
-        axes = {
-            axis.name: configuration.axes[axis.index] for axis in configuration.channels[0].axes
-        }
-        self.system = SystemData(axes, timers, lambda: self.kernel.tick, cycle_time_us)
-        #: V.S: what programs keep until the next start-up.
-        self.kept_variables: Variables = {}
-        self.system = self._system()
         self.system = system_data(configuration, self.channels, lambda: self.kernel.tick)
-        #: V.S of each channel: what programs keep until the next start-up.
-        self.kept_variables: list[Variables] = [{} for _ in self.channels]
-        self.registry = Registry(self.files, self._name_of_cell, self._axis_names())
         self.access = VariableAccess(
             layout.tables, [one.panel for one in self.assembled], self.memory, self.kernel
         )
@@ -428,8 +414,7 @@ class Machine:
 
     def positions(self, channel: int = 0) -> list[float]:
         """The command positions of a channel's axes, in the order of its list."""
-        positions = self.axes.positions()
-        return [positions[i] for i in self.assembled[channel].members]
+        return list(map(self.axes.positions().__getitem__, self.assembled[channel].members))
 
     def path_stands(self, channel: int = 0) -> bool:
         """Whether nothing moves on the channel's path."""
@@ -437,9 +422,9 @@ class Machine:
 
     def stands(self) -> bool:
         """Whether all stands but for axes and spindles in motion without an end (RC-006)."""
-        paths = all(self.path_stands(one.index) for one in self.assembled)
-        spindles = sum(one.context.spindles.ending_count() for one in self.channels)
-        return paths and self.single_axes.ending_count() + spindles == 0
+        ending = sum(one.context.spindles.ending_count() for one in self.channels)
+        ending += self.single_axes.ending_count()
+        return ending == 0 and all(self.path_stands(one.index) for one in self.assembled)
 
     def surroundings(
         self,
@@ -495,8 +480,7 @@ class Machine:
     def signals(self) -> dict[str, tuple[int, str, bool]]:
         """Everything that can be recorded: name -> cell, unit, whether it is a whole number.
 
-        A name with the number of its channel in front is that channel's, ``CH2.BLOCK``; without it
-        is the first one's.
+        A name with a channel's number in front, ``CH2.BLOCK``, is its own, else the first one's.
         """
         known = _signals_of(self.assembled[0])
         for one in self.assembled:
@@ -512,6 +496,6 @@ class Machine:
     def unknown_signal(self, name: str) -> Diagnostic:
         """The diagnostic of a signal that is none."""
         near = nearest(name, self.signals())
-        return (
-            diagnostic(900545, name=name, nearest=near) if near else diagnostic(900544, name=name)
-        )
+        if near:
+            return diagnostic(900545, name=name, nearest=near)
+        return diagnostic(900544, name=name)

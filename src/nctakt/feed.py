@@ -53,7 +53,7 @@ class Feed:
         self._surroundings.offsets.adopt(machine.axes.offsets)
         start = program.parameters.program_start
         state = state_at_program_start(start, machine.positions(program.channel))
-        state.levels.scopes = Scopes(machine.kept_variables[program.channel])
+        state.levels.scopes = Scopes(machine.system[program.channel].kept)
         registry = machine.registry
         self._decoder = ProgramDecoder(
             self._surroundings,

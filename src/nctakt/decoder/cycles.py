@@ -27,7 +27,6 @@ from nctakt.nc.cost import command_steps, condition_steps, most_steps
 from nctakt.nc.names import Location
 from nctakt.nc.printer import format_expression
 from nctakt.nc.spindle_commands import split
-from nctakt.nc.resolution import is_own
 from nctakt.nc.system_variables import is_decoder_data
 
 SCOPES = {"BLOCK": BLOCK, "PROG": PROG, "GLOBAL": GLOBAL}

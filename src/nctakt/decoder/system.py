@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
+from nctakt.decoder.own_variables import Variables
 from nctakt.kernel.channel import Channel
 from nctakt.kernel.timers import TIMER_COUNT, Timers
 from nctakt.lists.axis_configuration import AxisConfiguration
@@ -60,11 +61,15 @@ class ProgramTimers:
 
 
 class SystemData:
-    """What programs of one channel read; ``axes``: its own."""
+    """What programs of one channel read; ``axes``: its own.
+
+    ``kept``: V.S, what its programs keep until the next start-up.
+    """
 
     def __init__(self, axes: Mapping[str, AxisConfiguration], timers: ProgramTimers) -> None:
         self._axes = axes
         self.timers = timers
+        self.kept: Variables = {}
 
     def software_limit(self, axis: str, *, is_high: bool) -> float:
         """V.A.+SWE_MDS and V.A.-SWE_MDS: in mm or degrees."""

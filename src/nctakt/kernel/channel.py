@@ -203,6 +203,7 @@ class Channel(CommandRing):
             if self.context.spindles.is_busy(int(self.queue[base + 3])):
                 return 0
             self.timed_count -= 1
+            return 1
         if 30 <= kind <= 32:
             self.take_mark(tick, base, kind)
             return 1

@@ -182,5 +182,4 @@ class CommandRing:
 
     def passes(self, kind: int) -> int:
         """Whether the path passes a command of this kind between two blocks without a stop."""
-        return 1 if kind in (1, 3, 4, 5, 7, 8, 20, 21, 23, 50, 60) else 0
-        return 1 if kind in (1, 3, 4, 5, 7, 8, 20, 21, 30, 31, 32, 50, 60) else 0
+        return 1 if kind in (1, 3, 4, 5, 7, 8, 20, 21, 23, 30, 31, 32, 50, 60) else 0

@@ -227,9 +227,6 @@ class CycleChecker:
         for word in words:
             if isinstance(word, Word) and word.name in ("M", "H"):
                 self._function(word)
-            elif isinstance(word, StringWord):
-                self._findings.answer(support.form('"NAME"'), word.span)
-                self._function(word, told)
             elif isinstance(word, BracketCommand) and word.name not in RETURN_COMMANDS:
                 if not self._words.bracket(word):
                     self._words.unknown(word)

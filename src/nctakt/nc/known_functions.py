@@ -276,8 +276,5 @@ WORDS = known(
     ("R", "S", "radius of an arc", "Radius eines Kreises"),
     ("S", "S", "speed of the main spindle", "Drehzahl der Hauptspindel"),
     ("S.POS", "S", "position of the main spindle", "Position der Hauptspindel"),
-    ("T", "R", "tool", "Werkzeug"),
-    ("S", "R", "speed of the main spindle", "Drehzahl der Hauptspindel"),
-    ("S.POS", "R", "position of the main spindle", "Position der Hauptspindel"),
     ("T", "A", "tool; it has no lengths here", "Werkzeug; hat hier keine Längen"),
 )

@@ -55,6 +55,7 @@ def test_the_feed_goes_along_the_arc() -> None:
         ("G17 G161 G03 I10 J0", (10, -10, 0)),
         ("G17 G03 X0 Y0 I10", (10, -10, 0)),
         ("G70 G17 G03 I[10/25.4]", (10, -10, 0)),
+        ("G17 G03 X[0.1+0.2-0.3] Y0 I10", (10, -10, 0)),
     ],
 )
 def test_full_circles_in_the_three_planes(words: str, middle: tuple[float, ...]) -> None:
@@ -62,7 +63,7 @@ def test_full_circles_in_the_three_planes(words: str, middle: tuple[float, ...])
     run = moved(f"{words} F3000")
     away = min(math.dist(place(run, tick), middle) for tick in range(run.ticks))
     assert away < 0.15
-    assert place(run, run.ticks - 2) == (0.0, 0.0, 0.0)
+    assert place(run, run.ticks - 2) == pytest.approx((0.0, 0.0, 0.0), abs=1e-15)
 
 
 def test_a_radius_has_a_shorter_and_a_longer_arc() -> None:
@@ -95,6 +96,7 @@ def test_a_helix_rises_with_its_angle() -> None:
         ("G02 X10 R4.9", 900701),
         ("G02 X0 R5", 900700 + 1),
         ("G02 X10 I4.9", 900702),
+        ("G02 X0.005 I5", 900702),
         ("G02 X10 K5", 900704),
         ("G00 X9999 Y0\nG03 Y5 J2.5", 900705),
     ],
@@ -113,6 +115,22 @@ def test_a_target_nearly_on_the_circle_moves_the_centre() -> None:
     run = moved("G02 X10 Y0 I5.004 F3000")
     radii = [math.dist(place(run, tick), (5.0, 0.0, 0.0)) for tick in range(run.ticks - 1)]
     assert max(radii) - min(radii) < 1e-9
+
+
+def test_a_management_command_between_blocks_does_not_stop_the_path() -> None:
+    """MO-1, RC-004: 11.25 mm at 100 mm/s end with tick 124 exactly, with no time left over.
+
+    HOLD waits there for a tick, since the cycle has just been started: the path goes on.
+    """
+    run = moved(
+        "G01 X11.25 F6000\n#RT CYCLE [ID=1]\nVs.E.COUNT += 1\n#RT CYCLE END\n"
+        "#RT CYCLE HOLD [ID=1]\nG01 X20"
+    )
+    assert run.trace is not None
+    assert [run.trace.at(tick, "PATH.SPEED") for tick in range(120, 130)] == [100.0] * 10
+    assert place(run, 124)[0] == pytest.approx(11.25)
+    assert place(run, 125)[0] == pytest.approx(11.35)
+    assert run.trace.at(124, "BLOCK") == run.trace.at(123, "BLOCK")
 
 
 def test_a_tight_arc_is_driven_slowly() -> None:

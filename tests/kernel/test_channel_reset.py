@@ -77,6 +77,18 @@ def test_the_next_program_begins_where_the_axes_stand(ticks: int) -> None:
     assert controller.read("V.RTA.ACS.ACT_POS.X") == 7
 
 
+def test_a_fault_in_the_tick_of_an_answer_leaves_none_to_the_next_program() -> None:
+    """RC-005, RC-505: the flush of a program that has just failed is not answered."""
+    text = "G04 X0.01\n#RT CYCLE [ID=1]\nV.E.VALUE = 1 / [V.E.COUNT - 1]\n#RT CYCLE END\n"
+    controller = Controller(DEMO)
+    controller.write("V.E.COUNT", 1)
+    assert controller.run(NcText("p.nc", text + "#FLUSH WAIT\nP1 = V.E.COUNT\nM30")).errors
+    controller.reset()
+    run = controller.run(NcText("q.nc", "G00 X7\nM30"))
+    assert run.state == "ended"
+    assert controller.read("V.RTA.ACS.ACT_POS.X") == 7
+
+
 def test_a_reset_of_a_dwell_and_of_a_wait_for_the_plc() -> None:
     """What waits, waits no longer."""
     for text in ("G04 X10\nM30", "M111\nG00 X1\nM30"):

@@ -20,6 +20,12 @@ PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 TOLERANCE_MM = 0.01
 TOLERANCE_SHARE = 0.001
 
+#: Ends of a circle not farther apart than this are one place: sums of G91 are rounded.
+SAME_PLACE_MM = 1e-9
+
+#: How far the centre may be moved, as a share of the radius.
+MOST_SHIFT_SHARE = 0.1
+
 
 @dataclass(frozen=True, slots=True)
 class Arc:
@@ -56,7 +62,9 @@ def arc_about(
     """The arc about a centre; start and target in one place are a full circle.
 
     Where target and start differ in their distance from the centre within the tolerance, the
-    centre is moved to the nearest place that is equally far from both.
+    centre is moved to the nearest place that is equally far from both. Ends that only the rounding
+    of sums keeps apart are a full circle; where the centre would have to go farther than a share of
+    the radius, because the ends are close to each other, no arc fits.
     """
     first, second = PLANES[plane]
     x, y = start[first] - centre[0], start[second] - centre[1]
@@ -68,10 +76,13 @@ def arc_about(
     if off > max(TOLERANCE_MM, TOLERANCE_SHARE * radius):
         raise ArcError(900702, off=off, radius=radius)
     chord = _length(u - x, v - y)
-    if chord > 0.0:
-        # The centre goes along the chord to the middle between both.
-        along = ((x + u) * (u - x) + (y + v) * (v - y)) / (2.0 * chord * chord)
-        centre = (centre[0] + along * (u - x), centre[1] + along * (v - y))
+    if chord <= SAME_PLACE_MM:
+        return Arc(first, second, *centre, -360.0 if clockwise else 360.0)
+    # The centre goes along the chord to the middle between both.
+    along = ((x + u) * (u - x) + (y + v) * (v - y)) / (2.0 * chord * chord)
+    if abs(along) * chord > MOST_SHIFT_SHARE * radius:
+        raise ArcError(900702, off=off, radius=radius)
+    centre = (centre[0] + along * (u - x), centre[1] + along * (v - y))
     return Arc(first, second, *centre, _angle(start, target, (first, second), centre, clockwise))
 
 

@@ -411,7 +411,8 @@ class Channel(CommandRing):
                     return
                 self.begun = position
                 self.path.begin(base, self.queue, self.path.left_t)
-                self.publish_block()
+                if self.path.left_t > 0.0:
+                    self.publish_block()
                 if not self.path.step_carried(factor, stops):
                     return
             elif not self.passes(kind):
@@ -422,7 +423,7 @@ class Channel(CommandRing):
         """Answer what waits for the path to stand; end a reset; publish (RC-005, RC-007)."""
         state = 3 if self.is_resetting else 2 if self.is_stopped else 0
         if self.path.stands():
-            if self.waiting in (9, 10):
+            if self.waiting in (9, 10) and not self.is_stopped:
                 self.answer_waiting()
             if self.is_resetting and self.axes_stand():
                 self.end_reset()
@@ -485,6 +486,7 @@ class Channel(CommandRing):
         self.error_pending = False
         self.error_message = 0
         self.waiting = 0
+        self.answer_ready = False
         self.panel.is_paused = False
 
     def clear_error(self) -> None:

@@ -278,7 +278,11 @@ class Path:
         return self.finish()
 
     def finish(self) -> int:
-        """Put the axes exactly to the segment's end: 1 when time is left to go on in this tick."""
+        """Put the axes exactly to the segment's end: 1 when the path goes on in this tick.
+
+        A path that still moves goes on even where no time is left: what stands between the blocks
+        may have to wait, and must not stop the path in a step (MO-1).
+        """
         self.is_active = False
         end = self.base + 12 + self.count
         if self.ring[end + self.count + 4] > 0.0:
@@ -288,7 +292,9 @@ class Path:
             self.axes.command[self.members[i]] = self.ring[end + i]
         self.axes.has_moved = True
         self.release()
-        return 1 if self.ring[self.base + 8] == 0.0 and self.left_t > 0.0 else 0
+        if self.ring[self.base + 8] != 0.0:
+            return 0
+        return 1 if self.left_t > 0.0 or self.speed_v > 0.0 else 0
 
     def move_axes(self) -> None:
         """Put the axes where they are after the way that is covered."""

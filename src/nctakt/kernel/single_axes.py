@@ -160,7 +160,7 @@ class SingleAxes(AxisMotions):
         self.give_up(axis)
         if self.fault[axis]:
             self.fault[axis] = 0
-            self.axes.show_state(axis, 1)
+            self.axes.show_state(axis, 4 if self.kind[axis] else 1)
 
     # --- what can be asked ----------------------------------------------------------------------
 

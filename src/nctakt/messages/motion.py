@@ -44,8 +44,10 @@ _add(
     "start on.",
     remedy_de="Ziel oder Mittelpunkt berichtigen; G161 hat absolute Mittelpunkte, G162 solche vom "
     "Start aus.",
-    cause_en="0.01 mm or a thousandth of the radius are tolerated.",
-    cause_de="0,01 mm oder ein Tausendstel des Radius werden hingenommen.",
+    cause_en="0.01 mm or a thousandth of the radius are tolerated, less where both ends are close "
+    "to each other.",
+    cause_de="0,01 mm oder ein Tausendstel des Radius werden hingenommen, weniger, wo beide Enden "
+    "nah beieinander liegen.",
     parameters={"off": "the difference of the two radii in mm", "radius": "the radius in mm"},
     reaction=2,
     clearing=3,

@@ -396,10 +396,7 @@ class Channel(CommandRing):
         self.cells[self.first_cell + 7] = number
 
     def go_on(self, factor: float, stops: int) -> None:
-        """The path passes block ends without a stop: carry the time that is left.
-
-        The commands between the blocks are taken in the next tick (RC-003).
-        """
+        """The path passes block ends: what stands between is taken in the next tick (RC-003)."""
         position = max(self.head, self.begun + 1)
         if self.path.is_single and self.path.speed_v == 0.0:
             return

@@ -7,7 +7,6 @@ knows the names behind the numbers of events.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -15,7 +14,8 @@ from nctakt.access import VariableAccess
 from nctakt.decoder.commands import UserMessage
 from nctakt.decoder.cycles import CycleDefinition
 from nctakt.decoder.offsets import ActiveOffsets
-from nctakt.decoder.preparation import look_ahead
+from nctakt.decoder.preparation import look_ahead, single_axes
+from nctakt.decoder.requests import living_cycles
 from nctakt.decoder.spindles import names_of
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.decoder.system import system_data
@@ -29,9 +29,7 @@ from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.panel import Panel
 from nctakt.kernel.path import Path as KernelPath
 from nctakt.kernel.record import Record
-from nctakt.kernel.single_axes import SingleAxes
 from nctakt.kernel.timers import Timers
-from nctakt.lists.axis_configuration import AxisConfiguration
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.lists.machine import ChannelConfiguration, MachineConfiguration
 from nctakt.lists.variables import SCALARS
@@ -45,6 +43,9 @@ from nctakt.text import nearest
 
 #: What an elementary instruction is taken to cost in virtual time, in ns (RC-503).
 INSTRUCTION_COST_NS = 10
+
+#: Owners of independent motions that a channel has room for: one for each slot of a cycle.
+CYCLE_OWNERS = 1024
 
 #: V.RTG.CYCLES.DIAG_LEVEL at start-up (RC-603).
 DEFAULT_DIAGNOSIS_LEVEL = 3.0
@@ -269,6 +270,10 @@ class Machine:
     def __init__(self, configuration: MachineConfiguration) -> None:
         self.configuration = configuration
         linear = frozenset(i for i, axis in enumerate(configuration.axes) if axis.is_linear)
+        modulo = frozenset(i for i, axis in enumerate(configuration.axes) if axis.is_modulo)
+        single = frozenset(
+            i for i, axis in enumerate(configuration.axes) if axis.enable_single_axis
+        )
         layout = Layout(
             [
                 ChannelNames(
@@ -277,6 +282,8 @@ class Machine:
                     channel.external_variables,
                     channel.channel_variables,
                     names_of(channel.parameters.spindles),
+                    modulo,
+                    single,
                 )
                 for channel in configuration.channels
             ],
@@ -287,7 +294,7 @@ class Machine:
         self.cells = memoryview(self.memory).cast("d")
         self.record = Record(self.memory)
         self.axes = Axes(self.memory, layout.axis_cell(0), len(configuration.axes))
-        self.single_axes = self._single_axes()
+        self.single_axes = single_axes(configuration, self.axes, self.record)
         self.channels = [
             self._channel(index, layout) for index in range(len(configuration.channels))
         ]
@@ -326,45 +333,6 @@ class Machine:
                 names[axis.index] = axis.name
         return names
 
-    def _single_axes(self) -> SingleAxes:
-        """What moves the axes on their own, with the limits of their lists."""
-        made = SingleAxes(self.axes, self.record, self.configuration.cycle_time_us)
-        jerky = {
-            axis.index
-            for channel in self.configuration.channels
-            if channel.parameters.program_start.slope_profile != 0
-            for axis in channel.axes
-        }
-        for index, axis in enumerate(self.configuration.axes):
-            self.axes.set_override(index, axis.override_mode, axis.max_override_pct)
-            if axis.is_modulo:
-                self.axes.set_modulo(index, axis.dynamics.modulo_low, axis.modulo_range)
-            if not axis.follows_exactly:
-                self._let_lag(index, axis)
-            slope = axis.dynamics.jerk_slope
-            has_jerk = index in jerky and slope.jerk > 0.0
-            if axis.enable_single_axis:
-                made.configure(
-                    index,
-                    low=axis.software_limit_low,
-                    high=axis.software_limit_high,
-                    speed=axis.max_speed,
-                    acceleration=(
-                        min(slope.least_acceleration, axis.dynamics.max_acceleration)
-                        if has_jerk
-                        else axis.max_acceleration
-                    ),
-                    jerk=slope.jerk if has_jerk else 0.0,
-                )
-        return made
-
-    def _let_lag(self, index: int, axis: AxisConfiguration) -> None:
-        """The lag of an axis in each tick (MO-10); a share of 1 leaves none."""
-        reach = axis.kv * self.configuration.cycle_time_us / 1e6
-        kept = math.exp(-reach)
-        share = axis.feed_forward_share
-        self.axes.set_lag(index, kept, (1.0 - share) * (1.0 - kept) / reach)
-
     def _channel(self, index: int, layout: Layout) -> Channel:
         configuration = self.configuration.channels[index]
         parameters = configuration.parameters
@@ -377,7 +345,7 @@ class Machine:
             first,
             self.record,
             Hli(Panel(self.memory, layout.panel_cell(index))),
-            CycleManager(self.record),
+            CycleManager(self.record, self.single_axes, CYCLE_OWNERS * index + 1),
             KernelPath(self.axes, members, self.configuration.cycle_time_us),
             Timers(self.memory, timers.cell, self.configuration.cycle_time_us),
             parameters.max_override_pct,
@@ -455,7 +423,14 @@ class Machine:
             skip_levels,
             tells_blocks,
             self.system[channel],
+            living_cycles(self.channels[channel].manager, self.registry.definition),
+            lambda: self._moving_axes(channel),
         )
+
+    def _moving_axes(self, channel: int) -> tuple[str, ...]:
+        """The channel's axes that move beside its path, now or when they may go on."""
+        axes = self.configuration.channels[channel].axes
+        return tuple(axis.name for axis in axes if self.single_axes.moves(axis.index))
 
     # --- variables by name ----------------------------------------------------------------------
 

@@ -145,7 +145,7 @@ class Feed:
     def _load(self, command: commands.LoadCycle) -> bool:
         """Fill a slot; where none is free the decoder waits until cycles have ended."""
         slot = self._channel.manager.load(
-            command.cycle, command.identity, command.scope, command.source
+            command.cycle, command.identity, command.scope, command.source, command.moves_on
         )
         if slot < 0 and self._channel.can_free_slots():
             self._pending = command
@@ -173,9 +173,9 @@ class Feed:
                 command.limits_jerk,
                 command.arc,
             )
-            self._decoder.took_time()
+            self._decoder.took_time(command)
             return
         row = commands.pack(command, place)
         self._channel.put(row)
         if row[0] in TIMED_KINDS:
-            self._decoder.took_time()
+            self._decoder.took_time(command)

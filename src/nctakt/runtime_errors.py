@@ -10,6 +10,7 @@ from nctakt.diagnostics import Diagnostic
 from nctakt.kernel.expressions import OPERATIONS
 from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
+from nctakt.nc.axis_commands import REFUSALS
 from nctakt.trace.events import Event, number_text
 
 
@@ -54,6 +55,15 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
             values = {"needed": int(channel.error_detail), "free": free}
         case 50877:
             values = {"count": channel.manager.capacity}
+        case 50967:
+            reason = REFUSALS[int(b)]
+            values = {
+                "axis": machine.registry.axis(int(a)),
+                "reason_en": reason.en,
+                "reason_de": reason.de,
+            }
+        case 900446 | 900447:
+            values = {"axis": machine.registry.axis(int(channel.error_detail))}
         case 900421:
             values = {"timer": int(a)}
         case 900346:

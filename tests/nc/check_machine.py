@@ -39,12 +39,22 @@ def passes(lines: Sequence[str]) -> bool:
 
 @cache
 def demo_channel() -> Channel:
-    """The demo machine's channel, with functions of axes that its list does not have."""
+    """The demo machine's channel with functions of axes; Y may not be moved on its own."""
     machine = _machine()
     channel = machine.channels[0]
     axes = tuple((axis.name, axis.index) for axis in channel.axes)
     linear = frozenset(number for _, number in axes if machine.axes[number].is_linear)
-    names = ChannelNames(axes, linear, channel.external_variables, channel.channel_variables)
+    modulo = frozenset(number for _, number in axes if machine.axes[number].is_modulo)
+    single = frozenset(number for name, number in axes if name != "Y")
+    names = ChannelNames(
+        axes,
+        linear,
+        channel.external_variables,
+        channel.channel_variables,
+        tuple(spindle.name for spindle in channel.parameters.spindles),
+        modulo,
+        single,
+    )
     of_axis = TechnologyFunction(200, "MOS", (), 0.0, "X")
     parameters = replace(
         channel.parameters,

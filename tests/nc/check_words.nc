@@ -67,7 +67,7 @@ M19
 M0 ; error 900200 "M00"
 T1 D2 ; note 900201 "T (tool"; error 900200 "D2"
 E100 ; error 900200 "E100"
-X[INDP G90 POS=10] ; error 900200 "X[INDP] (independent motion of an axis)"
+X[INDP G90 POS=10] ; error 900260 "X[INDP …]"
 Z[DIST_CTRL OFF] ; error 900200 "Z[…]"
 M110=130 ; error 900200 "M110=130"
 M@P6 ; error 900200 "M@P6"

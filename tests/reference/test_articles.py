@@ -10,7 +10,7 @@ import pytest
 from nctakt.diagnostics import Text
 from nctakt.messages import CATALOGUE
 from nctakt.messages.meanings import is_translated
-from nctakt.nc import check_cycle, hashes, syntax
+from nctakt.nc import axis_commands, check_cycle, hashes, syntax
 from nctakt.nc.keywords import KEYWORDS
 from nctakt.nc.names import AXIS_VARIABLES, CHANNEL_VARIABLES
 from nctakt.reference.article import Article, Topic
@@ -59,6 +59,9 @@ def test_keywords_are_those_that_the_checker_knows() -> None:
         *hashes.CYCLE_ACTIONS,
         *get_args(syntax.Frequency),
         *("ID", "SCOPE", "END_ACTION", "DEF"),
+        *(word for word in axis_commands.KEYWORDS if word[0] != "G"),
+        *axis_commands.OFFSETS,
+        *axis_commands.DIRECTIONS,
     }
     assert accepted <= KEYWORDS.keys()
     assert sorted(set(KEYWORDS) - accepted) == ["Vs."]

@@ -76,6 +76,14 @@ def test_the_manuals_example_in_english() -> None:
         ("fired", "1 line 5", "ACTION", "Cycle 1: the branch in line 5 runs"),
         ("written", "V.E.VALUE 16.57", "ACTION", "Cycle 1: V.E.VALUE = 16.57"),
         ("m", "100 2 426098", "ACTION", "Cycle 1: M100 was put out, number 2 of the tick"),
+        ("axis", "Z begun 900", "ACTION", "Cycle 1: axis Z moves to 900"),
+        ("axis", "A begun negative", "ACTION", "Cycle 1: axis A moves endlessly in negative"),
+        ("axis", "Z done", "ACTION", "Cycle 1: the motion of axis Z is done"),
+        ("axis", "Z aborted", "ACTION", "Cycle 1: the motion of axis Z was given up"),
+        ("axis", "Z failed", "ACTION", "Cycle 1: the motion of axis Z has failed"),
+        ("axis", "Z held", "ACTION", "Cycle 1: the motion of axis Z is put on hold"),
+        ("axis", "Z continued", "ACTION", "Cycle 1: the motion of axis Z goes on"),
+        ("axis", "Z stopped", "ACTION", "Cycle 1: the motion of axis Z has come to a stand"),
         ("h", "33 1 426098", "ACTION", "Cycle 1: H33 was put out, number 1 of the tick"),
     ],
 )
@@ -103,6 +111,18 @@ def test_the_level_filters_when_the_line_is_made(limit: int) -> None:
     levels = [line.level for line in report.lines]
     every = [3, 3, 1, 2, 3, 4]
     assert levels == [level for level in every if level <= limit]
+
+
+def test_motions_in_german() -> None:
+    """RC-601: the same lines in the other language."""
+    report = DiagnosisReport()
+    for text in ("Z begun 900", "A begun positive", "Z stopped"):
+        report.add(event("axis", text), 4)
+    assert [line.split(None, 2)[2] for line in body(report, "de")] == [
+        "Zyklus 1: Achse Z faehrt auf 900",
+        "Zyklus 1: Achse A faehrt endlos in positiver Richtung",
+        "Zyklus 1: die Bewegung der Achse Z ist zum Stehen gekommen",
+    ]
 
 
 def test_what_is_not_the_cycles_makes_no_line() -> None:

@@ -3,10 +3,7 @@
 
 from __future__ import annotations
 
-import os
 import random
-import subprocess
-import sys
 
 from hypothesis import example, given
 from hypothesis import strategies as st
@@ -30,16 +27,3 @@ def test_more_than_one_block() -> None:
     chance, python = Chance(3), random.Random(3)
     for _ in range(10_000):
         assert chance.randint(0, 999_999) == python.randint(0, 999_999)
-
-
-def test_plain_form() -> None:
-    """NCTAKT_PLAIN=1 chooses the files of the simulation, too, whatever is compiled."""
-    paths = os.pathsep.join(one for one in sys.path if one)
-    done = subprocess.run(
-        [sys.executable, "-c", "import nctakt.schedule.simulate as s; print(s.__file__)"],
-        env=os.environ | {"NCTAKT_PLAIN": "1", "PYTHONPATH": paths},
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    assert done.stdout.strip().endswith("simulate.py")

@@ -51,13 +51,15 @@ class Dwell(Command):
 class LoadCycle(Command):
     """A realtime cycle, defined and, unless ``definition_only``, started when it is taken.
 
-    ``identity`` is 0 without an ID; ``scope`` as in ``kernel/cycles.py``.
+    ``identity`` is 0 without an ID; ``scope`` as in ``kernel/cycles.py``. ``moves_on``: its motions
+    go on when it ends (MOVE_CONT).
     """
 
     cycle: RealtimeCycle
     identity: int
     scope: int
     definition_only: bool
+    moves_on: bool = False
 
 
 #: Actions of ``CycleControl`` by the words of the language.
@@ -212,7 +214,12 @@ class ReadRealtime(Command):
 
 @dataclass(frozen=True, slots=True)
 class PositionRequest(Command):
-    """The decoder waits for the path's positions when it stands (RC-409)."""
+    """The decoder waits for the path's positions when it stands, and ``axes`` too (RC-409).
+
+    ``axes``: numbers in the machine.
+    """
+
+    axes: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -299,7 +306,7 @@ def pack(command: Command, place: int = 0) -> list[float]:
         case ReadRealtime():
             return [ring.READ, *head, command.cell, 0, True]
         case PositionRequest():
-            return [ring.FLUSH, *head, 0, 0, True]
+            return [ring.POSITIONS, *head, 0, 0, True, len(command.axes), *command.axes]
         case BlockMark():
             return [ring.BLOCK_MARK, *head, place]
         case WaitMark():
@@ -335,6 +342,11 @@ def wait_mark(command: Command) -> WaitMark | None:
         case Flush():
             return WaitMark(command.source, command.number, command.reason, command.cell)
     return None
+
+
+def is_block(command: Command) -> bool:
+    """Whether it is a motion or dwell, which BLOCK cycles run with."""
+    return isinstance(command, Segment | Dwell)
 
 
 def waits(command: Command) -> bool:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from nctakt.decoder.actions import ActionBuilder
 from nctakt.decoder.expressions import Built, ExpressionBuilder, constant, load
 from nctakt.decoder.memory import memory_bytes
 from nctakt.decoder.spindles import cycle_statement, names_of
@@ -64,7 +65,10 @@ class BuiltReaction:
 
 @dataclass(slots=True)
 class CycleDefinition:
-    """What is known of a built cycle: for results, listings and diagnosis."""
+    """What is known of a built cycle: for results, listings and diagnosis.
+
+    ``axes``: those that its single-axis commands name.
+    """
 
     serial: int
     identity: int
@@ -74,6 +78,7 @@ class CycleDefinition:
     statement: syntax.RealtimeCycle
     reactions: list[BuiltReaction] = field(default_factory=list)
     frozen: tuple[Frozen, ...] = ()
+    axes: tuple[str, ...] = ()
 
 
 #: Probe rows that a condition can record in a tick: a change, and the begins of two series.
@@ -91,6 +96,7 @@ class CycleBuilder:
         self._place = values.surroundings.place
         self._names = values.surroundings.names
         self._builder = ExpressionBuilder(self._leaf)
+        self._actions = ActionBuilder(values, self._builder)
         self._conditions = 0
         self._statements = 0
         self._first_probe = first_probe
@@ -117,6 +123,7 @@ class CycleBuilder:
             statement,
             sorted(self._reactions, key=lambda one: one.span),
             self._distinct_frozen(),
+            tuple(self._actions.axes),
         )
 
     def _distinct_frozen(self) -> tuple[Frozen, ...]:
@@ -152,7 +159,7 @@ class CycleBuilder:
         raise AssertionError(statement)
 
     def _technology(self, block: syntax.Block) -> list[Statement]:
-        """The M and H functions of a block, in their order (RC-403)."""
+        """The M and H functions and single-axis commands of a block, in their order (RC-403)."""
         surroundings = self._values.surroundings
         built: list[Statement] = []
         commands, words = split(block.words, names_of(surroundings.parameters.spindles))
@@ -161,6 +168,9 @@ class CycleBuilder:
             built.append(cycle_statement(self._values, self._builder, command, cost))
         self._statements += len(commands)
         for word in words:
+            if isinstance(word, syntax.BracketCommand):
+                built.append(self._actions.build(word))
+                continue
             assert isinstance(word, syntax.Word)
             assert isinstance(word.value, syntax.Number)
             number = int(word.value.value)

@@ -19,11 +19,11 @@ CYCLE_BYTES = 64
 ACTION_PLACE_BYTES = 16
 #: Each statement, and each branch of an ``$IF`` with its state.
 STATEMENT_BYTES = 24
-#: Each operator, function, variable and constant.
+#: Each operator, function, variable, constant, and word that is an action.
 NODE_BYTES = 8
 
 _STATEMENTS = (syntax.Statement, syntax.ElseIf)
-_NODES = (syntax.Expression, syntax.Word)
+_NODES = (syntax.Expression, syntax.Word, syntax.BracketCommand)
 
 
 def memory_bytes(cycle: syntax.RealtimeCycle, action_places: int) -> int:

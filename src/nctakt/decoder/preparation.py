@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: MIT
-"""The limits of the machine's axes -> contour preparation (MO-1, MO-4).
+"""The limits of the machine's axes -> contour preparation, independent motion (MO-1, MO-4, MO-11).
 
 The preparation itself runs compiled, in the queue (``kernel/lookahead.py``).
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
+from nctakt.kernel.axis import Axes
 from nctakt.kernel.lookahead import LookAhead
+from nctakt.kernel.record import Record
+from nctakt.kernel.single_axes import SingleAxes
 from nctakt.lists.axis_configuration import AxisConfiguration
+from nctakt.lists.machine import MachineConfiguration
 
 
 def look_ahead(
@@ -34,3 +39,44 @@ def look_ahead(
         jerks = (rapid * 1e6 / rapid_us, feed * 1e6 / slowest_us)
         ahead.limit_slope(index, (rapid, feed), jerks)
     return ahead
+
+
+def single_axes(configuration: MachineConfiguration, axes: Axes, record: Record) -> SingleAxes:
+    """What moves the axes on their own, with the limits of their lists."""
+    made = SingleAxes(axes, record, configuration.cycle_time_us)
+    jerky = {
+        axis.index
+        for channel in configuration.channels
+        if channel.parameters.program_start.slope_profile != 0
+        for axis in channel.axes
+    }
+    for index, axis in enumerate(configuration.axes):
+        axes.set_override(index, axis.override_mode, axis.max_override_pct)
+        if axis.is_modulo:
+            axes.set_modulo(index, axis.dynamics.modulo_low, axis.modulo_range)
+        if not axis.follows_exactly:
+            _let_lag(axes, index, axis, configuration.cycle_time_us)
+        slope = axis.dynamics.jerk_slope
+        has_jerk = index in jerky and slope.jerk > 0.0
+        if axis.enable_single_axis:
+            made.configure(
+                index,
+                low=axis.software_limit_low,
+                high=axis.software_limit_high,
+                speed=axis.max_speed,
+                acceleration=(
+                    min(slope.least_acceleration, axis.dynamics.max_acceleration)
+                    if has_jerk
+                    else axis.max_acceleration
+                ),
+                jerk=slope.jerk if has_jerk else 0.0,
+            )
+    return made
+
+
+def _let_lag(axes: Axes, index: int, axis: AxisConfiguration, cycle_time_us: int) -> None:
+    """The lag of an axis in each tick (MO-10); a share of 1 leaves none."""
+    reach = axis.kv * cycle_time_us / 1e6
+    kept = math.exp(-reach)
+    share = axis.feed_forward_share
+    axes.set_lag(index, kept, (1.0 - share) * (1.0 - kept) / reach)

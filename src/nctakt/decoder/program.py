@@ -22,6 +22,7 @@ from nctakt.decoder.commands import (
     PositionRequest,
     ProgramEnd,
     UserMessage,
+    is_block,
 )
 from nctakt.decoder.cycles import SCOPES, CycleBuilder, CycleDefinition
 from nctakt.decoder.flow import Decoded, Flow, Jump, Return, Signal
@@ -29,6 +30,7 @@ from nctakt.decoder.hashes import Hashes
 from nctakt.decoder.levels import MOST_LEVELS, MOST_NESTED, Level
 from nctakt.decoder.macros import Macros
 from nctakt.decoder.offsets import ALL, left_over
+from nctakt.decoder.requests import MovedAxes
 from nctakt.decoder.state import ModalState
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.decoder.texts import FormatError, format_text
@@ -68,7 +70,8 @@ class ProgramDecoder:
         self._surroundings = surroundings
         self._state = state
         self._values = Values(surroundings, state)
-        self._words = Words(self._values)
+        self._moved = MovedAxes(surroundings.living_cycles, surroundings.moving_axes())
+        self._words = Words(self._values, self._moved)
         self._calls = Calls(self._values)
         self._macros = Macros(surroundings, self._values.fail)
         self._hashes = Hashes(self._values)
@@ -99,9 +102,10 @@ class ProgramDecoder:
             yield from self._call(end, program.main.span)
         yield ProgramEnd(0, 0)
 
-    def took_time(self) -> None:
+    def took_time(self, command: Command) -> None:
         """The one who takes the commands has seen one that takes time."""
         self._blocks = 0
+        self._moved.took_time(self._words.moved_by(command), is_block=is_block(command))
 
     # --- programs -------------------------------------------------------------------------------
 
@@ -286,9 +290,11 @@ class ProgramDecoder:
         builder = CycleBuilder(self._values, first_probe)
         built = builder.build(statement, serial, identity or 0, _SCOPE_NAMES[scope])
         self._keep_cycle(built)
-        yield LoadCycle(
-            source, number, built.cycle, built.identity, scope, statement.definition_only
-        )
+        starts = not statement.definition_only
+        self._moved.defined(built.identity, built.axes, is_block=scope == BLOCK, starts=starts)
+        end_action = _keyword(statement.keywords, "END_ACTION")
+        moves_on = end_action is not None and _word(end_action) == "MOVE_CONT"
+        yield LoadCycle(source, number, built.cycle, built.identity, scope, not starts, moves_on)
         for one in built.frozen:
             place = self._surroundings.place(one.span)
             yield Freeze(place, number, serial, one.name, one.value)
@@ -301,10 +307,13 @@ class ProgramDecoder:
         if identity < 1:
             self._values.fail(50875, statement.span, id=identity)
         yield CycleControl(source, number, CONTROL_ACTIONS[statement.action], identity)
+        if statement.action == "START":
+            self._moved.started(identity)
         if statement.action == "DELETE":
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._state.positions = list(answer)
+            self._moved.deleted(identity, self._surroundings.moving_axes())
 
     def _identity(
         self, statement: syntax.RealtimeCycle | syntax.CycleControl, number: int

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from nctakt.decoder.offsets import ActiveOffsets
+from nctakt.decoder.requests import LivingCycle
 from nctakt.decoder.system import SystemData
 from nctakt.diagnostics import Diagnostic, Span
 from nctakt.lists.axis_configuration import AxisConfiguration
@@ -28,7 +29,8 @@ class Surroundings:
     ``notice``: takes a finding that does not stop the program. ``subprogram``: the text of the
     file of this name, called at this place of that file; raises ``DecodeError``. Blocks of
     ``skip_levels`` are left out. ``tells_blocks``: each block is marked. ``system``: data of the
-    controller (V.G, V.A).
+    controller (V.G, V.A). ``living_cycles``: what earlier programs have left. ``moving_axes``:
+    names of the axes that move beside the path at this moment.
     """
 
     names: NameTable
@@ -48,6 +50,8 @@ class Surroundings:
     skip_levels: frozenset[int]
     tells_blocks: bool
     system: SystemData
+    living_cycles: tuple[LivingCycle, ...]
+    moving_axes: Callable[[], tuple[str, ...]]
 
 
 class DecodeError(Exception):

@@ -7,12 +7,22 @@ motion, the motion, functions that come after it, the program's end.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator
+from collections.abc import Generator, Iterator, Sequence
 from dataclasses import dataclass, field
 
-from nctakt.decoder.commands import Answer, AwaitAcknowledge, Command, Dwell, TechnologyOutput
+from nctakt.decoder.arcs import PLANES
+from nctakt.decoder.commands import (
+    Answer,
+    AwaitAcknowledge,
+    Command,
+    Dwell,
+    PositionRequest,
+    Segment,
+    TechnologyOutput,
+)
 from nctakt.decoder.motion import CENTRE_WORDS, CONTOURING, EXACT_STOP, PathMotion, PathWords
 from nctakt.decoder.offsets import ALL, ZERO_GROUPS
+from nctakt.decoder.requests import MovedAxes
 from nctakt.decoder.spindles import SpindleWords, names_of
 from nctakt.decoder.technology import Issued, TechnologyOutputs, process_ticks
 from nctakt.decoder.values import Values
@@ -50,7 +60,8 @@ class _Content:
 class Words:
     """Decodes the blocks of one program."""
 
-    def __init__(self, values: Values) -> None:
+    def __init__(self, values: Values, moved: MovedAxes) -> None:
+        self._moved = moved
         self._values = values
         self._surroundings = values.surroundings
         self._state = values.state
@@ -74,6 +85,7 @@ class Words:
                 continue
             programmed = yield from self._values.evaluate(word.value, number)
             value = self._in_axis_unit(axis, programmed)
+            yield from self._request([word.name], source, number)
             position = self._state.positions[axis]
             yield from offsets.preset(axis, position, value, source, number)
 
@@ -210,6 +222,8 @@ class Words:
         """The path to the programmed position; a centre without a target is a full circle."""
         if not content.axes and not (content.path.centre and self._state.motion > 1):
             return
+        place = self._surroundings.place(span)
+        yield from self._request(self._programmed(content), place, number)
         start = self._state.positions
         target = list(start)
         for word, value in content.axes:
@@ -221,6 +235,42 @@ class Words:
         if segment.feed > 0.0:
             yield from self.technology.before_feed()
         yield segment
+
+    def _programmed(self, content: _Content) -> list[str]:
+        """Names of the axes that the block programs; an arc moves both axes of its plane."""
+        names = [word.name for word, _ in content.axes]
+        if self._state.motion > 1:
+            plane = PLANES[self._state.path.plane]
+            for name, place in self._surroundings.axis_numbers.items():
+                if place in plane and name not in names:
+                    names.append(name)
+        return names
+
+    def _request(self, axes: Sequence[str], source: int, number: int) -> Generator[Command, Answer]:
+        """Ask for the positions of those of these axes that cycles may have moved (RC-409)."""
+        doubtful = self._moved.doubtful(axes)
+        if not doubtful:
+            return
+        places = [self._surroundings.axis_numbers[name] for name in doubtful]
+        numbers = (self._surroundings.names.axis(name) for name in doubtful)
+        answer = yield PositionRequest(
+            source, number, tuple(axis.number for axis in numbers if axis is not None)
+        )
+        assert isinstance(answer, tuple)
+        for place in places:
+            self._state.positions[place] = answer[place]
+        self._moved.told(doubtful)
+
+    def moved_by(self, command: Command) -> list[str]:
+        """Names of the axes that a command moves with the path."""
+        if not isinstance(command, Segment):
+            return []
+        plane = () if command.arc is None else command.arc[:2]
+        return [
+            name
+            for name, place in self._surroundings.axis_numbers.items()
+            if command.start[place] != command.target[place] or place in plane
+        ]
 
     def _set_target(
         self, target: list[float], word: syntax.AxisWord, value: float, kinds: int

@@ -16,6 +16,7 @@ cdef class AxisMotions:
     cdef readonly Py_ssize_t active_count
     cdef readonly Py_ssize_t fault_count
     cdef Py_ssize_t told_count
+    cdef Py_ssize_t asked_axis
     cdef long long source
     cdef long long serial
     cdef long long[::1] enabled

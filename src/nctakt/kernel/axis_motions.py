@@ -50,6 +50,7 @@ class AxisMotions:
         self.active_count = 0
         self.fault_count = 0
         self.told_count = 0
+        self.asked_axis = 0
         self.source = 0
         self.serial = 0
         # The axis list.

@@ -71,6 +71,7 @@ cdef class Channel(CommandRing):
     @cython.locals(source=cython.longlong)
     cdef void take_user_error(self, Py_ssize_t base, int kind) noexcept nogil
     cdef void stop_for_user(self, int reaction) noexcept nogil
+    cdef void enter_error(self, int message) noexcept nogil
     cdef void report(self, long long source, int message, double detail) noexcept nogil
     cdef void run_cycles(self) noexcept nogil
     @cython.locals(pct=double, stops=bint)
@@ -79,13 +80,13 @@ cdef class Channel(CommandRing):
     cdef void publish_block(self) noexcept nogil
     @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int)
     cdef void go_on(self, double factor, int stops) noexcept nogil
-    @cython.locals(i=Py_ssize_t)
-    cdef int axes_stand(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, message=int)
+    @cython.locals(message=int)
     cdef void report_axes(self) noexcept nogil
     @cython.locals(state=int)
     cdef void end_tick(self) noexcept nogil
     cdef void begin_reset(self) noexcept nogil
     cdef void end_reset(self) noexcept nogil
+    @cython.locals(message=int, base=Py_ssize_t)
+    cdef int axes_stand(self) noexcept nogil
     @cython.locals(base=Py_ssize_t, cell=Py_ssize_t)
     cdef void answer_waiting(self) noexcept nogil

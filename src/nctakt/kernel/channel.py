@@ -351,29 +351,29 @@ class Channel(CommandRing):
 
     def stop_for_user(self, reaction: int) -> None:
         """An ``#ERROR`` with RC from 1 on: error state until a reset, with RC 7 for good."""
-        self.error_message = 900464
-        self.error_pending = True
-        self.is_stopped = True
+        self.enter_error(900464)
         if reaction == 7:
             self.error_message = 900465
             self.is_fatal = True
+
+    def enter_error(self, message: int) -> None:
+        """The channel is in error state: nothing is taken, the path brakes."""
+        self.error_message = message
+        self.error_pending = True
+        self.is_stopped = True
 
     def report(self, source: int, message: int, detail: float) -> None:
         """An error of the realtime part: channel in error state, the path brakes (RC-505)."""
         self.record.error(source, 0, message, detail)
         self.error_detail = detail
-        self.error_message = message
-        self.error_pending = True
-        self.is_stopped = True
+        self.enter_error(message)
 
     def run_cycles(self) -> None:
         """All active realtime cycles, once; none during a reset (RC-007)."""
         if self.is_resetting:
             return
         if self.manager.run_cycles(self.context):
-            self.error_message = self.context.fault
-            self.error_pending = True
-            self.is_stopped = True
+            self.enter_error(self.context.fault)
         if self.context.user_reaction > 0:
             self.stop_for_user(self.context.user_reaction)
 
@@ -420,9 +420,9 @@ class Channel(CommandRing):
         """Answer what waits for the path to stand; end a reset; publish (RC-005, RC-007)."""
         state = 3 if self.is_resetting else 2 if self.is_stopped else 0
         if self.path.stands():
-            if self.waiting in (9, 10) and not self.is_stopped:
+            if not self.is_stopped and (self.waiting in (9, 10) or self.axes_stand()):
                 self.answer_waiting()
-            if self.is_resetting and self.axes_stand():
+            if self.is_resetting:
                 self.end_reset()
         if self.context.single_axes.fault_count > 0:
             self.report_axes()
@@ -433,21 +433,21 @@ class Channel(CommandRing):
         self.cells[self.first_cell + 8] = self.manager.running_count
         self.cells[self.first_cell + 9] = self.path.rest_d()
 
-    def axes_stand(self) -> int:
-        """Whether no axis of the channel moves on its own."""
-        for i in range(self.path.count):
-            if not self.context.single_axes.is_free(self.path.members[i]):
-                return 0
-        return 1
-
     def report_axes(self) -> None:
         """An independent motion of one of the channel's axes has failed: error state."""
-        for i in range(self.path.count):
-            message = self.context.single_axes.take_fault(self.path.members[i])
-            if message:
-                self.error_message = message
-                self.error_pending = True
-                self.is_stopped = True
+        message = self.context.single_axes.take_faults(self.path.members, self.path.count)
+        if message:
+            self.enter_error(message)
+
+    def axes_stand(self) -> int:
+        """Whether the axes of a waiting position request stand; one that never will is an error."""
+        if self.waiting != 13:
+            return 0
+        base = self.head % self.capacity * self.width
+        message = self.context.single_axes.asked(self.queue, base)
+        if message > 1:
+            self.report(int(self.queue[base + 1]), message, self.context.single_axes.asked_axis)
+        return 1 if message == 0 else 0
 
     def answer_waiting(self) -> None:
         """Flush and synchronous read at the head: answered with the values of now."""
@@ -464,6 +464,8 @@ class Channel(CommandRing):
 
     def end_reset(self) -> None:
         """Everything stands: give up what was decoded ahead; the path braked on it until now."""
+        if not self.context.single_axes.all_free(self.path.members, self.path.count):
+            return
         self.is_resetting = False
         self.path.abandon()
         self.head = self.tail

@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel.instructions cimport Statement
 from nctakt.kernel.memory cimport Context
 from nctakt.kernel.record cimport Record
+from nctakt.kernel.single_axes cimport SingleAxes
 from nctakt.kernel.spindles cimport Spindles
 
 cdef class RunThrough:
@@ -31,6 +32,8 @@ cdef class RealtimeCycle(RunThrough):
 cdef class CycleManager:
     cdef public Spindles spindles
     cdef Record record
+    cdef SingleAxes single_axes
+    cdef readonly long long first_owner
     cdef readonly Py_ssize_t capacity
     cdef long long[::1] state
     cdef long long[::1] identity
@@ -42,6 +45,7 @@ cdef class CycleManager:
     cdef long long[::1] started_tick
     cdef long long[::1] block
     cdef long long[::1] size
+    cdef long long[::1] moves_on
     cdef public long long memory_limit
     cdef readonly long long memory_used
     cdef readonly list loaded
@@ -77,6 +81,8 @@ cdef class CycleManager:
     @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef void leave_blocks(self, long long serial) noexcept nogil
     cdef void end(self, Py_ssize_t slot, int reason) noexcept nogil
+    cdef void end_actions(self, Py_ssize_t slot) noexcept nogil
+    cdef void abort_actions(self, Py_ssize_t slot) noexcept nogil
     cdef void end_program(self) noexcept nogil
     cdef void reset(self) noexcept nogil
     @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)

@@ -13,6 +13,7 @@ from __future__ import annotations
 from nctakt.kernel.instructions import Statement
 from nctakt.kernel.memory import Context
 from nctakt.kernel.record import Record
+from nctakt.kernel.single_axes import SingleAxes
 from nctakt.kernel.spindles import Spindles
 
 # States of a slot.
@@ -90,6 +91,7 @@ class RealtimeCycle(RunThrough):
         self.next_tick = context.tick + 1
         self.runs += 1
         context.serial = self.serial
+        context.owner = manager.first_owner + self.slot
         context.run = self.runs
         if self.body.run(context):
             manager.fail(self.slot, context)
@@ -100,9 +102,13 @@ class RealtimeCycle(RunThrough):
 class CycleManager:
     """The realtime cycles of one channel; at most ``capacity`` slots."""
 
-    def __init__(self, record: Record, capacity: int = 256) -> None:
+    def __init__(
+        self, record: Record, single_axes: SingleAxes, first_owner: int, capacity: int = 256
+    ) -> None:
         self.record = record
         self.spindles = Spindles(bytearray(8), 0, 0, record, 1000)
+        self.single_axes = single_axes
+        self.first_owner = first_owner
         self.capacity = capacity
         self.state = memoryview(bytearray(8 * capacity)).cast("q")
         self.identity = memoryview(bytearray(8 * capacity)).cast("q")
@@ -114,6 +120,7 @@ class CycleManager:
         self.started_tick = memoryview(bytearray(8 * capacity)).cast("q")
         self.block = memoryview(bytearray(8 * capacity)).cast("q")
         self.size = memoryview(bytearray(8 * capacity)).cast("q")
+        self.moves_on = memoryview(bytearray(8 * capacity)).cast("q")
         self.memory_limit = 1 << 62
         self.memory_used = 0
         self.loaded: list[RealtimeCycle] = []
@@ -137,8 +144,18 @@ class CycleManager:
                 return slot
         return -1
 
-    def load(self, cycle: RealtimeCycle, identity: int, scope: int, source: int) -> int:
-        """Fill a slot: its number, or -1 when none is free. ``identity`` is 0 without an ID."""
+    def load(
+        self,
+        cycle: RealtimeCycle,
+        identity: int,
+        scope: int,
+        source: int,
+        moves_on: bool = False,
+    ) -> int:
+        """Fill a slot: its number, or -1 when none is free. ``identity`` is 0 without an ID.
+
+        ``moves_on``: END_ACTION is MOVE_CONT (RC-110).
+        """
         slot = self.free_slot()
         if slot < 0:
             return -1
@@ -148,6 +165,7 @@ class CycleManager:
         self.source[slot] = source
         self.serial[slot] = cycle.serial
         self.size[slot] = cycle.size
+        self.moves_on[slot] = moves_on
         self.reusable[slot] = 0
         self.restarts[slot] = 0
         self.started_tick[slot] = -1
@@ -253,6 +271,7 @@ class CycleManager:
         self.started_tick[slot] = tick
         self.latest_start = tick
         self.spindles.resume(self.serial[slot], tick)
+        self.single_axes.resume(self.first_owner + slot)
         self.record.started(source, self.serial[slot])
         self.enter(slot, 3 if self.scope[slot] == 0 else 4)
 
@@ -291,17 +310,20 @@ class CycleManager:
         elif action == 4:
             self.record.aborted(source, self.serial[slot])
             self.spindles.abort(self.serial[slot], tick)
+            self.abort_actions(slot)
         else:
             self.enter(slot, 6)
             self.record.ended(source, self.serial[slot], 1)
+            self.end_actions(slot)
         return 0
 
     def hold(self, slot: int, source: int) -> None:
-        """HOLD: not run from now on, states kept."""
+        """HOLD: not run from now on, states kept; its motions brake and keep their targets."""
         if self.state[slot] == 3 or self.state[slot] == 4:
             self.enter(slot, 5)
             self.record.held(source, self.serial[slot])
             self.spindles.hold(self.serial[slot], self.record.tick)
+            self.single_axes.hold(self.first_owner + slot)
         else:
             self.record.notice(source, self.serial[slot], 900411)
 
@@ -311,6 +333,7 @@ class CycleManager:
             self.enter(slot, 3 if self.scope[slot] == 0 and self.block[slot] == 0 else 4)
             self.record.continued(source, self.serial[slot])
             self.spindles.resume(self.serial[slot], self.record.tick)
+            self.single_axes.resume(self.first_owner + slot)
         else:
             self.record.notice(source, self.serial[slot], 900412)
 
@@ -343,6 +366,17 @@ class CycleManager:
         """A cycle has ended; one with DEF and scope BLOCK can be started again (RC-105)."""
         self.record.ended(self.source[slot], self.serial[slot], reason)
         self.enter(slot, 2 if self.reusable[slot] and self.scope[slot] == 0 else 6)
+        self.end_actions(slot)
+
+    def end_actions(self, slot: int) -> None:
+        """A cycle has ended: END_ACTION decides about its motions, held ones too (RC-110)."""
+        if self.moves_on[slot]:
+            self.single_axes.resume(self.first_owner + slot)
+        self.single_axes.end_owner(self.first_owner + slot, self.moves_on[slot])
+
+    def abort_actions(self, slot: int) -> None:
+        """Its motions brake at the axes' limits, and end."""
+        self.single_axes.abort(self.first_owner + slot)
 
     def end_program(self) -> None:
         """M30: BLOCK and PROG cycles are deleted (RC-105, RC-106)."""
@@ -362,6 +396,7 @@ class CycleManager:
                 if self.state[slot] != 2:
                     self.record.ended(self.source[slot], self.serial[slot], reason)
                 self.enter(slot, 6)
+                self.end_actions(slot)
 
     def run_cycles(self, context: Context) -> int:
         """Run all active cycles once, in the order of creation: 1 after a fault (RC-112)."""
@@ -370,7 +405,8 @@ class CycleManager:
         return self.root.run_through(self, context)
 
     def fail(self, slot: int, context: Context) -> None:
-        """RC-505: tell the fault; the cycle at fault is ended."""
+        """RC-505: tell the fault; the cycle at fault is ended, its motions are aborted."""
         self.record.error(context.fault_source, self.serial[slot], context.fault, context.fault_a)
         self.enter(slot, 6)
         self.record.ended(self.source[slot], self.serial[slot], 3)
+        self.abort_actions(slot)

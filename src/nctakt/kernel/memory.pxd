@@ -17,6 +17,7 @@ cdef class Context:
     cdef public long long tick
     cdef public long long serial
     cdef public long long run
+    cdef public long long owner
     cdef public int fault
     cdef public int user_reaction
     cdef public long long fault_source

@@ -21,12 +21,13 @@ from nctakt.kernel.timers import Timers
 class Context:
     """One channel's cycles at work.
 
-    ``serial`` and ``run`` name the running cycle and its run-through. ``steps`` counts the
-    elementary instructions of this tick (RC-501), ``check_at`` is the count from which
-    ``over_limit`` decides (RC-502, RC-503). ``fault`` is the message ID of what stopped the running
-    cycle, 0 while all is well; ``fault_source``, ``fault_a`` and ``fault_b`` say where and with
-    which values. ``action_places``: actions of one cycle that are open at once (P-CHAN-00480).
-    ``user_reaction`` is the highest RC of the ``#ERROR`` in this tick (RC-402).
+    ``serial`` and ``run`` name the running cycle and its run-through, ``owner`` its slot to those
+    who carry out its actions; ``action_places`` of them may be open at once (P-CHAN-00480).
+    ``steps`` counts the elementary instructions of this tick (RC-501), ``check_at`` is the count
+    from which ``over_limit`` decides (RC-502, RC-503). ``fault`` is the message ID of what
+    stopped the running cycle, 0 while all is well; ``fault_source``, ``fault_a`` and ``fault_b``
+    say where and with which values. ``user_reaction`` is the highest RC of the ``#ERROR`` in this
+    tick (RC-402).
     """
 
     def __init__(
@@ -43,11 +44,12 @@ class Context:
         self.timers = timers
         self.single_axes = single_axes
         self.spindles = Spindles(memory, 0, 0, record, 1000)
-        self.action_places = 5
         self.tick = 0
         self.serial = 0
         self.run = 0
         self.user_reaction = 0
+        self.owner = 0
+        self.action_places = 5
         self.fault = 0
         self.fault_source = 0
         self.fault_a = 0.0

@@ -155,6 +155,48 @@ class SingleAxes(AxisMotions):
                 found += 1
         return found
 
+    def open_on(self, axis: int, owner: int) -> int:
+        """How many of the owner's open motions are motions of this axis."""
+        found = 0
+        if 0 < self.kind[axis] < 4 and self.owner[axis] == owner:
+            found += 1
+        if self.next_kind[axis] and self.next_owner[axis] == owner:
+            found += 1
+        return found
+
+    def all_free(self, members: memoryview[int], count: int) -> int:
+        """Whether none of these axes moves on its own."""
+        for i in range(count):
+            if not self.is_free(members[i]):
+                return 0
+        return 1
+
+    def take_faults(self, members: memoryview[int], count: int) -> int:
+        """``take_fault`` of all these axes: the last one's message."""
+        found = 0
+        for i in range(count):
+            message = self.take_fault(members[i])
+            if message:
+                found = message
+        return found
+
+    def asked(self, queue: memoryview[float], base: int) -> int:
+        """``obstacle`` of the axes in a position request: that of the first which has one."""
+        for i in range(int(queue[base + 6])):
+            self.asked_axis = int(queue[base + 7 + i])
+            message = self.obstacle(self.asked_axis)
+            if message:
+                return message
+        return 0
+
+    def obstacle(self, axis: int) -> int:
+        """Why the path cannot take the axis over: 0 it can, 1 not yet, else a message (RC-409)."""
+        if self.held[axis]:
+            return 900447
+        if self.kind[axis] == 2:
+            return 900446
+        return 0 if self.is_free(axis) else 1
+
     def reset(self, axis: int) -> None:
         """Brake the axis, whoever moves it, and clear its error (RC-007)."""
         self.give_up(axis)
@@ -261,6 +303,10 @@ class SingleAxes(AxisMotions):
     def opened(self, owner: int) -> int:
         """``open_count``."""
         return self.open_count(owner)
+
+    def moves(self, axis: int) -> bool:
+        """Whether the axis has a motion of its own, a held one too."""
+        return not self.is_free(axis)
 
     def ending_count(self) -> int:
         """How many axes will stand by themselves: a run waits for them (RC-006)."""

@@ -15,5 +15,5 @@ cdef class CommandSpindle(Counted):
     cdef long long ticks
     @cython.locals(speed=double, position=double)
     cdef int run(self, Context context) noexcept nogil
-    @cython.locals(number=Py_ssize_t)
+    @cython.locals(number=Py_ssize_t, open_count=cython.longlong)
     cdef int take(self, Context context, double speed_v, double position) noexcept nogil

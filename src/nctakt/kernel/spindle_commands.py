@@ -59,7 +59,9 @@ class CommandSpindle(Counted):
             context.fail(50935, self.source, number, 0.0)
             return 1
         if not context.spindles.has_job(self.spindle, context.serial):
-            if context.spindles.open_count(context.serial) >= context.action_places:
+            open_count = context.spindles.open_count(context.serial)
+            open_count += context.single_axes.open_count(context.owner)
+            if open_count >= context.action_places:
                 context.fail(51028, self.source, context.action_places, 0.0)
                 return 1
         context.spindles.command(

@@ -54,8 +54,6 @@ class SemaphoreNames:
     def _make(self, name: str) -> None:
         from nctakt.linux import processes  # noqa: PLC0415 - it may be missing
 
-        if _file_of(name).exists():
-            raise Failure(diagnostic(900685, name=name))
         # First the record, then the semaphore: whatever exists is named there.
         os.write(self._handle, f"{name}\n".encode())
         try:

@@ -15,7 +15,8 @@ of ours, from 900000 on. One module per stage declares them:
 ``checked_blocks``    checked program: words and commands (900200 … 900212, 900229 … 900234)
 ``checked_values``    checked program: variables and expressions (900213 … 900221, 900227 … 900228)
 ``checked_cycles``    checked program: control statements and realtime cycles (900222 … 900226)
-``lints``             checked program: what is likely meant otherwise (900235 … 900259)
+``lints``             checked program: what is likely meant otherwise (900235 … 900259, 900270)
+``checked_axes``      checked program: single-axis commands (900260 … 900269)
 ``decoder``           the decoder, while it evaluates (900300 … 900339)
 ``memory``            texts, wholes and the packed image of V.E (900340 … 900359)
 ``realtime``          the realtime part (900400 … 900499)
@@ -26,7 +27,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``plc``               the PLC's side: partners in other processes, scripts (900650 … 900679)
 ``folders``           how lists name each other, tools, offsets (900740 … 900769)
 ``offsets``           offsets between programmed and axis positions (900770 … 900799)
-``diagnosis``         the lines of the realtime cycles' diagnosis data (900550 … 900569)
+``diagnosis``         the lines of the cycles' diagnosis data (900456 … 900458, 900550 … 900569)
 ``unreached``         numbers of the controller that no program of nctakt reaches
 ====================  ==============================================================================
 
@@ -37,6 +38,7 @@ from __future__ import annotations
 
 from nctakt.diagnostics import Diagnostic, Severity, Span
 from nctakt.messages import (
+    checked_axes,
     checked_blocks,
     checked_cycles,
     checked_values,
@@ -79,6 +81,7 @@ for _stage in (
     checked_blocks,
     checked_values,
     checked_cycles,
+    checked_axes,
     lints,
     offsets,
     decoder,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of the lines of the realtime cycles' diagnosis data (900550 … 900569)."""
+"""Messages of the lines of the realtime cycles' diagnosis data (900456 … 900458, 900550 …)."""
 
 from __future__ import annotations
 
@@ -141,5 +141,43 @@ _add(
         **_CYCLE,
         "function": "the M or H function",
         "sequence": "its number within the tick, from 1",
+    },
+)
+
+_AXIS = {**_CYCLE, "axis": "the axis"}
+
+_add(
+    900456,
+    NOTE,
+    "Cycle {cycle}: axis {axis} moves to {position}",
+    "Zyklus {cycle}: Achse {axis} faehrt auf {position}",
+    remedy_en=_HIDE_ACTION_EN,
+    remedy_de=_HIDE_ACTION_DE,
+    parameters={**_AXIS, "position": "its target in ACS, in mm or degrees"},
+)
+_add(
+    900457,
+    NOTE,
+    "Cycle {cycle}: axis {axis} moves endlessly in {direction_en} direction",
+    "Zyklus {cycle}: Achse {axis} faehrt endlos in {direction_de} Richtung",
+    remedy_en=_HIDE_ACTION_EN,
+    remedy_de=_HIDE_ACTION_DE,
+    parameters={
+        **_AXIS,
+        "direction_en": "positive or negative, in English",
+        "direction_de": "positive or negative, in German",
+    },
+)
+_add(
+    900458,
+    NOTE,
+    "Cycle {cycle}: the motion of axis {axis} {state_en}",
+    "Zyklus {cycle}: die Bewegung der Achse {axis} {state_de}",
+    remedy_en=_HIDE_ACTION_EN,
+    remedy_de=_HIDE_ACTION_DE,
+    parameters={
+        **_AXIS,
+        "state_en": "what has become of it, in English",
+        "state_de": "what has become of it, in German",
     },
 )

@@ -218,3 +218,16 @@ _add(
     reaction=2,
     clearing=3,
 )
+_add(
+    900270,
+    WARNING,
+    "{axis}[INDP … {word}] is commanded again in each tick that gets here",
+    "{axis}[INDP … {word}] wird in jedem Takt neu beauftragt, der hierher kommt",
+    remedy_en="Put it under $IF EDGE or $IF ONCE.",
+    remedy_de="Unter $IF EDGE oder $IF ONCE setzen.",
+    cause_en="With G91 each command begins a new way where the axis is now; with BUFFERED each one "
+    "wants a place behind the running motion.",
+    cause_de="Mit G91 beginnt jeder Befehl einen neuen Weg dort, wo die Achse gerade ist; mit "
+    "BUFFERED will jeder einen Platz hinter der laufenden Bewegung.",
+    parameters={"axis": "the axis", "word": "G91 or BUFFERED"},
+)

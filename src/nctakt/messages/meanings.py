@@ -117,6 +117,15 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the number of the channel that declares it first": (
             "die Nummer des Kanals, der sie zuerst erklärt"
         ),
+        "what does not fit, in English": "was nicht passt, auf Englisch",
+        "what does not fit, in German": "was nicht passt, auf Deutsch",
+        "its target in ACS, in mm or degrees": "ihr Ziel in ACS, in mm oder Grad",
+        "positive or negative, in English": "positiv oder negativ, auf Englisch",
+        "positive or negative, in German": "positiv oder negativ, auf Deutsch",
+        "what has become of it, in English": "was daraus geworden ist, auf Englisch",
+        "what has become of it, in German": "was daraus geworden ist, auf Deutsch",
+        "G91 or BUFFERED": "G91 oder BUFFERED",
+        "the spindle": "die Spindel",
         "P-CHAN-00425": "P-CHAN-00425",
         "P-STUP-00145 as written": "P-STUP-00145, wie geschrieben",
         "the scope that is used": "der Gültigkeitsbereich, der gilt",

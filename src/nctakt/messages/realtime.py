@@ -355,3 +355,33 @@ _add(
     reaction=6,
     clearing=6,
 )
+_add(
+    900446,
+    ERROR,
+    "{axis} moves endlessly beside the path: the block cannot take it over",
+    "{axis} fährt endlos neben der Bahn: der Satz kann sie nicht übernehmen",
+    remedy_en="Stop it before: {axis}[INDP STOP] in the cycle, ABORT ACTION, or END_ACTION.",
+    remedy_de="Vorher anhalten: {axis}[INDP STOP] im Zyklus, ABORT ACTION oder END_ACTION.",
+    cause_en="A block that programs an axis which a realtime cycle moves waits until that axis "
+    "stands; this one never would.",
+    cause_de="Ein Satz mit einer Achse, die ein Echtzeit-Zyklus bewegt, wartet, bis sie steht; "
+    "diese stünde nie.",
+    parameters={"axis": "the axis"},
+    reaction=6,
+    clearing=6,
+)
+_add(
+    900447,
+    ERROR,
+    "a motion of {axis} beside the path is held: the block cannot take it over",
+    "eine Bewegung von {axis} neben der Bahn ist angehalten: der Satz kann sie nicht übernehmen",
+    remedy_en="Before the block, let it go on with #RT CYCLE CONTINUE or end it with ABORT ACTION.",
+    remedy_de="Vor dem Satz mit #RT CYCLE CONTINUE fortsetzen oder mit ABORT ACTION abbrechen.",
+    cause_en="The held motion keeps its target and would go on later from a place that the path "
+    "has left.",
+    cause_de="Die angehaltene Bewegung behält ihr Ziel und ginge später von einem Ort aus weiter, "
+    "den die Bahn verlassen hat.",
+    parameters={"axis": "the axis"},
+    reaction=6,
+    clearing=6,
+)

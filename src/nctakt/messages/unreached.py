@@ -84,6 +84,16 @@ _add(
     6,
 )
 
+_add(
+    50948,
+    "an axis inside an active transformation cannot be moved on its own",
+    "eine Achse in einer aktiven Transformation kann nicht für sich bewegt werden",
+    "nctakt refuses transformations when a program is checked, so that none is ever active.",
+    "nctakt lehnt Transformationen beim Prüfen ab, sodass nie eine aktiv ist.",
+    6,
+    6,
+)
+
 #: Faults of a compiled realtime cycle.
 CYCLE_FAULTS = (
     50856,

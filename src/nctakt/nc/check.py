@@ -17,6 +17,7 @@ from nctakt.diagnostics import Span
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
 from nctakt.nc import support
+from nctakt.nc.check_axes import AxisCommandChecker
 from nctakt.nc.check_calls import CallChecker
 from nctakt.nc.check_commands import CommandChecker
 from nctakt.nc.check_cycle import CycleChecker
@@ -85,7 +86,10 @@ class Checker:
         self._values = ValueChecker(names, axes, self._findings, in_cycle=False)
         self._words = WordChecker(channel, self._values, self._findings)
         in_cycle = ValueChecker(names, axes, self._findings, in_cycle=True)
-        self._cycles = CycleChecker(channel, self._words, self._values, in_cycle, self._findings)
+        single = AxisCommandChecker(names, self._words, in_cycle, self._findings)
+        self._cycles = CycleChecker(
+            channel, self._words, self._values, in_cycle, single, self._findings
+        )
         self._calls = CallChecker(self._words, self._values, self._findings)
         self._own = OwnChecker(self._values, self._findings)
         self._commands = CommandChecker(self._values, self._findings)

@@ -3,7 +3,8 @@
 
 In: definitions and management commands. Out: diagnostics. Keywords (RC-101 … RC-105), P-CHAN-00406
 (RC-114), the statements of a body (RC-201 … RC-208), M and H functions (RC-403). Expressions and
-accesses are those of ``check_values.py`` in the context of a cycle.
+accesses are those of ``check_values.py`` in the context of a cycle, single-axis commands those of
+``check_axes.py``.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ from difflib import get_close_matches
 
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.nc import support
+from nctakt.nc.axis_commands import is_axis_command
+from nctakt.nc.check_axes import AxisCommandChecker
 from nctakt.nc.check_spindles import SpindleChecker
 from nctakt.nc.check_user_errors import UserErrorChecker
 from nctakt.nc.check_values import ValueChecker
@@ -22,6 +25,7 @@ from nctakt.nc.spindle_commands import split
 from nctakt.nc.syntax import (
     Assignment,
     Block,
+    BlockWord,
     BracketCommand,
     CycleControl,
     Expression,
@@ -49,7 +53,8 @@ _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
 class CycleChecker:
     """Checks definitions and management commands.
 
-    ``words`` and ``program_values`` are the checkers of the program around the cycles.
+    ``words`` and ``program_values`` are the checkers of the program around the cycles, ``values``
+    and ``axes`` those of the cycles.
     """
 
     def __init__(
@@ -58,8 +63,10 @@ class CycleChecker:
         words: WordChecker,
         program_values: ValueChecker,
         values: ValueChecker,
+        axes: AxisCommandChecker,
         findings: Findings,
     ) -> None:
+        self._axes = axes
         self._channel = channel
         self._words = words
         self._program_values = program_values
@@ -83,6 +90,7 @@ class CycleChecker:
             self._findings.report(22003, cycle.span, word="DEF")
         elif scope == "GLOBAL":
             self._findings.report(22003, cycle.span, word="SCOPE=GLOBAL")
+        self._axes.begin(cycle.body)
         self._statements(cycle.body)
 
     def control(self, control: CycleControl) -> None:
@@ -219,9 +227,13 @@ class CycleChecker:
     # --- words -----------------------------------------------------------------------------------
 
     def _block(self, block: Block) -> None:
-        """M and H functions, commands to spindles; of words for the path the first is reported."""
+        """Functions, spindles, single axes; of words for the path the first is reported."""
         told: dict[int, None] = {}
-        commands, words = split(block.words, self._words.spindles)
+        for word in block.words:
+            if isinstance(word, BracketCommand) and _moves_an_axis(word):
+                self._axes.command(word)
+        others = [one for one in block.words if not _moves_an_axis(one)]
+        commands, words = split(others, self._words.spindles)
         for command in commands:
             self._spindles.check(command)
         for word in words:
@@ -257,3 +269,7 @@ class CycleChecker:
         elif word.additional is not None or word.arguments:
             written = self._findings.written(word.span)
             self._findings.answer(support.form("M110=130"), word.span, written)
+
+
+def _moves_an_axis(word: BlockWord) -> bool:
+    return isinstance(word, BracketCommand) and is_axis_command(word)

@@ -14,6 +14,7 @@ from typing import Literal
 
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.nc import support
+from nctakt.nc.axis_commands import is_axis_command
 from nctakt.nc.check_spindles import SpindleChecker
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.findings import Findings
@@ -245,12 +246,13 @@ class WordChecker:
             seen[kind] = None
 
     def bracket(self, command: BracketCommand, state: _Block | None = None) -> bool:
-        """``X[INDP …]``, ``S2[…]``, ``M17[MAIN]``; false where nobody knows the name."""
+        """``X[…]``, ``S2[…]``, ``M17[MAIN]``; false where nobody knows the name."""
         name = command.name
+        if name in self.axes and is_axis_command(command):
+            self._findings.report(900260, command.span, axis=name)
+            return True
         if name in self.axes:
-            single = any(isinstance(i, Keyword) and i.name == "INDP" for i in command.items)
-            form = "X[INDP …]" if single else "X[…]"
-            shown = f"{name}[INDP]" if single else f"{name}[…]"
+            form, shown = "X[…]", f"{name}[…]"
         elif name in RETURN_COMMANDS:
             self._return(command, state)
             return True

@@ -17,6 +17,8 @@ from nctakt.nc.syntax import (
     Assignment,
     Binary,
     Block,
+    BlockWord,
+    BracketCommand,
     Call,
     Expression,
     If,
@@ -58,13 +60,25 @@ def _statement(statement: Statement, names: NameTable) -> int:
 def _block(block: Block, names: NameTable) -> int:
     """Each M and H function counts one, each command to a spindle one and its values."""
     commands, others = split(block.words, names.spindles)
-    return len(others) + sum(command_steps(command, names) for command in commands)
+    steps = sum(word_steps(word, names) for word in others)
+    return steps + sum(command_steps(command, names) for command in commands)
 
 
 def command_steps(command: SpindleCommand, names: NameTable) -> int:
     """The cost of a command to a spindle."""
     values = (command.speed, command.position)
     return 1 + sum(expression_steps(value, names) for value in values if value is not None)
+
+
+def word_steps(word: BlockWord, names: NameTable) -> int:
+    """The cost of an action: what it computes, and itself."""
+    if not isinstance(word, BracketCommand):
+        return 1
+    return 1 + sum(
+        expression_steps(item.value, names)
+        for item in word.items
+        if isinstance(item, Keyword) and item.value is not None
+    )
 
 
 def _assignment(statement: Assignment, names: NameTable) -> int:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The keywords of realtime cycles, in words (RC-101 … RC-111, RC-203).
+"""The keywords of realtime cycles, in words (RC-101 … RC-111, RC-203, RC-405, RC-407).
 
 Data for explanation and documentation; the parser and the checker know the words themselves, and
 a test compares the two.
@@ -131,6 +131,114 @@ KEYWORDS = _rows(
         "the cycle ends; an ID that no cycle has is harmless",
         "der Zyklus endet; eine ID, die kein Zyklus hat, schadet nicht",
         "#RT CYCLE DELETE [ID=1]",
+    ),
+    (
+        "INDP",
+        "a single axis moves on its own, beside the path; in realtime cycles",
+        "eine einzelne Achse fährt für sich, neben der Bahn; in Echtzeit-Zyklen",
+        "Z[INDP G90 G00 POS=100]",
+    ),
+    (
+        "ABORTING",
+        "the motion replaces the running one and takes over its speed (unless BUFFERED is given)",
+        "die Bewegung ersetzt die laufende und übernimmt deren Geschwindigkeit (ohne BUFFERED)",
+        "Z[INDP ABORTING G90 G00 POS=100]",
+    ),
+    (
+        "BUFFERED",
+        "the motion begins when the running one has ended",
+        "die Bewegung beginnt, wenn die laufende beendet ist",
+        "Z[INDP BUFFERED G90 G00 POS=100]",
+    ),
+    (
+        "STOP",
+        "the axis brakes, its motion is given up",
+        "die Achse bremst, ihre Bewegung wird aufgegeben",
+        "Z[INDP STOP]",
+    ),
+    (
+        "FEED",
+        "speed of a single axis per minute; without POS it runs on and on",
+        "Geschwindigkeit einer Einzelachse je Minute; ohne POS fährt sie endlos",
+        "Z[INDP FEED=500]",
+    ),
+    (
+        "POS",
+        "target (G90) or way (G91) of a single axis; with DIR: positive direction",
+        "Ziel (G90) oder Weg (G91) einer Einzelachse; bei DIR: positive Richtung",
+        "Z[INDP G91 G00 POS=-10]",
+    ),
+    (
+        "DIR",
+        "direction: POS, NEG, CUR (as it goes now), or a value above, below or equal to 0",
+        "Richtung: POS, NEG, CUR (wie gerade) oder ein Wert über, unter oder gleich 0",
+        "Z[INDP FEED=500 DIR=NEG]",
+    ),
+    (
+        "CUR",
+        "with DIR: the present direction, at rest the last one",
+        "bei DIR: die jetzige Richtung, im Stillstand die letzte",
+        "Z[INDP FEED=500 DIR=CUR]",
+    ),
+    (
+        "NEG",
+        "with DIR: negative direction",
+        "bei DIR: negative Richtung",
+        "Z[INDP FEED=500 DIR=NEG]",
+    ),
+    (
+        "OFFSET",
+        "which active offsets of the axis are added to a target of G90",
+        "welche aktiven Verschiebungen der Achse zu einem Ziel mit G90 addiert werden",
+        "Z[INDP G90 POS=100 OFFSET=ALL]",
+    ),
+    (
+        "ALL",
+        "with OFFSET: all active offsets",
+        "bei OFFSET: alle aktiven Verschiebungen",
+        "Z[INDP G90 POS=100 OFFSET=ALL]",
+    ),
+    (
+        "ZERO",
+        "with OFFSET: the zero offset",
+        "bei OFFSET: die Nullpunktverschiebung",
+        "Z[INDP G90 POS=100 OFFSET=ZERO]",
+    ),
+    (
+        "ADD_ZERO",
+        "with OFFSET: the additive zero offset",
+        "bei OFFSET: die additive Nullpunktverschiebung",
+        "Z[INDP G90 POS=100 OFFSET=ADD_ZERO]",
+    ),
+    (
+        "PSET",
+        "with OFFSET: the position preset",
+        "bei OFFSET: die Istwertverschiebung",
+        "Z[INDP G90 POS=100 OFFSET=PSET]",
+    ),
+    (
+        "CLAMP",
+        "with OFFSET: the clamp offset",
+        "bei OFFSET: der Platzversatz",
+        "Z[INDP G90 POS=100 OFFSET=CLAMP]",
+    ),
+    (
+        "TOOL",
+        "with OFFSET: the tool offset",
+        "bei OFFSET: der Werkzeugversatz",
+        "Z[INDP G90 POS=100 OFFSET=TOOL]",
+    ),
+    (
+        "MEASURE",
+        "with OFFSET: the measuring offset",
+        "bei OFFSET: die Messverschiebung",
+        "Z[INDP G90 POS=100 OFFSET=MEASURE]",
+    ),
+    (
+        "MANUAL",
+        "with OFFSET: the offset of manual mode",
+        "bei OFFSET: die Handbetriebverschiebung",
+        "Z[INDP G90 POS=100 OFFSET=MANUAL]",
     ),
     (
         "Vs.",

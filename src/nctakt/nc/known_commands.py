@@ -184,7 +184,7 @@ VARIABLES = known(
 
 #: What has no name of its own in a program: the example stands for it.
 FORMS = known(
-    ("X[INDP …]", "R", "independent motion of an axis", "unabhängige Bewegung einer Achse"),
+    ("X[INDP …]", "S", "motion of one axis, in cycles", "Bewegung einer Achse, in Zyklen"),
     ("X[…]", "R", "command for one axis", "Befehl für eine Achse"),
     ("S2[…]", "S", "command for a spindle", "Befehl für eine Spindel"),
     ("M17[…]", "S", "return with a jump", "Rücksprung mit Ziel"),

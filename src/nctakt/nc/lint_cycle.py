@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from nctakt.lists.variables import SCALARS
+from nctakt.nc.axis_commands import is_axis_command, read_axis_command
 from nctakt.nc.cost import is_live, most_steps
 from nctakt.nc.findings import Findings
 from nctakt.nc.lint_values import (
@@ -31,6 +32,7 @@ from nctakt.nc.syntax import (
     Assignment,
     Binary,
     Block,
+    BracketCommand,
     Expression,
     If,
     Keyword,
@@ -178,7 +180,10 @@ class CycleLinter:
         self._frozen(statement.value)
 
     def _block(self, block: Block, around: _Around) -> None:
-        """The first of its functions stands for all of them."""
+        """What its commands read; the first of its functions stands for all of them."""
+        for word in block.words:
+            if isinstance(word, BracketCommand) and is_axis_command(word):
+                self._axis_command(word, around)
         if around.single or around.resets:
             return
         for word in block.words:
@@ -186,6 +191,17 @@ class CycleLinter:
                 written = self._findings.written(word.span)
                 self._findings.report(900243, word.span, word=written)
                 return
+
+    def _axis_command(self, bracket: BracketCommand, around: _Around) -> None:
+        """A way or a motion that waits adds up, if it is commanded in each tick (RC-405)."""
+        command, wrong = read_axis_command(bracket)
+        for expression in command.expressions():
+            self._frozen(expression)
+        if wrong or around.single or around.resets:
+            return
+        if command.kind == "distance" or command.buffered:
+            word = "BUFFERED" if command.buffered else "G91"
+            self._findings.report(900270, bracket.span, axis=command.axis, word=word)
 
     # --- conditions ------------------------------------------------------------------------------
 

@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 
 from nctakt.lists.variable_tree import AccessRights, Node, Variable, VariableScope
 from nctakt.lists.variables import SCALARS
+from nctakt.nc.axis_commands import AxisNature
 from nctakt.nc.cells import cells_of, leaf_cells
 from nctakt.text import nearest
 
@@ -168,7 +169,9 @@ class NotFound:
 class ChannelNames:
     """What one channel brings: names and machine-wide numbers of its axes, its variables.
 
-    ``linear`` are the numbers of the axes whose positions are lengths, ``spindles`` names.
+    ``linear`` are the numbers of the axes whose positions are lengths, ``spindles`` names,
+    ``modulo`` the numbers of axes whose positions repeat, ``single`` of those that may be moved on
+    their own (P-AXIS-00457).
     """
 
     axes: tuple[tuple[str, int], ...]
@@ -176,6 +179,8 @@ class ChannelNames:
     external: tuple[Variable, ...]
     channel: tuple[Variable, ...]
     spindles: tuple[str, ...] = ()
+    modulo: frozenset[int] = frozenset()
+    single: frozenset[int] = frozenset()
 
 
 def _row_cells(rows: Sequence[RealtimeVariable]) -> int:
@@ -253,6 +258,15 @@ class NameTable:
         self._axes = dict(channel.axes)
         self._linear = channel.linear
         self.spindles = channel.spindles
+        self._natures = {
+            name: AxisNature(
+                number,
+                number in channel.linear,
+                number in channel.modulo,
+                number in channel.single,
+            )
+            for name, number in channel.axes
+        }
         self._variables: dict[str, dict[str, tuple[Node, int]]] = {"E": {}, "CH": {}}
         for variable in channel.external:
             cell = layout.place(variable)
@@ -264,6 +278,10 @@ class NameTable:
         self._locations: dict[tuple[object, ...], Location | NotFound] = {}
         self._rtg = _offsets(CHANNEL_VARIABLES)
         self._rta = _offsets(AXIS_VARIABLES)
+
+    def axis(self, name: str) -> AxisNature | None:
+        """The nature of an axis of the channel; ``None`` for any other name."""
+        return self._natures.get(name)
 
     def resolve(self, family: str, parts: Sequence[tuple[str, int]]) -> Location | NotFound:
         """The location of ``V.<family>.<parts>``; each part is a name and its number of indices."""

@@ -69,10 +69,23 @@ _LEVELS = {
     "ended": Level.INFO,
     "fired": Level.ACTION,
     "written": Level.ACTION,
+    "axis": Level.ACTION,
     "m": Level.ACTION,
     "h": Level.ACTION,
 }
 _PLAIN = {"started": 900553, "held": 900554, "continued": 900555, "aborted": 900556}
+_MOTIONS = {
+    "done": Text("is done", "ist beendet"),
+    "aborted": Text("was given up", "wurde abgebrochen"),
+    "failed": Text("has failed", "ist gescheitert"),
+    "held": Text("is put on hold", "wird angehalten"),
+    "continued": Text("goes on", "geht weiter"),
+    "stopped": Text("has come to a stand", "ist zum Stehen gekommen"),
+}
+_DIRECTIONS = {
+    "positive": Text("positive", "positiver"),
+    "negative": Text("negative", "negativer"),
+}
 _ENDED = {"scope": 900557, "delete": 900558, "reset": 900559, "error": 900560}
 
 
@@ -214,6 +227,26 @@ def _known(event: Event) -> Diagnostic | None:
     return diagnostic(number, event.span)
 
 
+def _axis_message(event: Event) -> Diagnostic:
+    """What becomes of a motion that a cycle has commanded."""
+    axis, word, *target = event.text.split(" ")
+    if word in _MOTIONS:
+        state = _MOTIONS[word]
+        return diagnostic(
+            900458, cycle=event.cycle, axis=axis, state_en=state.en, state_de=state.de
+        )
+    if target[0] in _DIRECTIONS:
+        direction = _DIRECTIONS[target[0]]
+        return diagnostic(
+            900457,
+            cycle=event.cycle,
+            axis=axis,
+            direction_en=direction.en,
+            direction_de=direction.de,
+        )
+    return diagnostic(900456, cycle=event.cycle, axis=axis, position=target[0])
+
+
 def _message(event: Event) -> Diagnostic:
     words = event.text.split(" ")
     cycle = event.cycle
@@ -225,6 +258,8 @@ def _message(event: Event) -> Diagnostic:
         return diagnostic(900552, cycle=cycle, scope=words[-1])
     if event.kind == "fired":
         return diagnostic(900561, cycle=cycle, line=words[-1])
+    if event.kind == "axis":
+        return _axis_message(event)
     if event.kind == "written":
         variable, value = event.text.rsplit(" ", 1)
         return diagnostic(900562, cycle=cycle, variable=variable, value=value)

@@ -1,0 +1,9 @@
+; A single-axis command is one action; what it computes stands below it (RC-405, RC-501).
+#RT CYCLE [ID=1]
+  Z[INDP STOP]
+  Z[INDP G90 G00 POS=100]
+  X[INDP ABORTING G91 G01 FEED=V.E.VALUE1*2+500 POS=-[V.E.COUNT+1] OFFSET=ALL]
+  A[INDP FEED=500 DIR=V.E.VALUE2]
+  A[INDP FEED=500 DIR=NEG] M100
+#RT CYCLE END
+M30

@@ -1,0 +1,23 @@
+; G01 without FEED takes that of an earlier command for the axis; one above the limit is clamped
+#RT CYCLE DEF [ID=1]
+  $IF ONCE 1
+    X[INDP G90 G01 FEED=6000 POS=100]
+    Y[INDP FEED=99999999 POS=200 G90]
+  $ENDIF
+  $IF ONCE V.E.TRIGGER == 1
+    X[INDP G90 G01 POS=0]
+    Y[INDP G90 G01 POS=0]
+  $ENDIF
+#RT CYCLE END
+#RT CYCLE START [ID=1]
+G04 4
+#RT CYCLE [ID=2]
+  $IF ONCE V.E.TRIGGER == 2
+    X[INDP FEED=10]
+  $ENDIF
+  $IF ONCE V.E.COUNT == 0
+    X[INDP G90 G01 POS=50]
+  $ENDIF
+#RT CYCLE END
+G04 1
+M30

@@ -1,0 +1,19 @@
+; G91 counts from where Z is commanded to be; BUFFERED from where it will be
+#RT CYCLE [ID=1]
+  $IF ONCE 1
+    Z[INDP G91 G00 POS=100]
+    Z[INDP BUFFERED G91 FEED=6000 POS=-50]
+  $ENDIF
+#RT CYCLE END
+G04 1
+; at 50 now
+#RT CYCLE [ID=2]
+  $IF ONCE 1
+    Z[INDP FEED=-6000]
+  $ENDIF
+  $IF ONCE V.RTA.ACS.ACT_POS.Z < 40
+    Z[INDP G91 FEED=6000 POS=10]
+  $ENDIF
+#RT CYCLE END
+G04 1
+M30

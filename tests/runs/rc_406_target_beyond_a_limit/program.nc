@@ -1,0 +1,9 @@
+; the software limits of X are -10000 and 10000
+#RT CYCLE [ID=1]
+  $IF ONCE 1
+    Y[INDP G90 G00 POS=10]
+    X[INDP G90 G00 POS=10000.5]
+  $ENDIF
+#RT CYCLE END
+G04 1
+M30

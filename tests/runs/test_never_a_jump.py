@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: MIT
+"""Random programs whose realtime cycles and path move the same axes (RC-409, MO-1, MO-13).
+
+Cycles send axes to positions, by distances, endlessly, and stop them; they are held, continued,
+aborted, deleted and started again, while blocks of the path program the same axes. Some programs
+end with an error, which is a way to end as well; none may make an axis jump.
+"""
+
+from __future__ import annotations
+
+from random import Random
+
+import numpy as np
+import pytest
+
+from nctakt.controller import Controller
+from nctakt.loading import NcText
+from nctakt.results.run import Run
+
+AXES = ("X", "Y", "Z", "A")
+#: Highest way of an axis in a tick of 1 ms: 500 mm/s, 360 degrees/s.
+HIGHEST = {"X": 0.5, "Y": 0.5, "Z": 0.5, "A": 0.36}
+TICKS = 20_000
+
+#: What a program may end with: an axis that is not free, a start elsewhere, too many actions, …
+EXPECTED_ERRORS = {50858, 50967, 51028, 900420, 900430, 900433, 900435, 900446, 900447}
+
+
+class Generator:
+    """One program from one seed."""
+
+    def __init__(self, seed: int) -> None:
+        self.chance = Random(seed)
+        self.lines: list[str] = []
+        self.next_id = 1
+        self.known: list[int] = []
+
+    def program(self) -> str:
+        """The program's text."""
+        for _ in range(self.chance.randint(6, 14)):
+            self.chance.choice((self.block, self.block, self.cycle, self.control, self.dwell))()
+        return "\n".join([*self.lines, "M30", ""])
+
+    def block(self) -> None:
+        """A motion of the path."""
+        chance = self.chance
+        axes = chance.sample(AXES, chance.randint(1, 3))
+        words = " ".join(f"{axis}{chance.uniform(-60, 60):.3f}" for axis in axes)
+        self.lines.append(f"{chance.choice(('G00', 'G01 F6000', 'G01 F25000'))} {words}")
+
+    def dwell(self) -> None:
+        """A wait."""
+        self.lines.append(f"G04 {self.chance.uniform(0.001, 0.4):.3f}")
+
+    def cycle(self) -> None:
+        """A cycle with one to three commands."""
+        chance = self.chance
+        words = [f"SCOPE={chance.choice(('BLOCK', 'PROG', 'GLOBAL'))}"]
+        words.append(f"END_ACTION={chance.choice(('MOVE_ABORT', 'MOVE_CONT'))}")
+        words.append(f"ID={self.next_id}")
+        self.known.append(self.next_id)
+        self.next_id += 1
+        is_defined = chance.random() < 0.3
+        self.lines.append(f"#RT CYCLE {'DEF ' if is_defined else ''}[{' '.join(words)}]")
+        for _ in range(chance.randint(1, 3)):
+            when = chance.choice(("ONCE", "ONCE", "EDGE"))
+            axis = chance.choice(("X", "Y", "Z"))
+            compared = (
+                f"V.RTA.ACS.ACT_POS.{axis} {chance.choice('<>')} {chance.uniform(-40, 40):.2f}"
+            )
+            self.lines += [f"$IF {when} {compared}", self.command(), "$ENDIF"]
+        self.lines.append("#RT CYCLE END")
+
+    def command(self) -> str:
+        """A single-axis command."""
+        chance = self.chance
+        axis = chance.choice(AXES)
+        mode = chance.choice(("", "ABORTING ", "BUFFERED "))
+        feed = f"FEED={chance.uniform(200, 30000):.1f}"
+        position = f"POS={chance.uniform(-80, 80):.3f}"
+        return chance.choice(
+            (
+                f"{axis}[INDP {mode}G90 G00 {position}]",
+                f"{axis}[INDP {mode}G90 G01 {feed} {position}]",
+                f"{axis}[INDP {mode}G91 {feed} {position}]",
+                f"{axis}[INDP {mode}{feed} DIR={chance.choice(('POS', 'NEG', 'CUR'))}]",
+                f"{axis}[INDP STOP]",
+            )
+        )
+
+    def control(self) -> None:
+        """A management command for a cycle that was defined, living or not."""
+        if not self.known:
+            return
+        chance = self.chance
+        action = chance.choice(("HOLD", "CONTINUE", "ABORT ACTION", "DELETE", "START"))
+        self.lines.append(f"#RT CYCLE {action} [ID={chance.choice(self.known)}]")
+
+
+def run_of(seed: int) -> Run:
+    """A run of the program of this seed."""
+    program = NcText(f"seed{seed}.nc", Generator(seed).program())
+    return Controller().run(program, ticks=TICKS)
+
+
+@pytest.mark.parametrize("first", range(0, 400, 100))
+def test_no_axis_moves_faster_than_it_can(first: int) -> None:
+    """RC-409, MO-1: no command position ever changes by more than the axis' speed × tick."""
+    ended = 0
+    for seed in range(first, first + 100):
+        run = run_of(seed)
+        assert run.trace is not None
+        for axis, most in HIGHEST.items():
+            steps = np.diff(run.trace[f"{axis}.ACS.ACT_POS"], prepend=0.0)
+            if axis == "A":
+                steps = (steps + 180.0) % 360.0 - 180.0
+            assert np.abs(steps).max(initial=0.0) <= most * (1 + 1e-9), (seed, axis)
+        found = {error.id for error in run.errors}
+        assert found <= EXPECTED_ERRORS, seed
+        ended += not found
+    assert ended > 25

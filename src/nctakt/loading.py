@@ -68,7 +68,7 @@ def missing(name: str, folders: list[Path], span: Span, line: str) -> Diagnostic
     if PureWindowsPath(name).drive or Path(name).is_absolute():
         searched = name
     else:
-        searched = ", ".join(folder.as_posix() for folder in folders)
+        searched = ", ".join(f"{folder.as_posix()}/" for folder in folders)
     return diagnostic(900131, span, line, name=name, folders=searched)
 
 

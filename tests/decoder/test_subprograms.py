@@ -68,7 +68,7 @@ def test_a_missing_file_is_told_with_the_folders_that_were_searched(tmp_path: Pa
     run = Controller(lists).run(work / "main.nc")
     (error,) = run.errors
     assert error.id == 900131
-    folders = f"{work.as_posix()}, {lists.as_posix()}/near, {lists.as_posix()}/far"
+    folders = f"{work.as_posix()}/, {lists.as_posix()}/near/, {lists.as_posix()}/far/"
     assert folders in error.remedy("en")
 
 

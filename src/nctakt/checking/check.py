@@ -26,7 +26,7 @@ from nctakt.messages import Collector, diagnostic
 from nctakt.nc.lint import GlobalCycles, never_deleted
 from nctakt.nc.lint_cycle import Budget
 from nctakt.nc.source import Source
-from nctakt.text import split_lines
+from nctakt.text import decode_text, split_lines
 
 #: The kind of a program; lists have the kinds of their schemas (``channel``, ``axis``, …).
 PROGRAM = "program"
@@ -124,6 +124,9 @@ class _Checker:
 
     def _lines(self, path: Path) -> Sequence[str] | None:
         """The lines of a program, however long it is; ``None`` as above."""
+        if not path.is_file():  # what a pipe gives comes only once
+            data = self._read(path)
+            return None if data is None else split_lines(decode_text(data).text)
         try:
             with path.open("rb") as file:
                 begin = file.read(_LOOKED_AT_BYTES)

@@ -137,10 +137,10 @@ _add(
     ERROR,
     "{command} has no meaning in a realtime cycle",
     "{command} hat in einem Echtzeit-Zyklus keinen Sinn",
-    remedy_en="A cycle is made of $IF, assignments, M and H functions, commands of spindles and "
-    "single axes, #TIMER and #ERROR.",
-    remedy_de="Ein Zyklus besteht aus $IF, Zuweisungen, M- und H-Funktionen, Befehlen an Spindeln "
-    "und Einzelachsen, #TIMER und #ERROR.",
+    remedy_en="A cycle is made of $IF, assignments, M and H functions, spindle and axis commands, "
+    "#TIMER and #ERROR.",
+    remedy_de="Ein Zyklus besteht aus $IF, Zuweisungen, M- und H-Funktionen, Spindel- und "
+    "Achsbefehlen, #TIMER, #ERROR.",
     cause_en="A realtime cycle is run to its end in every tick: nothing in it can jump, wait, or "
     "move the path.",
     cause_de="Ein Echtzeit-Zyklus läuft in jedem Takt bis zu seinem Ende: nichts darin kann "

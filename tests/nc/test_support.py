@@ -34,7 +34,7 @@ def test_the_table_covers_what_the_other_tables_name() -> None:
     for function in FUNCTIONS:
         assert (Kind.FUNCTION, function) in known
     for word in ("$IF", "$FOR", "$WHILE", "$DO", "$REPEAT", "$SWITCH", "$GOTO"):
-        assert support.answer_control(word).name == word
+        assert (Kind.CONTROL, word) in known
 
 
 def test_g_functions_are_found_by_number() -> None:

@@ -129,11 +129,6 @@ def answer_word(name: str) -> Entry | None:
     return _WORDS.get(name)
 
 
-def answer_control(word: str) -> Entry:
-    """The answer to a control word, ``$IF`` for the whole of that structure."""
-    return _CONTROLS[word]
-
-
 def answer_hash(words: Sequence[str]) -> Entry | None:
     """The answer to a ``#`` command by its words, without ``#``: the longest row that fits."""
     for count in range(len(words), 0, -1):

@@ -20,21 +20,18 @@ from nctakt.failure import Failure
 from nctakt.image import InterfaceImage
 from nctakt.interface import Interface
 from nctakt.kernel import kernel as reasons
-from nctakt.kernel.cycles import DEFINED, HELD
 from nctakt.lists.axis_configuration import AxisConfiguration
 from nctakt.lists.machine import MachineConfiguration, MachineError, load_machine
 from nctakt.loading import LoadedProgram, NcText
 from nctakt.messages import diagnostic
+from nctakt.nc.outline import ProgramText
 from nctakt.plc import AnyPlc
-from nctakt.results.probe_log import ProbeLog
+from nctakt.recording import Recording
 from nctakt.results.run import Run, RunState, RunStatistics, SaidMessage
-from nctakt.results.user_errors import user_errors
-from nctakt.results.why import WhyReport
-from nctakt.runtime_errors import realtime_diagnostic
 from nctakt.stimuli import Stimulus
-from nctakt.trace.events import Event, EventChunk, EventDecoder
+from nctakt.trace.events import Event
 from nctakt.trace.recorded import MemorySink
-from nctakt.trace.sinks import Signal, Sink, TraceHeader
+from nctakt.trace.sinks import Sink
 
 __all__ = ["DEFAULT_LIMIT_US", "Controller", "NcText"]
 
@@ -67,13 +64,10 @@ class Controller:
             for index in range(len(self._machine.channels))
         ]
         self._kernel = self._machine.kernel
-        self._events = EventDecoder(self.cycle_time_us, self._machine.registry)
-        self._sinks: list[Sink] = []
+        self._recording = Recording(self._machine, self.diagnostics.append, self._is_told)
         self._stimuli: list[Stimulus] = []
         self._stimuli_from = 0
         self._plc: AnyPlc | None = None
-        self._on_message: Callable[[SaidMessage], None] | None = None
-        self._probes: ProbeLog | None = None
         self._image: InterfaceImage | None = None
         self._loaded: list[LoadedProgram] = []
 
@@ -251,16 +245,13 @@ class Controller:
         registry = self._machine.registry
         registry.on_cycle = on_cycle
         statistics = RunStatistics(registry.reactions_of, registry.frozen_in)
-        self._sinks = [*sinks, *((memory,) if memory else ()), statistics]
-        header = self._select(signals, bool(sinks) or memory_trace, record_writes)
-        for sink in self._sinks:
-            sink.open(header)
-        self._probes = self._probe_log() if why else None
-        self._machine.record.records_series = why
+        listeners = [*sinks, *((memory,) if memory else ()), statistics]
+        records = bool(sinks) or memory_trace
+        self._recording.open(listeners, signals, records, record_writes, why)
         self._plc = plc
         for one in self._channels:
             one.channel.hli.acknowledges_itself = plc is None
-        self._on_message = on_message
+        self._recording.on_message = on_message
         self._stimuli = sorted(stimuli, key=lambda one: one.time_us)
         self._stimuli_from = first_tick
         limit = self._limit(until_us, ticks)
@@ -269,12 +260,10 @@ class Controller:
                 wanted, first_tick + limit, after_us, waits_for_start, on_progress
             )
         except KeyboardInterrupt:
-            self._drain()
+            self._recording.drain()
             state = "interrupted"
         finally:
-            for sink in self._sinks:
-                sink.close()
-            self._sinks = []
+            self._recording.close()
             for one in self._channels:
                 one.close()
             registry.on_cycle = None
@@ -289,31 +278,13 @@ class Controller:
             messages=statistics.messages,
             cycles=statistics.cycles(self._machine.registry.runs()),
             outputs=statistics.outputs(),
-            why=self._why(first_tick),
+            why=self._recording.why(first_tick, self._loaded_texts()),
         )
 
-    def _probe_log(self) -> ProbeLog:
-        """What gathers the histories of conditions, those of living cycles from now on."""
-        machine = self._machine
-        living = [
-            (machine.registry.definition(cycle.serial), manager.state_of(cycle.slot))
-            for manager in (channel.manager for channel in machine.channels)
-            for cycle in manager.loaded
-            if DEFINED <= manager.state_of(cycle.slot) <= HELD
-        ]
-        return ProbeLog(machine.registry, self.tick, living)
-
-    def _why(self, first_tick: int) -> WhyReport | None:
-        """What was gathered, if it was asked for."""
-        log, loaded = self._probes, self._loaded
-        self._loaded = []
-        if log is None:
-            return None
-        self._probes = None
-        self._machine.record.records_series = False
-        histories = log.histories([text for one in loaded for text in one.texts])
-        ticks = self.tick - first_tick
-        return WhyReport(self.cycle_time_us, first_tick, ticks, histories, log.left_out)
+    def _loaded_texts(self) -> list[ProgramText]:
+        """The texts of the programs of this run."""
+        loaded, self._loaded = self._loaded, []
+        return [text for one in loaded for text in one.texts]
 
     def _limit(self, until_us: int | None, ticks: int | None) -> int:
         """The most ticks of a run."""
@@ -404,7 +375,7 @@ class Controller:
         self._machine.access.post_writes()
         self._machine.reserve()
         reason = self._kernel.run(due - self.tick)
-        self._drain()
+        self._recording.drain()
         if reason not in (reasons.DONE, reasons.FULL):
             for one in self._channels:
                 one.serve()
@@ -422,60 +393,11 @@ class Controller:
             self._stimuli.pop(0)
         return self.tick + (1 << 60)
 
-    def _drain(self) -> None:
-        """Hand on what the kernel has recorded."""
-        record = self._machine.record
-        rows_count, first_tick = record.row_count, self._kernel.tick - record.row_count
-        probes, event_rows = record.take_probes(), record.take_events()
-        if self._probes is not None:
-            self._probes.add(probes, event_rows)
-        events = EventChunk(self._events, event_rows)
-        rows = memoryview(record.take_rows()).cast("d")
-        if len(events):
-            self._watch(events)
-        for sink in self._sinks:
-            if len(events):
-                sink.events(events)
-            if rows_count:
-                sink.rows(first_tick, rows, record.signal_count)
-
-    def _watch(self, events: EventChunk) -> None:
-        """Messages are said as they come; errors of the realtime part become diagnostics."""
-        raised = iter(user_errors(events))
-        for event, subject in zip(events, events.subjects(), strict=True):
-            if event.kind == "message" and self._on_message is not None:
-                exclusive, unbroken, file = self._machine.registry.message_style(subject)
-                said = SaidMessage(
-                    event.time_us, event.text, exclusive, unbroken, event.channel, file
-                )
-                self._on_message(said)
-            elif event.kind == "user_error":
-                report = next(raised)
-                line = "" if report.span is None else self._machine.files.line_at(report.span)
-                self.diagnostics.append(report.diagnostic(self.machine.user_texts, line))
-            elif event.kind in ("error", "warning") and not self._is_told(event):
-                self.diagnostics.append(realtime_diagnostic(event, self._machine))
-
     def _is_told(self, event: Event) -> bool:
         """Whether the error is the decoder's, whose diagnostic is there since it gave up."""
         feed = self._channels[max(event.channel - 1, 0)].feed
         given_up = None if feed is None else feed.given_up
         return given_up is not None and not event.cycle and event.text == str(given_up.id)
-
-    def _select(
-        self, names: Sequence[str] | None, records: bool, record_writes: bool
-    ) -> TraceHeader:
-        """Choose the signals of the trace; unknown ones raise ``Failure`` with the nearest."""
-        known = self._machine.signals()
-        if names is None:
-            names = self._machine.default_signals()
-        unknown = [name for name in names if name not in known]
-        if unknown:
-            raise Failure(*(self._machine.unknown_signal(name) for name in unknown))
-        self._machine.record.select([known[name][0] for name in names] if records else [])
-        self._machine.record.records_writes = records and record_writes
-        signals = tuple(Signal(name, known[name][1], known[name][2]) for name in names)
-        return TraceHeader(self.cycle_time_us, signals if records else ())
 
 
 def _worst(channels: Sequence[ChannelRun], otherwise: RunState) -> RunState:

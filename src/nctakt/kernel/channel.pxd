@@ -2,40 +2,16 @@
 # C types of channel.py.
 cimport cython
 from nctakt.kernel cimport arithmetic
-from nctakt.kernel.cycles cimport CycleManager
-from nctakt.kernel.hli cimport Hli
-from nctakt.kernel.memory cimport Context
-from nctakt.kernel.panel cimport Panel
-from nctakt.kernel.record cimport Record
-from nctakt.kernel.ring cimport CommandRing
-from nctakt.kernel.single_axes cimport SingleAxes
-from nctakt.kernel.timers cimport Timers
+from nctakt.kernel.taking cimport Commands
 
-cdef class Channel(CommandRing):
-    cdef double[::1] cells
-    cdef unsigned char[::1] characters
-    cdef readonly Py_ssize_t first_cell
-    cdef Record record
-    cdef readonly Hli hli
-    cdef readonly Panel panel
-    cdef readonly CycleManager manager
+cdef class Channel(Commands):
     cdef double max_override_pct
-    cdef readonly Context context
-    cdef public Timers program_timers
     cdef public Py_ssize_t low_water
     cdef public bint decoder_open
     cdef public bint wants_slot
-    cdef int waiting
     cdef double answer
     cdef readonly bint answer_ready
-    cdef readonly bint program_ended
-    cdef readonly bint error_pending
-    cdef readonly double error_detail
-    cdef readonly bint is_stopped
-    cdef readonly bint is_fatal
-    cdef readonly bint is_resetting
     cdef bint is_reset_due
-    cdef readonly int error_message
 
     @cython.locals(commands=Py_ssize_t, single=Py_ssize_t)
     cdef Py_ssize_t event_bound(self) noexcept nogil
@@ -43,36 +19,6 @@ cdef class Channel(CommandRing):
     cdef int is_idle(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self, long long tick) noexcept nogil
-    @cython.locals(base=Py_ssize_t)
-    cdef void take_commands(self, long long tick) noexcept nogil
-    @cython.locals(source=cython.longlong, line=cython.longlong, is_begun=bint)
-    cdef int enter_block(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(kind=int)
-    cdef int take(self, long long tick, Py_ssize_t base) noexcept nogil
-    @cython.locals(is_current=bint, message=int)
-    cdef int take_block(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int, detail=double)
-    cdef int take_cycle(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
-    @cython.locals(function=cython.longlong)
-    cdef int take_technology(self, long long tick, Py_ssize_t base) noexcept nogil
-    @cython.locals(spindle=Py_ssize_t, ticks=cython.longlong)
-    cdef int take_spindle(self, long long tick, Py_ssize_t base) noexcept nogil
-    @cython.locals(cell=Py_ssize_t)
-    cdef void take_write(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(first=Py_ssize_t, count=Py_ssize_t, zeros=Py_ssize_t, i=Py_ssize_t)
-    cdef void take_characters(self, Py_ssize_t base, Py_ssize_t place) noexcept nogil
-    @cython.locals(kind=int)
-    cdef void take_offset(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(source=cython.longlong, name=cython.longlong)
-    cdef void take_frozen(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(source=cython.longlong, subject=cython.longlong)
-    cdef void take_mark(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
-    cdef int take_program_end(self, long long tick, Py_ssize_t base) noexcept nogil
-    @cython.locals(source=cython.longlong)
-    cdef void take_user_error(self, Py_ssize_t base, int kind) noexcept nogil
-    cdef void stop_for_user(self, int reaction) noexcept nogil
-    cdef void enter_error(self, int message) noexcept nogil
-    cdef void report(self, long long source, int message, double detail) noexcept nogil
     cdef void run_cycles(self) noexcept nogil
     @cython.locals(pct=double, stops=bint)
     cdef void interpolate(self) noexcept nogil

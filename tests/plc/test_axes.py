@@ -230,6 +230,26 @@ def test_a_block_that_moves_an_axis_of_the_plc_is_an_error() -> None:
     assert all(after - before <= 0.5 for before, after in itertools.pairwise(x))
 
 
+@pytest.mark.parametrize(("begin", "number"), [(50, 900420), (300, 900435)])
+def test_the_path_brakes_where_it_cannot_take_the_next_block(begin: int, number: int) -> None:
+    """MO-1, MO-6: X passes its corner with speed, and brakes with its 4000 mm/s² behind it.
+
+    Z sets off in tick 51 or 301, while the block does not move it: when X comes to the corner, Z
+    stands elsewhere, or still moves. Z goes where the PLC sends it.
+    """
+    move = MC_MoveAbsolute("Z")
+    plc = Cell(lambda hli: move(hli, execute=hli.tick >= begin, position=5, velocity=500), move)
+    made = run("G01 F6000 X30\nX60 Z1\nX90\nM30", plc, "Z.ACS.ACT_POS", "PATH.SPEED")
+    assert [found.id for found in made.errors] == [number]
+    x = column(made, "X.ACS.ACT_POS")
+    steps = [after - before for before, after in itertools.pairwise([0.0, *x])]
+    changes = [abs(after - before) for before, after in itertools.pairwise([0.0, *steps])]
+    assert max(changes) == pytest.approx(0.004)
+    assert 30.0 < x[-1] < 31.0
+    assert column(made, "PATH.SPEED")[-1] == 0.0
+    assert column(made, "Z.ACS.ACT_POS")[-1] == 5.0
+
+
 def test_other_axes_stay_the_paths() -> None:
     """The PLC moves Y while the program moves X: neither notices the other."""
     move = MC_MoveAbsolute("Y")

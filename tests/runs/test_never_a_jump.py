@@ -20,6 +20,8 @@ from nctakt.results.run import Run
 AXES = ("X", "Y", "Z", "A")
 #: Highest way of an axis in a tick of 1 ms: 500 mm/s, 360 degrees/s.
 HIGHEST = {"X": 0.5, "Y": 0.5, "Z": 0.5, "A": 0.36}
+#: Highest change of that way from tick to tick: 4000 mm/s² and degrees/s².
+HIGHEST_CHANGE = 0.004
 TICKS = 20_000
 
 #: What a program may end with: an axis that is not free, a start elsewhere, too many actions, …
@@ -104,8 +106,11 @@ def run_of(seed: int) -> Run:
 
 
 @pytest.mark.parametrize("first", range(0, 400, 100))
-def test_no_axis_moves_faster_than_it_can(first: int) -> None:
-    """RC-409, MO-1: no command position ever changes by more than the axis' speed × tick."""
+def test_no_axis_moves_or_changes_faster_than_it_can(first: int) -> None:
+    """RC-409, MO-1: no command position ever changes by more than the axis' speed × tick.
+
+    Nor does its change by more than its acceleration allows, whatever ends the program.
+    """
     ended = 0
     for seed in range(first, first + 100):
         run = run_of(seed)
@@ -115,6 +120,8 @@ def test_no_axis_moves_faster_than_it_can(first: int) -> None:
             if axis == "A":
                 steps = (steps + 180.0) % 360.0 - 180.0
             assert np.abs(steps).max(initial=0.0) <= most * (1 + 1e-9), (seed, axis)
+            changes = np.diff(steps, prepend=0.0)
+            assert np.abs(changes).max(initial=0.0) <= HIGHEST_CHANGE * (1 + 1e-6), (seed, axis)
         found = {error.id for error in run.errors}
         assert found <= EXPECTED_ERRORS, seed
         ended += not found

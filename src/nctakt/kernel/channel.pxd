@@ -24,7 +24,7 @@ cdef class Channel(Commands):
     cdef void interpolate(self) noexcept nogil
     @cython.locals(number=double)
     cdef void publish_block(self) noexcept nogil
-    @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int)
+    @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int, message=int)
     cdef void go_on(self, double factor, int stops) noexcept nogil
     @cython.locals(message=int)
     cdef void report_axes(self) noexcept nogil

@@ -145,7 +145,11 @@ class Channel(Commands):
         self.cells[self.first_cell + 7] = number
 
     def go_on(self, factor: float, stops: int) -> None:
-        """The path passes block ends: what stands between is taken in the next tick (RC-003)."""
+        """The path passes block ends: what stands between is taken in the next tick (RC-003).
+
+        A block that it cannot take is an error; with speed left, it brakes on this block with the
+        axes that are free, since it must not stop in a step (MO-1, MO-6).
+        """
         position = max(self.head, self.begun + 1)
         if self.path.is_single and self.path.speed_v == 0.0:
             return
@@ -153,8 +157,12 @@ class Channel(Commands):
             base = position % self.capacity * self.width
             kind = int(self.queue[base])
             if kind == 1:
-                if self.path.refusal(base, self.queue):
-                    return
+                message = self.path.refusal(base, self.queue)
+                if message:
+                    if self.path.speed_v == 0.0:
+                        return
+                    self.report(int(self.queue[base + 1]), message, self.path.refused_axis)
+                    stops = 1
                 self.begun = position
                 self.path.begin(base, self.queue, self.path.left_t)
                 if self.path.left_t > 0.0:

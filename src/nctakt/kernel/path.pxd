@@ -43,8 +43,9 @@ cdef class Path:
 
     @cython.locals(i=Py_ssize_t)
     cdef void begin(self, Py_ssize_t queue_base, double[::1] queue, double offset_t) noexcept nogil
-    @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
+    @cython.locals(i=Py_ssize_t, message=int)
     cdef int refusal(self, Py_ssize_t queue_base, double[::1] queue) noexcept nogil
+    cdef int obstacle(self, Py_ssize_t queue_base, double[::1] queue, Py_ssize_t i) noexcept nogil
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
     cdef void claim(self) noexcept nogil
     @cython.locals(k=Py_ssize_t)

@@ -99,22 +99,34 @@ class Path:
         have no motion of their own (MO-13); ``refused_axis`` is the first that has not.
         """
         for i in range(self.count):
-            axis = self.members[i]
-            if shape.moves(queue, queue_base, self.count, i):
-                self.refused_axis = axis
-                if self.axes.independent[axis]:
-                    return 900435
-                if queue[queue_base + 12 + i] != self.axes.command[axis]:
-                    return 900420
+            message = self.obstacle(queue_base, queue, i)
+            if message:
+                self.refused_axis = self.members[i]
+                return message
+        return 0
+
+    def obstacle(self, queue_base: int, queue: memoryview[float], i: int) -> int:
+        """Why the path cannot take axis ``i`` with a segment: 0 it can, or does not want it."""
+        if not shape.moves(queue, queue_base, self.count, i):
+            return 0
+        if self.axes.independent[self.members[i]]:
+            return 900435
+        if queue[queue_base + 12 + i] != self.axes.command[self.members[i]]:
+            return 900420
         return 0
 
     def claim(self) -> None:
-        """The axes that the segment moves belong to the path until it ends (MO-13)."""
+        """The axes that the segment moves belong to the path until it ends (MO-13).
+
+        Where the path brakes on a segment that it cannot take, the others stay what they were.
+        """
         self.axes.has_moved = True
         self.moved_count = 0
         for i in range(self.count):
+            axis = self.members[i]
+            if self.obstacle(self.base, self.ring, i):
+                continue
             if shape.moves(self.ring, self.base, self.count, i):
-                axis = self.members[i]
                 self.moved[self.moved_count] = i
                 self.moved_count += 1
                 self.axes.target[axis] = self.ring[self.base + 12 + self.count + i]

@@ -64,17 +64,27 @@ def test_speed_acceleration_and_jerk_are_those_of_the_positions() -> None:
     assert len(axis.derivatives) == JERK
 
 
-def test_what_happened_is_marked() -> None:
+def test_what_happened_has_a_lane_each() -> None:
     """Reactions, M and H functions of both sides, the program's end."""
-    marks = motion(PART).marks
-    assert [(mark.kind, mark.label) for mark in marks] == [
-        ("fired", "17: 2"),
-        ("m", "M100"),
-        ("output", "M101"),
-        ("end", "end"),
+    lanes = motion(PART).lanes
+    assert [(lane.kind, lane.label, len(lane.spans)) for lane in lanes] == [
+        ("fired", "17: 2", 1),
+        ("m", "M100", 1),
+        ("output", "M101", 1),
+        ("end", "end", 1),
     ]
     # √(2·5/4000) s are 50 ms: X is at 5 mm behind tick 49, beyond it behind tick 50.
-    assert marks[0].time_s == pytest.approx(0.051)
+    assert lanes[0].spans == ((pytest.approx(0.051), pytest.approx(0.051)),)
+
+
+def test_what_goes_on_from_tick_to_tick_is_one_span() -> None:
+    """X is beyond 1 mm from 22.4 ms on; M100 goes out in each tick as long as there is room."""
+    text = PART.replace("$IF ONCE V.RTA.ACS.ACT_POS.X > 5", "$IF V.RTA.ACS.ACT_POS.X > 1")
+    lane = next(one for one in motion(text).lanes if one.label == "M100")
+    assert len(lane.spans) == 1
+    begin, end = lane.spans[0]
+    assert begin == pytest.approx(0.023)
+    assert end > 0.2
 
 
 def test_a_modulo_axis_runs_on() -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A recorded run -> the curves of a picture: positions, their derivatives, limits, marks.
+"""A recorded run -> the curves of a picture: positions, their derivatives, limits, lanes.
 
 In: a trace with the ``signals``, the machine's lists. Out: ``Motion``, arrays over time. A row of
 tick n holds what is true at its end, (n + 1) · T. Speed, acceleration and jerk are differences of
@@ -10,7 +10,7 @@ did, not what a planner believed.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 SPEED, ACCELERATION, JERK = 1, 2, 3
 
 _PATH_SIGNALS = ("PATH.SPEED", "PATH.DIST_TO_GO", "OVERRIDE.VEL.TOTAL")
-#: Kinds of events that are drawn, and what stands beside the line.
+#: Kinds of events that are drawn.
 _MARKS = ("fired", "m", "h", "output", "error", "end")
 
 
@@ -57,12 +57,16 @@ class AxisMotion:
 
 
 @dataclass(frozen=True, slots=True)
-class Mark:
-    """Something that happened at a time; ``kind`` is that of the event."""
+class Lane:
+    """One thing that happened; ``kind`` is that of its events.
 
-    time_s: float
+    ``spans``: from when to when in s, in order; what happened in tick after tick is one span, what
+    happened once has no length.
+    """
+
     kind: str
     label: str
+    spans: tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +77,7 @@ class Motion:
     path_speed: Curve
     override: Curve
     rest: Curve
-    marks: tuple[Mark, ...]
+    lanes: tuple[Lane, ...]
 
 
 def position_signal(axis: str) -> str:
@@ -95,7 +99,7 @@ def motion_of(trace: Trace, axes: Sequence[AxisConfiguration]) -> Motion:
         Curve(time_s, trace["PATH.SPEED"]),
         Curve(time_s, trace["OVERRIDE.VEL.TOTAL"]),
         Curve(time_s, trace["PATH.DIST_TO_GO"]),
-        tuple(_mark(event) for event in trace.events if event.kind in _MARKS),
+        _lanes(trace.events, trace.cycle_time_us),
     )
 
 
@@ -121,18 +125,32 @@ def derivative(position: Values, time_s: Values, cycle_time_s: float, order: int
     return Curve(time_s[order:] - order * cycle_time_s / 2.0, values)
 
 
-def _mark(event: Event) -> Mark:
+def _lanes(events: Iterable[Event], cycle_time_us: int) -> tuple[Lane, ...]:
+    """A lane for each reaction, function, error and end, in the order of their first moments."""
+    spans: dict[tuple[str, str], list[tuple[int, int]]] = {}
+    for event in events:
+        if event.kind not in _MARKS:
+            continue
+        own = spans.setdefault((event.kind, _label(event)), [])
+        if own and event.time_us - own[-1][1] <= cycle_time_us:
+            own[-1] = (own[-1][0], event.time_us)
+        else:
+            own.append((event.time_us, event.time_us))
+    return tuple(
+        Lane(kind, label, tuple((begin / 1e6, end / 1e6) for begin, end in own))
+        for (kind, label), own in spans.items()
+    )
+
+
+def _label(event: Event) -> str:
     words = event.text.split()
-    label = event.kind
     if event.kind == "fired":
-        label = f"{words[0]}: {words[-1]}"
-    elif event.kind in ("m", "h"):
-        label = f"{event.kind.upper()}{words[0]}"
-    elif event.kind == "output":
-        label = f"{words[0].upper()}{words[1]}"
-    elif event.kind == "error":
-        label = words[0]
-    return Mark(event.time_us / 1e6, event.kind, label)
+        return f"{words[0]}: {words[-1]}"
+    if event.kind in ("m", "h"):
+        return f"{event.kind.upper()}{words[0]}"
+    if event.kind == "output":
+        return f"{words[0].upper()}{words[1]}"
+    return words[0] if event.kind == "error" else event.kind
 
 
 def thinned(curve: Curve, most: int) -> Curve:

@@ -2,9 +2,9 @@
 """The curves of a run -> a picture file: PNG, SVG, or a page with the SVG in it (matplotlib).
 
 In: ``Motion``, a file name. Out: the file; the same run gives the same bytes. Above the path in the
-plane and in space, below it the motion over time: position, speed, acceleration, jerk with the
-limits of the axes as dashed lines, override and distance to go; reactions, M and H functions and
-errors as vertical lines. No window is opened and no state of matplotlib is changed.
+plane and in space, below it the motion over time: a lane for each reaction, M and H function and
+error; position, speed, acceleration, jerk with the limits of the axes as dashed lines, override and
+distance to go. No window is opened and no state of matplotlib is changed.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from typing import Any
 from nctakt.diagnostics import Language, Text
 from nctakt.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.plots.motion import ACCELERATION, JERK, SPEED, AxisMotion, Curve, Mark, Motion, thinned
+from nctakt.plots.motion import ACCELERATION, JERK, SPEED, AxisMotion, Curve, Lane, Motion, thinned
 
 ENDINGS = (".png", ".svg", ".html")
 
@@ -29,8 +29,11 @@ _PATH_HEIGHT_IN = 4.4
 _PANEL_HEIGHT_IN = 1.7
 #: Points that a curve is drawn with at most: more cannot be seen.
 _MOST_POINTS = 4000
-#: Marks from which on only the lines are drawn, without their words.
-_MOST_LABELS = 24
+#: Moments that are drawn through all panels at most; more would hide the curves.
+_MOST_LINES = 60
+_LANE_HEIGHT_IN = 0.17
+#: Lanes that can be told apart; the rest is counted.
+_MOST_LANES = 24
 
 _COLOURS = (
     "#1f77b4",
@@ -44,7 +47,7 @@ _COLOURS = (
     "#bcbd22",
     "#000000",
 )
-_MARK_COLOURS = {
+_LANE_COLOURS = {
     "fired": "#d62728",
     "m": "#9467bd",
     "h": "#9467bd",
@@ -66,6 +69,8 @@ _PATH_SPEED = Text("path", "Bahn")
 _OVERRIDE = Text("override in %", "Override in %")
 _REST = Text("distance to go", "Restweg")
 _AT_REST = Text("at rest: {names}", "in Ruhe: {names}")
+_HAPPENED = Text("events", "Ereignisse")
+_MORE = Text("{count} more", "{count} weitere")
 _NOTHING = Text("no axis moved", "keine Achse hat sich bewegt")
 
 #: Label, curves as (name, colour, curve), limits as (value, colour).
@@ -124,7 +129,10 @@ class _Drawing:
         panels = list(self._panels())
         spatial = [axis for axis in self._moving if axis.unit == "mm"]
         path_rows = 1 if len(spatial) > 1 else 0
-        heights = [_PATH_HEIGHT_IN] * path_rows + [_PANEL_HEIGHT_IN] * len(panels)
+        lanes = self._motion.lanes[:_MOST_LANES]
+        heights = [_PATH_HEIGHT_IN] * path_rows
+        heights.append(0.25 + _LANE_HEIGHT_IN * max(len(lanes), 2))
+        heights += [_PANEL_HEIGHT_IN] * len(panels)
         with matplotlib.rc_context({"svg.hashsalt": "nctakt", "svg.fonttype": "path"}):
             sheet = Figure(figsize=(_WIDTH_IN, sum(heights) + 1.2), dpi=_DPI, layout="constrained")
             FigureCanvasAgg(sheet)
@@ -132,13 +140,11 @@ class _Drawing:
             grid = sheet.add_gridspec(len(heights), 2, height_ratios=heights)
             if path_rows:
                 self._draw_path(sheet, grid, spatial)
-            shared = None
+            shared = sheet.add_subplot(grid[path_rows, :])
+            self._draw_lanes(shared, lanes)
             for place, panel in enumerate(panels):
-                axes = sheet.add_subplot(grid[path_rows + place, :], sharex=shared)
-                shared = shared or axes
+                axes = sheet.add_subplot(grid[path_rows + 1 + place, :], sharex=shared)
                 self._draw_panel(axes, *panel)
-                if place == 0:
-                    self._label_marks(axes)
                 if place < len(panels) - 1:
                     axes.tick_params(labelbottom=False)
                 else:
@@ -206,8 +212,7 @@ class _Drawing:
         curves: Sequence[tuple[str, str, Curve]],
         limits: Sequence[tuple[float, str]],
     ) -> None:
-        for mark in self._motion.marks:
-            axes.axvline(mark.time_s, color=_MARK_COLOURS[mark.kind], linewidth=0.5, alpha=0.6)
+        self._draw_moments(axes)
         for value, colour in limits:
             for sign in (1.0, -1.0):
                 axes.axhline(sign * value, color=colour, linewidth=0.7, linestyle=(0, (5, 4)))
@@ -230,22 +235,35 @@ class _Drawing:
                 ncols=1 + len(curves) // 8,
             )
 
-    def _label_marks(self, axes: Any) -> None:
-        """The words of the marks, above the first panel; none where they would hide each other."""
+    def _draw_lanes(self, axes: Any, lanes: Sequence[Lane]) -> None:
+        """A row for each lane, the first one on top: marks, and bars where it went on."""
+        self._draw_moments(axes)
+        for row, lane in enumerate(lanes):
+            colour = _LANE_COLOURS[lane.kind]
+            for begin, end in lane.spans:
+                if end > begin:
+                    axes.plot([begin, end], [row, row], color=colour, linewidth=4.0, alpha=0.5)
+            begun = [begin for begin, _ in lane.spans]
+            axes.plot(begun, [row] * len(begun), "|", color=colour, markersize=8)
+        axes.set_yticks(range(len(lanes)), [lane.label for lane in lanes])
+        axes.set_ylim(max(len(lanes), 2) - 0.4, -0.6)
+        axes.set_ylabel(self._text(_HAPPENED), fontsize=8)
+        axes.tick_params(labelsize=7, labelbottom=False)
+        axes.grid(axis="x", linewidth=0.3)
+        hidden = len(self._motion.lanes) - len(lanes)
+        notes = [self._text(_MORE).format(count=hidden)] if hidden else []
         if not self._moving:
-            axes.set_title(self._text(_NOTHING), fontsize=8)
-        if len(self._motion.marks) > _MOST_LABELS:
+            notes.append(self._text(_NOTHING))
+        if notes:
+            axes.set_title(", ".join(notes), fontsize=8)
+
+    def _draw_moments(self, axes: Any) -> None:
+        """A line where something began to happen, through all panels."""
+        begun = [(span[0], lane.kind) for lane in self._motion.lanes for span in lane.spans]
+        if len(begun) > _MOST_LINES:
             return
-        for time_s, marks in _by_time(self._motion.marks).items():
-            axes.annotate(
-                " ".join(dict.fromkeys(mark.label for mark in marks)),
-                (time_s, 1.02),
-                xycoords=("data", "axes fraction"),
-                rotation=60,
-                fontsize=6,
-                color=_MARK_COLOURS[marks[0].kind],
-                annotation_clip=False,
-            )
+        for time_s, kind in begun:
+            axes.axvline(time_s, color=_LANE_COLOURS[kind], linewidth=0.5, alpha=0.5)
 
 
 def _with_steady_names(svg: bytes) -> bytes:
@@ -264,10 +282,3 @@ def _points(*axes: AxisMotion) -> list[Any]:
     """The positions of the axes at the same times, thinned by leaving points out."""
     step = max(1, len(axes[0].position.values) // (5 * _MOST_POINTS))
     return [axis.position.values[::step] for axis in axes]
-
-
-def _by_time(marks: Sequence[Mark]) -> dict[float, list[Mark]]:
-    found: dict[float, list[Mark]] = {}
-    for mark in marks:
-        found.setdefault(mark.time_s, []).append(mark)
-    return found

@@ -50,10 +50,15 @@ def search_folders(caller: str, parameters: ChannelParameters, machine_folder: P
     folders = [Path(caller).parent]
     paths = [path for path in parameters.program_paths if path.holds_subprograms]
     for path in sorted(paths, key=lambda one: one.priority):
-        plain = Path(path.folder.replace("\\", "/"))
-        near, above = machine_folder / plain, machine_folder / ".." / plain
-        folders.append(above if not near.is_dir() and above.is_dir() else near)
+        folders.append(program_folder(path.folder, machine_folder))
     return list(dict.fromkeys(folders))
+
+
+def program_folder(named: str, machine_folder: Path) -> Path:
+    """A folder of programs as a channel list names it (P-CHAN-00401)."""
+    plain = Path(named.replace("\\", "/"))
+    near, above = machine_folder / plain, machine_folder / ".." / plain
+    return above if not near.is_dir() and above.is_dir() else near
 
 
 def find_program(name: str, folders: list[Path]) -> Path | None:
@@ -111,14 +116,11 @@ class LoadedProgram:
 
     def add_implicit(self, collector: Collector) -> None:
         """Check the programs that the channel list names, as if the main program called them."""
-        implicit = self.parameters.implicit_programs
-        names = [implicit.program_start, implicit.program_end, implicit.m6]
-        for name in (*names, *implicit.g800.values()):
-            if name:
-                known = len(self.texts)
-                self._find(name, self.text.source.file, self.text.main.span, collector)
-                for text in self.texts[known:]:
-                    self.add_called(text, collector)
+        for name in self.parameters.implicit_programs.names:
+            known = len(self.texts)
+            self._find(name, self.text.source.file, self.text.main.span, collector)
+            for text in self.texts[known:]:
+                self.add_called(text, collector)
 
     def _find(self, name: str, caller: str, span: Span, collector: Collector) -> ProgramText | None:
         """The text of a file that is called; what is wrong goes to ``collector``."""

@@ -494,3 +494,92 @@ def test_ten_thousand_unknown_entries_are_one_line(check: Check) -> None:
     verbose = check("x.lis", "--verbose")
     assert len(verbose.ids) == 10_001
     assert verbose.lines[-1].startswith("1 file: 0 errors, 10000 warnings")
+
+
+# --- what programs call --------------------------------------------------------------------------
+
+
+def test_called_files_are_checked_in_their_place(check: Check) -> None:
+    """A subprogram that only a call names, and what that calls: each once, by file and line."""
+    write("part.nc", "%part\nL sub.nc\nL CYCLE [NAME=lib/drill.cyc @P1=2]\nL sub.nc\nM30\n")
+    write("sub.nc", "G00 X1\nG33 X1\nL lib/deep.nc\nM17\n")
+    write("lib/drill.cyc", "G01 Z-V.P.DEEP F100\nM17\n")
+    write("lib/deep.nc", "L gone.nc\nM17\n")
+    checked = check("part.nc")
+    assert checked.found == [
+        ("lib/deep.nc", 1, 900131),
+        ("sub.nc", 2, 900200),
+        ("", 0, 900585),
+    ]
+    assert "Searched: lib/" in checked.out
+    assert checked.lines[-1].startswith("4 files: ")
+
+
+def test_a_called_file_ends_with_m17(check: Check) -> None:
+    """One that is only called: M30 in it ends the main program, which is a warning."""
+    write("part.nc", "L sub.nc\nM30\n")
+    write("sub.nc", "G00 X1\nM30\n")
+    assert check("part.nc").ids == [900124]
+    assert check("part.nc", "sub.nc").ids == []
+
+
+def test_programs_that_call_each_other_are_checked_once(check: Check) -> None:
+    """A circle of calls ends."""
+    write("a.nc", "L b.nc\nM30\n")
+    write("b.nc", "G33\nL a.nc\nM17\n")
+    checked = check("a.nc")
+    assert checked.ids == [900200]
+    assert checked.lines[-1].startswith("2 files: ")
+
+
+TWO_CHANNELS = (Path(__file__).parent.parent / "machines" / "centre").resolve()
+
+
+def two_channels(paths: dict[int, str]) -> None:
+    """A machine of two channels in ``mine``; channel -> what its list has in addition."""
+    shutil.copytree(TWO_CHANNELS, "mine")
+    for channel, text in paths.items():
+        file = Path(f"mine/listen/sda_mds{channel}.lis")
+        file.write_text(file.read_text("latin-1").replace("Ende", f"{text}\nEnde"), "latin-1")
+
+
+def of_programs(checked: Checked) -> list[tuple[str, int, int]]:
+    """What was found in programs."""
+    return [one for one in checked.found if one[0].endswith(".nc")]
+
+
+def test_programs_in_a_machines_folder_are_for_its_channels(check: Check) -> None:
+    """The second channel has no A axis; path[i].dir tells which channel a folder is for."""
+    two_channels({1: "path[0].dir ./one", 2: "path[0].dir ./two"})
+    for folder in ("one", "two", "three"):
+        write(f"mine/{folder}/{folder}.nc", "G00 A10\nM30\n")
+    checked = check("mine")
+    assert of_programs(checked) == [("mine/two/two.nc", 1, 900203)]
+    assert 900585 not in [number for _, _, number in checked.found]
+
+
+def test_a_folder_of_two_channels_is_checked_for_both(check: Check) -> None:
+    """What one of them cannot run is told; what both cannot, once."""
+    two_channels({1: "path[0].dir ./nc", 2: "path[0].dir ./nc"})
+    write("mine/nc/a.nc", "G00 A10\nG33\nM30\n")
+    assert of_programs(check("mine")) == [("mine/nc/a.nc", 1, 900203), ("mine/nc/a.nc", 2, 900200)]
+
+
+def test_a_named_machine_counts_for_all_programs(check: Check) -> None:
+    """--machine: a program in another machine's folder is checked for the one that is named."""
+    two_channels({})
+    shutil.copytree(DEMO, "demo")
+    write("mine/c.nc", "G00 C10\nM30\n")
+    assert of_programs(check("mine")) == []
+    assert of_programs(check("mine", "--machine", "demo")) == [("mine/c.nc", 1, 900203)]
+
+
+def test_programs_that_run_with_each_other_one_are_checked(check: Check) -> None:
+    """Those of the channel list: found ones are checked, missing ones told with each program."""
+    two_channels({1: "start_init_prog_file begin.nc\nfinal_prog_file gone.nc"})
+    write("mine/begin.nc", "G33\nM17\n")
+    write("mine/part.nc", "%part\nM30\n")
+    assert of_programs(check("mine/part.nc", "--machine", "mine")) == [
+        ("mine/begin.nc", 1, 900200),
+        ("mine/part.nc", 1, 900131),
+    ]

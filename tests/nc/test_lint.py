@@ -34,7 +34,7 @@ def lints(*programs: tuple[str, ...], budget: Budget = BUDGET) -> list[Diagnosti
     uses = [
         check_program(
             Source(f"{number}.nc", lines), channel.names, channel.parameters, budget, collector
-        )
+        ).global_cycles
         for number, lines in enumerate(programs, start=1)
     ]
     never_deleted(uses, collector)

@@ -2,8 +2,8 @@
 """What there is to check -> every diagnostic, in one order.
 
 In: files, folders, texts, and the machine that programs shall run on. Out: ``CheckResult``. Nothing
-is executed, and one file's mistakes keep no other from being checked. Programs are checked for the
-machine's first channel; beyond their errors, what is likely meant otherwise is found (``nc/lint``).
+is executed, and one file's mistakes keep no other from being checked. Beyond the errors of programs
+what is likely meant otherwise is found (``nc/lint``).
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from pathlib import Path
 from nctakt.assembly import Machine
 from nctakt.checking.inputs import Found, gather
 from nctakt.checking.program import check_program
+from nctakt.checking.targets import Target, Targets
 from nctakt.diagnostics import Diagnostic, Severity, Span
 from nctakt.lists.files import find_file
 from nctakt.lists.kinds import check_list_alone, kind_of, references
@@ -23,8 +24,8 @@ from nctakt.lists.parameters import SCHEMAS
 from nctakt.loading import NcText
 from nctakt.long_text import read_lines
 from nctakt.messages import Collector, diagnostic
+from nctakt.nc.check_words import Role
 from nctakt.nc.lint import GlobalCycles, never_deleted
-from nctakt.nc.lint_cycle import Budget
 from nctakt.nc.source import Source
 from nctakt.text import decode_text, split_lines
 
@@ -49,12 +50,14 @@ class CheckedFile:
 class CheckResult:
     """All files that were checked, by name; all that was found, by file, line, column, number.
 
-    ``machines``: the folders with a start-up list.
+    ``machines``: the folders with a start-up list. ``takes_default``: some program was checked for
+    the machine that was given, since it belongs to none of these.
     """
 
     files: tuple[CheckedFile, ...]
     found: tuple[Found, ...]
     machines: tuple[str, ...] = ()
+    takes_default: bool = False
 
     def count(self, severity: Severity) -> int:
         """How many findings of one severity there are."""
@@ -62,29 +65,42 @@ class CheckResult:
 
 
 def check_files(
-    inputs: Sequence[str | Path | NcText], machine: Machine, *, verbose: bool = False
+    inputs: Sequence[str | Path | NcText],
+    machine: Machine,
+    *,
+    verbose: bool = False,
+    for_all: bool = True,
 ) -> CheckResult:
-    """Check files, folders with all that is in them, and texts.
+    """Check files, folders with all that is in them, texts, and the files that programs call.
 
-    ``verbose``: name each entry of a list that nctakt does not know or accepts without effect. What
+    ``verbose``: name each entry of a list that nctakt does not know or accepts without effect.
+    ``for_all``: all programs are for ``machine``, even those in the folder of another one. What
     cannot be read is a diagnostic as well; no file checked at all leaves ``files`` empty.
     """
-    return _Checker(machine, verbose).check(inputs)
+    return _Checker(machine, verbose, for_all).check(inputs)
+
+
+@dataclass(frozen=True, slots=True)
+class _Waiting:
+    """A program that is still to be checked; it is read once for all its channels."""
+
+    path: Path
+    targets: tuple[Target, ...]
+    role: Role
 
 
 class _Checker:
     """Gathers files and diagnostics of one call."""
 
-    def __init__(self, machine: Machine, verbose: bool) -> None:
-        self._names = machine.names
-        self._folder = machine.configuration.folder
-        self._parameters = machine.parameters
-        context = machine.channels[0].context
-        self._budget = Budget(context.max_steps, context.budget_steps)
+    def __init__(self, machine: Machine, verbose: bool, for_all: bool) -> None:
+        self._targets = Targets(machine, for_all)
         self._verbose = verbose
         self._files: dict[str, str] = {}
         self._found: list[Found] = []
         self._covered: dict[Path, None] = {}
+        self._waiting: list[_Waiting] = []
+        self._known: dict[tuple[Path, Target], None] = {}
+        self._names: dict[Path, Path] = {}
         self._global_cycles: list[GlobalCycles] = []
 
     def check(self, inputs: Sequence[str | Path | NcText]) -> CheckResult:
@@ -96,18 +112,19 @@ class _Checker:
         for path in gathered.lists:
             if path.resolve() not in self._covered:
                 self._list(path)
+        self._names = {path.resolve(): path for path in gathered.programs}
         for path in gathered.programs:
-            lines = self._lines(path)
-            if lines is not None:
-                self._program(path.as_posix(), lines)
+            self._want(path, self._targets.of(path), "either")
         for text in texts:
-            self._program(text.name, split_lines(text.text))
+            for target in self._targets.of(None):
+                self._program(text.name, split_lines(text.text), target, "either")
+        self._programs()
         collector = Collector()
         never_deleted(self._global_cycles, collector)
         self._keep("", collector.diagnostics)
         files = tuple(CheckedFile(file, kind) for file, kind in sorted(self._files.items()))
         machines = tuple(startup.parent.as_posix() for startup in gathered.machines)
-        return CheckResult(files, _ordered(self._found), machines)
+        return CheckResult(files, _ordered(self._found), machines, self._targets.took_default)
 
     def _keep(self, file: str, diagnostics: Sequence[Diagnostic]) -> None:
         for one in diagnostics:
@@ -164,6 +181,7 @@ class _Checker:
                 self._covered[path.resolve()] = None
                 self._files[path.as_posix()] = kind
         self._keep(startup.as_posix(), machine.diagnostics)
+        self._targets.add(machine)
 
     def _list(self, path: Path) -> None:
         """A list by itself: its kind is that of most of its entries."""
@@ -191,15 +209,41 @@ class _Checker:
 
     # --- programs --------------------------------------------------------------------------------
 
-    def _program(self, name: str, lines: Sequence[str]) -> None:
+    def _want(self, path: Path, targets: Sequence[Target], role: Role) -> None:
+        """Check a program, once for each channel; by its own name where the user has named it."""
+        key = path.resolve()
+        new = tuple(one for one in targets if (key, one) not in self._known)
+        if new:
+            self._known.update(((key, one), None) for one in new)
+            self._waiting.append(_Waiting(self._names.get(key, path), new, role))
+
+    def _programs(self) -> None:
+        """The programs that wait, and those that they call."""
+        while self._waiting:
+            one = self._waiting.pop(0)
+            lines = self._lines(one.path)
+            if lines is None:
+                continue
+            for target in one.targets:
+                self._program(one.path.as_posix(), lines, target, one.role)
+
+    def _program(self, name: str, lines: Sequence[str], target: Target, role: Role) -> None:
         self._files[name] = PROGRAM
         collector = Collector()
-        source = Source(name, lines)
-        uses = check_program(
-            source, self._names, self._parameters, self._budget, collector, self._folder
+        checked = check_program(
+            Source(name, lines),
+            target.names,
+            target.parameters,
+            target.budget,
+            collector,
+            target.folder,
+            role=role,
         )
-        self._global_cycles.append(uses)
+        self._global_cycles.append(checked.global_cycles)
         self._keep(name, collector.diagnostics)
+        for path in checked.called:
+            named = path.resolve() in self._names
+            self._want(path, (target,), "either" if named else "called")
 
 
 def _ordered(found: Sequence[Found]) -> tuple[Found, ...]:

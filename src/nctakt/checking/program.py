@@ -1,25 +1,35 @@
 # SPDX-License-Identifier: MIT
 """One program -> everything that can be told of it, statement by statement.
 
-In: its text. Out: diagnostics of parser, checker and lint in the order of the text, and what it
-does with GLOBAL realtime cycles. No more than one statement is in memory at a time, so a program of
-any length can be checked.
+In: its text. Out: diagnostics of parser, checker and lint in the order of the text, the files that
+it calls, and what it does with GLOBAL realtime cycles. No more than one statement is in memory at a
+time, so a program of any length can be checked.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
-from nctakt.diagnostics import Diagnostic
+from nctakt.diagnostics import Diagnostic, Span
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.loading import find_program, missing, search_folders
 from nctakt.messages import Collector
+from nctakt.nc.check_words import Role
 from nctakt.nc.inspection import inspect
 from nctakt.nc.lint import GlobalCycles, Linter
 from nctakt.nc.lint_cycle import Budget
 from nctakt.nc.names import NameTable
 from nctakt.nc.source import Source
 from nctakt.nc.syntax import StringLiteral
+
+
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """What others have to know of a program: its GLOBAL cycles, the files that it calls."""
+
+    global_cycles: GlobalCycles
+    called: tuple[Path, ...]
 
 
 def check_program(
@@ -29,24 +39,34 @@ def check_program(
     budget: Budget,
     collector: Collector,
     machine_folder: Path = Path(),
-) -> GlobalCycles:
+    *,
+    role: Role = "either",
+) -> Checked:
     """Check a program with its local subprograms, each up to its end.
 
-    Whether it is a main program or is called by others nobody knows; the files that it calls
-    itself have to be there.
+    ``role``: ``called`` where only others begin it. The files that it calls have to be there, and
+    those that the channel list lets run with each main program.
     """
     found = Collector()
     linter = Linter(source, names, budget, found)
-    program = inspect(source, names, channel, found, role="either", watcher=linter)
+    program = inspect(source, names, channel, found, role=role, watcher=linter)
+    wanted: list[tuple[str, Span]] = []
     for call in program.calls:
         assert isinstance(call.name, StringLiteral)
-        folders = search_folders(source.file, channel, machine_folder)
-        if find_program(call.name.value, folders) is None:
-            line = source.line_of(call.span)
-            found.diagnostics.append(missing(call.name.value, folders, call.span, line))
+        wanted.append((call.name.value, call.span))
+    if role != "called":
+        wanted += [(name, program.main.span) for name in channel.implicit_programs.names]
+    folders = search_folders(source.file, channel, machine_folder)
+    called: dict[Path, None] = {}
+    for name, span in wanted:
+        path = find_program(name, folders)
+        if path is None:
+            found.diagnostics.append(missing(name, folders, span, source.line_of(span)))
+        else:
+            called[path] = None
     found.diagnostics.sort(key=_place)
     collector.diagnostics += found.diagnostics
-    return linter.global_cycles
+    return Checked(linter.global_cycles, tuple(called))
 
 
 def _place(diagnostic: Diagnostic) -> tuple[int, int]:

@@ -16,7 +16,7 @@ from typing import Any, Literal
 import click
 
 from nctakt.assembly import Machine
-from nctakt.checking.check import PROGRAM, CheckResult, check_files
+from nctakt.checking.check import CheckResult, check_files
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.formats import as_github, as_json, as_text, closing_line
 from nctakt.cli.sarif import as_sarif
@@ -102,7 +102,8 @@ def _check(options: Options) -> int:
     machine = _machine(options)
     output = None if options.output is None else OutputFile(options.output)
     inputs = [_standard_input() if path == _STANDARD_INPUT else path for path in options.paths]
-    checked = check_files(inputs, machine, verbose=options.verbose)
+    is_named = options.machine is not None
+    checked = check_files(inputs, machine, verbose=options.verbose, for_all=is_named)
     lowest = Severity.WARNING if options.quiet else Severity.NOTE
     result = _selected(checked, selection, lowest)
     told = _told(result, options)
@@ -158,7 +159,7 @@ def _closing(result: CheckResult, selection: Selection, options: Options) -> str
     if options.quiet:
         return ""
     closing = f"{closing_line(result, options.language)}\n"
-    demo = options.machine is None and any(one.kind == PROGRAM for one in result.files)
+    demo = options.machine is None and result.takes_default
     if demo and selection.takes(900585):
         folder = result.machines[0] if len(result.machines) == 1 else "DIR"
         remark = diagnostic(900585, folder=folder)

@@ -116,6 +116,12 @@ class ImplicitPrograms:
     m6: str
     g800: Mapping[int, str]
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """All programs that there are, each once."""
+        all_names = (self.program_start, self.program_end, self.m6, *self.g800.values())
+        return tuple(dict.fromkeys(name for name in all_names if name))
+
     def of_g(self, number: int) -> str:
         """The program that a G function calls: G800 and the following have the indices from 0 on.
 

@@ -253,6 +253,7 @@ class Machine:
             {axis.name: place for place, axis in enumerate(own.configuration.axes)},
             axes,
             own.offsets,
+            own.configuration.tools,
             self.cells,
             memoryview(self.memory),
             self.configuration.cycle_time_us,

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Offsets between the programmed and the axes' positions: which are active, and their commands.
 
-In: G53 … G59, G159, G92, ``#PSET``, ``#PRESET``, the lists of zero and clamp offsets. Out: what to
-add to an absolute position (``ActiveOffsets.total``), and ``SetOffset`` commands, so that V.RTA
-positions in PCS follow in order with the blocks (MO-8). An offset moves no axis: it counts in the
-next absolute position of the axis; relative motions go as far as they say.
+In: G53 … G59, G159, G92, ``#PSET``, ``#PRESET``, the lists of zero and clamp offsets, the tool.
+Out: what to add to an absolute position (``ActiveOffsets.total``), and ``SetOffset`` commands, so
+that V.RTA positions in PCS follow in order with the blocks (MO-8). An offset moves no axis: it
+counts in the next absolute position of the axis; relative motions go as far as they say.
 """
 
 from __future__ import annotations
@@ -99,6 +99,12 @@ class ActiveOffsets:
     def release(self, axis: int, source: int, number: int) -> Iterator[SetOffset]:
         """``#PRESET``: no preset for this axis."""
         yield from self._set(axis, PSET, 0.0, source, number)
+
+    def set_tool(
+        self, offsets: Mapping[int, float], source: int, number: int
+    ) -> Iterator[SetOffset]:
+        """The offsets of the tool, by the places of the axes."""
+        yield from self._set_group(TOOL, offsets, source, number)
 
     def _group(self, group: int) -> Mapping[int, float]:
         return self.zero_groups.get(group, {})

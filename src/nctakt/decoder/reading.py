@@ -19,6 +19,7 @@ from nctakt.decoder.expressions import Built, ExpressionBuilder, constant
 from nctakt.decoder.own_values import OwnValues
 from nctakt.decoder.state import ModalState
 from nctakt.decoder.surroundings import DecodeError, Surroundings
+from nctakt.decoder.tools import ActiveTool
 from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
 from nctakt.kernel.expressions import OPERATIONS
@@ -61,6 +62,7 @@ class Reading:
         self._builder = ExpressionBuilder(self._leaf, self._compare_texts, self._ask)
         self.own = OwnValues(state.levels, self._index, self.fail)
         self._context = empty_context()
+        self.tool = ActiveTool(surroundings, state, self.fail)
 
     # --- reading --------------------------------------------------------------------------------
 
@@ -274,7 +276,7 @@ class Reading:
                 )
             return surroundings.system.timers.read(int(number))
         if found.kind == "tool":
-            return 0.0
+            return self.tool.read(variable, found, self._index)
         limit = surroundings.system.software_limit(found.subject, is_high=found.kind == "high")
         axis = surroundings.axes[surroundings.axis_numbers[found.subject]]
         return limit / self.state.length_unit_mm if axis.is_linear else limit

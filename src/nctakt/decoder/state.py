@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 from nctakt.decoder.levels import Levels
 from nctakt.lists.channel_configuration import ProgramStart
+from nctakt.lists.tools import NO_TOOL, Tool
 
 MM_PER_INCH = 25.4
 
@@ -42,6 +43,15 @@ class PathState:
 
 
 @dataclass(slots=True)
+class ToolState:
+    """``number``: the last T. ``record``: the last D; ``tool``: what it selects."""
+
+    number: int = 0
+    record: int = 0
+    tool: Tool = NO_TOOL
+
+
+@dataclass(slots=True)
 class ModalState:
     """``motion``: G00 … G03. ``feed_mm_s`` 0: no feed yet. ``parameters``: P1, P2, …
 
@@ -54,6 +64,7 @@ class ModalState:
     absolute: bool
     feed_mm_s: float
     positions: list[float]
+    tool: ToolState = field(default_factory=ToolState)
     parameters: dict[int, float] = field(default_factory=dict)
     message_file: str = ""
     levels: Levels = field(default_factory=Levels)

@@ -13,6 +13,7 @@ from nctakt.decoder.system import SystemData
 from nctakt.diagnostics import Diagnostic, Span
 from nctakt.lists.axis_configuration import AxisConfiguration
 from nctakt.lists.channel_configuration import ChannelParameters
+from nctakt.lists.tools import Tool
 from nctakt.nc.names import NameTable
 from nctakt.nc.outline import ProgramText
 
@@ -21,8 +22,8 @@ from nctakt.nc.outline import ProgramText
 class Surroundings:
     """One channel as its decoder sees it.
 
-    ``axis_numbers``: axis name -> place in the path's positions. ``cells``: the machine's memory,
-    ``memory`` the same as bytes.
+    ``tools``: those of the list, by number. ``axis_numbers``: axis name -> place in the path's
+    positions. ``cells``: the machine's memory, ``memory`` the same as bytes.
     ``place``: the source number of a span (``sources.py``). ``line``: the text line of a span.
     ``turning``: the places of the spindles that the CNC turns and has an axis list for.
     ``text_number``: the number of a text that is told with a user error.
@@ -38,6 +39,7 @@ class Surroundings:
     axis_numbers: Mapping[str, int]
     axes: tuple[AxisConfiguration, ...]
     offsets: ActiveOffsets
+    tools: Mapping[int, Tool]
     cells: memoryview[float]
     memory: memoryview
     cycle_time_us: int

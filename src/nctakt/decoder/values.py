@@ -29,8 +29,10 @@ from nctakt.nc.names import Location, Whole
 from nctakt.nc.resolution import (
     indices_of,
     is_own,
+    path_text,
     resolve_whole,
 )
+from nctakt.nc.system_variables import SYSTEM_FAMILIES, system_variable
 
 Decoding = Generator[Command, Answer, float]
 
@@ -82,6 +84,9 @@ class Values(Reading):
                 yield from self._fetch(index, number)
             self.own.write(target, value)
             return
+        if target.family in SYSTEM_FAMILIES:
+            yield from self._write_system(target, value, number)
+            return
         location = self.locate(target)
         cell = yield from self._place(target, location, number)
         stored = self.convert(value, location, target.span)
@@ -93,6 +98,16 @@ class Values(Reading):
             yield from self._send(cell, stored, source, number, is_realtime)
         else:
             self._put(cell, stored)
+
+    def _write_system(
+        self, target: syntax.Variable, value: float | str, number: int
+    ) -> Generator[Command, Answer]:
+        """V.G; the checker lets only the active tool pass."""
+        found = system_variable(target, tuple(self.surroundings.axis_numbers))
+        assert found is not None
+        if isinstance(value, str):
+            self.fail(900340, target.span, name=path_text(target))
+        yield from self.tool.write(found, value, target.span, number)
 
     def _place(
         self, variable: syntax.Variable, found: Location | Whole, number: int

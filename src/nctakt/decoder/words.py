@@ -46,7 +46,7 @@ PROGRAM_ENDS = (2, 30)
 
 @dataclass(slots=True)
 class _Content:
-    """A block's words sorted by what they do."""
+    """A block's words sorted by what they do; ``turns_tool``: its offsets may be other ones."""
 
     axes: list[tuple[syntax.AxisWord, float]] = field(default_factory=list)
     path: PathWords = field(default_factory=PathWords)
@@ -54,6 +54,7 @@ class _Content:
     dwell_s: float | None = None
     zero_group: int | None = None
     is_reference: bool = False
+    turns_tool: bool = False
     ends_program: bool = False
 
 
@@ -100,6 +101,8 @@ class Words:
         content.path.offset_kinds = kinds
         source = self._surroundings.place(block.span)
         yield from self._offsets(content, source, number)
+        if content.turns_tool:
+            yield from self._values.tool.offsets(block.span, number)
         yield from self.technology.before(content.functions)
         yield from self._motion(content, block.span, number)
         if content.dwell_s is not None:
@@ -117,6 +120,7 @@ class Words:
             and word.name == "G"
             and isinstance(word.value, syntax.Number)
         ]
+        content.turns_tool = any(function in PLANES for function in numbers)
         for function in numbers:
             self._modal(function)
             content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
@@ -186,7 +190,9 @@ class Words:
         if word.name == "F":
             self._state.feed_mm_s = self._feed(value)
             return
-        if word.name == "T":
+        if word.name in ("T", "D"):
+            self._values.tool.word(word, value)
+            content.turns_tool = True
             return
         if word.name == "R":
             self._state.path.radius = value * self._state.length_unit_mm

@@ -51,6 +51,10 @@ class Tool:
     max_acceleration: int
 
 
+#: What D0 selects: no dimensions.
+NO_TOOL = Tool(0, False, "MILLING", 0, 0.0, 0.0, {}, {}, 0, 0, 0, 0)
+
+
 def _tool(
     id_: str,
     path: str,
@@ -62,7 +66,7 @@ def _tool(
     low: int | None = None,
     high: int | None = None,
     unit: str = "",
-    effect: Effect = Effect.CHECKED,
+    effect: Effect = Effect.TAKEN,
 ) -> Parameter:
     path = f"wz[0..{MOST_TOOLS - 1}].{path}"
     return Parameter(
@@ -167,6 +171,7 @@ _SPINDLE = (
         "Least speed of the spindle with this tool; 0: no bound",
         "Kleinste Drehzahl der Spindel mit diesem Werkzeug; 0: ohne Grenze",
         unit="1e-3°/s",
+        effect=Effect.CHECKED,
     ),
     _tool(
         "P-TOOL-00014",
@@ -176,6 +181,7 @@ _SPINDLE = (
         "Greatest speed of the spindle with this tool; 0: no bound",
         "Größte Drehzahl der Spindel mit diesem Werkzeug; 0: ohne Grenze",
         unit="1e-3°/s",
+        effect=Effect.CHECKED,
     ),
     _tool(
         "P-TOOL-00015",
@@ -185,6 +191,7 @@ _SPINDLE = (
         "Greatest acceleration of the spindle with this tool; 0: no bound",
         "Größte Beschleunigung der Spindel mit diesem Werkzeug; 0: ohne Grenze",
         unit="°/s²",
+        effect=Effect.CHECKED,
     ),
 )
 

@@ -27,6 +27,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``plc``               the PLC's side: partners in other processes, scripts (900650 … 900679)
 ``folders``           how lists name each other, tools, offsets (900740 … 900769)
 ``offsets``           offsets between programmed and axis positions (900770 … 900799)
+``tools``             tools in programs, tool radius compensation (900865 … 900879)
 ``diagnosis``         the lines of the cycles' diagnosis data (900456 … 900458, 900550 … 900569)
 ``unreached``         numbers of the controller that no program of nctakt reaches
 ====================  ==============================================================================
@@ -60,6 +61,7 @@ from nctakt.messages import (
     scheduling,
     scheduling_run,
     spindles,
+    tools,
     unreached,
     user_errors,
     variables,
@@ -84,6 +86,7 @@ for _stage in (
     checked_axes,
     lints,
     offsets,
+    tools,
     decoder,
     motion,
     memory,

@@ -233,8 +233,8 @@ class ValueChecker:
             return
         system = system_variable(variable, self._axes)
         if system is not None:
-            if system.number is not None:
-                self.value(system.number)
+            for index in system.indices:
+                self.value(index)
             return
         location = self._found(variable)
         if location is None or not self._may(variable, location, Access.READ):
@@ -263,6 +263,9 @@ class ValueChecker:
         entry = support.answer_family(target.family)
         if self._in_cycle and entry is not None and entry.answer is Answer.REFUSED:
             self._asynchronous(target)
+            return
+        system = system_variable(target, self._axes)
+        if system is not None and system.is_writable:
             return
         location = self._found(target)
         if location is None or not self._may(target, location, Access.WRITE):

@@ -266,7 +266,7 @@ WORDS = known(
     ("G", "S", "G function", "G-Funktion"),
     ("M", "S", "M function of the channel list", "M-Funktion der Kanalliste"),
     ("H", "S", "H function of the channel list", "H-Funktion der Kanalliste"),
-    ("D", "R", "tool offset", "Werkzeugkorrektur"),
+    ("D", "S", "tool offsets of the tool list", "Werkzeugkorrektur der Werkzeugliste"),
     ("E", "R", "feed at the block's end", "Vorschub am Satzende"),
     ("I", "S", "centre of an arc", "Mittelpunkt eines Kreises"),
     ("J", "S", "centre of an arc", "Mittelpunkt eines Kreises"),
@@ -276,5 +276,5 @@ WORDS = known(
     ("R", "S", "radius of an arc", "Radius eines Kreises"),
     ("S", "S", "speed of the main spindle", "Drehzahl der Hauptspindel"),
     ("S.POS", "S", "position of the main spindle", "Position der Hauptspindel"),
-    ("T", "A", "tool; it has no lengths here", "Werkzeug; hat hier keine Längen"),
+    ("T", "A", "tool; D selects its offsets", "Werkzeug; D wählt seine Korrektur an"),
 )

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""The words T and D, and what V.G tells of tools (MO-8).
+
+The demo machine has tools 1 (length 100, radius 5), 2 (length 80, radius 3) and 3 (length 120, 1 mm
+beside the spindle in X).
+"""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+import nctakt
+from nctakt.controller import Controller, NcText
+from nctakt.results.run import Run, SaidMessage
+
+DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
+
+
+def run(text: str, machine: Path | None = None) -> tuple[Run, list[str]]:
+    """A program's run, and what it says."""
+    said: list[SaidMessage] = []
+    found = Controller(machine).run(NcText("p.nc", text + "M30\n"), on_message=said.append)
+    return found, [one.text for one in said]
+
+
+def machine_with(folder: Path, **lists: str) -> Path:
+    """The demo machine with further lines at the beginning of some of its lists."""
+    shutil.copytree(DEMO, folder)
+    for name, lines in lists.items():
+        file = folder / f"{name}.lis"
+        file.write_text(lines + "\n" + file.read_text("utf-8"), "utf-8")
+    return folder
+
+
+def test_v_g_tells_of_the_active_tool_and_of_those_of_the_list() -> None:
+    """Lengths in the program's unit; an offset by the axis' name or its place."""
+    found, said = run(
+        '#MSG ["%g %g %g", V.G.WZ_AKT.R, V.G.D_AKT, V.G.T_AKT]\n'
+        "T5 D2\n"
+        '#MSG ["%g %g %g %g", V.G.WZ_AKT.R, V.G.WZ_AKT.L, V.G.D_AKT, V.G.T_AKT]\n'
+        '#MSG ["%g %g %g", V.G.WZ[3].V.X, V.G.WZ[1 + 2].V[0], V.G.WZ_AKT.V.X]\n'
+        '#MSG ["%g %g %g", V.G.WZ[1].OK, V.G.WZ[1].SPDL_AX_NR, V.G.WZ[0].L]\n'
+        '#MSG ["%g %g", V.G.WZ[1].P[7], V.G.WZ[1].SRK_ID]\n'
+        'G70\n#MSG ["%.6f %.6f", V.G.WZR * 25.4, V.G.WZ[3].V.X * 25.4]\n'
+    )
+    assert found.errors == ()
+    assert said == ["0 0 0", "3 80 2 5", "1 1 0", "1 5 0", "0 0", "3.000000 1.000000"]
+
+
+def test_radius_and_length_of_the_active_tool_can_be_written() -> None:
+    """Until the next D; the list's tool is as it was."""
+    found, said = run(
+        "D1\nV.G.WZ_AKT.R = 4\nV.G.WZ_AKT.L -= 10\n"
+        '#MSG ["%g %g %g", V.G.WZ_AKT.R, V.G.WZ_AKT.L, V.G.WZ[1].R]\n'
+        'D1\n#MSG ["%g %g", V.G.WZ_AKT.R, V.G.WZ_AKT.L]\n'
+        'D0\nV.G.WZR = 2\n#MSG ["%g", V.G.WZ_AKT.R]\n'
+    )
+    assert found.errors == ()
+    assert said == ["4 90 5", "5 100", "2"]
+
+
+def test_a_realtime_cycle_has_the_tool_of_its_definition() -> None:
+    """V.G is asynchronous: a constant in the cycle (RC-302)."""
+    controller = Controller()
+    text = (
+        "D2\n#RT CYCLE [SCOPE=PROG]\nV.E.VALUE = V.G.WZ_AKT.R\n#RT CYCLE END\nD1\nG04 0.01\nM30\n"
+    )
+    assert controller.run(NcText("p.nc", text)).errors == ()
+    assert controller.read("V.E.VALUE") == 3
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "message"),
+    [
+        ("D7\n", 900865, "the tool list has no tool 7"),
+        ("P1 = 9\nD P1\n", 900865, "the tool list has no tool 9"),
+        ("P1 = V.G.WZ[9].R\n", 900865, "the tool list has no tool 9"),
+        ("D1.5\n", 900867, "1.5 is no number of a tool"),
+        ("T-1\n", 900867, "-1 is no number of a tool"),
+        ("P1 = V.G.WZ_AKT.V[9]\n", 50929, "V.G.WZ_AKT.V"),
+        ("P1 = V.G.WZ_AKT.P[60]\n", 50929, "V.G.WZ_AKT.P"),
+        ("V.G.WZ[1].R = 5\n", 900200, "V.G"),
+        ("V.G.WZ_AKT.R = 5\nP1 = V.G.WZ_AKT.X\n", 900200, "V.G"),
+    ],
+)
+def test_what_no_tool_answers_to(text: str, number: int, message: str) -> None:
+    """A tool that there is not, no number of a tool, an element that there is not."""
+    found, _ = run(text)
+    assert [one.id for one in found.errors] == [number]
+    assert message in found.errors[0].text("en")
+
+
+def test_a_tool_that_is_not_valid(tmp_path: Path) -> None:
+    """P-TOOL-00005 is 0."""
+    machine = machine_with(tmp_path / "m", werkz_d1="wz[9].laenge 5")
+    found, _ = run("D9\n", machine)
+    assert [one.id for one in found.errors] == [900866]
+    assert found.errors[0].text("de") == "Werkzeug 9 ist nicht gültig"

@@ -39,8 +39,8 @@ NAMES = [document.relative_to(ROOT).as_posix() for document in DOCUMENTS]
 _FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _LINK = re.compile(r"\[[^\]]*\]\(([^)]+)\)")
 _OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
-#: Options of what is not ``nctakt``: ``scripts/docs``, pytest with the plugin.
-_OTHER_OPTIONS = {"--check", "--nctakt-coverage", "--nctakt-coverage-file"}
+#: Options of what is not ``nctakt``: ``scripts/docs``.
+_OTHER_OPTIONS = {"--check"}
 
 
 def text_of(name: str) -> str:
@@ -380,6 +380,10 @@ class _Names:
 
     def variable_text(self, number: int) -> str:
         return str(number)
+
+    def thread(self, number: int) -> str:
+        """The name of a thread."""
+        return f"T{number}"
 
     def program(self, number: int) -> str:
         return str(number)

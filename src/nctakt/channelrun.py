@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from nctakt.assembly import Machine
+from nctakt.budget import Budget
 from nctakt.diagnostics import Diagnostic
 from nctakt.failure import Failure
 from nctakt.feed import Feed
@@ -24,8 +25,8 @@ class ChannelRun:
     """What runs in a channel; ``index`` counts from 0, ``report`` takes what stops a program.
 
     Blocks of ``skip_levels`` are left out; ``tells_blocks``: events tell of each block.
-    ``result``: how the queued programs came to their end,
-    ``None`` while they have not.
+    ``result``: how the queued programs came to their end, ``None`` while they have not.
+    ``budget``: the decoder's time, where a schedule gives it.
     """
 
     def __init__(self, machine: Machine, index: int, report: Callable[[Diagnostic], None]) -> None:
@@ -40,6 +41,7 @@ class ChannelRun:
         self.feed: Feed | None = None
         self.skip_levels: frozenset[int] = frozenset()
         self.tells_blocks = False
+        self.budget: Budget | None = None
         self.result: RunState | None = "ended"
 
     @property
@@ -109,13 +111,32 @@ class ChannelRun:
             raise Failure(diagnostic(900466))
         self._outcome = None
         self._selected = program
-        self.feed = Feed(self._machine, program, self._report, self.skip_levels, self.tells_blocks)
+        self.feed = Feed(
+            self._machine,
+            program,
+            self._report,
+            self.skip_levels,
+            self.tells_blocks,
+            self.budget,
+        )
         self.channel.panel.begin_program()
 
     def close(self) -> None:
         """The row of programs is over: nothing waits for START any more."""
         self.result = self.result or "limit"
         self.channel.panel.arm(False)
+
+    # --- where a schedule gives the decoder its time --------------------------------------------
+
+    @property
+    def wants_to_decode(self) -> bool:
+        """Whether the decoder of the channel has something to do."""
+        return self.feed is not None and self.feed.wants_to_decode
+
+    def decode(self) -> None:
+        """Decode for as long as the schedule lets the decoder."""
+        if self.feed is not None and self.channel.decoder_open:
+            self.feed.refill()
 
     # --- what the kernel asks for ---------------------------------------------------------------
 
@@ -148,7 +169,6 @@ class ChannelRun:
     def request_reset(self) -> None:
         """Give the program up and reset the channel (RC-007)."""
         self._give_up()
-        self._outcome = "reset"
         self.channel.request_reset()
 
     def _give_up(self) -> None:

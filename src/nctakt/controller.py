@@ -25,9 +25,11 @@ from nctakt.lists.machine import MachineConfiguration, MachineError, load_machin
 from nctakt.loading import LoadedProgram, NcText
 from nctakt.messages import diagnostic
 from nctakt.nc.outline import ProgramText
+from nctakt.pace import Pace, scheduled
 from nctakt.plc import AnyPlc
 from nctakt.recording import Recording
 from nctakt.results.run import Run, RunState, RunStatistics, SaidMessage
+from nctakt.schedule.opening import RunSchedule
 from nctakt.stimuli import Stimulus
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import MemorySink
@@ -45,16 +47,24 @@ PROGRESS_TICKS = 100_000
 class Controller:
     """One machine with its channels, from start-up on.
 
-    ``machine`` is a folder with lists, a configuration, or ``None`` for the demo machine. Raises
-    ``Failure`` where no machine results.
+    ``machine`` is a folder with lists, a configuration, or ``None`` for the demo machine.
+    ``schedule`` gives its ticks their length, and decoder, interpolation and PLC their time
+    (``schedule.opening.open_schedule``). Raises ``Failure`` where no machine results.
     """
 
-    def __init__(self, machine: MachineConfiguration | str | Path | None = None) -> None:
+    def __init__(
+        self,
+        machine: MachineConfiguration | str | Path | None = None,
+        schedule: RunSchedule | None = None,
+    ) -> None:
         if not isinstance(machine, MachineConfiguration):
             try:
                 machine = load_machine(None if machine is None else Path(machine))
             except MachineError as error:
                 raise Failure(*error.diagnostics) from error
+        duties = None
+        if schedule is not None:
+            machine, duties = scheduled(machine, schedule)
         self.machine = machine
         self.cycle_time_us = machine.cycle_time_us
         self.diagnostics: list[Diagnostic] = list(machine.diagnostics)
@@ -63,6 +73,11 @@ class Controller:
             ChannelRun(self._machine, index, self.diagnostics.append)
             for index in range(len(self._machine.channels))
         ]
+        self._pace: Pace | None = None
+        if schedule is not None and duties is not None:
+            self._pace = Pace(self._machine, schedule, duties)
+            for index, one in enumerate(self._channels):
+                one.budget = self._pace.budget(index)
         self._kernel = self._machine.kernel
         self._recording = Recording(self._machine, self.diagnostics.append, self._is_told)
         self._stimuli: list[Stimulus] = []
@@ -222,8 +237,8 @@ class Controller:
         keeps in the result, of ``signals`` (positions of all axes, path speed, override, block
         number, active cycles unless given); ``record_writes`` has each new value that a cycle gives
         a variable as an event in it. ``why`` keeps what each condition of the realtime cycles saw
-        and did, and counts it (``Run.coverage``). Raises ``Failure`` for a name or value that does
-        not fit; mistakes of the programs are in the result. ``on_cycle`` is told the name and the
+        and did. Raises ``Failure`` for a name or value that does not
+        fit; mistakes of the programs are in the result. ``on_cycle`` is told the name and the
         definition of each realtime cycle when it is decoded. Blocks of the ``skip_levels`` 1 … 10
         are left out. ``blocks``: events tell of each block when it was decoded and when it is
         carried out, and why the channel is emptied.
@@ -267,7 +282,8 @@ class Controller:
             for one in self._channels:
                 one.close()
             registry.on_cycle = None
-        report, coverage = self._recording.why(first_tick, self._loaded_texts())
+        if self._pace is not None:
+            self.diagnostics += self._pace.findings()
         return Run(
             programs=tuple(loading.name_of(program) for one in wanted.values() for program in one),
             cycle_time_us=self.cycle_time_us,
@@ -279,8 +295,9 @@ class Controller:
             messages=statistics.messages,
             cycles=statistics.cycles(self._machine.registry.runs()),
             outputs=statistics.outputs(),
-            why=report,
-            coverage=coverage,
+            starved=statistics.schedule.starved(self.tick),
+            overflows=statistics.schedule.overflows(),
+            why=self._recording.why(first_tick, self._loaded_texts()),
         )
 
     def _loaded_texts(self) -> list[ProgramText]:
@@ -374,15 +391,22 @@ class Controller:
         due = min(end, self._next_stimulus())
         if self._plc is not None:
             due = min(due, self.tick + 1)
+        plc_calls = 1
+        is_lost = False
+        if self._pace is not None:
+            due = min(due, self.tick + 1)
+            share = self._pace.prepare(self._channels, has_plc=self._plc is not None)
+            plc_calls, is_lost = share.plc_calls, share.is_lost
         self._machine.access.post_writes()
         self._machine.reserve()
-        reason = self._kernel.run(due - self.tick)
+        reason = self._kernel.lose_tick() if is_lost else self._kernel.run(due - self.tick)
         self._recording.drain()
         if reason not in (reasons.DONE, reasons.FULL):
             for one in self._channels:
                 one.serve()
         if self._plc is not None and self._kernel.tick == due and reason != reasons.FULL:
-            self._plc.cycle(Interface(self._machine))
+            for _ in range(plc_calls):
+                self._plc.cycle(Interface(self._machine))
 
     def _next_stimulus(self) -> int:
         """Post the stimuli of the coming tick; the tick before which the next one is due."""

@@ -11,6 +11,7 @@ from collections.abc import Callable, Generator
 from functools import partial
 
 from nctakt.assembly import Machine
+from nctakt.budget import Budget
 from nctakt.decoder import commands
 from nctakt.decoder.commands import Answer, Command
 from nctakt.decoder.own_variables import Scopes
@@ -40,6 +41,7 @@ class Feed:
         report: Callable[[Diagnostic], None],
         skip_levels: frozenset[int] = frozenset(),
         tells_blocks: bool = False,
+        budget: Budget | None = None,
     ) -> None:
         assert LOW_WATER < HIGH_WATER
         self._machine = machine
@@ -65,32 +67,59 @@ class Feed:
         self.given_up: Diagnostic | None = None
         self._waiting: Command | None = None
         self._pending: commands.LoadCycle | None = None
+        self._held: Command | None = None
+        self._answer: tuple[Answer, ...] = ()
+        self._budget = budget
+        if budget is not None:
+            budget.forgive()
+        self._channel.taken_source = 0
         self._channel.decoder_open = True
         self._channel.wants_slot = False
 
     def refill(self) -> None:
         """Decode until enough commands that take time wait, or the decoder itself has to wait."""
-        channel = self._channel
         self._free_slots()
         if self._pending is not None and not self._load(self._pending):
             return
-        high_water = channel.ahead.blocks + HIGH_WATER
-        while channel.decoder_open and channel.timed_count < high_water:
-            self._next(None)
-            if self._pending is not None:
+        if self._held is not None and not self._take_held():
+            return
+        while self.wants_to_decode and (self._budget is None or self._budget.can_begin):
+            self._next()
+            if self._pending is not None or self._held is not None:
                 return
+
+    @property
+    def wants_to_decode(self) -> bool:
+        """Whether the decoder does not wait, and the queue is not full."""
+        high_water = self._channel.ahead.blocks + HIGH_WATER
+        return bool(self._channel.decoder_open and self._channel.timed_count < high_water)
+
+    def _take_held(self) -> bool:
+        """Put what was decoded ahead of its time into the queue, if it is paid by now."""
+        assert self._held is not None
+        assert self._budget is not None
+        if not self._budget.is_paid:
+            return False
+        command, self._held = self._held, None
+        self._take(command)
+        return self._pending is None
 
     def answer(self) -> None:
         """The realtime part has answered: the decoder goes on."""
-        value = self._channel.take_answer()
-        answer: Answer = value
+        self._answer = (self._channel.take_answer(),)
+        self._channel.decoder_open = True
+        if self._budget is None:
+            self.refill()
+
+    def _take_answer(self) -> Answer:
+        """What the decoder gets where it goes on: nothing but behind a command that waits."""
+        if not self._answer:
+            return None
+        (answer,), self._answer = self._answer, ()
         if isinstance(self._waiting, commands.PositionRequest):
             answer = tuple(self._machine.positions(self._index))
         self._waiting = None
-        self._channel.decoder_open = True
-        self._free_slots()
-        self._next(answer)
-        self.refill()
+        return answer
 
     def _free_slots(self) -> None:
         """Make the slots of ended cycles free for those that are decoded next."""
@@ -101,7 +130,9 @@ class Feed:
         self._decoded.close()
         self._channel.decoder_open = False
 
-    def _next(self, answer: Answer) -> None:
+    def _next(self) -> None:
+        answer = self._take_answer()
+        begun = self._decoder.blocks
         try:
             command = next(self._decoded) if answer is None else self._decoded.send(answer)
         except StopIteration:
@@ -110,6 +141,11 @@ class Feed:
         except DecodeError as error:
             self._give_up(error.diagnostic)
             return
+        if self._budget is not None:
+            self._budget.spend(self._decoder.blocks - begun)
+            if not self._budget.is_paid:
+                self._held = command
+                return
         self._take(command)
 
     def _give_up(self, found: Diagnostic) -> None:

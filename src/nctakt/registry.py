@@ -31,6 +31,7 @@ class Registry:
         self._probes = 0
         self._messages: list[UserMessage] = []
         self._programs: list[str] = []
+        self._threads: Sequence[str] = ()
         self._variable_texts: list[str] = []
         self._user_texts: list[str] = []
         self._spindles = spindles
@@ -74,6 +75,10 @@ class Registry:
     def program(self, number: int) -> str:
         """The file name of a program."""
         return self._programs[number]
+
+    def thread(self, number: int) -> str:
+        """The name of a thread of the schedule."""
+        return self._threads[number]
 
     def place(self, source: int) -> Span | None:
         """The place of a source number."""
@@ -133,6 +138,10 @@ class Registry:
     def spindle(self, number: int) -> str:
         """The name of a spindle of the channel."""
         return self._spindles[number]
+
+    def name_threads(self, names: Sequence[str]) -> None:
+        """The names of the threads of a schedule."""
+        self._threads = names
 
     def add_user_text(self, text: str) -> int:
         """The number of a text that is told with a user error."""

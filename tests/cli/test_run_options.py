@@ -66,7 +66,8 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> Iterator[Asked]:
         channel_count = 1
         tick = 0
 
-        def __init__(self, machine: object = None) -> None:
+        def __init__(self, machine: object = None, schedule: object = None) -> None:
+            assert schedule is None
             noted.machine = machine
 
         def read(self, name: str) -> float:

@@ -3,7 +3,8 @@
 
 Each folder beside this file is a test: programs, ``run.toml`` with values and limits where needed,
 and ``expected.trace``. Programs of other channels than the first are named in ``run.toml``
-(``[channels]``), a machine folder of the test's own as well (``machine_folder``). Its README
+(``[channels]``), a machine folder of the test's own as well (``machine_folder``), a schedule with
+its load (``rtconf``, ``load``). Its README
 derives the trace from the rules. Lines of ``expected.trace``:
 ``value <tick> <signal> <number>``; ``event <tick> <kind> <text>``, where all events are listed, and
 all notices if there is one; ``diagnostic <number> <line> <words>``, where all errors are listed if
@@ -24,6 +25,7 @@ import nctakt
 from nctakt.controller import Controller
 from nctakt.plc import load_plc
 from nctakt.results.run import Run
+from nctakt.schedule.opening import RunSchedule, open_schedule
 from nctakt.stimuli import Stimulus
 
 HERE = Path(__file__).parent
@@ -66,7 +68,7 @@ def perform(folder: Path, names: set[str], work: Path, programs: str = "*.nc") -
         for number, names in given.get("channels", {}).items()
     }
     taken = [program for own in others.values() for program in own]
-    return Controller(machine).run(
+    return Controller(machine, schedule_of(folder, given)).run(
         *(program for program in sorted(folder.glob(programs)) if program not in taken),
         channels=others,
         plc=None if plc is None else load_plc(folder / plc),
@@ -80,6 +82,13 @@ def perform(folder: Path, names: set[str], work: Path, programs: str = "*.nc") -
         skip_levels=given.get("skip", ()),
         blocks=given.get("blocks", False),
     )
+
+
+def schedule_of(folder: Path, given: Mapping[str, Any]) -> RunSchedule | None:
+    """The schedule that the run goes by, if it names one."""
+    if "rtconf" not in given:
+        return None
+    return open_schedule(folder / given["rtconf"], folder / given["load"])
 
 
 def expectations(folder: Path) -> tuple[list[tuple[int, str, float]], list[str], list[str]]:

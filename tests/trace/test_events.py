@@ -41,6 +41,10 @@ class Names:
     def user_text(self, number: int) -> str:
         return {6: "worn"}[number]
 
+    def thread(self, number: int) -> str:
+        """The name of a thread."""
+        return f"thread {number}"
+
     def program(self, number: int) -> str:
         return {0: "part.nc"}[number]
 

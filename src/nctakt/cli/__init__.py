@@ -32,7 +32,6 @@ _COMMANDS = {
     "list": "nctakt.cli.listing",
     "new": "nctakt.cli.new",
     "why": "nctakt.cli.why",
-    "coverage": "nctakt.cli.coverage",
     "schedule": "nctakt.cli.schedule",
 }
 

@@ -56,6 +56,9 @@ class Options:
     compiled: bool | None
     wait_for_start: bool = False
     hli: str | None = None
+    rtconf: str | None = None
+    load: str | None = None
+    system: str | None = None
     quiet: bool = False
 
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from nctakt.controller import Controller
     from nctakt.decoder.cycles import CycleDefinition
     from nctakt.results.run import Run, SaidMessage
+    from nctakt.schedule.opening import RunSchedule
     from nctakt.trace.sinks import Sink
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
@@ -71,6 +72,18 @@ def run_options(stimulus: str, language_of: str) -> Callable[[_Command], _Comman
         click.option(
             "--skip", metavar="N,...", default="", help="Leave out blocks of these skip levels."
         ),
+        click.option(
+            "--rtconf", metavar="FILE", help="Let this list give decoder and PLC their time."
+        ),
+        click.option(
+            "--load", metavar="FILE.toml", help="How long the functions of --rtconf take."
+        ),
+        click.option(
+            "--os",
+            "system",
+            type=click.Choice(["rtx", "vxworks", "intime", "linux"]),
+            help="Whose priorities the list of --rtconf has [default: rtx].",
+        ),
         click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC."),
         click.option(
             "--lang",
@@ -113,7 +126,21 @@ def start_controller(options: Options) -> Controller:
     """A controller of the machine that was asked for."""
     from nctakt.controller import Controller  # noqa: PLC0415 - the mode is chosen before
 
-    return Controller(options.machine)
+    return Controller(options.machine, _schedule(options))
+
+
+def _schedule(options: Options) -> RunSchedule | None:
+    """The schedule of the words, if there is one; raises ``Failure``."""
+    from nctakt.lists.rtconf_profile import PROFILES, RtconfOptions  # noqa: PLC0415
+    from nctakt.schedule.opening import open_schedule  # noqa: PLC0415 - as above
+
+    if options.rtconf is None:
+        for option, word in (("--load", options.load), ("--os", options.system)):
+            if word is not None:
+                raise Failure(diagnostic(900734, option=option))
+        return None
+    profile = PROFILES[options.system or "rtx"]
+    return open_schedule(options.rtconf, options.load, RtconfOptions(profile))
 
 
 def run_programs(

@@ -132,22 +132,11 @@ def guarded(function: Callable[[dict[str, Any]], int], words: dict[str, Any]) ->
         return EXIT_USAGE
 
 
-def _read(path: str) -> bytes:
-    if not Path(path).exists():
-        raise Failure(diagnostic(900500, file=path))
-    if Path(path).is_dir():
-        raise Failure(diagnostic(900501, file=path))
-    try:
-        return Path(path).read_bytes()
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise Failure(diagnostic(900503, file=path, reason=reason)) from error
-
-
 def read_list(words: dict[str, Any]) -> ListRead:
     """The list that the words name, and what was found in it; raises ``Failure``."""
     from nctakt.lists.rtconf_effective import load_rtconf  # noqa: PLC0415 - not for the help
     from nctakt.lists.rtconf_profile import PROFILES, RtconfOptions  # noqa: PLC0415
+    from nctakt.schedule.opening import read_file  # noqa: PLC0415
 
     options = RtconfOptions(
         PROFILES[words["system"]],
@@ -158,7 +147,7 @@ def read_list(words: dict[str, Any]) -> ListRead:
         words["hal_timer"],
         words["lenient"],
     )
-    data = _read(words["file"])
+    data = read_file(words["file"])
     collector = Collector()
     configuration = load_rtconf(words["file"], data, collector, options)
     return ListRead(options, configuration, data, collector.diagnostics)
@@ -182,11 +171,12 @@ def exit_code(listed: list[Diagnostic], found: list[Diagnostic], words: dict[str
 def read_model_load(read: ListRead, words: dict[str, Any], collector: Collector) -> Load:
     """The load that the words name, else the assumed one; raises ``Failure``."""
     from nctakt.schedule.load import ASSUMED, read_load  # noqa: PLC0415
+    from nctakt.schedule.opening import read_file  # noqa: PLC0415
     from nctakt.text import decode_text  # noqa: PLC0415
 
     if words["load"] is None:
         return ASSUMED
-    text = decode_text(_read(words["load"])).text
+    text = decode_text(read_file(words["load"])).text
     load = read_load(words["load"], text, collector)
     if collector.has_errors:
         raise Failure(*read.found, *collector.diagnostics)
@@ -197,15 +187,15 @@ def make_model(read: ListRead, load: Load, words: dict[str, Any], collector: Col
     """The model; raises ``Failure`` when list or load leave nothing to schedule."""
     from nctakt.schedule.assemble import assemble  # noqa: PLC0415
     from nctakt.schedule.model import Rules  # noqa: PLC0415
+    from nctakt.schedule.opening import PLACED  # noqa: PLC0415
 
     rules = Rules(words["overflow"], words["calls"], words["suspension"])
     profile = read.options.profile
     model = assemble(
         read.configuration, load, profile, collector, rules=rules, cpu_base=words["cpu_base"]
     )
-    placed = (1000180, 1000181)
     errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
-    if any(one.id not in placed for one in errors) or not read.configuration.threads:
+    if any(one.id not in PLACED for one in errors) or not read.configuration.threads:
         raise Failure(*read.found, *collector.diagnostics)
     return model
 

@@ -102,6 +102,11 @@ class ProgramDecoder:
             yield from self._call(end, program.main.span)
         yield ProgramEnd(0, 0)
 
+    @property
+    def blocks(self) -> int:
+        """Blocks and passes of loops since the last command that took time."""
+        return self._blocks
+
     def took_time(self, command: Command) -> None:
         """The one who takes the commands has seen one that takes time."""
         self._blocks = 0

@@ -10,10 +10,13 @@ cdef class Axes:
     cdef readonly Py_ssize_t count
     cdef double[::1] command
     cdef bint has_lag
+    cdef bint is_late
     cdef double[::1] lag_d
     cdef double[::1] lag_kept
     cdef double[::1] lag_gained
     cdef double[::1] followed
+    cdef double[::1] drive_d
+    cdef double[::1] unsent
     cdef double[::1] target
     cdef double[::1] modulo_low
     cdef double[::1] modulo_range
@@ -26,8 +29,10 @@ cdef class Axes:
     cdef readonly Offsets offsets
     cdef bint has_moved
 
-    @cython.locals(i=Py_ssize_t, step=double, half=double, lag=double)
+    @cython.locals(i=Py_ssize_t, step=double, sent=double, lag=double)
     cdef void follow(self) noexcept nogil
+    @cython.locals(half=double)
+    cdef double way(self, Py_ssize_t i, double begin, double end) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, base=Py_ssize_t, here=double, real=double, there=double, rest=double, shift=double)

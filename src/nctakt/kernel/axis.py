@@ -12,6 +12,9 @@ position control whose gain is kv, of which feed-forward takes a share: the foll
 de/dt = (1 - share) * command speed - kv * e. With the command's speed constant within a tick that
 is solved exactly.
 
+With ``is_late`` a drive gets each command one tick later: the order STANDARD of P-RTCF-00018 puts
+out first what the tick before has computed.
+
 Command and target of a modulo axis run on over the range while it moves; the cells show them within
 it. ``on_path`` tells which axes the current block moves, ``independent`` which ones move on their
 own (MO-13); ``independent_pct`` is the override of the latter (RC-305).
@@ -32,10 +35,13 @@ class Axes:
         self.count = count
         self.command = memoryview(bytearray(8 * count)).cast("d")
         self.has_lag = False
+        self.is_late = False
         self.lag_d = memoryview(bytearray(8 * count)).cast("d")
         self.lag_kept = memoryview(bytearray(8 * count)).cast("d")
         self.lag_gained = memoryview(bytearray(8 * count)).cast("d")
         self.followed = memoryview(bytearray(8 * count)).cast("d")
+        self.drive_d = memoryview(bytearray(8 * count)).cast("d")
+        self.unsent = memoryview(bytearray(8 * count)).cast("d")
         self.target = memoryview(bytearray(8 * count)).cast("d")
         self.modulo_low = memoryview(bytearray(8 * count)).cast("d")
         self.modulo_range = memoryview(bytearray(8 * count)).cast("d")
@@ -58,18 +64,27 @@ class Axes:
             self.cells[self.first_cell + i * 21 + 15] = 100.0
 
     def follow(self) -> None:
-        """The drives' tick, where any has a lag."""
+        """The drives' tick, where any has a lag or gets its commands late."""
         for i in range(self.count):
-            if self.lag_kept[i] > 0.0:
-                step = self.command[i] - self.followed[i]
-                if self.modulo_range[i] > 0.0:
-                    half = 0.5 * self.modulo_range[i]
-                    step = arithmetic.within(step, 0.0 - half, self.modulo_range[i])
-                self.followed[i] = self.command[i]
-                if step != 0.0 or self.lag_d[i] != 0.0:
-                    lag = self.lag_kept[i] * self.lag_d[i] + self.lag_gained[i] * step
-                    self.lag_d[i] = lag if lag > 1e-9 or lag < -1e-9 else 0.0
+            if self.lag_kept[i] > 0.0 or self.is_late:
+                sent = self.command[i]
+                if self.is_late:
+                    sent = self.unsent[i]
+                    self.unsent[i] = self.command[i]
+                step = self.way(i, self.followed[i], sent)
+                self.followed[i] = sent
+                if step != 0.0 or self.drive_d[i] != 0.0:
+                    lag = self.lag_kept[i] * self.drive_d[i] + self.lag_gained[i] * step
+                    self.drive_d[i] = lag if lag > 1e-9 or lag < -1e-9 else 0.0
                     self.has_moved = True
+                self.lag_d[i] = self.drive_d[i] + self.way(i, sent, self.command[i])
+
+    def way(self, i: int, begin: float, end: float) -> float:
+        """From one command to another: of a modulo axis the shorter way round."""
+        if self.modulo_range[i] > 0.0:
+            half = 0.5 * self.modulo_range[i]
+            return arithmetic.within(end - begin, 0.0 - half, self.modulo_range[i])
+        return end - begin
 
     def publish(self) -> None:
         """Write what cycles, decoder and trace read."""
@@ -146,6 +161,11 @@ class Axes:
         self.lag_gained[index] = gained
         self.has_lag = True
 
+    def send_late(self) -> None:
+        """Let the drives get each command one tick later: before the first tick."""
+        self.has_lag = True
+        self.is_late = True
+
     def set_override(self, index: int, mode: int, most_pct: float) -> None:
         """P-AXIS-00491 and P-AXIS-00109 of an axis."""
         self.override_mode[index] = mode
@@ -159,6 +179,8 @@ class Axes:
         """Set one axis to a position without a motion: before the first tick."""
         self.command[index] = position
         self.followed[index] = position
+        self.unsent[index] = position
+        self.drive_d[index] = 0.0
         self.lag_d[index] = 0.0
         self.target[index] = position
         self.publish_all()

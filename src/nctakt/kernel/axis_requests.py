@@ -22,7 +22,6 @@ ABSOLUTE = 1
 RELATIVE = 2
 VELOCITY = 3
 HALT = 4
-CLEAR_FAULT = 5
 
 
 class AxisRequests:
@@ -108,7 +107,5 @@ class AxisRequests:
             self.answer[place] = self.single_axes.run_endless(
                 axis, self.speed_v[place], direction, mode, owner
             )
-        elif kind == 4:
-            self.answer[place] = self.single_axes.stop(axis, owner)
         else:
-            self.answer[place] = self.single_axes.clear_fault(axis)
+            self.answer[place] = self.single_axes.stop(axis, owner)

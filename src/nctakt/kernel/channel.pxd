@@ -12,11 +12,15 @@ cdef class Channel(Commands):
     cdef double answer
     cdef readonly bint answer_ready
     cdef bint is_reset_due
+    cdef public bint is_paced
+    cdef long long starved_since
 
     @cython.locals(commands=Py_ssize_t, single=Py_ssize_t)
     cdef Py_ssize_t event_bound(self) noexcept nogil
     cdef int needs_python(self) noexcept nogil
     cdef int is_idle(self) noexcept nogil
+    @cython.locals(is_empty=bint, can_go=bint)
+    cdef void watch_queue(self, long long tick) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self, long long tick) noexcept nogil
     cdef void run_cycles(self) noexcept nogil
@@ -31,7 +35,6 @@ cdef class Channel(Commands):
     @cython.locals(state=int)
     cdef void end_tick(self) noexcept nogil
     cdef void begin_reset(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t)
     cdef void end_reset(self) noexcept nogil
     @cython.locals(message=int, base=Py_ssize_t)
     cdef int axes_stand(self) noexcept nogil

@@ -5,7 +5,8 @@
 
 ``ring.py`` is the queue, ``taking.py`` what its commands do. While the decoder has more to give,
 the kernel returns when the commands that take time fall below ``low_water``, so that a tick never
-finds the queue empty too early, and the path always knows as many blocks as it looks ahead.
+finds the queue empty too early, and the path always knows as many blocks as it looks ahead. Where a
+schedule gives the decoder its time (``is_paced``), the queue may run empty, and events tell it.
 """
 
 from __future__ import annotations
@@ -48,8 +49,8 @@ class Channel(Commands):
         self.answer = 0.0
         self.answer_ready = False
         self.is_reset_due = False
-        for i in range(self.path.count):
-            single_axes.belong(self.path.members[i])
+        self.is_paced = False
+        self.starved_since = -1
 
     # --- Python's side, between two runs --------------------------------------------------------
 
@@ -90,6 +91,8 @@ class Channel(Commands):
             return 3
         if self.answer_ready:
             return 2
+        if self.is_paced:
+            return 0
         if self.decoder_open and self.wants_slot:
             return 1 if self.manager.dead_count > 0 or self.is_idle() else 0
         if self.decoder_open and self.timed_count < self.low_water:
@@ -101,6 +104,18 @@ class Channel(Commands):
         if self.head < self.tail or self.path.is_active:
             return 0
         return 1 if self.manager.in_block_count == 0 else 0
+
+    def watch_queue(self, tick: int) -> None:
+        """Tell from when to when the path has nothing to do because the decoder is late."""
+        is_empty = self.head == self.tail and self.decoder_open and not self.wants_slot
+        can_go = not (self.path.is_active or self.is_stopped or self.is_resetting)
+        if is_empty and can_go:
+            if self.starved_since < 0:
+                self.starved_since = tick
+                self.record.starved(self.taken_source)
+        elif self.starved_since >= 0:
+            self.record.fed(self.taken_source, tick - self.starved_since)
+            self.starved_since = -1
 
     def begin_tick(self, tick: int) -> None:
         """Latch the PLC's answers and a reset; the CYCLE override is 100 % again (RC-305)."""
@@ -226,8 +241,6 @@ class Channel(Commands):
         if not self.context.single_axes.all_free(self.path.members, self.path.count):
             return
         self.is_resetting = False
-        for i in range(self.path.count):
-            self.context.single_axes.reopen(self.path.members[i])
         self.path.abandon()
         self.head = self.tail
         self.timed_count = 0
@@ -247,7 +260,6 @@ class Channel(Commands):
         self.error_message = 0
         self.waiting = 0
         self.answer_ready = False
-        self.program_ended = False
         self.panel.is_paused = False
 
     def clear_error(self) -> None:

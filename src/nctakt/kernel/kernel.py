@@ -79,6 +79,8 @@ class ChannelLane(Lane):
     def begin_tick(self, tick: int) -> None:
         self.record.channel_code = self.channel_code
         self.channel.begin_tick(tick)
+        if self.channel.is_paced:
+            self.channel.watch_queue(tick)
         self.channel.take_commands(tick)
         self.channel.run_cycles()
         self.channel.interpolate()
@@ -188,6 +190,21 @@ class Kernel:
             self.image.publish(self.tick + 1)
         self.record_row()
         self.tick += 1
+
+    def lose_tick(self) -> int:
+        """A tick without the interpolation (P-RTCF-00011): time goes on, nothing else does."""
+        self.record.tick = self.tick
+        if self.image.is_attached:
+            self.image.publish(self.tick + 1)
+        self.record_row()
+        self.tick += 1
+        return DONE
+
+    def note_overflow(self, thread: int) -> None:
+        """A thread of the schedule overflows in the tick that comes."""
+        self.record.tick = self.tick
+        self.record.channel_code = 0
+        self.record.overflow(thread)
 
     def latch_inputs(self) -> None:
         """What came since the last tick is in force now: the PLC's image, then what was posted."""

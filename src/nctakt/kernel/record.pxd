@@ -45,6 +45,9 @@ cdef class Record:
     cdef void axis_changed(self, long long source, long long serial, Py_ssize_t axis, int what) noexcept nogil
     cdef void notice(self, long long source, long long serial, int message) noexcept nogil
     cdef void frozen(self, long long source, long long serial, long long name, double value) noexcept nogil
+    cdef void starved(self, long long source) noexcept nogil
+    cdef void fed(self, long long source, long long ticks) noexcept nogil
+    cdef void overflow(self, long long thread) noexcept nogil
     cdef void user_error(self, long long source, long long serial, double identity, double reaction) noexcept nogil
     cdef void user_value(self, long long source, long long serial, int code, double value) noexcept nogil
     cdef void user_text(self, long long source, long long serial, int code, long long text) noexcept nogil

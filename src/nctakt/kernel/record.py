@@ -50,6 +50,9 @@ FROZEN = 40  # serial, number of the variable's text, value; the source is the a
 BLOCK = 25  # number of the block, tick in which it was decoded
 WAIT = 26  # reason, cell; the source is what waits
 PAUSED = 31  # nothing; the source is what waits
+STARVED = 47  # nothing; the source is the last command that was taken
+FED = 48  # ticks for which the queue was empty
+OVERFLOW = 49  # number of the thread
 
 ENDED_BY_SCOPE = 0
 ENDED_BY_DELETE = 1
@@ -207,6 +210,18 @@ class Record:
     def paused(self, source: int) -> None:
         """Single block has stopped the channel in front of a block."""
         self.event(31, source, 0, 0.0, 0.0)
+
+    def starved(self, source: int) -> None:
+        """The queue is empty: what stands behind this command is not decoded yet."""
+        self.event(47, source, 0, 0.0, 0.0)
+
+    def fed(self, source: int, ticks: int) -> None:
+        """The queue was empty for so many ticks, and is not any more."""
+        self.event(48, source, ticks, 0.0, 0.0)
+
+    def overflow(self, thread: int) -> None:
+        """A thread of the schedule is still busy when it is due again."""
+        self.event(49, 0, thread, 0.0, 0.0)
 
     def user_error(self, source: int, serial: int, identity: float, reaction: float) -> None:
         """An ``#ERROR``; its values are told behind it."""

@@ -48,6 +48,7 @@ class Commands(CommandRing):
         self.context = Context(memory, record, hli, timers, single_axes)
         self.program_timers = timers
         self.waiting = 0
+        self.taken_source = 0
         self.program_ended = False
         self.error_pending = False
         self.error_detail = 0.0
@@ -78,6 +79,7 @@ class Commands(CommandRing):
     def enter_block(self, base: int) -> int:
         """Whether the command at ``base`` may be taken: single block stops in front of a block."""
         source = int(self.queue[base + 1])
+        self.taken_source = source
         line = source >> 20  # file and line (``sources.py``)
         is_begun = self.head <= self.begun or self.path.speed_v > 0.0
         if self.panel.lets_go(line, self.queue[base] <= 2.0, is_begun):
@@ -119,7 +121,10 @@ class Commands(CommandRing):
         if kind == 23:
             return self.take_spindle(tick, base)
         if kind == 24:
-            return self.take_spindle_wait(base)
+            if self.context.spindles.is_busy(int(self.queue[base + 3])):
+                return 0
+            self.timed_count -= 1
+            return 1
         if 30 <= kind <= 32:
             self.take_mark(tick, base, kind)
             return 1
@@ -196,17 +201,6 @@ class Commands(CommandRing):
         self.context.spindles.tell(spindle, int(self.queue[base + 1]), 0)
         ticks = int(self.queue[base + 8])
         self.context.spindles.hand_over(spindle, tick + ticks)
-        return 1
-
-    def take_spindle_wait(self, base: int) -> int:
-        """Speed or position of a spindle is waited for; a held job would never have them."""
-        spindle = int(self.queue[base + 3])
-        if self.context.spindles.is_busy(spindle):
-            if not self.context.spindles.is_held[spindle]:
-                return 0
-            number = self.context.spindles.first_number + spindle
-            self.report(int(self.queue[base + 1]), 900811, number)
-        self.timed_count -= 1
         return 1
 
     def take_write(self, base: int) -> None:

@@ -203,7 +203,6 @@ _CHARACTER = (
         False,
         "The drives allow output without a delay of one cycle (schedule COMPLETE)",
         "Die Antriebe erlauben die Ausgabe ohne einen Takt Verzug (schedule COMPLETE)",
-        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00096",

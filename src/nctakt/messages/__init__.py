@@ -24,12 +24,12 @@ of ours, from 900000 on. One module per stage declares them:
 ``spindles``          spindles (900282, 900470 … 900479)
 ``outside``           command line, files, PLC, stimuli (900500 … 900549, 900570 … 900579)
 ``checking``          the command ``nctakt check`` (900580 … 900599)
+``scheduled_runs``    a controller that a schedule gives its time (900730 … 900739)
 ``plc``               the PLC's side: partners in other processes, scripts (900650 … 900679)
 ``folders``           how lists name each other, tools, offsets (900740 … 900769)
 ``offsets``           offsets between programmed and axis positions (900770 … 900799)
 ``tools``             tools in programs, tool radius compensation (900865 … 900879)
 ``diagnosis``         the lines of the cycles' diagnosis data (900456 … 900458, 900550 … 900569)
-``coverage``          branch coverage of realtime cycles (900800 … 900809)
 ``unreached``         numbers of the controller that no program of nctakt reaches
 ====================  ==============================================================================
 
@@ -45,7 +45,6 @@ from nctakt.messages import (
     checked_cycles,
     checked_values,
     checking,
-    coverage,
     decoder,
     diagnosis,
     folders,
@@ -60,6 +59,7 @@ from nctakt.messages import (
     plc,
     realtime,
     schedule,
+    scheduled_runs,
     scheduling,
     scheduling_run,
     spindles,
@@ -78,6 +78,7 @@ for _stage in (
     schedule,
     scheduling,
     scheduling_run,
+    scheduled_runs,
     machine,
     folders,
     variables,
@@ -99,7 +100,6 @@ for _stage in (
     plc,
     checking,
     diagnosis,
-    coverage,
     unreached,
 ):
     CATALOGUE.include(_stage.MESSAGES)

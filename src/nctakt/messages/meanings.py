@@ -329,6 +329,14 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the longest response": "die längste Antwortzeit",
         "its cycle, in µs": "sein Takt, in µs",
         "the threads that cannot be suspended": "die nicht suspendierbaren Threads",
+        "the scheduling list of the run": "die Scheduling-Liste des Laufs",
+        "the length of a tick, in µs": "die Länge eines Takts, in µs",
+        "cycle_time of the list that the start-up list names, in µs": (
+            "cycle_time der Liste, die die Hochlaufliste nennt, in µs"
+        ),
+        "the threads": "die Threads",
+        "the function that is missing": "die Funktion, die fehlt",
+        "the semaphores of the list": "die Semaphore der Liste",
         "the ID that was given": "die angegebene ID",
         "the IDs of the run's cycles": "die IDs der Zyklen des Laufs",
         "the line that was given": "die angegebene Zeile",
@@ -379,8 +387,6 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
             "die meisten Programme ineinander, mit dem Hauptprogramm"
         ),
         "the program": "das Programm",
-        "the share of branches that ran": "der Anteil der Zweige, die liefen",
-        "what --fail-under asks": "was --fail-under verlangt",
         "the number behind JUMPS": "die Zahl hinter JUMPS",
         "how many calls are open": "wie viele Aufrufe offen sind",
         "the parameter of the call": "der Parameter des Aufrufs",

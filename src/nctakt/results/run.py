@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from nctakt.diagnostics import Diagnostic, Severity, Span
-from nctakt.results.coverage import Coverage
+from nctakt.results.starving import OverflowCount, ScheduleStatistics, Starvation
 from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.results.why import WhyReport
 from nctakt.trace.events import Event
@@ -131,8 +131,9 @@ class Run:
 
     ``ticks`` were run, from tick ``first_tick`` of the controller on. ``trace`` and ``events`` are
     there when the trace was kept in memory (else ``None`` and empty); counts are always there.
-    ``messages`` are the times in microseconds and texts of what programs said. Where the run was
-    asked to, ``why`` tells what each condition saw and did, ``coverage`` how often.
+    ``messages`` are the times in microseconds and texts of what programs said. ``why`` tells what
+    each condition saw and did, where the run was asked to. ``starved`` and ``overflows``: what the
+    schedule did to it, where there was one.
     """
 
     programs: tuple[str, ...]
@@ -146,7 +147,8 @@ class Run:
     cycles: tuple[CycleResult, ...] = ()
     outputs: tuple[OutputCount, ...] = ()
     why: WhyReport | None = None
-    coverage: Coverage | None = None
+    starved: tuple[Starvation, ...] = ()
+    overflows: tuple[OverflowCount, ...] = ()
 
     @property
     def virtual_time_us(self) -> int:
@@ -237,6 +239,7 @@ class RunStatistics:
         self._living: dict[str, _Cycle] = {}
         self._outputs: dict[tuple[str, int, bool], _Output] = {}
         self._messages: list[tuple[int, str]] = []
+        self.schedule = ScheduleStatistics()
 
     def open(self, header: TraceHeader) -> None:
         """Nothing to do: counts need no header."""
@@ -258,6 +261,8 @@ class RunStatistics:
                 self._output(event)
             elif event.kind == "message":
                 self._messages.append((event.time_us, event.text))
+            elif event.kind in ("starved", "overflow"):
+                self.schedule.add(event)
             elif event.kind == "ended":
                 self._living.pop(event.cycle, None)
 

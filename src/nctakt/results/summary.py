@@ -14,6 +14,7 @@ from typing import TextIO
 
 from nctakt.diagnostics import Diagnostic, Language, Severity, Span, Text
 from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run
+from nctakt.results.starving import schedule_lines
 from nctakt.trace.events import number_text
 
 _STATES = {
@@ -92,6 +93,9 @@ def print_summary(
             print("", *plain_table(table), sep="\n", file=file)
         if notes:
             print("", *notes, sep="\n", file=file)
+    told = schedule_lines(run.starved, run.overflows, language)
+    if told:
+        print("", *told, sep="\n", file=file)
     print("", counts(run, language), sep="\n", file=file)
 
 

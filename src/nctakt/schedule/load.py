@@ -28,6 +28,9 @@ Times in the file are microseconds, with or without decimals::
     [overheads]
     switch = 2                        # each time that a thread gets a processor
     activation = 1                    # each job
+    [controller]                      # nctakt run --rtconf
+    block = 100                       # what the decoder needs for one block of a program
+    plc = "external_sps"              # [default: the first external thread]
 """
 
 from __future__ import annotations
@@ -58,15 +61,21 @@ _CPUS = Text(
     f"a list of different numbers from 1 to {MOST_CPUS}",
     f"eine Liste verschiedener Zahlen von 1 bis {MOST_CPUS}",
 )
+_NAME = Text("a name", "ein Name")
 _TABLE = Text("a table", "eine Tabelle")
 
 _ENTRIES: dict[str, tuple[str, ...]] = {
-    "": ("seed", "functions", "external", "machine", "interrupt", "overheads"),
+    "": ("seed", "functions", "external", "machine", "interrupt", "overheads", "controller"),
+    "controller": ("block", "plc"),
     "machine": ("cpus", "offline", "windows_cpus"),
     "interrupt": ("period", "phase", "drift", "jitter"),
     "overheads": ("switch", "activation"),
     "external": ("time", "priority", "cpu"),
 }
+
+
+#: A block of a program is decoded in so long where nobody says it: a value for trying.
+ASSUMED_BLOCK = 100 * NS_PER_US
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +92,9 @@ class Load:
     """A load; ``None``: not given. Times in ns.
 
     ``functions``: by name of function, or by its place in the list. ``interrupt``: period, phase,
-    drift and jitter as far as they are given. ``is_assumed``: nobody gave it.
+    drift and jitter as far as they are given. ``block``: the decoder's time for one block of a
+    program. ``plc``: the external thread that is the PLC of a controller. ``is_assumed``: nobody
+    gave it.
     """
 
     functions: Mapping[str, Execution] = field(default_factory=dict)
@@ -94,6 +105,8 @@ class Load:
     interrupt: Mapping[str, int] = field(default_factory=dict)
     overheads: Overheads = NO_OVERHEADS
     seed: int = 0
+    block: int = ASSUMED_BLOCK
+    plc: str | None = None
     is_assumed: bool = False
 
 
@@ -136,6 +149,7 @@ class _Reader:
         machine = self._table(tables, "machine")
         interrupt = self._table(tables, "interrupt")
         overheads = self._table(tables, "overheads")
+        controller = self._table(tables, "controller")
         functions = self._subtable(tables, "functions")
         external = self._subtable(tables, "external")
         times = {name: self._execution(f"functions.{name}", functions[name]) for name in functions}
@@ -151,6 +165,8 @@ class _Reader:
                 self._time("overheads.activation", overheads.get("activation", 0)) or 0,
             ),
             self._integer("seed", tables.get("seed")) or 0,
+            self._block(controller.get("block")),
+            self._name("controller.plc", controller.get("plc")),
         )
 
     def _report(self, key: str, value: object, expected: Text) -> None:
@@ -249,6 +265,16 @@ class _Reader:
         if found is None:
             return None
         self._report(key, found, _NUMBER)
+        return None
+
+    def _block(self, found: Any) -> int:
+        time = None if found is None else self._time("controller.block", found)
+        return ASSUMED_BLOCK if time is None else time
+
+    def _name(self, key: str, found: Any) -> str | None:
+        if found is None or isinstance(found, str):
+            return found
+        self._report(key, found, _NAME)
         return None
 
     def _cpu(self, key: str, found: Any) -> int | None:

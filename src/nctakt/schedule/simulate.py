@@ -48,7 +48,7 @@ def simulate(
     """
     assert cycles > 0
     wanted = hyperperiod(model) if record is None else record
-    state = SchedulerState(model, min(cycles, wanted))
+    state = SchedulerState(model, Recorder(min(cycles, wanted)))
     search = Repetition() if repeat and state.can_repeat else None
     start = begin = state.interrupt(0)
     cycle = 0
@@ -69,12 +69,12 @@ def simulate(
 class SchedulerState:
     """All that a cycle leaves to the next one."""
 
-    def __init__(self, model: Model, recorded: int) -> None:
+    def __init__(self, model: Model, recorder: Recorder) -> None:
         tasks = model.tasks
         self.model = model
         self.hyperperiod = hyperperiod(model)
         self.counters = Counters(model)
-        self.recorder = Recorder(recorded)
+        self.recorder = recorder
         self._records = self.recorder.is_open
         #: The work left of each task's job, when that job was due, its place in the queue.
         self.left = array("q", [IDLE] * len(tasks))

@@ -96,6 +96,9 @@ class EventNames(Protocol):
     def program(self, number: int) -> str:
         """The file name of a program."""
 
+    def thread(self, number: int) -> str:
+        """The name of a thread of the schedule."""
+
     def place(self, source: int) -> Span | None:
         """The place of a source number."""
 
@@ -137,6 +140,9 @@ class EventDecoder:
             record.AXIS_CHANGED: self._axis_changed,
             record.BLOCK: self._block,
             record.WAIT: self._wait,
+            record.STARVED: self._starved,
+            record.FED: self._fed,
+            record.OVERFLOW: self._overflow,
         }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
@@ -244,12 +250,29 @@ class EventDecoder:
         word = _WAITS[reason]
         return "waits", f"{word} {self._names.variable(int(cell))}" if cell else word
 
+    def _starved(self, _kind: int, _serial: int, _a: float, _b: float) -> tuple[str, str]:
+        return "starved", "begun"
+
+    def _fed(self, _kind: int, ticks: int, _a: float, _b: float) -> tuple[str, str]:
+        return "starved", f"ended {ticks}"
+
+    def _overflow(self, _kind: int, number: int, _a: float, _b: float) -> tuple[str, str]:
+        return "overflow", self._names.thread(number)
+
     def _program_end(self, _kind: int, number: int, _a: float, _b: float) -> tuple[str, str]:
         return "end", self._names.program(number)
 
 
 #: Kinds whose subject is not the serial number of a cycle.
-_WITHOUT_CYCLE = (record.MESSAGE, record.PROGRAM_END, record.TECHNOLOGY, record.BLOCK, record.WAIT)
+_WITHOUT_CYCLE = (
+    record.MESSAGE,
+    record.PROGRAM_END,
+    record.TECHNOLOGY,
+    record.BLOCK,
+    record.WAIT,
+    record.FED,
+    record.OVERFLOW,
+)
 
 
 def _function(code: float) -> tuple[str, int]:

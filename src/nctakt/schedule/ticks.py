@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: MIT
+"""The schedule beside the ticks of a controller: who gets how much time between two of them.
+
+In: a model, the threads that work for the controller. Out: for each tick its ``Share``. A tick is
+one call of the thread with ``task_int``; it takes over what decoder and PLC have done before that
+call begins. The first activation of that thread lies before tick 0: in it the decoder has its time
+for the first blocks, and the interpolation has nothing to do yet.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nctakt.schedule.model import Model
+from nctakt.schedule.recorder import Recorder
+from nctakt.schedule.results import Event, EventKind, Simulation
+from nctakt.schedule.simulate import SchedulerState
+
+#: The function that decodes (SDA, P-RTCF-00012).
+DECODER_FUNCTION = "task_rnd"
+
+
+@dataclass(frozen=True, slots=True)
+class Duties:
+    """Who works for a controller; numbers are places in ``Model.tasks``.
+
+    ``every``: NC cycles of a tick. ``interpolators``: without a call of one of them there is no
+    tick. ``decoders``: groups of threads, each with the channels (from 0) that it decodes for.
+    ``plc``: the external thread that is the PLC; ``None``: it runs with each tick.
+    """
+
+    every: int
+    interpolators: tuple[int, ...]
+    decoders: tuple[tuple[tuple[int, ...], tuple[int, ...]], ...]
+    plc: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Share:
+    """What a tick has to do with the schedule.
+
+    ``decoding``: for each group of decoders its time in ns since the tick before. ``is_lost``: the
+    interpolation is not called, since its thread is still busy. ``overflows``: the threads that
+    were busy when they were due in this tick. ``plc_calls``: how often the PLC ends a call before
+    the tick that follows.
+    """
+
+    decoding: tuple[int, ...]
+    is_lost: bool
+    overflows: tuple[int, ...]
+    plc_calls: int
+
+
+class TickSchedule:
+    """A schedule that goes on tick by tick."""
+
+    def __init__(self, model: Model, duties: Duties) -> None:
+        self._duties = duties
+        self._watcher = _Watcher(model, duties)
+        self._state = SchedulerState(model, self._watcher)
+        self._model = model
+        self._cycle = 0
+        self._begin = self._start = self._state.interrupt(0)
+        first = self._period()
+        self._late = first.late
+        self._now = self._period()
+
+    def next_share(self) -> Share:
+        """The share of the tick that comes, from tick 0 on."""
+        late, now = self._late, self._now
+        following = self._period()
+        decoding = tuple(a + b for a, b in zip(late, now.early, strict=True))
+        plc_calls = now.plc_late + following.plc_early
+        if self._duties.plc is None:
+            plc_calls = 1
+        self._late, self._now = now.late, following
+        return Share(decoding, now.is_lost, now.overflows, plc_calls)
+
+    def simulation(self) -> Simulation:
+        """The numbers of the schedule up to here; it is two ticks ahead of the controller."""
+        return self._state.result(self._cycle, self._start, self._begin, None)
+
+    def _period(self) -> _Period:
+        """The NC cycles from one activation of the interpolation to the next."""
+        self._watcher.clear()
+        begin = self._begin
+        for _ in range(self._duties.every):
+            end = self._state.interrupt(self._cycle + 1)
+            self._state.run_cycle(self._cycle, self._begin, end)
+            self._begin = end
+            self._cycle += 1
+        return self._watcher.period(begin)
+
+
+@dataclass(frozen=True, slots=True)
+class _Period:
+    """One period, what came before the call of the interpolation apart from what came after."""
+
+    early: tuple[int, ...]
+    late: tuple[int, ...]
+    is_lost: bool
+    overflows: tuple[int, ...]
+    plc_early: int
+    plc_late: int
+
+
+class _Watcher(Recorder):
+    """Keeps of a period what concerns the controller, instead of all that happens."""
+
+    def __init__(self, model: Model, duties: Duties) -> None:
+        super().__init__(1)
+        self._duties = duties
+        decoding = {task for tasks, _ in duties.decoders for task in tasks}
+        self._calls = {task: _Calls(model, task) for task in decoding}
+        self._released: set[int] = set()
+        self._begun: dict[int, int] = {}
+        self._overflows: list[int] = []
+        self._plc_ends: list[int] = []
+
+    def clear(self) -> None:
+        """Another period begins."""
+        self._begun.clear()
+        self._overflows.clear()
+        self._plc_ends.clear()
+        for calls in self._calls.values():
+            calls.worked.clear()
+
+    def period(self, begin: int) -> _Period:
+        """What the period that began at ``begin`` was."""
+        interpolators = self._duties.interpolators
+        is_lost = any(task not in self._begun for task in interpolators)
+        cut = begin if is_lost else self._begun[interpolators[0]]
+        early: list[int] = []
+        late: list[int] = []
+        for tasks, _ in self._duties.decoders:
+            worked = [piece for task in tasks for piece in self._calls[task].worked]
+            before = sum(max(0, min(end, cut) - start) for start, end in worked)
+            early.append(before)
+            late.append(sum(end - start for start, end in worked) - before)
+        plc_early = sum(end <= cut for end in self._plc_ends)
+        return _Period(
+            tuple(early),
+            tuple(late),
+            is_lost,
+            tuple(self._overflows),
+            plc_early,
+            len(self._plc_ends) - plc_early,
+        )
+
+    # --- what the simulation tells --------------------------------------------------------------
+
+    def interrupt(self, now: int, cycle: int) -> None:
+        """Nothing to keep."""
+
+    def suspend(self, now: int, task: int, left: int) -> None:
+        """Nothing to keep."""
+
+    def event(self, event: Event) -> None:
+        """An overflow, or the end of the PLC's call."""
+        if event.kind is EventKind.OVERFLOW:
+            self._overflows.append(event.task)
+        elif event.kind is EventKind.END and event.task == self._duties.plc:
+            self._plc_ends.append(event.time)
+
+    def job(self, task: int, due: int, now: int, times: tuple[int, ...]) -> None:
+        """A job of ``task`` is there."""
+        self._released.add(task)
+        if task in self._calls:
+            self._calls[task].begin(times)
+
+    def segment(self, cpu: int, begin: int, end: int, task: int, overhead: int) -> None:
+        """``task`` has a processor for a while."""
+        if task in self._released:
+            self._released.remove(task)
+            self._begun.setdefault(task, begin)
+        if task in self._calls:
+            self._calls[task].go_on(begin, end, overhead)
+
+
+class _Calls:
+    """How far a thread is in the calls of its job, and when it was in those of the decoder."""
+
+    def __init__(self, model: Model, task: int) -> None:
+        self._decodes = [call.function == DECODER_FUNCTION for call in model.tasks[task].calls]
+        self._activation = model.overheads.activation
+        self._overhead = 0
+        self._left: deque[tuple[bool, int]] = deque()
+        self.worked: list[tuple[int, int]] = []
+
+    def begin(self, times: Sequence[int]) -> None:
+        """Another job, with the times of its calls."""
+        self._overhead = self._activation
+        self._left = deque(zip(self._decodes, times, strict=True))
+
+    def go_on(self, begin: int, end: int, overhead: int) -> None:
+        """The job has a processor; what scheduling costs comes first."""
+        self._overhead += overhead
+        used = min(self._overhead, end - begin)
+        self._overhead -= used
+        now = begin + used
+        while now < end and self._left:
+            decodes, left = self._left.popleft()
+            used = min(left, end - now)
+            if decodes:
+                self.worked.append((now, now + used))
+            if used < left:
+                self._left.appendleft((decodes, left - used))
+            now += used

@@ -4,13 +4,18 @@
 It shares nothing with the product and is as short as the rules are: a tick is one pass of
 ``_tick`` (RC-002). In: programs as lists of commands, stimuli. Out: the events as
 ``<tick> <kind> <text>`` and the position of X after each tick. Moves are 0.1 mm in ten ticks
-(MO-14), values whole numbers. Not modelled: waiting for the PLC, override.
+(MO-14), values whole numbers but those of V.E.LIST, which expressions compute; what those are worth
+says ``slow_expressions.py``. Not modelled: waiting for the PLC, override.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+
+import slow_expressions
+from slow_expressions import Tree
 
 #: The way of a move of 0.1 mm after each of its ten ticks: 0.002·t², then 0.1 − 0.002·(10 − t)².
 WAY_MM = tuple(0.002 * t * t if t <= 5 else 0.1 - 0.002 * (10 - t) * (10 - t) for t in range(1, 11))
@@ -18,9 +23,12 @@ WAY_MM = tuple(0.002 * t * t if t <= 5 else 0.1 - 0.002 * (10 - t) * (10 - t) fo
 
 @dataclass(eq=False, slots=True)
 class Branch:
-    """A body with its condition ``(variable, operator, number)``, ``None`` for ``$ELSE``."""
+    """A body with its condition ``(variable, operator, number)``, ``None`` for ``$ELSE``.
 
-    condition: tuple[str, str, int] | None
+    A condition may also be the tree of an expression.
+    """
+
+    condition: tuple[str, str, int] | Tree | None
     body: list[Statement]
     frequency: str = ""
     line: int = 0
@@ -56,7 +64,16 @@ class Divide:
     source: str
 
 
-Statement = If | Assign | Function | Divide
+@dataclass(eq=False, slots=True)
+class Compute:
+    """``V.E.LIST[element] operator tree``: ``=``, ``+=``, ``-=``, ``*=``, ``/=`` (RC-205)."""
+
+    element: int
+    operator: str
+    tree: Tree
+
+
+Statement = If | Assign | Function | Divide | Compute
 
 
 class FaultError(Exception):
@@ -100,6 +117,7 @@ class Reference:
         self._stimuli = stimuli
         self._cycles: list[Cycle] = []
         self._values: dict[str, int] = {}
+        self._list = [0.0] * slow_expressions.NUMBERS
         self._read = 0
         self._left = 0
         self._moving = False
@@ -159,7 +177,7 @@ class Reference:
                 continue
             try:
                 self._body(cycle, cycle.body)
-            except FaultError:
+            except (FaultError, slow_expressions.FaultError):
                 self._tell("error", 50879)
                 self._tell("ended", f"{cycle.identifier} error")
                 cycle.state = "gone"
@@ -275,6 +293,8 @@ class Reference:
                     if self._values.get("VALUE1", 0) != 6 // divisor:
                         self._values["VALUE1"] = 6 // divisor
                         self._tell("written", f"V.E.VALUE1 {6 // divisor}")
+                case Compute(element, operator, tree):
+                    self._compute(element, operator, tree)
                 case Function(number):
                     self._sequence += 1
                     self._tell("m", f"{number} {self._sequence} {self.tick * 1000}")
@@ -286,6 +306,25 @@ class Reference:
                         cycle.last[chosen] = cycle.runs
                         self._body(cycle, chosen.body)
 
+    def _compute(self, element: int, operator: str, tree: Tree) -> None:
+        """RC-205, RC-207: what is not finite is not stored."""
+        if operator != "=":
+            tree = ("binary", operator[0], ("list", ("number", str(element))), tree)
+        value = slow_expressions.result_of(tree, self._list)
+        if self._list[element] != value:
+            self._list[element] = value
+            self._tell("written", f"V.E.LIST[{element}] {repr(value).removesuffix('.0')}")
+
+    def _is_true(self, condition: tuple[str, str, int] | Tree) -> bool:
+        if condition[0] not in ("binary", "unary", "call", "list", "number"):
+            variable, operator, number = condition
+            value = self._values.get(variable, 0)
+            return {"<": value < number, ">": value > number, "==": value == number}[operator]
+        worth = slow_expressions.value_of(condition, self._list)
+        if not math.isfinite(worth):  # where it is only compared it is no fault (RC-207)
+            raise FaultError
+        return abs(worth) >= 0.5
+
     def _holds(self, cycle: Cycle, branch: Branch) -> bool:
         """RC-203: whether the body runs, and what a frequency remembers of it."""
         if branch.condition is None:
@@ -293,9 +332,7 @@ class Reference:
         before = cycle.memory.get(branch, False)
         if before and branch.frequency in ("ONCE", "ALWAYS"):
             return branch.frequency == "ALWAYS"
-        variable, operator, number = branch.condition
-        value = self._values.get(variable, 0)
-        now = {"<": value < number, ">": value > number, "==": value == number}[operator]
+        now = self._is_true(branch.condition)
         cycle.memory[branch] = now
         return now and not (branch.frequency == "EDGE" and before)
 

@@ -95,6 +95,6 @@ class Context:
 def empty_context() -> Context:
     """A context without variables, for expressions whose operands are all known."""
     memory = bytearray(8 * 10)
-    record = Record(memory)
+    record = Record(memory, row_capacity=1, event_capacity=1, probe_capacity=1)
     single_axes = SingleAxes(Axes(memory, 0, 0), record, 1000)
     return Context(memory, record, Hli(Panel(memory, 0)), Timers(memory, 0, 1000), single_axes)

@@ -208,6 +208,7 @@ class Feed:
                 command.deviation,
                 command.limits_jerk,
                 command.arc,
+                None if command.pace is None else command.pace.row,
             )
             self._decoder.took_time(command)
             return

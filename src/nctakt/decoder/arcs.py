@@ -16,6 +16,9 @@ from nctakt.kernel import arithmetic
 #: G function of a plane -> its first and second axis.
 PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 
+#: Radians of a degree.
+RADIANS = 0.017453292519943295
+
 #: How far an end may be off the circle: mm, and as a share of the radius where that is more.
 TOLERANCE_MM = 0.01
 TOLERANCE_SHARE = 0.001
@@ -41,6 +44,13 @@ class Arc:
     def row(self) -> tuple[float, ...]:
         """What the realtime part needs of it."""
         return (self.first, self.second, self.centre_first, self.centre_second, self.angle)
+
+    def length(self, start: Sequence[float]) -> float:
+        """Its way in the plane."""
+        radius = _length(
+            start[self.first] - self.centre_first, start[self.second] - self.centre_second
+        )
+        return radius * abs(self.angle) * RADIANS
 
 
 class ArcError(Exception):

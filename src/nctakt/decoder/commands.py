@@ -23,12 +23,32 @@ class Command:
 
 
 @dataclass(frozen=True, slots=True)
+class Pace:
+    """What the speed of a segment depends on beside its feed.
+
+    ``override``: the programmed one as a factor. ``is_exempt``: the operator's has no effect.
+    ``spindle``: whose speed the feed follows, by its place in the channel, -1 none; the feed counts
+    at ``spindle_v``, degrees per second.
+    """
+
+    override: float = 1.0
+    is_exempt: bool = False
+    spindle: int = -1
+    spindle_v: float = 0.0
+
+    @property
+    def row(self) -> tuple[float, ...]:
+        """What the realtime part needs of it (``kernel/shape.py``)."""
+        return (self.override, self.is_exempt, self.spindle + 1, self.spindle_v)
+
+
+@dataclass(frozen=True, slots=True)
 class Segment(Command):
     """A motion of the path's axes, mm or degrees, not packed but prepared in the queue.
 
     ``feed`` in mm/s, below 0 rapid. ``deviation``: how far the path may pass the target, 0 not at
     all. ``limits_jerk``: its slope is an S-curve. ``arc``: first and second axis of its plane,
-    centre, angle; ``None`` for a line.
+    centre, angle; ``None`` for a line. ``pace``: ``None`` where the feed is all.
     """
 
     start: tuple[float, ...]
@@ -38,6 +58,7 @@ class Segment(Command):
     deviation: float = 0.0
     limits_jerk: bool = False
     arc: tuple[float, ...] | None = None
+    pace: Pace | None = None
 
 
 @dataclass(frozen=True, slots=True)

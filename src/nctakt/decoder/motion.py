@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from nctakt.decoder.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
 from nctakt.decoder.commands import Answer, Command, Segment
 from nctakt.decoder.offsets import ALL
+from nctakt.decoder.pace import FEEDS, NO_OVERRIDE, PathPace
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
 from nctakt.nc import syntax
@@ -30,7 +31,7 @@ EXACT_STOP, CONTOURING = 60, 61
 
 @dataclass(slots=True)
 class PathWords:
-    """What a block says of its path beside the target: words of a centre, G60, G61.
+    """What a block says of its path beside the target: words of a centre, G60, G61, G166.
 
     ``offset_kinds``: which offsets its absolute positions have.
     """
@@ -43,8 +44,9 @@ class PathWords:
 class PathMotion:
     """Makes the segments of one program."""
 
-    def __init__(self, values: Values) -> None:
+    def __init__(self, values: Values, pace: PathPace) -> None:
         self._values = values
+        self.pace = pace
         self._surroundings = values.surroundings
         self._state = values.state
 
@@ -55,6 +57,8 @@ class PathMotion:
             self._state.motion = function
         elif function in PLANES:
             path.plane = function
+        elif function in FEEDS:
+            self._state.pace.feed_mode = function
         elif function in (161, 162):
             path.absolute_centre = function == 161
         elif function in (260, 261):
@@ -63,8 +67,11 @@ class PathMotion:
             path.exact_stop = function == 360
 
     def command(self, command: syntax.HashCommand, number: int) -> Generator[Command, Answer]:
-        """``#CONTOUR MODE``, ``#SLOPE``."""
+        """``#CONTOUR MODE``, ``#SLOPE``, ``#OVERRIDE``."""
         path = self._state.path
+        if command.words[0].name == "OVERRIDE":
+            yield from self.pace.override(keywords(command), number)
+            return
         if command.words[0].name == "SLOPE":
             path.limits_jerk = self._limits_jerk(keywords(command))
             return
@@ -97,9 +104,8 @@ class PathMotion:
             return None
         if arc is not None:
             self._check_extremes(arc, start, span)
-        feed = -1.0 if state.rapid else state.feed_mm_s
-        if feed == 0.0 or (feed < 0.0 and not state.rapid):
-            self._values.fail(20008, span)
+        is_exempt = NO_OVERRIDE in words.once
+        feed, pace = self.pace.of(start, target, arc, is_exempt, span)
         exact = self._stops_exactly(words)
         rounds = state.path.contouring or CONTOURING in words.once
         return Segment(
@@ -112,6 +118,7 @@ class PathMotion:
             state.path.deviation if rounds and not exact else 0.0,
             state.path.limits_jerk,
             None if arc is None else arc.row,
+            pace,
         )
 
     def _stops_exactly(self, words: PathWords) -> bool:

@@ -52,8 +52,22 @@ class ToolState:
 
 
 @dataclass(slots=True)
+class PaceState:
+    """What F means, 93 … 95, and its values under G93 and G95; the overrides of the program.
+
+    Overrides are factors of feed and rapid blocks: of the path, and by axis (its place).
+    """
+
+    feed_mode: int = 94
+    time_s: float = 0.0
+    per_revolution_mm: float = 0.0
+    path_override: tuple[float, float] = (1.0, 1.0)
+    axis_overrides: dict[int, tuple[float, float]] = field(default_factory=dict)
+
+
+@dataclass(slots=True)
 class ModalState:
-    """``motion``: G00 … G03. ``feed_mm_s`` 0: no feed yet. ``parameters``: P1, P2, …
+    """``motion``: G00 … G03. ``feed_mm_s``: under G94, 0: none yet. ``parameters``: P1, P2, …
 
     ``message_file``: what #FILENAME has named for the messages that are saved.
     """
@@ -67,6 +81,7 @@ class ModalState:
     tool: ToolState = field(default_factory=ToolState)
     parameters: dict[int, float] = field(default_factory=dict)
     message_file: str = ""
+    pace: PaceState = field(default_factory=PaceState)
     levels: Levels = field(default_factory=Levels)
 
     @property

@@ -22,6 +22,7 @@ from nctakt.decoder.commands import (
 )
 from nctakt.decoder.motion import CENTRE_WORDS, CONTOURING, EXACT_STOP, PathMotion, PathWords
 from nctakt.decoder.offsets import ALL, ZERO_GROUPS
+from nctakt.decoder.pace import NO_OVERRIDE, PathPace
 from nctakt.decoder.requests import MovedAxes
 from nctakt.decoder.spindles import SpindleWords, names_of
 from nctakt.decoder.technology import Issued, TechnologyOutputs, process_ticks
@@ -66,9 +67,9 @@ class Words:
         self._values = values
         self._surroundings = values.surroundings
         self._state = values.state
-        self.path = PathMotion(values)
-        self.technology = TechnologyOutputs()
         self._spindles = SpindleWords(values)
+        self.path = PathMotion(values, PathPace(values, self._spindles))
+        self.technology = TechnologyOutputs()
         self._spindle_names = names_of(self._surroundings.parameters.spindles)
 
     def presets(self, command: syntax.OffsetCommand, number: int) -> Generator[Command, Answer]:
@@ -125,13 +126,17 @@ class Words:
             self._modal(function)
             content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
         content.is_reference = REFERENCE in numbers
-        content.path.once.update({EXACT_STOP, CONTOURING}.intersection(numbers))
+        content.path.once.update({EXACT_STOP, CONTOURING, NO_OVERRIDE}.intersection(numbers))
         commands, words = split(block.words, self._spindle_names)
         for word in words:
             if isinstance(word, syntax.AxisWord):
                 if word.value is not None:
                     value = yield from self._values.evaluate(word.value, number)
                     content.axes.append((word, value))
+                continue
+            if isinstance(word, syntax.BracketCommand):
+                axis = self._surroundings.axis_numbers[word.name]
+                yield from self.path.pace.override(word.items, number, axis)
                 continue
             assert isinstance(word, syntax.Word), word
             if word.name == "G":
@@ -188,7 +193,7 @@ class Words:
 
     def _word(self, word: syntax.Word, value: float, block: int, content: _Content) -> None:
         if word.name == "F":
-            self._state.feed_mm_s = self._feed(value)
+            self.path.pace.feed_word(value)
             return
         if word.name in ("T", "D"):
             self._values.tool.word(word, value)
@@ -217,12 +222,6 @@ class Words:
         ticks = process_ticks(function, self._surroundings.cycle_time_us)
         output = TechnologyOutput(source, block, code, ticks)
         return Issued(function.synchronisation, output, AwaitAcknowledge(source, block, code))
-
-    def _feed(self, value: float) -> float:
-        """F in mm/s; in inch per minute under G70, whatever P-CHAN-00108 says."""
-        if self._state.inch:
-            return value * self._state.length_unit_mm / 60.0
-        return value * self._surroundings.parameters.program_start.feed_unit_mm_min / 60.0
 
     def _motion(self, content: _Content, span: Span, number: int) -> Generator[Command, Answer]:
         """The path to the programmed position; a centre without a target is a full circle."""

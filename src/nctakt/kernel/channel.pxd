@@ -6,6 +6,7 @@ from nctakt.kernel.taking cimport Commands
 
 cdef class Channel(Commands):
     cdef double max_override_pct
+    cdef double total_pct
     cdef public Py_ssize_t low_water
     cdef public bint decoder_open
     cdef public bint wants_slot
@@ -24,12 +25,14 @@ cdef class Channel(Commands):
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self, long long tick) noexcept nogil
     cdef void run_cycles(self) noexcept nogil
-    @cython.locals(pct=double, stops=bint)
+    @cython.locals(factor=double, stops=bint)
     cdef void interpolate(self) noexcept nogil
+    @cython.locals(programmed=double, operator=double, pct=double, spindle=Py_ssize_t, speed_v=double)
+    cdef double override(self) noexcept nogil
     @cython.locals(number=double)
     cdef void publish_block(self) noexcept nogil
     @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int, message=int)
-    cdef void go_on(self, double factor, int stops) noexcept nogil
+    cdef void go_on(self, int stops) noexcept nogil
     @cython.locals(message=int)
     cdef void report_axes(self) noexcept nogil
     @cython.locals(state=int)

@@ -43,6 +43,7 @@ class Channel(Commands):
     ) -> None:
         super().__init__(memory, first_cell, record, hli, manager, path, timers, ahead, single_axes)
         self.max_override_pct = max_override_pct
+        self.total_pct = 100.0
         self.low_water = max(LOW_WATER, ahead.blocks)
         self.decoder_open = False
         self.wants_slot = False
@@ -145,23 +146,45 @@ class Channel(Commands):
 
     def interpolate(self) -> None:
         """One increment of the path with this tick's override (RC-305, MO-5)."""
-        pct = self.panel.override_pct * self.cells[self.first_cell] / 100.0
-        pct = min(pct, self.max_override_pct)
+        factor = self.override()
         stops = self.is_stopped or self.is_resetting or self.panel.feed_hold
         self.publish_block()
         self.path.publish_overrides(self.panel.override_pct)
         if self.path.is_single != self.panel.single_block:
             self.path.set_single(self.panel.single_block)
-        if self.path.step(pct / 100.0, stops):
-            self.go_on(pct / 100.0, stops)
-        self.cells[self.first_cell + 1] = arithmetic.round_half_even(pct)
+        if self.path.step(factor, stops):
+            self.go_on(stops)
+        self.cells[self.first_cell + 1] = arithmetic.round_half_even(self.total_pct)
+
+    def override(self) -> float:
+        """What the current segment's prepared speed is multiplied with in this tick (RC-305).
+
+        ``total_pct``: operator's, programmed and CYCLE part. The programmed part is in the prepared
+        speed already; P-CHAN-00056 bounds the others, as contour preparation counts with it. G166
+        leaves out operator's and programmed part; under G95 the speed follows the spindle's.
+        """
+        programmed = self.path.pace(0)
+        operator = self.panel.override_pct
+        if self.path.pace(1) > 0.0:
+            operator = 100.0
+        pct = min(operator * self.cells[self.first_cell] / 100.0, self.max_override_pct)
+        self.total_pct = pct
+        if programmed == 0.0:
+            return pct / 100.0
+        self.total_pct = pct * programmed
+        spindle = int(self.path.pace(2))
+        if spindle > 0:
+            speed_v = self.context.spindles.speed_v[spindle - 1]
+            pct *= (speed_v if speed_v > 0.0 else 0.0 - speed_v) / self.path.pace(3)
+            pct = min(pct, max(100.0, self.max_override_pct))
+        return pct / 100.0
 
     def publish_block(self) -> None:
         """The N number of the block that is current in this tick, its last one included."""
         number = self.path.block_number() if self.path.is_active else 0.0
         self.cells[self.first_cell + 7] = number
 
-    def go_on(self, factor: float, stops: int) -> None:
+    def go_on(self, stops: int) -> None:
         """The path passes block ends: what stands between is taken in the next tick (RC-003).
 
         A block that it cannot take is an error; with speed left, it brakes on this block with the
@@ -184,7 +207,7 @@ class Channel(Commands):
                 self.path.begin(base, self.queue, self.path.left_t)
                 if self.path.left_t > 0.0:
                     self.publish_block()
-                if not self.path.step_carried(factor, stops):
+                if not self.path.step_carried(self.override(), stops):
                     return
             elif not self.passes(kind):
                 return

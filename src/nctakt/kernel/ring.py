@@ -103,12 +103,14 @@ class CommandRing:
         deviation: float,
         limits_jerk: bool,
         arc: Sequence[float] | None,
+        pace: Sequence[float] | None = None,
     ) -> None:
         """Append a segment, and let the path go on into it from the one before.
 
         ``feed_v``: mm/s, below 0 rapid. ``deviation``: how far the path may pass its target, 0 not
         at all. ``limits_jerk``: the slope is an S-curve, and the path stops before and behind.
-        ``arc``: first and second axis of the plane, centre, angle in degrees.
+        ``arc``: first and second axis of the plane, centre, angle in degrees. ``pace``: the last
+        numbers of a segment (``shape.py``); the override in it counts in its speed from here on.
         """
         base = self.next_row()
         for i in range(self.width):
@@ -129,12 +131,19 @@ class CommandRing:
                 self.queue[base + 12 + 2 * self.path.count + 7 + i] = arc[i]
         self.tail += 1
         self.timed_count += 1
+        if pace is not None:
+            for i in range(4):
+                self.queue[base + self.width - 4 + i] = pace[i]
+            if feed_v > 0.0:
+                feed_v *= pace[0]
         self.prepare(base, feed_v, deviation)
         self.latest = -1 if exact_stop or limits_jerk else self.tail - 1
 
     def prepare(self, base: int, feed_v: float, deviation: float) -> None:
         """Limits of the latest segment and the speeds of those before it."""
         self.ahead.measure(self.queue, base, feed_v)
+        if feed_v < 0.0 and self.queue[base + self.width - 4] > 0.0:
+            self.queue[base + 4] *= self.queue[base + self.width - 4]
         length = self.queue[base + 3]
         oldest = max(self.head, self.begun + 1)
         if self.latest >= oldest:

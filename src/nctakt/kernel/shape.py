@@ -23,6 +23,8 @@ t + 14 how many commands before it the segment stands that it continues (0: none
 t + 15 jerk mode: way from its end to the place that the path has to be able to slow down for,
        the speed there, acceleration and jerk up to there
 t + 19 with a curve: where it ends, each axis
+last 4 pace, all 0 without one: programmed override as a factor, whether the operator's has no
+       effect, spindle whose speed its feed follows, counted from 1, and that speed in degrees/s
 ====== =============================================================================
 
 The stages of the way, each with its own limits: 0 entry zone, 1 middle, 2 exit zone, 3 curve. In
@@ -37,7 +39,7 @@ from nctakt.kernel import arithmetic
 
 #: Numbers in front of, and behind, the positions of a segment.
 HEAD_WIDTH = 12
-TAIL_WIDTH = 19
+TAIL_WIDTH = 23
 
 
 def width(count: int) -> int:

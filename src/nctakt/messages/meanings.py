@@ -400,6 +400,9 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the most indices": "die meisten Indizes",
         "the families of such variables": "die Familien solcher Variablen",
         "the most elements": "die meisten Elemente",
+        "FEED_FACT or RAPID_FACT": "FEED_FACT oder RAPID_FACT",
+        "lowest override": "kleinster Override",
+        "highest override": "größter Override",
         "how many values are given": "wie viele Werte angegeben sind",
     }
 )

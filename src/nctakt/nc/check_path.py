@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``#`` commands that set how the path goes on: ``#CONTOUR MODE``, ``#SLOPE`` (MO-2, MO-3).
+"""What sets how the path goes on: ``#CONTOUR MODE``, ``#SLOPE``, overrides (MO-2, MO-3, MO-5).
 
 Their words and keywords are those that are simulated; every other one is refused by name, since it
 would change positions or times.
@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.findings import Findings
-from nctakt.nc.syntax import Bracket, Expression, HashCommand, Keyword, Name
+from nctakt.nc.syntax import Bracket, BracketCommand, Expression, HashCommand, Keyword, Name
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +31,12 @@ FORMS = {
     "CONTOUR MODE OFF": Form(needs_bracket=False),
     "SLOPE": Form(names={"TYPE": ("STEP", "TRAPEZ")}),
     "SLOPE DEFAULT": Form(needs_bracket=False),
+    "OVERRIDE": Form(numbers=("FEED_FACT", "RAPID_FACT")),
 }
+
+
+#: ``X[OVERRIDE FEED_FACT=50]``.
+_AXIS_OVERRIDE = Form(("OVERRIDE",), ("FEED_FACT", "RAPID_FACT"))
 
 
 def command_name(command: HashCommand) -> str:
@@ -64,6 +69,16 @@ def check_path_command(command: HashCommand, values: ValueChecker, findings: Fin
         assert isinstance(argument, Bracket)
         for item in argument.items:
             _check_item(form, f"#{name}", item, values, findings)
+    return True
+
+
+def check_axis_override(command: BracketCommand, values: ValueChecker, findings: Findings) -> bool:
+    """Check ``X[OVERRIDE …]``; false where it is another command for an axis."""
+    first = command.items[0] if command.items else None
+    if not isinstance(first, Keyword) or first.name != "OVERRIDE":
+        return False
+    for item in command.items:
+        _check_item(_AXIS_OVERRIDE, f"{command.name}[OVERRIDE]", item, values, findings)
     return True
 
 

@@ -15,6 +15,7 @@ from typing import Literal
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.nc import support
 from nctakt.nc.axis_commands import is_axis_command
+from nctakt.nc.check_path import check_axis_override
 from nctakt.nc.check_spindles import SpindleChecker
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.findings import Findings
@@ -95,6 +96,8 @@ class WordChecker:
                 case Word():
                     self._word(word, state)
                 case BracketCommand():
+                    if self._is_override(word):
+                        continue
                     if not self.bracket(word, state):
                         self._unknown(word, state)
                 case StringWord():
@@ -244,6 +247,12 @@ class WordChecker:
             elif isinstance(item, Keyword) and item.name == "JUMPS" and item.value is not None:
                 self._values.value(item.value)
             seen[kind] = None
+
+    def _is_override(self, command: BracketCommand) -> bool:
+        """Whether it is ``X[OVERRIDE …]``; then it has been checked."""
+        if command.name not in self.axes:
+            return False
+        return check_axis_override(command, self._values, self._findings)
 
     def bracket(self, command: BracketCommand, state: _Block | None = None) -> bool:
         """``X[…]``, ``S2[…]``, ``M17[MAIN]``; false where nobody knows the name."""

@@ -111,7 +111,7 @@ COMMANDS = known(
     ("#ORI MODE", "R", "orientation", "Orientierung"),
     ("#ORIMODE", "R", "orientation", "Orientierung"),
     ("#OTC", "R", "online tool compensation", "Online-Werkzeugkorrektur"),
-    ("#OVERRIDE", "R", "override of the program", "Override des Programms"),
+    ("#OVERRIDE", "S", "override of the program", "Override des Programms"),
     ("#PRESET", "S", "presets of positions taken back", "gesetzte Istwerte zurücknehmen"),
     ("#PSET", "S", "preset of positions", "Istwerte setzen"),
     ("#PTP", "R", "point to point", "Punkt zu Punkt"),
@@ -183,6 +183,7 @@ VARIABLES = known(
 #: What has no name of its own in a program: the example stands for it.
 FORMS = known(
     ("X[INDP …]", "S", "motion of one axis, in cycles", "Bewegung einer Achse, in Zyklen"),
+    ("X[OVERRIDE …]", "S", "override of one axis", "Override einer Achse"),
     ("X[…]", "R", "command for one axis", "Befehl für eine Achse"),
     ("S2[…]", "S", "command for a spindle", "Befehl für eine Spindel"),
     ("M17[…]", "S", "return with a jump", "Rücksprung mit Ziel"),

@@ -119,9 +119,9 @@ G_FUNCTIONS = (
     *known(("G92", "S", "reference point offset", "Bezugspunktverschiebung")),
     *_group(
         "feed",
-        ("G93", "R", "F is the time of the block", "F ist die Zeit des Satzes"),
-        ("G94", "A", "F is feed per minute", "F ist Vorschub je Minute"),
-        ("G95", "R", "F is feed per revolution", "F ist Vorschub je Umdrehung"),
+        ("G93", "S", "F is the time of the block", "F ist die Zeit des Satzes"),
+        ("G94", "S", "F is feed per minute", "F ist Vorschub je Minute"),
+        ("G95", "S", "F is feed per revolution", "F ist Vorschub je Umdrehung"),
         ("G194", "R", "F is a share of the highest feed", "F ist Anteil des höchsten Vorschubs"),
     ),
     *_group(
@@ -173,8 +173,8 @@ G_FUNCTIONS = (
         ("G165", "A", "correction of arc centres on", "Korrektur der Kreismittelpunkte ein"),
     ),
     *known(
-        ("G166", "R", "override 100 %", "Override 100 %"),
-        ("G167", "R", "spindle override 100 %", "Spindel-Override 100 %"),
+        ("G166", "S", "override 100 % for this block", "Override 100 % für diesen Satz"),
+        ("G167", "A", "spindle override 100 %", "Spindel-Override 100 %"),
         ("G193", "R", "feed interpolated over the path", "Vorschub über dem Weg interpoliert"),
         ("G196", "R", "highest spindle speed", "höchste Spindeldrehzahl"),
         ("G200", "R", "manual mode", "Handbetrieb"),

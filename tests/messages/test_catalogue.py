@@ -93,7 +93,7 @@ def test_texts_of_the_controllers_numbers_are_unique() -> None:
 
 
 def test_other_numbers_are_no_messages() -> None:
-    """A number that a message is also known as belongs to it alone."""
+    """RC-801: a number that a message is also known as belongs to it alone."""
     others = [number for message in CATALOGUE for number in message.known_as]
     assert len(others) == len(set(others))
     assert [number for number in others if number in CATALOGUE] == []

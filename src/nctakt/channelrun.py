@@ -169,6 +169,7 @@ class ChannelRun:
     def request_reset(self) -> None:
         """Give the program up and reset the channel (RC-007)."""
         self._give_up()
+        self._outcome = "reset"
         self.channel.request_reset()
 
     def _give_up(self) -> None:

@@ -14,7 +14,7 @@ from nctakt.access import split_channel
 from nctakt.assembly import Machine
 from nctakt.failure import Failure
 from nctakt.hli.layout import AXIS, CHANNEL
-from nctakt.kernel.axis_requests import HALT
+from nctakt.kernel.axis_requests import CLEAR_FAULT, HALT
 from nctakt.messages import diagnostic
 
 #: The states of a channel in the order of their numbers.
@@ -124,7 +124,9 @@ class Interface:
     ) -> int:
         """A request for the next tick (``kernel/axis_requests.py``): its owner number."""
         axis = self._axis(name)
-        if kind != HALT and not (math.isfinite(value) and 0.0 < speed < math.inf):
+        if kind not in (HALT, CLEAR_FAULT) and not (
+            math.isfinite(value) and 0.0 < speed < math.inf
+        ):
             raise Failure(diagnostic(900657, name=name, value=value, speed=speed))
         owner = self._machine.kernel.requests.post(kind, axis, value, speed, mode, direction)
         if owner == 0:

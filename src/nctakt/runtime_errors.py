@@ -62,8 +62,10 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
                 "reason_en": reason.en,
                 "reason_de": reason.de,
             }
-        case 900446 | 900447:
+        case 900420 | 900435 | 900446 | 900447:
             values = {"axis": machine.registry.axis(int(channel.error_detail))}
+        case 900811:
+            values = {"spindle": machine.registry.spindle(int(channel.error_detail))}
         case 900421:
             values = {"timer": int(a)}
         case 900346:
@@ -76,9 +78,7 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
             values = {}
         case 900460 | 900461 | 900470:
             values = {"value": number_text(a)}
-        case 900420 | 900435:
-            values = {"axis": machine.registry.axis(int(machine.channels[0].error_detail))}
-        case 50966 | 900430 | 900431 | 900433:
+        case 50966 | 900430 | 900431 | 900433 | 900810:
             values = {"axis": machine.registry.axis(int(a))}
         case 900432:
             axis = machine.configuration.axes[int(a)]

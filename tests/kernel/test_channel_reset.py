@@ -9,6 +9,7 @@ import pytest
 from kernel_rig import ACCELERATION, DEMO
 
 from nctakt.controller import Controller, NcText
+from nctakt.interface import Interface
 from nctakt.trace.sinks import CsvSink
 
 CYCLES = """#RT CYCLE [ID=1 SCOPE=GLOBAL]
@@ -54,6 +55,28 @@ def test_in_a_reset_no_cycle_runs_and_global_ones_keep_their_states() -> None:
     assert [controller.read(name) for name in names] == [100, 100, 1]
     controller.step(10)
     assert [controller.read(name) for name in names] == [110, 100, 1]
+
+
+def test_a_reset_counts_more_than_a_program_end_of_the_same_tick() -> None:
+    """The GLOBAL cycle fails in the tick that takes M30; the PLC resets before Python has both."""
+    controller = Controller(DEMO)
+
+    class ResetsAtOnce:
+        """A PLC with the controller's own reset."""
+
+        done = False
+
+        def cycle(self, hli: Interface) -> None:
+            """Behind each tick."""
+            if hli.error and not self.done:
+                self.done = True
+                controller.reset()
+
+    text = "#RT CYCLE [ID=1 SCOPE=GLOBAL]\nV.E.COUNT = 1 / V.E.VALUE\n#RT CYCLE END\nM30"
+    run = controller.run(NcText("p.nc", text), plc=ResetsAtOnce(), ticks=50)
+    assert [error.id for error in run.errors] == [50879]
+    assert [event.kind for event in run.events].count("end") == 1
+    assert run.state == "reset"
 
 
 def test_a_reset_at_rest_takes_one_tick() -> None:

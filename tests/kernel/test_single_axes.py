@@ -226,6 +226,62 @@ def test_hold_and_continue() -> None:
     assert_no_step(rig.places, top=100.0)
 
 
+def test_hold_of_a_motion_that_waits_behind_another_owners() -> None:
+    """RC-111: the other owner's goes on; the waiting one begins held, and CONTINUE lets it go."""
+    rig = AxesRig()
+    rig.single.absolute(Z, 10.0, 100.0, ABORTING, SHORTEST, OWNER + 1)
+    rig.run(20)
+    rig.absolute(20.0, 100.0, BUFFERED)
+    rig.single.command_owner("hold", OWNER)
+    rig.run(180)
+    assert rig.places[124] == rig.places[-1] == 10.0
+    assert rig.state() == STANDSTILL
+    assert rig.single.opened(OWNER) == 1
+    assert rig.single.moves(Z)
+    rig.single.command_owner("resume", OWNER)
+    assert rig.run_to_stand() == 125
+    assert rig.places[-1] == 20.0
+    assert_no_step(rig.places, top=100.0)
+    assert [text for _, text in rig.told[1:]] == [
+        "axis Z done",
+        "axis Z begun 20",
+        "axis Z held",
+        "axis Z continued",
+        "axis Z done",
+    ]
+
+
+def test_hold_of_a_motion_that_waits_for_anothers_speed() -> None:
+    """RC-111: the endless motion in front does not end for one that is held."""
+    rig = AxesRig()
+    rig.single.velocity(Z, 40.0, 1, ABORTING, OWNER + 1)
+    rig.absolute(20.0, 100.0, BUFFERED)
+    rig.single.command_owner("hold", OWNER)
+    rig.run(60)
+    assert rig.single.present_owner(Z) == OWNER + 1
+    assert rig.single.ending_count() == 0
+    rig.single.command_owner("resume", OWNER)
+    rig.run_to_stand()
+    assert rig.places[-1] == 20.0
+    assert_no_step(rig.places, top=100.0)
+
+
+def test_the_error_of_an_axis_without_a_channel(tmp_path: Path) -> None:
+    """PLCopen's ErrorStop: no channel is told and none resets it; its own reset does."""
+    fewer = machine_with(tmp_path, {"gruppe[0].achs_anzahl": "gruppe[0].achs_anzahl 2"})
+    rig = AxesRig(machine=fewer)
+    assert rig.single.velocity(Z, 500.0, 1, ABORTING, OWNER) == 0
+    rig.run(20_200)
+    assert rig.told[-1][1] == "axis Z failed"
+    assert (rig.state(), rig.single.fault_of(Z)) == (ERROR_STOP, 900434)
+    assert rig.single.fault_count == 0
+    assert not rig.channel.is_stopped
+    assert rig.absolute(0.0) == 900431
+    rig.single.clear(Z)
+    assert (rig.state(), rig.single.fault_of(Z)) == (STANDSTILL, 0)
+    assert rig.absolute(0.0) == 0
+
+
 def test_abort_drops_held_and_waiting_motions() -> None:
     """RC-111: ABORT ACTION."""
     rig = AxesRig()

@@ -23,6 +23,7 @@ from nctakt.plc import (
     MC_MoveAbsolute,
     MC_MoveRelative,
     MC_MoveVelocity,
+    MC_Reset,
     Plc,
     PlcError,
     load_plc,
@@ -273,6 +274,59 @@ def test_a_reset_aborts_what_the_plc_moves() -> None:
     plc = Cell(call, move)
     run(WAIT, plc)
     assert plc.told[0][-1] == (51, "command_aborted")
+
+
+def test_during_a_reset_an_axis_takes_no_command() -> None:
+    """RC-007, 900810: X brakes from 100 mm/s for 25 ticks; an endless motion would never end it."""
+    first, again, later = MC_MoveVelocity("X"), MC_MoveVelocity("X"), MC_MoveAbsolute("Y")
+
+    def call(hli: Interface) -> None:
+        first(hli, execute=True, velocity=100)
+        if hli.tick == 50:
+            hli.reset()
+        again(hli, execute=hli.tick >= 55, velocity=100)
+        later(hli, execute=hli.tick >= 80, position=1, velocity=500)
+
+    plc = Cell(call, first, again, later)
+    made = Controller().run(NcText("p.nc", WAIT), plc=plc, after_us=200_000)
+    assert plc.told[1] == [(0, ""), (55, "busy"), (56, "error 900810")]
+    assert made.state == "reset"
+    assert made.ticks == 76
+
+
+def test_reset_leaves_error_stop() -> None:
+    """900434 at the limit; MC_Reset is done with its tick, and X takes commands again.
+
+    0.1 mm take 2·√(0.1/4000) s, 10 ticks. The channel keeps the error until its RESET.
+    """
+    endless, reset, back = MC_MoveVelocity("X"), MC_Reset("X"), MC_MoveAbsolute("X")
+
+    def call(hli: Interface) -> None:
+        if hli.tick == 0:
+            hli.start()
+        endless(hli, execute=True, velocity=500, direction=POSITIVE)
+        reset(hli, execute=endless.error)
+        back(hli, execute=reset.done, position=9999.9, velocity=500)
+
+    plc = Cell(call, endless, reset, back)
+    text = NcText("p.nc", "G04 X30\nM30")
+    made = Controller().run(text, plc=plc, waits_for_start=True, ticks=20_200)
+    (tick, shown) = plc.told[1][-1]
+    assert shown == "done"
+    assert plc.told[1][-2:] == [(tick - 1, "busy"), (tick, "done")]
+    assert plc.told[2][-3:] == [(tick, "busy"), (tick + 1, "busy active"), (tick + 10, "done")]
+    assert [found.id for found in made.errors] == [900434]
+    assert made.state == "error"
+    assert column(made, "X.ACS.ACT_POS")[-1] == 9999.9
+
+
+def test_reset_of_an_axis_without_an_error_is_done() -> None:
+    """PLCopen: no effect; an axis that the PLC may not move is refused (50966)."""
+    reset = MC_Reset("X")
+    plc = Cell(lambda hli: reset(hli, execute=True), reset)
+    made = run(WAIT, plc)
+    assert plc.told == [[(0, "busy"), (1, "done")]]
+    assert set(column(made, "X.STATE")) == {STANDSTILL}
 
 
 def test_a_run_waits_for_the_motions_of_the_plc() -> None:

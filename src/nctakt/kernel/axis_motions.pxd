@@ -41,6 +41,7 @@ cdef class AxisMotions:
     cdef double[::1] next_value
     cdef double[::1] next_v
     cdef long long[::1] next_direction
+    cdef long long[::1] next_held
     cdef double[::1] speed
     cdef double[::1] acceleration
     cdef double[::1] last_direction
@@ -50,6 +51,8 @@ cdef class AxisMotions:
     cdef long long[::1] fault
     cdef long long[::1] failed
     cdef long long[::1] arrived
+    cdef long long[::1] in_channel
+    cdef long long[::1] closed
     cdef Py_ssize_t failed_count
     cdef Py_ssize_t ring_size
 

@@ -78,6 +78,7 @@ class AxisMotions:
         self.next_value = memoryview(bytearray(8 * count)).cast("d")
         self.next_v = memoryview(bytearray(8 * count)).cast("d")
         self.next_direction = memoryview(bytearray(8 * count)).cast("q")
+        self.next_held = memoryview(bytearray(8 * count)).cast("q")
         # State of now, and the plan's start.
         self.speed = memoryview(bytearray(8 * count)).cast("d")
         self.acceleration = memoryview(bytearray(8 * count)).cast("d")
@@ -88,6 +89,9 @@ class AxisMotions:
         self.fault = memoryview(bytearray(8 * count)).cast("q")
         self.failed = memoryview(bytearray(8 * count)).cast("q")
         self.arrived = memoryview(bytearray(8 * count)).cast("q")
+        # Whether a channel has the axis, and whether that one is in a reset.
+        self.in_channel = memoryview(bytearray(8 * count)).cast("q")
+        self.closed = memoryview(bytearray(8 * count)).cast("q")
         self.failed_count = 0
         self.ring_size = count
         for axis in range(count):
@@ -143,7 +147,7 @@ class AxisMotions:
             self.active_count += 1
             self.axes.independent[axis] = 1
         self.kind[axis] = kind
-        self.held[axis] = 0
+        self.held[axis] = self.next_held[axis]
         self.owner[axis] = self.next_owner[axis]
         self.serials[axis] = self.next_serial[axis]
         self.sources[axis] = self.next_source[axis]
@@ -156,10 +160,14 @@ class AxisMotions:
             self.record.axis_begun(
                 self.sources[axis], self.serials[axis], -1 - axis, self.direction[axis]
             )
-            return
-        self.record.axis_begun(self.sources[axis], self.serials[axis], axis, self.end[axis])
-        if self.is_beyond(axis, self.goal[axis]):
-            self.fail(axis, 900436)
+        else:
+            self.record.axis_begun(self.sources[axis], self.serials[axis], axis, self.end[axis])
+            if self.is_beyond(axis, self.goal[axis]):
+                self.fail(axis, 900436)
+                return
+        if self.held[axis]:
+            self.axes.show_state(axis, 1)
+            self.record.axis_changed(self.sources[axis], self.serials[axis], axis, 0)
 
     def turn(self, axis: int, way_d: float) -> float:
         """The way of a modulo axis to a target that is ``way_d`` away, in the wanted direction.
@@ -237,7 +245,10 @@ class AxisMotions:
         self.record.axis_ended(self.sources[axis], self.serials[axis], axis, 2)
         self.brake(axis)
         self.fault[axis] = message
-        self.fault_count += 1
+        if self.in_channel[axis]:
+            self.fault_count += 1
+        else:
+            self.fault[axis] = 0 - message
         self.failed[self.failed_count % self.ring_size] = axis
         self.failed_count += 1
 
@@ -273,7 +284,7 @@ class AxisMotions:
             self.last_direction[axis] = 1.0 if self.speed[axis] > 0.0 else -1.0
         if self.kind[axis] == 2:
             self.axes.target[axis] = self.axes.command[axis]
-            if self.next_kind[axis] and self.is_at_speed(axis):
+            if self.next_kind[axis] and not self.next_held[axis] and self.is_at_speed(axis):
                 self.record.axis_ended(self.sources[axis], self.serials[axis], axis, 0)
                 self.begin(axis)
 

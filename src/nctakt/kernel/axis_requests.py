@@ -22,6 +22,7 @@ ABSOLUTE = 1
 RELATIVE = 2
 VELOCITY = 3
 HALT = 4
+CLEAR_FAULT = 5
 
 
 class AxisRequests:
@@ -107,5 +108,7 @@ class AxisRequests:
             self.answer[place] = self.single_axes.run_endless(
                 axis, self.speed_v[place], direction, mode, owner
             )
-        else:
+        elif kind == 4:
             self.answer[place] = self.single_axes.stop(axis, owner)
+        else:
+            self.answer[place] = self.single_axes.clear_fault(axis)

@@ -38,6 +38,7 @@ cdef class Channel(Commands):
     @cython.locals(state=int)
     cdef void end_tick(self) noexcept nogil
     cdef void begin_reset(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
     cdef void end_reset(self) noexcept nogil
     @cython.locals(message=int, base=Py_ssize_t)
     cdef int axes_stand(self) noexcept nogil

@@ -52,6 +52,8 @@ class Channel(Commands):
         self.is_reset_due = False
         self.is_paced = False
         self.starved_since = -1
+        for i in range(self.path.count):
+            single_axes.belong(self.path.members[i])
 
     # --- Python's side, between two runs --------------------------------------------------------
 
@@ -264,6 +266,8 @@ class Channel(Commands):
         if not self.context.single_axes.all_free(self.path.members, self.path.count):
             return
         self.is_resetting = False
+        for i in range(self.path.count):
+            self.context.single_axes.reopen(self.path.members[i])
         self.path.abandon()
         self.head = self.tail
         self.timed_count = 0
@@ -283,6 +287,7 @@ class Channel(Commands):
         self.error_message = 0
         self.waiting = 0
         self.answer_ready = False
+        self.program_ended = False
         self.panel.is_paused = False
 
     def clear_error(self) -> None:

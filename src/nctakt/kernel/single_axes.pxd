@@ -35,6 +35,8 @@ cdef class SingleAxes(AxisMotions):
     cdef int asked(self, double[::1] queue, Py_ssize_t base) noexcept nogil
     cdef int obstacle(self, Py_ssize_t axis) noexcept nogil
     cdef void reset(self, Py_ssize_t axis) noexcept nogil
+    cdef void reopen(self, Py_ssize_t axis) noexcept nogil
+    cdef int clear_fault(self, Py_ssize_t axis) noexcept nogil
     cdef int is_free(self, Py_ssize_t axis) noexcept nogil
     cdef int stands(self, Py_ssize_t axis) noexcept nogil
     cdef int is_held(self, Py_ssize_t axis) noexcept nogil

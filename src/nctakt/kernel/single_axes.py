@@ -71,6 +71,8 @@ class SingleAxes(AxisMotions):
         """Why the axis takes no command now: 0 it does."""
         if not self.enabled[axis]:
             return 50966
+        if self.closed[axis]:
+            return 900810
         if self.axes.on_path[axis]:
             return 900430
         if self.fault[axis]:
@@ -97,16 +99,22 @@ class SingleAxes(AxisMotions):
         self.next_value[axis] = value
         self.next_v[axis] = speed_v
         self.next_direction[axis] = direction
+        self.next_held[axis] = 0
         if mode == 0 or self.kind[axis] == 0:
             self.begin(axis)
 
     # --- what owners do with all their motions --------------------------------------------------
 
     def hold(self, owner: int) -> None:
-        """Brake the owner's motions from this tick on; they keep their targets (RC-111)."""
+        """Brake the owner's motions from this tick on; they keep their targets (RC-111).
+
+        One that waits behind another owner's motion is held as soon as that one has ended.
+        """
         if self.active_count == 0:
             return
         for axis in range(self.count):
+            if self.next_kind[axis] and self.next_owner[axis] == owner:
+                self.next_held[axis] = 1
             if self.owner[axis] == owner and 0 < self.kind[axis] < 4 and not self.held[axis]:
                 self.held[axis] = 1
                 self.axes.show_state(axis, 4)
@@ -117,6 +125,8 @@ class SingleAxes(AxisMotions):
         if self.active_count == 0:
             return
         for axis in range(self.count):
+            if self.next_owner[axis] == owner:
+                self.next_held[axis] = 0
             if self.owner[axis] == owner and self.held[axis]:
                 self.held[axis] = 0
                 self.planned_v[axis] = -1.0
@@ -197,12 +207,32 @@ class SingleAxes(AxisMotions):
             return 900446
         return 0 if self.is_free(axis) else 1
 
+    def belong(self, axis: int) -> None:
+        """A channel has this axis: it is told of the axis' errors, and resets it."""
+        self.in_channel[axis] = 1
+
     def reset(self, axis: int) -> None:
-        """Brake the axis, whoever moves it, and clear its error (RC-007)."""
+        """The channel's reset: brake the axis, whoever moves it, and clear its error (RC-007).
+
+        Until ``reopen`` it takes no command, else the reset might never end.
+        """
+        self.closed[axis] = 1
         self.give_up(axis)
+        self.clear_fault(axis)
+
+    def reopen(self, axis: int) -> None:
+        """The channel's reset is over."""
+        self.closed[axis] = 0
+
+    def clear_fault(self, axis: int) -> int:
+        """Leave ErrorStop (PLCopen's MC_Reset): 0, or the message that refuses it."""
+        if not self.enabled[axis]:
+            return 50966
         if self.fault[axis]:
+            self.take_fault(axis)
             self.fault[axis] = 0
             self.axes.show_state(axis, 4 if self.kind[axis] else 1)
+        return 0
 
     # --- what can be asked ----------------------------------------------------------------------
 
@@ -239,7 +269,9 @@ class SingleAxes(AxisMotions):
             return 0 if self.speed[axis] == 0.0 else 1
         if self.planned_v[axis] == 0.0:
             return 0
-        return 1 if self.kind[axis] == 1 or self.next_kind[axis] else 0
+        if self.next_kind[axis] and not self.next_held[axis]:
+            return 1
+        return 1 if self.kind[axis] == 1 else 0
 
     def event_bound(self, commands: int) -> int:
         """The most events of a tick that takes so many commands of the queues."""
@@ -277,8 +309,9 @@ class SingleAxes(AxisMotions):
             self.end_owner(owner, 1 if what == "leave" else 0)
 
     def clear(self, axis: int) -> None:
-        """``reset``."""
+        """``reset``, over at once."""
         self.reset(axis)
+        self.reopen(axis)
 
     def state_of(self, axis: int) -> tuple[int, float, float]:
         """PLCopen state, speed and acceleration."""

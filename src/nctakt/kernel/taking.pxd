@@ -44,6 +44,8 @@ cdef class Commands(CommandRing):
     cdef int take_technology(self, long long tick, Py_ssize_t base) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, ticks=cython.longlong)
     cdef int take_spindle(self, long long tick, Py_ssize_t base) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t, number=Py_ssize_t)
+    cdef int take_spindle_wait(self, Py_ssize_t base) noexcept nogil
     @cython.locals(cell=Py_ssize_t)
     cdef void take_write(self, Py_ssize_t base) noexcept nogil
     @cython.locals(first=Py_ssize_t, count=Py_ssize_t, zeros=Py_ssize_t, i=Py_ssize_t)

@@ -121,10 +121,7 @@ class Commands(CommandRing):
         if kind == 23:
             return self.take_spindle(tick, base)
         if kind == 24:
-            if self.context.spindles.is_busy(int(self.queue[base + 3])):
-                return 0
-            self.timed_count -= 1
-            return 1
+            return self.take_spindle_wait(base)
         if 30 <= kind <= 32:
             self.take_mark(tick, base, kind)
             return 1
@@ -201,6 +198,17 @@ class Commands(CommandRing):
         self.context.spindles.tell(spindle, int(self.queue[base + 1]), 0)
         ticks = int(self.queue[base + 8])
         self.context.spindles.hand_over(spindle, tick + ticks)
+        return 1
+
+    def take_spindle_wait(self, base: int) -> int:
+        """Speed or position of a spindle is waited for; a held job would never have them."""
+        spindle = int(self.queue[base + 3])
+        if self.context.spindles.is_busy(spindle):
+            if not self.context.spindles.is_held[spindle]:
+                return 0
+            number = self.context.spindles.first_number + spindle
+            self.report(int(self.queue[base + 1]), 900811, number)
+        self.timed_count -= 1
         return 1
 
     def take_write(self, base: int) -> None:

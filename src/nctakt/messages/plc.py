@@ -113,3 +113,17 @@ _add(
     "after ZEIT oder start schreiben.",
     parameters={"text": "what stands in the comment"},
 )
+_add(
+    900810,
+    ERROR,
+    "the channel of the axis {axis} is being reset: it takes no command until all stands",
+    "der Kanal der Achse {axis} wird gerade zurückgesetzt: sie nimmt keinen Auftrag an, bis alles"
+    " steht",
+    remedy_en="Command the axis again when the reset is over.",
+    remedy_de="Die Achse wieder beauftragen, wenn der Reset vorbei ist.",
+    cause_en="A reset lasts until all axes of the channel stand.",
+    cause_de="Ein Reset dauert, bis alle Achsen des Kanals stehen.",
+    parameters={"axis": "the axis"},
+    reaction=6,
+    clearing=6,
+)

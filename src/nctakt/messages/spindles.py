@@ -110,3 +110,20 @@ _add(
     reaction=6,
     clearing=6,
 )
+_add(
+    900811,
+    ERROR,
+    "the program waits for the spindle {spindle}, whose job is held",
+    "das Programm wartet auf die Spindel {spindle}, deren Auftrag angehalten ist",
+    remedy_en="Let the realtime cycle go on with #RT CYCLE CONTINUE before, or end the job with "
+    "ABORT ACTION.",
+    remedy_de="Vorher den Echtzeit-Zyklus mit #RT CYCLE CONTINUE fortsetzen oder den Auftrag mit "
+    "ABORT ACTION beenden.",
+    cause_en="A realtime cycle has taken the spindle over and is held: only the program could let "
+    "it go on, and the program waits.",
+    cause_de="Ein Echtzeit-Zyklus hat die Spindel übernommen und ist angehalten: nur das Programm "
+    "könnte ihn fortsetzen, und das wartet.",
+    parameters={"spindle": "the spindle"},
+    reaction=6,
+    clearing=6,
+)

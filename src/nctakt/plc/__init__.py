@@ -12,6 +12,7 @@ from nctakt.plc.axes import (
     MC_MoveAbsolute,
     MC_MoveRelative,
     MC_MoveVelocity,
+    MC_Reset,
 )
 from nctakt.plc.loading import AnyPlc, PlcError, load_plc
 from nctakt.plc.partner import PartnerPlc
@@ -30,6 +31,7 @@ __all__ = [
     "MC_MoveAbsolute",
     "MC_MoveRelative",
     "MC_MoveVelocity",
+    "MC_Reset",
     "PartnerPlc",
     "Plc",
     "PlcError",

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Function blocks with which a PLC moves single axes, as PLCopen has them (P-AXIS-00457).
 
-``MC_MoveAbsolute``, ``MC_MoveRelative``, ``MC_MoveVelocity``, ``MC_Halt``: one object for each use,
-called behind each tick with its inputs. A rising ``execute`` gives the command, which is latched by
-the next tick; the outputs are attributes: ``busy``, ``active``, ``done`` (``in_velocity``),
-``command_aborted``, ``error``, ``error_id``. They fall with ``execute``, but stand for one call at
-least. Speeds are mm/s or °/s and at most those of the axis; acceleration and jerk are the axis'.
+``MC_MoveAbsolute``, ``MC_MoveRelative``, ``MC_MoveVelocity``, ``MC_Halt``, ``MC_Reset``: one object
+for each use, called behind each tick with its inputs. A rising ``execute`` gives the command, which
+is latched by the next tick; the outputs are attributes: ``busy``, ``active``, ``done``
+(``in_velocity``), ``command_aborted``, ``error``, ``error_id``. They fall with ``execute``, but
+stand for one call at least. Speeds are mm/s or °/s and at most those of the axis; acceleration and
+jerk are the axis'.
 An axis has one owner at a time (MO-13): what another command takes over is aborted, what the path
 moves is refused.
 """
@@ -14,7 +15,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from nctakt.kernel.axis_requests import ABSOLUTE, HALT, RELATIVE, VELOCITY
+from nctakt.kernel.axis_requests import ABSOLUTE, CLEAR_FAULT, HALT, RELATIVE, VELOCITY
 
 if TYPE_CHECKING:
     from nctakt.interface import Interface
@@ -165,3 +166,15 @@ class MC_Halt(AxisBlock):
         else:
             self.done = state == 1
             self.command_aborted = not self.done
+
+
+class MC_Reset(AxisBlock):
+    """Leave ErrorStop: the axis takes commands again. The channel's own error stays until RESET."""
+
+    def __call__(self, hli: Interface, *, execute: bool) -> None:
+        """Done in the tick that latches it, with an axis that has no error as well."""
+        self._call(hli, execute, CLEAR_FAULT, 0.0, 0.0, 0, SHORTEST)
+
+    def _look(self, hli: Interface) -> None:
+        self._end()
+        self.done = True

@@ -39,8 +39,8 @@ NAMES = [document.relative_to(ROOT).as_posix() for document in DOCUMENTS]
 _FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _LINK = re.compile(r"\[[^\]]*\]\(([^)]+)\)")
 _OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
-#: Options of what is not ``nctakt``: ``scripts/docs``.
-_OTHER_OPTIONS = {"--check"}
+#: Options of what is not ``nctakt``: ``scripts/docs``, pytest with the plugin.
+_OTHER_OPTIONS = {"--check", "--nctakt-coverage", "--nctakt-coverage-file"}
 
 
 def text_of(name: str) -> str:

@@ -237,8 +237,8 @@ class Controller:
         keeps in the result, of ``signals`` (positions of all axes, path speed, override, block
         number, active cycles unless given); ``record_writes`` has each new value that a cycle gives
         a variable as an event in it. ``why`` keeps what each condition of the realtime cycles saw
-        and did. Raises ``Failure`` for a name or value that does not
-        fit; mistakes of the programs are in the result. ``on_cycle`` is told the name and the
+        and did, and counts it (``Run.coverage``). Raises ``Failure`` for a name or value that does
+        not fit; mistakes of the programs are in the result. ``on_cycle`` is told the name and the
         definition of each realtime cycle when it is decoded. Blocks of the ``skip_levels`` 1 … 10
         are left out. ``blocks``: events tell of each block when it was decoded and when it is
         carried out, and why the channel is emptied.
@@ -284,6 +284,7 @@ class Controller:
             registry.on_cycle = None
         if self._pace is not None:
             self.diagnostics += self._pace.findings()
+        report, coverage = self._recording.why(first_tick, self._loaded_texts())
         return Run(
             programs=tuple(loading.name_of(program) for one in wanted.values() for program in one),
             cycle_time_us=self.cycle_time_us,
@@ -297,7 +298,8 @@ class Controller:
             outputs=statistics.outputs(),
             starved=statistics.schedule.starved(self.tick),
             overflows=statistics.schedule.overflows(),
-            why=self._recording.why(first_tick, self._loaded_texts()),
+            why=report,
+            coverage=coverage,
         )
 
     def _loaded_texts(self) -> list[ProgramText]:

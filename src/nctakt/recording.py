@@ -14,6 +14,7 @@ from nctakt.diagnostics import Diagnostic
 from nctakt.failure import Failure
 from nctakt.kernel.cycles import DEFINED, HELD
 from nctakt.nc.outline import ProgramText
+from nctakt.results.coverage import Coverage
 from nctakt.results.probe_log import ProbeLog
 from nctakt.results.run import SaidMessage
 from nctakt.results.user_errors import user_errors
@@ -87,16 +88,20 @@ class Recording:
             if rows_count:
                 sink.rows(first_tick, rows, record.signal_count)
 
-    def why(self, first_tick: int, texts: Sequence[ProgramText]) -> WhyReport | None:
+    def why(
+        self, first_tick: int, texts: Sequence[ProgramText]
+    ) -> tuple[WhyReport | None, Coverage | None]:
         """What was gathered of the conditions since ``open``, if it was asked for."""
         log = self._probes
         if log is None:
-            return None
+            return None, None
         self._probes = None
         self._machine.record.records_series = False
         ticks = self._machine.kernel.tick - first_tick
         cycle_time_us = self._machine.configuration.cycle_time_us
-        return WhyReport(cycle_time_us, first_tick, ticks, log.histories(texts), log.left_out)
+        histories = log.histories(texts)
+        report = WhyReport(cycle_time_us, first_tick, ticks, histories, log.left_out)
+        return report, log.coverage(histories)
 
     def _probe_log(self) -> ProbeLog:
         """What gathers the histories of conditions, those of living cycles from now on."""

@@ -63,7 +63,7 @@ def shape(node: Any) -> Any:
     fields = {
         field.name: shape(getattr(node, field.name))
         for field in dataclasses.fields(node)
-        if field.name not in ("span", "else_span", "source")
+        if field.name not in ("span", "else_span", "end_span", "source")
     }
     return (type(node).__name__, *fields.items())
 

@@ -14,6 +14,7 @@ import pytest
 
 import nctakt
 from nctakt.failure import Failure
+from nctakt.results.coverage_files import from_json
 from nctakt.testing.expectations import read_script
 
 ROOT = Path(__file__).parent.parent.parent
@@ -286,3 +287,58 @@ def test_the_fixtures_answer_in_the_words_of_the_shop_floor(tmp_path: Path) -> N
     assert "<M102: never; but M101 at 0.05 s, tick 50 (line 4)" in done.stdout
     assert "<error after 0" in done.stdout
     assert "error 20008" in done.stdout
+
+
+# --- coverage -----------------------------------------------------------------------------------
+
+COVERED = CYCLE.format(first="; expect: fired", second="; expect: X = 5 at 50ms")
+TWO_MORE = """\
+def test_short(run_nc):
+    assert run_nc("part.nc", ticks=40)
+
+def test_text(run_nc):
+    assert run_nc("#RT CYCLE\\n$IF 1 == 1\\nM100\\n$ENDIF\\n#RT CYCLE END\\nG00 X1\\nM30\\n")
+"""
+
+
+@pytest.mark.parametrize("workers", [0, 2])
+def test_coverage_of_a_session(tmp_path: Path, workers: int) -> None:
+    """The whole program, then its first 40 ticks, not the text; so from workers, too.
+
+    X reads 5 in tick 50: the condition is evaluated in ticks 0 … 50, then in 40 more (RC-203).
+    """
+    words = []
+    if workers:
+        pytest.importorskip("xdist")
+        words = ["-n", str(workers)]
+    folder = project(tmp_path, part_nc=COVERED, test_more_py=TWO_MORE)
+    for name in ("all.json", "all.info", "all.txt"):
+        words += ["--nctakt-coverage-file", name]
+    done = run_pytest(folder, *words)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "branches of realtime cycles" in done.stdout
+    assert "part.nc:1  realtime cycle 1 PROG, defined 2 times" in done.stdout
+    coverage = from_json("all.json", (folder / "all.json").read_text("utf-8"))
+    (cycle,) = coverage.cycles
+    (branch,) = cycle.branches
+    counts = (branch.evaluated, branch.condition.true, branch.condition.false, branch.bodies)
+    assert counts == (91, 1, 90, 1)
+    assert "BRDA:2,0,1,90" in (folder / "all.info").read_text("utf-8")
+    assert "$ENDIF" in (folder / "all.txt").read_text("utf-8")
+
+
+def test_coverage_that_cannot_be_written_is_told(tmp_path: Path) -> None:
+    """A suffix that says nothing before the tests, a folder that is not there behind them."""
+    folder = project(tmp_path, part_nc=COVERED)
+    done = run_pytest(folder, "--nctakt-coverage-file", "all.xml")
+    assert done.returncode == pytest.ExitCode.USAGE_ERROR
+    assert "900804" in done.stderr + done.stdout
+    done = run_pytest(folder, "--nctakt-coverage-file", "none/all.json")
+    assert done.returncode == pytest.ExitCode.USAGE_ERROR
+    assert "900507" in done.stdout
+
+
+def test_without_the_option_nothing_is_told(tmp_path: Path) -> None:
+    """And runs do not count."""
+    done = run_pytest(project(tmp_path, part_nc=COVERED))
+    assert "branches of realtime cycles" not in done.stdout

@@ -32,6 +32,7 @@ _COMMANDS = {
     "list": "nctakt.cli.listing",
     "new": "nctakt.cli.new",
     "why": "nctakt.cli.why",
+    "coverage": "nctakt.cli.coverage",
     "schedule": "nctakt.cli.schedule",
 }
 

@@ -31,6 +31,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``offsets``           offsets between programmed and axis positions (900770 … 900799)
 ``tools``             tools in programs, tool radius compensation (900865 … 900879)
 ``diagnosis``         the lines of the cycles' diagnosis data (900456 … 900458, 900550 … 900569)
+``coverage``          branch coverage of realtime cycles (900800 … 900809)
 ``unreached``         numbers of the controller that no program of nctakt reaches
 ====================  ==============================================================================
 
@@ -46,6 +47,7 @@ from nctakt.messages import (
     checked_cycles,
     checked_values,
     checking,
+    coverage,
     decoder,
     diagnosis,
     folders,
@@ -103,6 +105,7 @@ for _stage in (
     plc,
     checking,
     diagnosis,
+    coverage,
     unreached,
 ):
     CATALOGUE.include(_stage.MESSAGES)

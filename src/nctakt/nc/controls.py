@@ -404,6 +404,8 @@ def _realtime_cycle(here: Here, command: Hash) -> None:
 def _end_realtime_cycle(here: Here, command: Hash) -> None:
     frame = here.structure.find(lambda open_frame: isinstance(open_frame, CycleFrame))
     if frame is not None:
+        assert isinstance(frame, CycleFrame)
+        frame.end_span = here.text.span(command.start, command.end)
         here.structure.close(frame)
     elif not here.structure.forgive_cycle_end():
         raise BlockError(22005, command.start, command.end, found="#RT CYCLE END")

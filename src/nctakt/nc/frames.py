@@ -226,12 +226,14 @@ class RepeatFrame(_FootFrame):
 class CycleFrame(Frame):
     """``#RT CYCLE``."""
 
-    __slots__ = ("definition_only", "keywords", "reported")
+    __slots__ = ("definition_only", "end_span", "keywords", "reported")
 
     def __init__(self, opening: Opening, *, definition_only: bool) -> None:
         super().__init__(opening)
         self.definition_only = definition_only
         self.keywords: tuple[Item, ...] = ()
+        #: Where its end stands, once that was found.
+        self.end_span = opening.span
         #: Whether it was reported already that the ends do not fit.
         self.reported = False
 
@@ -242,6 +244,7 @@ class CycleFrame(Frame):
             self.definition_only,
             self.keywords,
             tuple(self.body),
+            self.end_span,
         )
 
 

@@ -373,11 +373,15 @@ class Continue(Statement):
 
 @dataclass(frozen=True, slots=True)
 class RealtimeCycle(Statement):
-    """``#RT CYCLE [DEF] [ID=… SCOPE=… END_ACTION=…] … #RT CYCLE END`` (RC-101)."""
+    """``#RT CYCLE [DEF] [ID=… SCOPE=… END_ACTION=…] … #RT CYCLE END`` (RC-101).
+
+    ``end_span`` is the place of its end, its begin where the end is missing.
+    """
 
     definition_only: bool
     keywords: tuple[Keyword | Expression, ...]
     body: tuple[Statement, ...]
+    end_span: Span
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,10 +19,12 @@ from nctakt.results.histories import (
     BranchHistory,
     Change,
     ConditionHistory,
+    LifeEvent,
     Nearest,
     Series,
     Times,
 )
+from nctakt.sources import begins_at
 
 #: Changes of truth that are kept for each condition.
 CHANGES_KEPT = 1000
@@ -77,18 +79,51 @@ class SeriesLog:
         return Times(tuple(self._kept), self._ticks, self._left_out)
 
 
+class TruthCount:
+    """Begins of series and changes of truth -> in how many ticks a condition was false, true."""
+
+    def __init__(self, first_tick: int | None, truth: bool | None) -> None:
+        self._since = first_tick
+        self._truth = truth
+        self._ticks = [0, 0]
+
+    def begin(self, tick: int, next_tick: int) -> None:
+        """A series of evaluations begins; the one before ended before ``next_tick``."""
+        self._close(next_tick)
+        self._since = tick
+
+    def change(self, tick: int, truth: bool) -> None:
+        """The evaluation in ``tick`` was the first one of this truth."""
+        self._close(tick)
+        self._since, self._truth = tick, truth
+
+    def _close(self, next_tick: int) -> None:
+        if self._since is not None and self._truth is not None and next_tick > self._since:
+            self._ticks[self._truth] += next_tick - self._since
+        self._since = None
+
+    def finish(self, next_tick: int) -> tuple[int, int]:
+        """Ticks of false and of true evaluations; the last one ended before ``next_tick``."""
+        self._close(next_tick)
+        return self._ticks[0], self._ticks[1]
+
+
 def continued(next_tick: int, living_from: int | None) -> int | None:
     """The first tick of a series that an earlier run has begun and that may go on."""
     return living_from if next_tick == living_from else None
 
 
 class ConditionLog:
-    """One condition: its node in the realtime part and its changes of truth."""
+    """One condition: its node in the realtime part and its changes of truth.
 
-    def __init__(self, node: conditions.Condition, is_living: bool) -> None:
+    ``living_from`` is the run's first tick for one that lives since before it, else ``None``.
+    """
+
+    def __init__(self, node: conditions.Condition, living_from: int | None) -> None:
         self.node = node
-        has_truth = is_living and node.truth != conditions.UNKNOWN
+        has_truth = living_from is not None and node.truth != conditions.UNKNOWN
         self._was_true = node.truth == 1 if has_truth else None
+        self.truths = TruthCount(continued(node.next_tick, living_from), self._was_true)
         self._changes: deque[Change] = deque(maxlen=CHANGES_KEPT)
         self._left_out = 0
 
@@ -96,10 +131,13 @@ class ConditionLog:
         """The condition has another truth."""
         self._left_out += len(self._changes) == CHANGES_KEPT
         self._changes.append(Change(tick, truth, left, right))
+        self.truths.change(tick, truth)
 
-    def history(self, expression: Expression | None) -> ConditionHistory:
-        """What was gathered."""
+    def history(self, expression: Expression | None, fault_tick: int | None) -> ConditionHistory:
+        """What was gathered; an error broke off the evaluation in ``fault_tick``."""
         node = self.node
+        broken_off = fault_tick is not None and node.next_tick == fault_tick + 1
+        false_ticks, true_ticks = self.truths.finish(node.next_tick - broken_off)
         nearest = None
         if node.nearest_tick >= 0 and not node.was_ever_true:
             nearest = Nearest(
@@ -112,6 +150,8 @@ class ConditionLog:
             self._left_out,
             self._was_true,
             nearest,
+            true_ticks,
+            false_ticks,
         )
 
 
@@ -130,19 +170,30 @@ class BranchLog:
 
     def __init__(self, built: BuiltReaction, living_from: int | None) -> None:
         node = built.node.condition
-        is_living = living_from is not None
         self._reaction = built.node
-        self._condition = ConditionLog(node, is_living)
+        self._condition = ConditionLog(node, living_from)
         self._parts: list[ConditionLog] = []
         if isinstance(node, conditions.Combination):
-            self._parts = [ConditionLog(leaf, is_living) for leaf in _leaves(node)]
+            self._parts = [ConditionLog(leaf, living_from) for leaf in _leaves(node)]
         self.probe = node.probe
         self.conditions = {one.node.probe: one for one in (self._condition, *self._parts)}
         self.evaluated = SeriesLog(continued(node.next_tick, living_from))
         self.bodies = SeriesLog(continued(built.node.next_tick, living_from))
 
-    def history(self, place: BranchPlace, text: str, frozen: Sequence[Frozen]) -> BranchHistory:
-        """What was gathered; ``text`` is the source line, ``frozen`` what the whole cycle froze."""
+    def history(
+        self,
+        place: BranchPlace,
+        text: str,
+        frozen: Sequence[Frozen],
+        fault: LifeEvent | None,
+    ) -> BranchHistory:
+        """What was gathered; ``text`` is the source line, ``frozen`` what the whole cycle froze.
+
+        ``fault`` is the error that ended the cycle.
+        """
+        fault_tick = None
+        if fault is not None and begins_at(place.span, fault.span):
+            fault_tick = fault.tick
         node = self._condition.node
         expressions = [] if place.condition is None else combined(place.condition)
         places = [access.span for one in expressions for access in accesses_in(one)]
@@ -154,9 +205,9 @@ class BranchLog:
             place.frequency,
             place.outer,
             place.earlier,
-            self._condition.history(place.condition),
+            self._condition.history(place.condition, fault_tick),
             tuple(
-                part.history(expression)
+                part.history(expression, fault_tick)
                 for part, expression in zip(self._parts, expressions, strict=False)
             ),
             self.evaluated.finish(node.next_tick),

@@ -142,6 +142,8 @@ class ConditionHistory:
     ``operator`` is that of the comparison, ``&&`` or ``||``, empty for a value alone. ``changes``
     are its changes of truth, the newest ``CHANGES_KEPT``. ``was_true``: its truth before the run,
     ``None`` when it had none. ``nearest``: ``None`` if it was true once or never evaluated.
+    ``true_ticks`` and ``false_ticks`` count the evaluations of the whole run by what they gave; one
+    that an error broke off gave nothing.
     """
 
     text: str = ""
@@ -150,6 +152,8 @@ class ConditionHistory:
     changes_left_out: int = 0
     was_true: bool | None = None
     nearest: Nearest | None = None
+    true_ticks: int = 0
+    false_ticks: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,12 +186,14 @@ class CycleHistory:
 
     ``name`` is its ID, ``#1`` without one, empty for an unreached definition. ``lines`` are those
     that stand in no branch. ``stops`` are faults of other cycles in whose tick it may not have run:
-    tick, place and number. ``shown`` are the branches that were asked for.
+    tick, place and number. ``shown`` are the branches that were asked for. ``end_line`` is that of
+    its ``#RT CYCLE END``.
     """
 
     name: str
     scope: str
     span: Span
+    end_line: int
     lines: tuple[int, ...]
     text: str
     branches: tuple[BranchHistory, ...]

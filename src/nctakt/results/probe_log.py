@@ -11,7 +11,7 @@ from __future__ import annotations
 import struct
 from collections import deque
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from nctakt.decoder.cycles import CycleDefinition
@@ -23,10 +23,13 @@ from nctakt.nc.branches import (
     lines_without_branch,
 )
 from nctakt.nc.outline import ProgramText
-from nctakt.nc.syntax import RealtimeCycle
+from nctakt.nc.printer import format_expression
+from nctakt.nc.syntax import Expression, RealtimeCycle
 from nctakt.results.branch_log import BranchLog, ConditionLog, SeriesLog, continued
+from nctakt.results.coverage import Coverage, CycleCounts, added, counts_of
 from nctakt.results.histories import (
     BranchHistory,
+    ConditionHistory,
     CycleHistory,
     EndedBy,
     LifeEvent,
@@ -109,6 +112,7 @@ class ProbeLog:
         self._conditions: dict[int, ConditionLog] = {}
         self._stops: deque[tuple[int, LifeEvent]] = deque(maxlen=LIFE_KEPT)
         self._seen: dict[Span, None] = {}
+        self._dropped: tuple[CycleCounts, ...] = ()
         self.left_out = 0
         for definition, state in living:
             cycle = self._add(definition, first_tick)
@@ -129,17 +133,24 @@ class ProbeLog:
                 if condition is not None:
                     condition.change(int(tick), bool(number % 2), left, right)
                 continue
-            number = -1 - number
-            series = (self._bodies if number % 2 else self._evaluated).get(number // 2)
-            if series is not None:
-                series.begin(int(tick), int(left))
+            self._series(-1 - number, int(tick), int(left))
+        while len(self._cycles) > CYCLES_KEPT and self._drop():
+            pass
+
+    def _series(self, number: int, tick: int, next_tick: int) -> None:
+        """A series of evaluations (even) or of body runs (odd) begins."""
+        series = (self._bodies if number % 2 else self._evaluated).get(number // 2)
+        if series is not None:
+            series.begin(tick, next_tick)
+        condition = None if number % 2 else self._conditions.get(number // 2)
+        if condition is not None:
+            condition.truths.begin(tick, next_tick)
 
     def _event(
         self, tick: float, code: float, source: float, subject: float, a: float, _b: float
     ) -> None:
         kind, serial = int(code) % record.CHANNEL_CODE_WIDTH, int(subject)
         if kind == record.CREATED:
-            self._make_room()
             self._add(self._names.definition(serial), None)
         cycle = self._cycles.get(serial)
         if cycle is None:
@@ -178,14 +189,14 @@ class ProbeLog:
         self._seen[definition.span] = None
         return made
 
-    def _make_room(self) -> None:
-        """Drop the oldest cycle that has ended where as many are kept as may be."""
-        if len(self._cycles) < CYCLES_KEPT:
-            return
+    def _drop(self) -> bool:
+        """Drop the oldest cycle that has ended, if there is one; its counts are kept."""
         ended = (s for s, one in self._cycles.items() if one.life and one.life[-1].kind == "ended")
         serial = next(ended, None)
         if serial is None:
-            return
+            return False
+        dropped = self._counts(self._history(serial, self._cycles[serial]))
+        self._dropped = added([*self._dropped, dropped])
         cycle = self._cycles.pop(serial)
         del self._evaluated[cycle.definition.cycle.probe]
         for branch in cycle.branches.values():
@@ -194,6 +205,7 @@ class ProbeLog:
             for probe in branch.conditions:
                 del self._conditions[probe]
         self.left_out += 1
+        return True
 
     # --- at its end -----------------------------------------------------------------------------
 
@@ -209,14 +221,18 @@ class ProbeLog:
 
     def _history(self, serial: int, cycle: _CycleLog) -> CycleHistory:
         definition = cycle.definition
+        fault = next((stop for who, stop in self._stops if who == serial), None)
         branches = tuple(
-            cycle.branches[place.span].history(place, self._text(place.span), definition.frozen)
+            cycle.branches[place.span].history(
+                place, self._text(place.span), definition.frozen, fault
+            )
             for place in branch_places(definition.statement)
         )
         return CycleHistory(
             cycle.name,
             definition.scope,
             definition.span,
+            definition.statement.end_span.line,
             tuple(lines_without_branch(definition.statement)),
             self._text(definition.span),
             branches,
@@ -237,6 +253,7 @@ class ProbeLog:
                 place.frequency,
                 place.outer,
                 place.earlier,
+                _unseen(place.condition),
             )
             for place in branch_places(statement)
         )
@@ -244,11 +261,27 @@ class ProbeLog:
             "",
             "",
             statement.span,
+            statement.end_span.line,
             tuple(lines_without_branch(statement)),
             self._text(statement.span),
             branches,
             tuple(range(len(branches))),
         )
 
+    def coverage(self, histories: Sequence[CycleHistory]) -> Coverage:
+        """How often each branch ran: that of the histories, and of the cycles that were dropped."""
+        return Coverage(added([*self._dropped, *(self._counts(one) for one in histories)]), 1)
+
+    def _counts(self, history: CycleHistory) -> CycleCounts:
+        span = history.span
+        lines = range(span.line, history.end_line + 1)
+        source = tuple(self._names.line_at(replace(span, line=line)).rstrip() for line in lines)
+        return counts_of(history, source)
+
     def _text(self, span: Span) -> str:
         return self._names.line_at(span).strip()
+
+
+def _unseen(condition: Expression | None) -> ConditionHistory:
+    """Of a condition that was never evaluated its text is known."""
+    return ConditionHistory("" if condition is None else format_expression(condition))

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from nctakt.diagnostics import Diagnostic, Severity, Span
+from nctakt.results.coverage import Coverage
 from nctakt.results.starving import OverflowCount, ScheduleStatistics, Starvation
 from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.results.why import WhyReport
@@ -131,9 +132,9 @@ class Run:
 
     ``ticks`` were run, from tick ``first_tick`` of the controller on. ``trace`` and ``events`` are
     there when the trace was kept in memory (else ``None`` and empty); counts are always there.
-    ``messages`` are the times in microseconds and texts of what programs said. ``why`` tells what
-    each condition saw and did, where the run was asked to. ``starved`` and ``overflows``: what the
-    schedule did to it, where there was one.
+    ``messages`` are the times in microseconds and texts of what programs said. Where the run was
+    asked to, ``why`` tells what each condition saw and did, ``coverage`` how often. ``starved`` and
+    ``overflows``: what the schedule did to it, where there was one.
     """
 
     programs: tuple[str, ...]
@@ -149,6 +150,7 @@ class Run:
     why: WhyReport | None = None
     starved: tuple[Starvation, ...] = ()
     overflows: tuple[OverflowCount, ...] = ()
+    coverage: Coverage | None = None
 
     @property
     def virtual_time_us(self) -> int:

@@ -13,6 +13,7 @@ from nctakt.controller import Controller, NcText
 from nctakt.failure import Failure
 from nctakt.lists.machine import MachineConfiguration
 from nctakt.plc import load_plc
+from nctakt.testing.coverage import note_coverage, session_coverage
 from nctakt.testing.expectations import Script, read_script
 from nctakt.testing.shop import NcRun, configured_machine, machine_of, values_before
 from nctakt.testing.verdict import differences
@@ -61,7 +62,9 @@ class NcItem(pytest.Item):
             after_us=script.after_us,
             signals=list(start),
             waits_for_start=script.waits_for_start,
+            why=session_coverage(self.config) is not None,
         )
+        note_coverage(self.config, run)
         return NcRun(run, start)
 
     def _signals(self, script: Script) -> list[str]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The pytest plugin: fixtures ``machine``, ``controller``, ``run_nc``; NC files as tests.
+"""The pytest plugin: fixtures ``machine``, ``controller``, ``run_nc``; NC files as tests; coverage.
 
 pytest loads it by its entry point in each session, so nothing of nctakt is imported before a test
 asks for it.
@@ -33,6 +33,28 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         type="args",
         default=["*.nc"],
     )
+    group = parser.getgroup("nctakt")
+    group.addoption(
+        "--nctakt-coverage",
+        action="store_true",
+        help="tell which branches of realtime cycles ran in the tests",
+    )
+    group.addoption(
+        "--nctakt-coverage-file",
+        action="append",
+        metavar="FILE",
+        default=[],
+        help="write that to FILE: .json (for nctakt coverage), .info (LCOV) or .txt (source)",
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Where coverage is asked for, it is gathered from now on, in each worker of its own."""
+    files = config.getoption("nctakt_coverage_file")
+    if files or config.getoption("nctakt_coverage"):
+        from nctakt.testing.coverage import SessionCoverage  # noqa: PLC0415 - see above
+
+        config.pluginmanager.register(SessionCoverage(config, files), "nctakt-coverage")
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
@@ -66,11 +88,16 @@ def controller(machine: MachineConfiguration) -> Controller:
 @pytest.fixture
 def run_nc(controller: Controller, request: pytest.FixtureRequest) -> Callable[..., NcRun]:
     """Runs a program on the controller: ``run_nc("part.nc")``, ``run_nc(text, plc=…)``."""
-    from nctakt.testing.shop import run_program  # noqa: PLC0415 - see above
+    from nctakt.testing.coverage import note_coverage, session_coverage  # noqa: PLC0415 - see above
+    from nctakt.testing.shop import run_program  # noqa: PLC0415
 
-    folder = request.path.parent
+    config, folder = request.config, request.path.parent
 
     def run(program: str | Path, **options: Any) -> NcRun:
-        return run_program(controller, program, folder, **options)
+        if session_coverage(config) is not None:
+            options["why"] = True
+        done = run_program(controller, program, folder, **options)
+        note_coverage(config, done.run)
+        return done
 
     return run

@@ -24,6 +24,9 @@ from nctakt.trace.events import Event, number_text
 if TYPE_CHECKING:
     import pytest
 
+#: What a program is called that a test gives as text.
+TEXT_NAME = "program.nc"
+
 _CYCLE_KINDS = ("m", "h")
 
 
@@ -54,15 +57,16 @@ def run_program(
     after: str = "0",
     signals: Iterable[str] = (),
     waits_for_start: bool = False,
+    why: bool = False,
 ) -> NcRun:
     """Run a program: a file (relative to ``folder``), or a text of several lines.
 
     ``given``: values before the first tick; ``at``: values at times, ``{"20ms": {"V.E.DOOR": 1}}``;
     ``plc``: an object, or the file of one; ``signals`` are recorded beside positions, path speed,
-    override, block and active cycles.
+    override, block and active cycles; ``why`` as for ``Controller.run``.
     """
     if isinstance(program, str) and "\n" in program:
-        source: Path | NcText = NcText("program.nc", program)
+        source: Path | NcText = NcText(TEXT_NAME, program)
     else:
         source = folder / program
     if isinstance(plc, str | Path):
@@ -83,6 +87,7 @@ def run_program(
         after_us=parse_time(after),
         signals=names,
         waits_for_start=waits_for_start,
+        why=why,
     )
     return NcRun(run, start)
 

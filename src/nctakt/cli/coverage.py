@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt coverage``: which branches of realtime cycles ran, in one run or in many together.
+
+In: programs, machine, values, limits as for ``nctakt run``; files with the counts of earlier runs.
+Out: on standard output the sum of all as a table, as source lines with their counts, as JSON or as
+LCOV; with ``--data`` the sum in that file. Exit codes as ``nctakt run``, and 1 where fewer branches
+ran than ``--fail-under`` asks for.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.request import Options, read_request
+from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
+from nctakt.cli.terminal import OutputFile, print_diagnostics, show_at_the_end
+from nctakt.diagnostics import Language, Severity
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+
+if TYPE_CHECKING:
+    from nctakt.results.coverage import Coverage
+
+_EPILOG = """\b
+For each branch: in how many ticks its condition was evaluated, true and false,
+and its body ran. Without a program only the files of earlier runs count.
+
+\b
+  nctakt coverage part.nc --set V.E.VALUE=5
+  nctakt coverage part.nc --data all.json --format source
+  nctakt coverage --merge a.json --merge b.json --format lcov
+"""
+
+
+@click.command("coverage", epilog=_EPILOG, short_help="Tell which branches of cycles ran.")
+@run_options("--at", "report and diagnostics")
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["text", "source", "json", "lcov"]),
+    default="text",
+    help="A table, the source with counts, or a file for other tools [default: text].",
+)
+@click.option("--data", metavar="FILE", help="Add the runs before, and keep the sum, in this file.")
+@click.option("--merge", multiple=True, metavar="FILE", help="Add the runs that are in this file.")
+@click.option(
+    "--fail-under",
+    "least",
+    type=click.FloatRange(0, 100),
+    metavar="PERCENT",
+    help="Exit code 1 where a smaller share of the branches ran.",
+)
+def command(
+    form: str, data: str | None, merge: tuple[str, ...], least: float | None, **words: Any
+) -> int:
+    """Run NC programs and tell which branches of their realtime cycles ran, and how often."""
+    options = Options(**words)
+    try:
+        return _cover(options, form, data, merge, least)
+    except Failure as failure:
+        print_diagnostics(failure.diagnostics, options.language)
+        return EXIT_USAGE
+
+
+def _cover(
+    options: Options, form: str, data: str | None, merge: tuple[str, ...], least: float | None
+) -> int:
+    """Read, run, add, tell; raises ``Failure`` for what cannot be used."""
+    choose_mode(options)
+    from nctakt.results.coverage_files import as_json  # noqa: PLC0415 - the mode is chosen before
+
+    if not options.programs and not options.others and data is None and not merge:
+        raise Failure(diagnostic(900800))
+    before = [_read(file) for file in merge]
+    if data is not None and Path(data).exists():
+        before.insert(0, _read(data))
+    with contextlib.ExitStack() as files:
+        output = None if data is None else OutputFile(data)
+        if output is not None:
+            files.callback(output.close)
+        code, ran = _run(options)
+        if code and ran is None:
+            return code
+        whole = _sum([*before, *(() if ran is None else (ran,))], options.language)
+        if output is not None:
+            output.write(as_json(whole))
+    show_at_the_end(lambda file: print(_shown(whole, form, options.language), end="", file=file))
+    if least is not None and whole.percent < least:
+        percent = f"{int(10 * whole.percent) / 10:g}"  # what is too little never looks enough
+        found = diagnostic(900803, percent=percent, least=f"{least:g}")
+        print_diagnostics([found], options.language)
+        return EXIT_NC_ERROR
+    return code
+
+
+def _read(path: str) -> Coverage:
+    """The coverage in a file; raises ``Failure`` where there is none."""
+    from nctakt.results.coverage_files import from_json  # noqa: PLC0415 - as above
+
+    try:
+        return from_json(path, Path(path).read_text("utf-8"))
+    except FileNotFoundError as error:
+        raise Failure(diagnostic(900500, file=path)) from error
+    except IsADirectoryError as error:
+        raise Failure(diagnostic(900501, file=path)) from error
+    except UnicodeDecodeError as error:
+        raise Failure(diagnostic(900801, file=path)) from error
+    except OSError as error:
+        reason = os.strerror(error.errno or errno.EIO)
+        raise Failure(diagnostic(900503, file=path, reason=reason)) from error
+
+
+def _run(options: Options) -> tuple[int, Coverage | None]:
+    """The exit code of the run and what it covered; nothing where nothing is to be run."""
+    if not options.programs and not options.others:
+        return EXIT_RAN, None
+    request = read_request(options)
+    run = run_programs(options, request, start_controller(options), why=True)
+    if run is None:
+        return EXIT_NC_ERROR, None
+    print_diagnostics(run.diagnostics, options.language, Severity.WARNING)
+    stopped = run.state in ("error", "interrupted")
+    code = EXIT_NC_ERROR if stopped or run.errors else EXIT_RAN
+    return code, run.coverage if run.ticks else None
+
+
+def _sum(parts: list[Coverage], language: Language) -> Coverage:
+    """All together; what is dropped since a program was changed is told."""
+    from nctakt.results.coverage import Coverage  # noqa: PLC0415 - the mode is chosen before
+
+    whole = Coverage()
+    for part in parts:
+        outdated = whole.outdated_by(part)
+        print_diagnostics([diagnostic(900802, file=file) for file in outdated], language)
+        whole = whole.plus(part)
+    return whole
+
+
+def _shown(whole: Coverage, form: str, language: Language) -> str:
+    from nctakt.results.coverage_files import as_json, as_lcov  # noqa: PLC0415 - as above
+    from nctakt.results.coverage_text import CoverageText  # noqa: PLC0415
+
+    if form == "json":
+        return as_json(whole)
+    if form == "lcov":
+        return as_lcov(whole)
+    text = CoverageText(whole, language)
+    return text.source() if form == "source" else text.table()

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+"""Branch coverage in files: JSON, from which it is read again, and LCOV for other tools.
+
+In: ``Coverage``. Out: texts of files, the same for the same coverage; or the way back. JSON keys
+are those of the classes in ``coverage.py``; ``ran`` and ``state`` are told for readers and
+not read.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Callable, Iterator
+from typing import Any, TypeVar, get_args
+
+from nctakt.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.nc.branches import BranchWord
+from nctakt.results.coverage import (
+    BranchCounts,
+    ConditionCounts,
+    Coverage,
+    CycleCounts,
+    NearestMiss,
+)
+
+#: The number of this form; another one is not read.
+FORM = 1
+
+_FORM_KEY = "nctakt-coverage"
+_T = TypeVar("_T")
+
+
+# --- JSON ----------------------------------------------------------------------------------------
+
+
+def as_json(coverage: Coverage) -> str:
+    """The whole coverage, ASCII."""
+    document = {
+        _FORM_KEY: FORM,
+        "runs": coverage.runs,
+        "branches": coverage.branches,
+        "ran": coverage.ran,
+        "cycles": [_cycle_out(one) for one in coverage.cycles],
+    }
+    return json.dumps(document, indent=1) + "\n"
+
+
+def _cycle_out(cycle: CycleCounts) -> dict[str, object]:
+    document = dataclasses.asdict(cycle)
+    for branch, written in zip(cycle.branches, document["branches"], strict=True):
+        written["state"] = cycle.state(branch)
+    return document
+
+
+def from_json(file: str, text: str) -> Coverage:
+    """What ``as_json`` wrote; an empty text is no coverage yet. Raises ``Failure`` (900801)."""
+    if not text.strip():
+        return Coverage()
+    try:
+        document = json.loads(text)
+        if document[_FORM_KEY] != FORM:
+            raise ValueError(_FORM_KEY)
+        return Coverage(_each(document["cycles"], _cycle_in), _count(document["runs"]))
+    except (ValueError, KeyError, TypeError, IndexError, RecursionError) as error:
+        raise Failure(diagnostic(900801, file=file)) from error
+
+
+def _cycle_in(read: Any) -> CycleCounts:
+    cycle = CycleCounts(
+        _text(read["file"]),
+        _count(read["line"]),
+        _text(read["name"]),
+        _text(read["scope"]),
+        _each(read["source"], _text),
+        _each(read["outside"], _count),
+        _count(read["instances"]),
+        _count(read["runs"]),
+        _each(read["branches"], _branch_in),
+    )
+    for place, branch in enumerate(cycle.branches):  # what is around a branch stands before it
+        if branch.outer is not None and branch.outer >= place:
+            raise ValueError(branch.outer)
+    return cycle
+
+
+def _branch_in(read: Any) -> BranchCounts:
+    (word,) = (one for one in get_args(BranchWord) if one == read["word"])
+    return BranchCounts(
+        _count(read["line"]),
+        _count(read["column"]),
+        _text(read["text"]),
+        word,
+        _text(read["frequency"]),
+        None if read["outer"] is None else _count(read["outer"]),
+        _each(read["lines"], _count),
+        _count(read["evaluated"]),
+        _count(read["bodies"]),
+        _condition_in(read["condition"]),
+        _each(read["parts"], _condition_in),
+    )
+
+
+def _condition_in(read: Any) -> ConditionCounts:
+    nearest = read["nearest"]
+    return ConditionCounts(
+        _text(read["text"]),
+        _text(read["operator"]),
+        _count(read["true"]),
+        _count(read["false"]),
+        None if nearest is None else NearestMiss(*(float(nearest[key]) for key in _MISS)),
+    )
+
+
+_MISS = ("left", "right", "distance")
+
+
+def _each(read: object, one_in: Callable[[Any], _T]) -> tuple[_T, ...]:
+    if not isinstance(read, list):
+        raise TypeError(read)
+    return tuple(one_in(one) for one in read)
+
+
+def _text(read: object) -> str:
+    if not isinstance(read, str):
+        raise TypeError(read)
+    return read
+
+
+def _count(read: object) -> int:
+    if not isinstance(read, int) or read < 0:
+        raise TypeError(read)
+    return read
+
+
+# --- LCOV ----------------------------------------------------------------------------------------
+
+
+def as_lcov(coverage: Coverage) -> str:
+    """A tracefile as ``genhtml`` and code hosts read it.
+
+    A line's count is that of the ticks in which it ran. Each condition has two branches: its body,
+    and that it was false; an ``$ELSE`` has no condition, and no branch of its own.
+    """
+    lines: list[str] = []
+    for file in dict.fromkeys(one.file for one in coverage.cycles):
+        cycles = [one for one in coverage.cycles if one.file == file]
+        lines += ["TN:", f"SF:{file}"]
+        taken = [both for one in cycles for both in _lcov_branches(one)]
+        lines += [f"BRDA:{line},0,{number},{count}" for line, number, count in taken]
+        ran = sum(count not in ("-", "0") for _, _, count in taken)
+        lines += [f"BRF:{len(taken)}", f"BRH:{ran}"]
+        counts = sorted(pair for one in cycles for pair in _line_counts(one).items())
+        lines += [f"DA:{line},{count}" for line, count in counts]
+        hit = sum(count > 0 for _, count in counts)
+        lines += [f"LF:{len(counts)}", f"LH:{hit}", "end_of_record"]
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _lcov_branches(cycle: CycleCounts) -> Iterator[tuple[int, int, str]]:
+    """Line, number of the branch in it, how often it was taken (``-``: its line never ran)."""
+    numbers: dict[int, int] = {}
+    for branch in cycle.branches:
+        if branch.word == "$ELSE":
+            continue
+        for count in (branch.bodies, branch.condition.false):
+            number = numbers.get(branch.line, 0)
+            numbers[branch.line] = number + 1
+            yield branch.line, number, str(count) if branch.evaluated or branch.bodies else "-"
+
+
+def _line_counts(cycle: CycleCounts) -> dict[int, int]:
+    """How often each line ran; that of a condition, how often it was reached."""
+    counts = dict.fromkeys(cycle.outside, cycle.runs)
+    for branch in cycle.branches:
+        counts |= dict.fromkeys(branch.lines, branch.bodies)
+        counts[branch.line] = max(branch.evaluated, branch.bodies)
+    return counts

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: MIT
+"""Branch coverage as text: a table of the branches, or the source lines with their counts.
+
+In: ``Coverage``, language. Out: lines; those of what never ran are marked with ``!``, those of a
+plain condition that was never false with ``~``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from nctakt.diagnostics import Language, Text
+from nctakt.results.coverage import (
+    BranchCounts,
+    BranchState,
+    ConditionCounts,
+    Coverage,
+    CycleCounts,
+)
+from nctakt.trace.events import number_text
+
+_CYCLE = Text("realtime cycle {name}", "Echtzeit-Zyklus {name}")
+_NO_NAME = Text("realtime cycle", "Echtzeit-Zyklus")
+_RAN = Text("{count} of {all} branches ran", "{count} von {all} Zweigen liefen")
+_TIMES = Text("run {runs} times", "{runs} mal gelaufen")
+_DEFINED = Text("defined {instances} times", "{instances} mal angelegt")
+_NEVER = Text("never defined", "nie angelegt")
+_IDLE = Text("defined, never run", "angelegt, nie gelaufen")
+_COLUMNS = (
+    Text("line", "Zeile"),
+    Text("evaluated", "ausgewertet"),
+    Text("true", "wahr"),
+    Text("false", "falsch"),
+    Text("body", "Rumpf"),
+)
+_TOTAL = Text(
+    "in all: {count} of {all} branches ran, {percent} %; runs: {runs}",
+    "insgesamt: {count} von {all} Zweigen liefen, {percent} %; Läufe: {runs}",
+)
+_NO_CYCLES = Text("no realtime cycles", "keine Echtzeit-Zyklen")
+_PART = Text("part {text}", "Teil {text}")
+_NEAREST = Text("nearest {values}, {distance} away", "am nächsten {values}, Abstand {distance}")
+_STATES: dict[BranchState, Text] = {
+    "never true": Text("never true", "nie wahr"),
+    "never false": Text("never false", "nie falsch"),
+    "no rise": Text("true all the time, no change to true", "immer wahr, kein Wechsel zu wahr"),
+    "fault": Text("an error broke it off", "ein Fehler brach ab"),
+    "not reached": Text("never reached", "nie erreicht"),
+    "cycle": Text("the cycle never ran", "der Zyklus lief nie"),
+}
+_LEGEND = Text(
+    "! never ran   ~ never false   numbers are ticks",
+    "! lief nie   ~ nie falsch   Zahlen sind Takte",
+)
+
+_MARKS: dict[BranchState, str] = {"ran": " ", "never false": "~"}
+#: Widths of line, evaluated, true, false, body.
+_WIDTHS = (6, 12, 9, 9, 9)
+
+
+class CoverageText:
+    """Writes a coverage in one language."""
+
+    def __init__(self, coverage: Coverage, language: Language) -> None:
+        self._coverage = coverage
+        self._language = language
+
+    def table(self) -> str:
+        """Each branch with its counts, and why it did not run."""
+        return self._joined(self._table)
+
+    def source(self) -> str:
+        """The lines of each definition with the counts of their branches."""
+        return self._joined(self._source, self._get(_LEGEND))
+
+    def _joined(self, lines_of: Callable[[CycleCounts], Iterator[str]], legend: str = "") -> str:
+        if not self._coverage.cycles:
+            return self._get(_NO_CYCLES) + "\n"
+        lines: list[str] = []
+        for cycle in self._coverage.cycles:
+            lines += [self._headline(cycle), *lines_of(cycle), ""]
+        lines += [legend] if legend else []
+        return "\n".join([*lines, self._total()]) + "\n"
+
+    def _get(self, text: Text, /, **values: object) -> str:
+        return text.get(self._language).format(**values)
+
+    # --- heads and sums -------------------------------------------------------------------------
+
+    def _headline(self, cycle: CycleCounts) -> str:
+        name = self._get(_CYCLE, name=cycle.name) if cycle.name else self._get(_NO_NAME)
+        facts = [f"{cycle.file}:{cycle.line}  {name} {cycle.scope}".rstrip()]
+        if not cycle.instances and not cycle.runs:
+            facts.append(self._get(_NEVER))
+        elif not cycle.runs:
+            facts.append(self._get(_IDLE))
+        else:
+            if cycle.instances > 1:
+                facts.append(self._get(_DEFINED, instances=cycle.instances))
+            facts.append(self._get(_TIMES, runs=cycle.runs))
+        if cycle.branches:
+            facts.append(self._get(_RAN, count=cycle.ran, all=len(cycle.branches)))
+        return ", ".join(facts)
+
+    def _total(self) -> str:
+        whole = self._coverage
+        percent = number_text(round(whole.percent, 1))
+        return self._get(
+            _TOTAL, count=whole.ran, all=whole.branches, percent=percent, runs=whole.runs
+        )
+
+    def _columns(self) -> str:
+        heads = zip(_COLUMNS, _WIDTHS, strict=True)
+        return "  " + "".join(f"{self._get(head):>{width}}" for head, width in heads)
+
+    # --- table ----------------------------------------------------------------------------------
+
+    def _table(self, cycle: CycleCounts) -> Iterator[str]:
+        if not cycle.branches:
+            return
+        yield self._columns()
+        for branch in cycle.branches:
+            state = cycle.state(branch)
+            row = _row(_MARKS.get(state, "!"), branch.line, _counts(branch))
+            yield f"{row}  {'  ' * _depth(cycle, branch)}{branch.text}"
+            indent = " " * (2 + sum(_WIDTHS) + 2 + 2 * _depth(cycle, branch) + 2)
+            if state != "ran":
+                yield indent + self._state(state, branch.condition)
+            for part in branch.parts:
+                yield indent + self._part(part)
+
+    def _state(self, state: BranchState, condition: ConditionCounts) -> str:
+        text = self._get(_STATES[state])
+        nearest = self._nearest(condition)
+        return f"{text}, {nearest}" if state == "never true" and nearest else text
+
+    def _part(self, part: ConditionCounts) -> str:
+        counts = f"{self._get(_COLUMNS[2])} {part.true}, {self._get(_COLUMNS[3])} {part.false}"
+        nearest = self._nearest(part)
+        text = f"{self._get(_PART, text=part.text)}: {counts}"
+        return f"{text}, {nearest}" if nearest else text
+
+    def _nearest(self, condition: ConditionCounts) -> str:
+        """How near a condition that was never true came; nothing where it combines others."""
+        miss = condition.nearest
+        if miss is None or condition.operator in ("&&", "||"):
+            return ""
+        values = number_text(miss.left)
+        if condition.operator:
+            values = f"{values} {condition.operator} {number_text(miss.right)}"
+        return self._get(_NEAREST, values=values, distance=number_text(miss.distance))
+
+    # --- source ---------------------------------------------------------------------------------
+
+    def _source(self, cycle: CycleCounts) -> Iterator[str]:
+        counts = self._line_counts(cycle)
+        yield self._columns()
+        for line, text in enumerate(cycle.source, start=cycle.line):
+            yield f"{counts.get(line) or _row(' ', line, _NO_COUNTS)}  {text}".rstrip()
+
+    def _line_counts(self, cycle: CycleCounts) -> dict[int, str]:
+        """What stands in front of each line that runs; several branches in a line share it."""
+        found: dict[int, str] = {}
+        ran = "!" if not cycle.runs else " "
+        for line in cycle.outside:
+            found[line] = _row(ran, line, ("", "", "", str(cycle.runs)))
+        for branch in cycle.branches:
+            mark = _MARKS.get(cycle.state(branch), "!")
+            body_mark = " " if branch.bodies else "!"
+            for line in branch.lines:
+                found[line] = _row(body_mark, line, ("", "", "", str(branch.bodies)))
+            found[branch.line] = _row(mark, branch.line, _counts(branch))
+        return found
+
+
+_NO_COUNTS = ("", "", "", "")
+
+
+def _counts(branch: BranchCounts) -> tuple[str, str, str, str]:
+    """Evaluated, true, false, body; ``$ELSE`` has no condition."""
+    if branch.word == "$ELSE":
+        return ("", "", "", str(branch.bodies))
+    condition = branch.condition
+    counts = (branch.evaluated, condition.true, condition.false, branch.bodies)
+    one, two, three, four = map(str, counts)
+    return one, two, three, four
+
+
+def _row(mark: str, line: int, counts: tuple[str, str, str, str]) -> str:
+    cells = zip((str(line), *counts), _WIDTHS, strict=True)
+    return f"{mark} " + "".join(f"{cell:>{width}}" for cell, width in cells)
+
+
+def _depth(cycle: CycleCounts, branch: BranchCounts) -> int:
+    depth = 0
+    while branch.outer is not None:
+        branch = cycle.branches[branch.outer]
+        depth += 1
+    return depth

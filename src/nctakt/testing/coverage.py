@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+"""Branch coverage of realtime cycles over a test session.
+
+In: the runs of the tests. Out: a table at the end of the session, and the files that were asked
+for. What a test runs from a text of its own does not count: it is no program of the shop. Workers
+of pytest-xdist send theirs to the process that began them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from nctakt.messages import diagnostic
+from nctakt.results.coverage import Coverage
+from nctakt.results.coverage_files import as_json, as_lcov, from_json
+from nctakt.results.coverage_text import CoverageText
+from nctakt.results.run import Run
+from nctakt.testing.shop import TEXT_NAME
+
+_NAME = "nctakt-coverage"
+_WRITERS: dict[str, Callable[[Coverage], str]] = {
+    ".json": as_json,
+    ".info": as_lcov,
+    ".txt": lambda coverage: CoverageText(coverage, "en").source(),
+}
+
+
+def session_coverage(config: pytest.Config) -> SessionCoverage | None:
+    """What gathers coverage in this session, if it was asked for."""
+    found = config.pluginmanager.get_plugin(_NAME)
+    return found if isinstance(found, SessionCoverage) else None
+
+
+def note_coverage(config: pytest.Config, run: Run) -> None:
+    """A test has made this run."""
+    session = session_coverage(config)
+    if session is not None and run.coverage is not None:
+        session.add(run.coverage)
+
+
+class SessionCoverage:
+    """Gathers coverage; names of files become relative to the root of the tests."""
+
+    def __init__(self, config: pytest.Config, files: list[str]) -> None:
+        self._root = config.rootpath
+        self._is_worker = hasattr(config, "workeroutput")
+        self._files = [Path(config.invocation_params.dir, file) for file in files]
+        self._unwritten: list[str] = []
+        self.whole = Coverage()
+        for file in self._files:
+            if file.suffix not in _WRITERS:
+                found = diagnostic(900804, file=file, suffixes=", ".join(_WRITERS))
+                raise pytest.UsageError(found.render())
+
+    def add(self, coverage: Coverage) -> None:
+        """Add a run."""
+        self.whole = self.whole.plus(coverage.renamed(self._shown))
+
+    def _shown(self, file: str) -> str | None:
+        path = self._root / file
+        if file == TEXT_NAME or not path.is_file():
+            return None
+        try:
+            return path.resolve().relative_to(self._root.resolve()).as_posix()
+        except ValueError:
+            return path.as_posix()
+
+    @pytest.hookimpl(optionalhook=True)
+    def pytest_testnodedown(self, node: Any) -> None:
+        """A worker of pytest-xdist is done."""
+        text = getattr(node, "workeroutput", {}).get(_NAME, "")
+        self.whole = self.whole.plus(from_json(_NAME, text))
+
+    def pytest_sessionfinish(self, session: pytest.Session) -> None:
+        """A worker sends what it knows; else the files are written."""
+        if self._is_worker:
+            session.config.workeroutput[_NAME] = as_json(self.whole)  # type: ignore[attr-defined]
+            return
+        for file in self._files:
+            try:
+                file.write_text(_WRITERS[file.suffix](self.whole), "utf-8")
+            except OSError as error:
+                found = diagnostic(900507, file=file, reason=error.strerror or str(error))
+                self._unwritten.append(found.render())
+                session.exitstatus = pytest.ExitCode.USAGE_ERROR
+
+    def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
+        """The table."""
+        terminalreporter.section("branches of realtime cycles", sep="-")
+        terminalreporter.write(CoverageText(self.whole, "en").table())
+        for problem in self._unwritten:
+            terminalreporter.write_line(problem)

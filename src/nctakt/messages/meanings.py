@@ -387,6 +387,8 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
             "die meisten Programme ineinander, mit dem Hauptprogramm"
         ),
         "the program": "das Programm",
+        "the share of branches that ran": "der Anteil der Zweige, die liefen",
+        "what --fail-under asks": "was --fail-under verlangt",
         "the number behind JUMPS": "die Zahl hinter JUMPS",
         "how many calls are open": "wie viele Aufrufe offen sind",
         "the parameter of the call": "der Parameter des Aufrufs",

@@ -21,7 +21,7 @@ from nctakt.cli import main
 
 DEMO = Path(machines.__path__[0]) / "demo"
 GOOD = "G00 X10\nM30\n"
-BAD = "G00 X10 Q5\nG41 X1\nM30\n"
+BAD = "G00 X10 Q5\nG33 X1\nM30\n"
 FROZEN = """\
 #RT CYCLE
   $IF V.E.ASYNC == 1 && V.E.VALUE > 2

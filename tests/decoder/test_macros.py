@@ -15,7 +15,7 @@ from nctakt.controller import Controller, NcText
         ('"a" = "X1"\n"A"', 900319),
         ('"A" = "X1 :::"\n"A"', 900100),
         ('"A" = "Q1"\n"A"', 900203),
-        ('"A" = "G41"\nX1 "A"', 900200),
+        ('"A" = "G33"\nX1 "A"', 900200),
         ('"A" = "V.P.X"\n"A"', 900314),
     ],
 )

@@ -29,11 +29,10 @@ G61 G162 X1
 G261 G360
 G260 G359
 ; --- accepted: told once per program
-G17 G40 X1 ; note 900201 "G40 (tool radius compensation off)"
-G17 G40 X2
+G17 G164 X1 ; note 900201 "G164"
+G17 G164 X2
 G94
 G97 ; note 900201 "G97"
-G164 ; note 900201 "G164"
 G165 ; note 900201 "G165"
 M01 ; note 900201 "M01"
 M01
@@ -42,8 +41,11 @@ M02
 G33 Z1 ; error 900200 "G33 (thread cutting)"
 G08 X1 ; error 900200 "G08"
 G09 X1 ; error 900200 "G09"
-G41 X1 ; error 900200 "G41"
-G25 ; error 900200 "G25"
+G41 G42 X1 ; error 900210 "G42"
+G25 G26 ; error 900210 "G26"
+G138 G139 ; error 900210 "G139"
+G236 ; error 900200 "G236"
+G11 ; error 900200 "G11"
 G80 ; error 900200 "G80"
 G805[1, P2] ; error 900200 "G805"
 G129 = 50 ; error 900200 "G129"

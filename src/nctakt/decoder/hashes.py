@@ -33,6 +33,7 @@ class Hashes:
             yield from self._file(command, number)
         elif words == ("CHANNEL", "INIT"):
             source = self._surroundings.place(command.span)
+            self._values.empties_channel("#CHANNEL INIT", command.span)
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._values.state.positions = list(answer)
@@ -68,5 +69,6 @@ class Hashes:
         source = self._surroundings.place(timer.span)
         yield ProgramTimer(source, number, index, TIMER_ACTIONS[timer.action])
         if timer.action == "READ":
+            self._values.empties_channel("#TIMER READ SYN", timer.span)
             yield Flush(source, number, True)
             timers.take_over(index)

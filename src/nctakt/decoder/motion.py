@@ -42,13 +42,14 @@ class PathWords:
 
 
 class PathMotion:
-    """Makes the segments of one program."""
+    """Makes the segments of one program; ``span``: the block of the last one."""
 
     def __init__(self, values: Values, pace: PathPace) -> None:
         self._values = values
         self.pace = pace
         self._surroundings = values.surroundings
         self._state = values.state
+        self.span: Span
 
     def modal(self, function: int) -> None:
         """A modal G function of the path."""
@@ -65,6 +66,27 @@ class PathMotion:
             path.contouring = function == 261
         elif function in (359, 360):
             path.exact_stop = function == 360
+        elif function == 40:
+            path.compensation.side = 0
+        elif function in (25, 26):
+            path.compensation.by_arc = function == 26
+        elif function in (138, 139):
+            path.compensation.is_direct = function == 138
+
+    def keep_plane(self, function: int, span: Span) -> None:
+        """While compensation is active there is no other plane."""
+        path = self._state.path
+        if function != path.plane:
+            self._values.fail(900873, span, word=f"G{function}", plane=path.plane)
+
+    def compensate(self, function: int, span: Span) -> None:
+        """G41 or G42, with the tool that is active now."""
+        compensation = self._state.path.compensation
+        radius = self._state.tool.tool.radius
+        if radius == 0.0:
+            self._values.fail(900869, span, word=f"G{function}")
+        compensation.radius = radius
+        compensation.side = 1 if function == 41 else -1
 
     def command(self, command: syntax.HashCommand, number: int) -> Generator[Command, Answer]:
         """``#CONTOUR MODE``, ``#SLOPE``, ``#OVERRIDE``."""
@@ -103,10 +125,11 @@ class PathMotion:
         if arc is None and start == target:
             return None
         if arc is not None:
-            self._check_extremes(arc, start, span)
+            self.check_extremes(arc, start, span)
         is_exempt = NO_OVERRIDE in words.once
         feed, pace = self.pace.of(start, target, arc, is_exempt, span)
         exact = self._stops_exactly(words)
+        self.span = span
         rounds = state.path.contouring or CONTOURING in words.once
         return Segment(
             self._surroundings.place(span),
@@ -162,7 +185,7 @@ class PathMotion:
             place.append(begin + value * self._state.length_unit_mm)
         return (place[0], place[1])
 
-    def _check_extremes(self, arc: Arc, start: list[float], span: Span) -> None:
+    def check_extremes(self, arc: Arc, start: Sequence[float], span: Span) -> None:
         """The arc may leave the software limits between two ends that are within them."""
         for index, position in extremes(arc, start):
             axis = self._surroundings.axes[index]
@@ -170,4 +193,14 @@ class PathMotion:
             if not axis.is_modulo and not low <= position <= high:
                 self._values.fail(
                     900705, span, axis=axis.name, position=position, low=low, high=high
+                )
+
+    def check_limits(self, target: Sequence[float], places: Sequence[int], span: Span) -> None:
+        """These axes of a target have to be within their software limits."""
+        for place in places:
+            axis, position = self._surroundings.axes[place], target[place]
+            low, high = axis.software_limit_low, axis.software_limit_high
+            if not axis.is_modulo and not low <= position <= high:
+                self._values.fail(
+                    900306, span, axis=axis.name, position=position, low=low, high=high
                 )

@@ -24,6 +24,7 @@ from nctakt.decoder.commands import (
     UserMessage,
     is_block,
 )
+from nctakt.decoder.compensation import Compensation
 from nctakt.decoder.cycles import SCOPES, CycleBuilder, CycleDefinition
 from nctakt.decoder.flow import Decoded, Flow, Jump, Return, Signal
 from nctakt.decoder.hashes import Hashes
@@ -72,6 +73,7 @@ class ProgramDecoder:
         self._values = Values(surroundings, state)
         self._moved = MovedAxes(surroundings.living_cycles, surroundings.moving_axes())
         self._words = Words(self._values, self._moved)
+        self._compensation = Compensation(self._values, self._words.path, self._took_time)
         self._calls = Calls(self._values)
         self._macros = Macros(surroundings, self._values.fail)
         self._hashes = Hashes(self._values)
@@ -87,6 +89,9 @@ class ProgramDecoder:
 
         The channel list may name programs that run before it and behind it.
         """
+        return self._compensation.through(self._run(program))
+
+    def _run(self, program: ProgramText) -> Generator[Command, Answer]:
         yield from self._surroundings.offsets.begin_program()
         implicit = self._surroundings.parameters.implicit_programs
         level = Level(program, program.main)
@@ -109,6 +114,10 @@ class ProgramDecoder:
 
     def took_time(self, command: Command) -> None:
         """The one who takes the commands has seen one that takes time."""
+        if not self._compensation.releases:
+            self._took_time(command)
+
+    def _took_time(self, command: Command) -> None:
         self._blocks = 0
         self._moved.took_time(self._words.moved_by(command), is_block=is_block(command))
 
@@ -254,6 +263,7 @@ class ProgramDecoder:
             case syntax.CycleControl():
                 yield from self._control(statement, source, number)
             case syntax.Flush():
+                self._values.empties_channel("#FLUSH", statement.span)
                 if statement.mode != "CONTINUE":
                     yield Flush(source, number, statement.mode == "WAIT")
             case syntax.Time():
@@ -315,6 +325,7 @@ class ProgramDecoder:
         if statement.action == "START":
             self._moved.started(identity)
         if statement.action == "DELETE":
+            self._values.empties_channel("#RT CYCLE DELETE", statement.span)
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._state.positions = list(answer)

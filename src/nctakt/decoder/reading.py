@@ -222,6 +222,7 @@ class Reading:
                 self._fetched[id(variable)] = self._read_now(variable)
                 continue
             cell = self.cell(variable, location)
+            self.empties_channel(path_text(variable), variable.span)
             source = self.surroundings.place(variable.span)
             answer = yield ReadRealtime(source, number, cell)
             assert isinstance(answer, float)
@@ -311,6 +312,12 @@ class Reading:
                 )
             cell += int(number) * dimension.stride
         return cell
+
+    def empties_channel(self, command: str, span: Span) -> None:
+        """What waits until the path stands cannot be while contours are compensated (RC-308)."""
+        compensation = self.state.path.compensation
+        if compensation.side:
+            self.fail(20651, span, command=command, word=compensation.word)
 
     def fail(self, id_: int, span: Span, **values: object) -> NoReturn:
         """Give the program up."""

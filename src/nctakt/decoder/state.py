@@ -26,6 +26,32 @@ DEVIATION_MM = 1.0
 
 
 @dataclass(slots=True)
+class CompensationState:
+    """Tool radius compensation as the program wants it (MO-9).
+
+    ``side``: 1 left of the contour (G41), -1 right of it (G42), 0 off; ``radius`` in mm. Around
+    outer corners in an arc (``by_arc``, G26), to the contour and from it without a way around a
+    corner (``is_direct``, G138). ``is_on_way``: the tool has left the programmed path.
+    """
+
+    side: int = 0
+    radius: float = 0.0
+    by_arc: bool = False
+    is_direct: bool = False
+    is_on_way: bool = False
+
+    @property
+    def is_active(self) -> bool:
+        """Whether motions in the plane are not what they are without compensation."""
+        return self.side != 0 or self.is_on_way
+
+    @property
+    def word(self) -> str:
+        """G41 or G42, as the program has it."""
+        return "G41" if self.side > 0 else "G42"
+
+
+@dataclass(slots=True)
 class PathState:
     """How the path goes on: plane, arcs, the ends of blocks.
 
@@ -40,6 +66,7 @@ class PathState:
     exact_stop: bool = False
     contouring: bool = False
     deviation: float = DEVIATION_MM
+    compensation: CompensationState = field(default_factory=CompensationState)
 
 
 @dataclass(slots=True)

@@ -93,6 +93,7 @@ class Values(Reading):
         source = self.surroundings.place(target.span)
         is_realtime = location.family in ("RTG", "RTA")
         if is_realtime:
+            self.empties_channel(path_text(target), target.span)
             yield Flush(source, number, True, WAIT_WRITE, cell)
         if location.synchronous or target.synchronous:
             yield from self._send(cell, stored, source, number, is_realtime)
@@ -152,6 +153,7 @@ class Values(Reading):
         place = yield from self._place(target, wanted, number)
         from_ = list(leaf_cells(found.node, found.name, first))
         if source.synchronous or any(leaf.synchronous for _, leaf, _ in from_):
+            self.empties_channel(path_text(source), source.span)
             yield ReadRealtime(self.surroundings.place(source.span), number, first)
         values = [self._raw(cell, leaf) for _, leaf, cell in from_]
         to = leaf_cells(wanted.node, wanted.name, place)

@@ -41,6 +41,9 @@ FURTHER_ZERO = 159
 #: The G function whose X, or whose own value, is a time.
 DWELL = 4
 
+#: Tool radius compensation, left and right of the contour: with the tool of its own block.
+COMPENSATIONS = frozenset((41, 42))
+
 #: M functions that end the main program.
 PROGRAM_ENDS = (2, 30)
 
@@ -87,7 +90,7 @@ class Words:
                 continue
             programmed = yield from self._values.evaluate(word.value, number)
             value = self._in_axis_unit(axis, programmed)
-            yield from self._request([word.name], source, number)
+            yield from self._request([word.name], command.span, number)
             position = self._state.positions[axis]
             yield from offsets.preset(axis, position, value, source, number)
 
@@ -114,16 +117,16 @@ class Words:
     def _sort(self, block: syntax.Block, number: int) -> Generator[Command, Answer, _Content]:
         """Evaluate the words; G and F act at once, in whatever order they stand."""
         content = _Content()
-        numbers = [
-            round(word.value.value)
+        numbers = {
+            round(word.value.value): word.span
             for word in block.words
             if isinstance(word, syntax.Word)
             and word.name == "G"
             and isinstance(word.value, syntax.Number)
-        ]
+        }
         content.turns_tool = any(function in PLANES for function in numbers)
-        for function in numbers:
-            self._modal(function)
+        for function, span in numbers.items():
+            self._modal(function, span)
             content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
         content.is_reference = REFERENCE in numbers
         content.path.once.update({EXACT_STOP, CONTOURING, NO_OVERRIDE}.intersection(numbers))
@@ -147,6 +150,8 @@ class Words:
             assert word.value is not None, word
             value = yield from self._values.evaluate(word.value, number)
             self._word(word, value, number, content)
+        for function in COMPENSATIONS.intersection(numbers):
+            self.path.compensate(function, numbers[function])
         for command in commands:
             content.functions += yield from self._spindles.issued(command, number)
         if DWELL in numbers and content.axes:
@@ -182,13 +187,15 @@ class Words:
         is_linear = self._surroundings.axes[axis].is_linear
         return value * self._state.length_unit_mm if is_linear else value
 
-    def _modal(self, function: int) -> None:
+    def _modal(self, function: int, span: Span) -> None:
         state = self._state
         if function in (70, 71):
             state.inch = function == 70
         elif function in (90, 91):
             state.absolute = function == 90
         elif function != DWELL:
+            if function in PLANES and state.path.compensation.is_active:
+                self.path.keep_plane(function, span)
             self.path.modal(function)
 
     def _word(self, word: syntax.Word, value: float, block: int, content: _Content) -> None:
@@ -227,8 +234,7 @@ class Words:
         """The path to the programmed position; a centre without a target is a full circle."""
         if not content.axes and not (content.path.centre and self._state.motion > 1):
             return
-        place = self._surroundings.place(span)
-        yield from self._request(self._programmed(content), place, number)
+        yield from self._request(self._programmed(content), span, number)
         start = self._state.positions
         target = list(start)
         for word, value in content.axes:
@@ -251,11 +257,13 @@ class Words:
                     names.append(name)
         return names
 
-    def _request(self, axes: Sequence[str], source: int, number: int) -> Generator[Command, Answer]:
+    def _request(self, axes: Sequence[str], span: Span, number: int) -> Generator[Command, Answer]:
         """Ask for the positions of those of these axes that cycles may have moved (RC-409)."""
         doubtful = self._moved.doubtful(axes)
         if not doubtful:
             return
+        self._values.empties_channel(", ".join(doubtful), span)
+        source = self._surroundings.place(span)
         places = [self._surroundings.axis_numbers[name] for name in doubtful]
         numbers = (self._surroundings.names.axis(name) for name in doubtful)
         answer = yield PositionRequest(
@@ -281,16 +289,11 @@ class Words:
         self, target: list[float], word: syntax.AxisWord, value: float, kinds: int
     ) -> None:
         index = self._surroundings.axis_numbers[word.name]
-        axis = self._surroundings.axes[index]
         offset = self._surroundings.offsets.total(index, kinds)
         begin = offset if self._state.absolute else target[index]
         position = begin + self._in_axis_unit(index, value)
-        low, high = axis.software_limit_low, axis.software_limit_high
-        if not axis.is_modulo and not low <= position <= high:
-            self._values.fail(
-                900306, word.span, axis=word.name, position=position, low=low, high=high
-            )
         target[index] = position
+        self.path.check_limits(target, (index,), word.span)
 
     def dwell(self, seconds: float, span: Span, number: int) -> Generator[Command, Answer]:
         """Standing still; ``ceil(d / T)`` ticks (RC-005)."""

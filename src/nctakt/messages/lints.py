@@ -210,10 +210,10 @@ _add(
     "{command} entleert den Kanal, was nicht geht, solange {word} aktiv ist",
     remedy_en="Move it in front of {word} or behind G40; realtime cycles may read such variables.",
     remedy_de="Vor {word} oder hinter G40 verlegen; Echtzeit-Zyklen dürfen solche Variablen lesen.",
-    cause_en="A contour with compensation needs the blocks behind it. nctakt refuses G41 and G42 "
-    "by name; a check tells this all the same.",
-    cause_de="Eine Kontur mit Korrektur braucht die Sätze dahinter. nctakt weist G41 und G42 "
-    "namentlich ab; eine Prüfung meldet es trotzdem.",
+    cause_en="Where a motion of the contour ends only the one behind it shows, so that the path "
+    "cannot stand and wait.",
+    cause_de="Wo eine Bewegung der Kontur endet, zeigt erst die nächste: die Bahn kann nicht "
+    "stehen und warten.",
     parameters={"command": "the variable or command", "word": "G41 or G42"},
     reaction=2,
     clearing=3,

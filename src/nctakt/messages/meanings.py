@@ -15,6 +15,7 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the word": "das Wort",
         "the keyword as the program has it": "das Schlüsselwort, wie es im Programm steht",
         "the radius in mm": "der Radius in mm",
+        "the most commands": "die meisten Befehle",
         "the number of the tool": "die Nummer des Werkzeugs",
         "the word: T or D": "das Wort: T oder D",
         "the value as programmed": "der Wert, wie programmiert",

@@ -45,3 +45,97 @@ _add(
     remedy_de="Eine Ebene wählen, deren dritte Achse der Kanal hat, oder ein Werkzeug ohne Länge.",
     parameters={"length": "the length of the tool in mm", "plane": "the number of the plane"},
 )
+_add(
+    900869,
+    ERROR,
+    "{word} has no radius to compensate",
+    "{word} hat keinen Radius zu korrigieren",
+    remedy_en="Call a tool with a radius by D, or write V.G.WZ_AKT.R, before {word}.",
+    remedy_de="Vor {word} mit D ein Werkzeug mit Radius anwählen oder V.G.WZ_AKT.R beschreiben.",
+    parameters={"word": "G41 or G42"},
+)
+_add(
+    900870,
+    ERROR,
+    "the motion to or from a compensated contour is no straight line",
+    "die Bewegung an eine korrigierte Kontur oder von ihr weg ist keine Gerade",
+    remedy_en="Put a motion with G00 or G01 between the arc and the contour.",
+    remedy_de="Zwischen Kreisbogen und Kontur eine Bewegung mit G00 oder G01 setzen.",
+    cause_en="The first motion in the plane behind G41 or G42 leads to the contour, the first one "
+    "behind G40 from it, the one with the change from G41 to G42 does both.",
+    cause_de="Die erste Bewegung in der Ebene hinter G41 oder G42 führt an die Kontur, die erste "
+    "hinter G40 von ihr weg, die mit dem Wechsel von G41 auf G42 beides.",
+)
+_add(
+    900871,
+    ERROR,
+    "the tool does not fit into the arc: its radius of {radius} mm is not smaller",
+    "das Werkzeug passt nicht in den Kreisbogen: sein Radius von {radius} mm ist nicht kleiner",
+    remedy_en="Use a smaller tool, or a larger radius in the contour.",
+    remedy_de="Ein kleineres Werkzeug oder einen größeren Radius in der Kontur verwenden.",
+    parameters={"radius": "the radius in mm"},
+)
+_add(
+    900872,
+    ERROR,
+    "more than {count} commands stand between two motions of a compensated contour",
+    "zwischen zwei Bewegungen einer korrigierten Kontur stehen mehr als {count} Befehle",
+    remedy_en="Program a motion in the plane between them, or leave the contour with G40 before.",
+    remedy_de="Dazwischen eine Bewegung in der Ebene programmieren oder die Kontur vorher mit G40 "
+    "verlassen.",
+    cause_en="Where a motion of the contour ends only the next one shows, and what stands between "
+    "waits for that.",
+    cause_de="Wo eine Bewegung der Kontur endet, zeigt erst die nächste, und was dazwischen steht, "
+    "wartet darauf.",
+    parameters={"count": "the most commands"},
+)
+_add(
+    900873,
+    ERROR,
+    "{word} changes the plane while a contour is compensated in G{plane}",
+    "{word} wechselt die Ebene, während eine Kontur in G{plane} korrigiert wird",
+    remedy_en="Leave the contour with G40 and a motion before.",
+    remedy_de="Vorher die Kontur mit G40 und einer Bewegung verlassen.",
+    parameters={"word": "the word as written", "plane": "the number of the plane"},
+)
+_add(
+    900874,
+    ERROR,
+    "{command} changes the radius of the tool while {word} is active",
+    "{command} ändert den Radius des Werkzeugs, während {word} aktiv ist",
+    remedy_en="Write it before {word}, or behind G40.",
+    remedy_de="Vor {word} oder hinter G40 schreiben.",
+    parameters={"command": "the word or command", "word": "G41 or G42"},
+)
+_add(
+    90019,
+    ERROR,
+    "with the tool radius of {radius} mm this line would be passed backwards",
+    "mit dem Werkzeugradius von {radius} mm würde diese Gerade rückwärts durchfahren",
+    remedy_en="Use a smaller tool, or a contour without places narrower than the tool.",
+    remedy_de="Ein kleineres Werkzeug verwenden oder eine Kontur ohne Stellen, die enger sind als "
+    "das Werkzeug.",
+    cause_en="Between its two corners there is no room for the tool, so that it would cut into the "
+    "contour.",
+    cause_de="Zwischen ihren beiden Ecken ist kein Platz für das Werkzeug: es würde die Kontur "
+    "verletzen.",
+    parameters={"radius": "the radius in mm"},
+    reaction=2,
+    clearing=6,
+)
+_add(
+    90038,
+    ERROR,
+    "with the tool radius of {radius} mm this arc would be passed backwards",
+    "mit dem Werkzeugradius von {radius} mm würde dieser Kreisbogen rückwärts durchfahren",
+    remedy_en="Use a smaller tool, or a contour without places narrower than the tool.",
+    remedy_de="Ein kleineres Werkzeug verwenden oder eine Kontur ohne Stellen, die enger sind als "
+    "das Werkzeug.",
+    cause_en="Between its two corners there is no room for the tool, so that it would cut into the "
+    "contour.",
+    cause_de="Zwischen ihren beiden Ecken ist kein Platz für das Werkzeug: es würde die Kontur "
+    "verletzen.",
+    parameters={"radius": "the radius in mm"},
+    reaction=2,
+    clearing=6,
+)

@@ -22,6 +22,7 @@ from nctakt.nc.syntax import (
     Expression,
     Flush,
     For,
+    HashCommand,
     If,
     Keyword,
     Number,
@@ -48,7 +49,7 @@ class ChannelUse:
 
     def check(self, statement: Statement, active: str) -> None:
         """One statement, but not what is inside it; ``active`` is G41 or G42."""
-        if isinstance(statement, Flush):
+        if _waits(statement):
             command = self._findings.written(statement.span)
             self._findings.report(20651, statement.span, command=command, word=active)
             return
@@ -71,6 +72,20 @@ class ChannelUse:
                 command=path_text(variable),
                 word=active,
             )
+
+
+def _waits(statement: Statement) -> bool:
+    """Whether the command itself waits until the path stands."""
+    match statement:
+        case Flush():
+            return True
+        case CycleControl():
+            return statement.action == "DELETE"
+        case Timer():
+            return statement.action == "READ" and bool(statement.options)
+        case HashCommand():
+            return [word.name for word in statement.words] == ["CHANNEL", "INIT"]
+    return False
 
 
 def _ends_compensation(block: Block) -> bool:

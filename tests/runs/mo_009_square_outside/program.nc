@@ -1,0 +1,10 @@
+N10 G00 Y20
+N20 D1 G360 G41 G01 X20 F30000 ; radius 5, to the contour
+N30 Y100
+N40 X100
+N45 M100
+N50 Y20
+N55 Z-98 ; length 100
+N60 X0
+N70 G40 Y0 ; from the contour
+M30

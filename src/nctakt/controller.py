@@ -296,6 +296,7 @@ class Controller:
             messages=statistics.messages,
             cycles=statistics.cycles(self._machine.registry.runs()),
             outputs=statistics.outputs(),
+            schedule=None if self._pace is None else self._pace.schedule,
             starved=statistics.schedule.starved(self.tick),
             overflows=statistics.schedule.overflows(),
             why=report,

@@ -7,7 +7,7 @@ the tick takes place; how often the PLC runs behind it. Without a schedule none 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from nctakt.assembly import Machine
@@ -17,7 +17,7 @@ from nctakt.diagnostics import Diagnostic
 from nctakt.failure import Failure
 from nctakt.lists.machine import MachineConfiguration
 from nctakt.lists.rtconf_checks import check_contexts, check_time_limits
-from nctakt.messages import Collector
+from nctakt.messages import Collector, diagnostic
 from nctakt.schedule.duties import find_duties
 from nctakt.schedule.findings import simulation_findings
 from nctakt.schedule.model import NS_PER_US
@@ -62,10 +62,12 @@ class Pace:
 
     def __init__(self, machine: Machine, schedule: RunSchedule, duties: Duties) -> None:
         self._machine = machine
+        self.schedule = schedule
         self._duties = duties
-        self._schedule = TickSchedule(schedule.model, duties)
+        self._ticks = TickSchedule(schedule.model, duties)
         self._share: Share | None = None
         self._tick = -1
+        self._overflows: dict[int, list[int]] = {}
         self._told: set[str] = set()
         self._budgets = [Budget(schedule.load.block) for _ in machine.channels]
         machine.registry.name_threads([task.name for task in schedule.model.tasks])
@@ -84,7 +86,7 @@ class Pace:
         """What comes before the next tick: decoders work; ``has_plc``: a script plays the PLC."""
         share = self._share
         if share is None or self._tick != self._machine.kernel.tick:
-            share = self._share = self._schedule.next_share()
+            share = self._share = self._ticks.next_share()
             self._tick = self._machine.kernel.tick
             self._begin_tick(share, runs, has_plc=has_plc)
         for one in runs:
@@ -98,18 +100,31 @@ class Pace:
                 self._budgets[index].grant(time_ns // len(busy) if index in busy else 0)
         for thread in share.overflows:
             self._machine.kernel.note_overflow(thread)
+            self._overflows.setdefault(thread, []).append(self._tick)
         for one in runs:
             one.channel.hli.acknowledges_itself = not has_plc and share.plc_calls > 0
 
     def findings(self) -> list[Diagnostic]:
-        """What went wrong in the schedule up to here, each finding once."""
+        """What went wrong in the schedule up to here, each finding once.
+
+        Overflows are those of the ticks that were; the schedule itself is two ticks ahead.
+        """
         found = [
-            one
-            for one in simulation_findings(self._schedule.simulation())
-            if one.text("en") not in self._told
+            *self._overflow_errors(),
+            *(one for one in simulation_findings(self._ticks.simulation()) if one.id != 900630),
         ]
-        self._told.update(one.text("en") for one in found)
-        return found
+        new = [one for one in found if one.text("en") not in self._told]
+        self._told.update(one.text("en") for one in new)
+        return new
+
+    def _overflow_errors(self) -> Iterator[Diagnostic]:
+        """P-RTCF-00011 for each thread that wants it."""
+        tick_us = self._machine.configuration.cycle_time_us
+        for thread, ticks in sorted(self._overflows.items()):
+            task = self.schedule.model.tasks[thread]
+            if task.error_on_overflow:
+                first = ticks[0] * tick_us
+                yield diagnostic(900630, thread=task.name, count=len(ticks), time=first)
 
 
 def _sends_late(machine: MachineConfiguration) -> bool:

@@ -285,6 +285,25 @@ def test_summary_tells_it_in_both_languages(tmp_path: Path) -> None:
         text = io.StringIO()
         print_summary(one, text, language)  # type: ignore[arg-type]
         assert words in text.getvalue()
+        assert "schedule SWITCHED" in text.getvalue()
+        assert "600 µs" in text.getvalue()
+
+
+def test_overflows_are_those_of_the_ticks(tmp_path: Path) -> None:
+    """P-RTCF-00011: an error for the thread that wants one, with the ticks that were.
+
+    The calls take 100, 100, 1500 µs: NC cycle 2 is tick 1, so tick 2 is lost; cycle 6 is too late.
+    """
+    given = schedule(tmp_path, LIST, LOAD.replace("= 100", "= [100, 100, 1500]"))
+    one = run(given, "N10 G04 X0.003\nM30\n")
+    assert [(found.thread, found.count, found.first_tick) for found in one.overflows] == [
+        ("GEO", 1, 2),
+        ("BACKGROUND", 2, 2),
+    ]
+    errors = [found.text("en") for found in one.errors]
+    assert len(errors) == 1
+    assert "GEO" in errors[0]
+    assert "1 overflows, first at 2000" in errors[0]
 
 
 def test_answers_come_with_the_decoders_time(tmp_path: Path) -> None:

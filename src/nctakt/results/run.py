@@ -16,6 +16,7 @@ from nctakt.results.coverage import Coverage
 from nctakt.results.starving import OverflowCount, ScheduleStatistics, Starvation
 from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.results.why import WhyReport
+from nctakt.schedule.opening import RunSchedule
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
 from nctakt.trace.sinks import TraceHeader
@@ -133,8 +134,8 @@ class Run:
     ``ticks`` were run, from tick ``first_tick`` of the controller on. ``trace`` and ``events`` are
     there when the trace was kept in memory (else ``None`` and empty); counts are always there.
     ``messages`` are the times in microseconds and texts of what programs said. Where the run was
-    asked to, ``why`` tells what each condition saw and did, ``coverage`` how often. ``starved`` and
-    ``overflows``: what the schedule did to it, where there was one.
+    asked to, ``why`` tells what each condition saw and did, ``coverage`` how often. ``schedule``:
+    what gave it its time; ``starved`` and ``overflows``: what that did to it.
     """
 
     programs: tuple[str, ...]
@@ -148,6 +149,7 @@ class Run:
     cycles: tuple[CycleResult, ...] = ()
     outputs: tuple[OutputCount, ...] = ()
     why: WhyReport | None = None
+    schedule: RunSchedule | None = None
     starved: tuple[Starvation, ...] = ()
     overflows: tuple[OverflowCount, ...] = ()
     coverage: Coverage | None = None

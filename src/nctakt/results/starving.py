@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What a schedule did to a run: when the queue was empty, which threads overflowed.
 
-In: events ``starved`` and ``overflow``. Out: ``Starvation`` and ``OverflowCount``, and their lines
-in the summary.
+In: the schedule, events ``starved`` and ``overflow``. Out: ``Starvation`` and ``OverflowCount``;
+the lines of all three in the summary.
 """
 
 from __future__ import annotations
@@ -10,11 +10,18 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from nctakt.diagnostics import Language, Span, Text
+from nctakt.schedule.findings import us
+from nctakt.schedule.opening import RunSchedule
+from nctakt.schedule.report import chosen_report
 from nctakt.trace.events import Event
 
 #: Starvations that the summary tells one by one.
 MOST_TOLD = 6
 
+_LIST = Text(
+    "{file}: schedule {schedule}, {block} µs for a block of the decoder",
+    "{file}: schedule {schedule}, {block} µs für einen Satz des Dekoders",
+)
 _ALL = Text(
     "The queue ran empty {count} times, for {ticks} ticks in all",
     "Die Queue lief {count}-mal leer, zusammen {ticks} Takte",
@@ -90,10 +97,18 @@ class ScheduleStatistics:
 
 
 def schedule_lines(
-    starved: tuple[Starvation, ...], overflows: tuple[OverflowCount, ...], language: Language
+    schedule: RunSchedule | None,
+    starved: tuple[Starvation, ...],
+    overflows: tuple[OverflowCount, ...],
+    language: Language,
 ) -> list[str]:
-    """What the summary tells of both."""
-    lines: list[str] = []
+    """What the summary tells: the rules that were chosen, then what came of it."""
+    if schedule is None:
+        return []
+    first = _LIST.get(language).format(
+        file=schedule.file, schedule=schedule.model.schedule, block=us(schedule.load.block)
+    )
+    lines = [first, *chosen_report(schedule.model, language)]
     if starved:
         total = sum(one.ticks for one in starved)
         head = _ONCE if len(starved) == 1 else _ALL

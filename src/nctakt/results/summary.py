@@ -93,7 +93,7 @@ def print_summary(
             print("", *plain_table(table), sep="\n", file=file)
         if notes:
             print("", *notes, sep="\n", file=file)
-    told = schedule_lines(run.starved, run.overflows, language)
+    told = schedule_lines(run.schedule, run.starved, run.overflows, language)
     if told:
         print("", *told, sep="\n", file=file)
     print("", counts(run, language), sep="\n", file=file)

@@ -22,6 +22,7 @@ from nctakt.plots.motion import (
     thinned,
 )
 from nctakt.plots.picture import check_picture, write_picture
+from nctakt.schedule.opening import open_schedule
 from nctakt.trace import read_trace
 
 PART = """\
@@ -85,6 +86,18 @@ def test_what_goes_on_from_tick_to_tick_is_one_span() -> None:
     begin, end = lane.spans[0]
     assert begin == pytest.approx(0.023)
     assert end > 0.2
+
+
+def test_a_starved_queue_is_a_span() -> None:
+    """The decoder comes in each fifth NC cycle: nothing is there in tick 4, 9 and 14."""
+    folder = Path(__file__).parent.parent / "runs" / "rtconf_starved_decoder"
+    controller = Controller(None, open_schedule(folder / "rtconf.lis", folder / "load.toml"))
+    axes = controller.channel_axes
+    run = controller.run(folder / "program.nc", signals=signals([axis.name for axis in axes]))
+    assert run.trace is not None
+    lanes = motion_of(run.trace, axes).lanes
+    assert [(lane.label, len(lane.spans)) for lane in lanes] == [("starved", 3), ("end", 1)]
+    assert lanes[0].spans[0] == (pytest.approx(0.004), pytest.approx(0.005))
 
 
 def test_a_modulo_axis_runs_on() -> None:

@@ -29,7 +29,7 @@ SPEED, ACCELERATION, JERK = 1, 2, 3
 
 _PATH_SIGNALS = ("PATH.SPEED", "PATH.DIST_TO_GO", "OVERRIDE.VEL.TOTAL")
 #: Kinds of events that are drawn.
-_MARKS = ("fired", "m", "h", "output", "error", "end")
+_MARKS = ("fired", "m", "h", "output", "error", "starved", "overflow", "end")
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +132,8 @@ def _lanes(events: Iterable[Event], cycle_time_us: int) -> tuple[Lane, ...]:
         if event.kind not in _MARKS:
             continue
         own = spans.setdefault((event.kind, _label(event)), [])
-        if own and event.time_us - own[-1][1] <= cycle_time_us:
+        goes_on = event.kind == "starved" and event.text != "begun"
+        if own and (goes_on or event.time_us - own[-1][1] <= cycle_time_us):
             own[-1] = (own[-1][0], event.time_us)
         else:
             own.append((event.time_us, event.time_us))
@@ -150,6 +151,10 @@ def _label(event: Event) -> str:
         return f"{event.kind.upper()}{words[0]}"
     if event.kind == "output":
         return f"{words[0].upper()}{words[1]}"
+    if event.kind == "starved":
+        return f"{event.prefix}starved"
+    if event.kind == "overflow":
+        return f"overflow {event.text}"
     return words[0] if event.kind == "error" else event.kind
 
 

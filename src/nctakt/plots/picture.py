@@ -53,6 +53,8 @@ _LANE_COLOURS = {
     "h": "#9467bd",
     "output": "#1f77b4",
     "error": "#d62728",
+    "starved": "#ff7f0e",
+    "overflow": "#d62728",
     "end": "#7f7f7f",
 }
 

@@ -6,13 +6,13 @@
 #include <stdint.h>
 
 #define HLI_MAGIC "NCTAKT"
-#define HLI_VERSION 1
+#define HLI_VERSION 2
 #define HLI_UNITS 20
 
 /* the begin of the image: what there is, where it stands, and the clock */
 typedef struct hli_header {
     char magic[8]; /* NCTAKT and two zero bytes */
-    uint32_t version; /* 1; another one is another layout */
+    uint32_t version; /* 2; another one is another layout */
     uint32_t ready; /* 1 while the CNC is there; written last, taken away first */
     uint32_t size; /* the whole image (bytes) */
     uint32_t cycle_time_us; /* the length of a tick (µs) */
@@ -22,8 +22,13 @@ typedef struct hli_header {
     uint32_t axes; /* number of hli_axis */
     uint32_t axis_offset; /* place of the first hli_axis (bytes) */
     uint32_t axis_size; /* from one hli_axis to the next (bytes) */
+    uint32_t spindles; /* number of hli_spindle and of hli_spindle_command */
+    uint32_t spindle_offset; /* place of the first hli_spindle (bytes) */
+    uint32_t spindle_size; /* from one hli_spindle to the next (bytes) */
     uint32_t command_offset; /* place of the first hli_command (bytes) */
     uint32_t command_size; /* from one hli_command to the next (bytes) */
+    uint32_t spindle_command_offset; /* of the first hli_spindle_command (bytes) */
+    uint32_t spindle_command_size; /* from one of them to the next (bytes) */
     uint32_t link_offset; /* place of hli_link (bytes) */
     uint32_t ve_offset; /* place of the V.E variables (bytes) */
     uint32_t ve_size; /* of the V.E variables, all sections (bytes) */
@@ -42,15 +47,20 @@ _Static_assert(offsetof(hli_header, channel_size) == 32, "channel_size");
 _Static_assert(offsetof(hli_header, axes) == 36, "axes");
 _Static_assert(offsetof(hli_header, axis_offset) == 40, "axis_offset");
 _Static_assert(offsetof(hli_header, axis_size) == 44, "axis_size");
-_Static_assert(offsetof(hli_header, command_offset) == 48, "command_offset");
-_Static_assert(offsetof(hli_header, command_size) == 52, "command_size");
-_Static_assert(offsetof(hli_header, link_offset) == 56, "link_offset");
-_Static_assert(offsetof(hli_header, ve_offset) == 60, "ve_offset");
-_Static_assert(offsetof(hli_header, ve_size) == 64, "ve_size");
-_Static_assert(offsetof(hli_header, sequence) == 72, "sequence");
-_Static_assert(offsetof(hli_header, tick) == 80, "tick");
-_Static_assert(offsetof(hli_header, turn) == 88, "turn");
-_Static_assert(sizeof(hli_header) == 96, "hli_header");
+_Static_assert(offsetof(hli_header, spindles) == 48, "spindles");
+_Static_assert(offsetof(hli_header, spindle_offset) == 52, "spindle_offset");
+_Static_assert(offsetof(hli_header, spindle_size) == 56, "spindle_size");
+_Static_assert(offsetof(hli_header, command_offset) == 60, "command_offset");
+_Static_assert(offsetof(hli_header, command_size) == 64, "command_size");
+_Static_assert(offsetof(hli_header, spindle_command_offset) == 68, "spindle_command_offset");
+_Static_assert(offsetof(hli_header, spindle_command_size) == 72, "spindle_command_size");
+_Static_assert(offsetof(hli_header, link_offset) == 76, "link_offset");
+_Static_assert(offsetof(hli_header, ve_offset) == 80, "ve_offset");
+_Static_assert(offsetof(hli_header, ve_size) == 84, "ve_size");
+_Static_assert(offsetof(hli_header, sequence) == 88, "sequence");
+_Static_assert(offsetof(hli_header, tick) == 96, "tick");
+_Static_assert(offsetof(hli_header, turn) == 104, "turn");
+_Static_assert(sizeof(hli_header) == 112, "hli_header");
 
 /* the PLC's side of the lockstep */
 typedef struct hli_link {
@@ -65,6 +75,7 @@ typedef struct hli_unit {
     uint32_t letter; /* 1 M, 2 H */
     uint32_t number; /* of the function: 100 for M100 */
     uint32_t sequence; /* its number among those of its tick and section, from 1 */
+    uint32_t axis; /* logical of the axis or spindle that it is for, 0: channel */
     uint64_t time_us; /* the begin of the tick that has commanded it (µs) */
     uint64_t duration_us; /* the time that the channel list gives it (µs) */
 } hli_unit;
@@ -72,9 +83,10 @@ _Static_assert(offsetof(hli_unit, serial) == 0, "serial");
 _Static_assert(offsetof(hli_unit, letter) == 4, "letter");
 _Static_assert(offsetof(hli_unit, number) == 8, "number");
 _Static_assert(offsetof(hli_unit, sequence) == 12, "sequence");
-_Static_assert(offsetof(hli_unit, time_us) == 16, "time_us");
-_Static_assert(offsetof(hli_unit, duration_us) == 24, "duration_us");
-_Static_assert(sizeof(hli_unit) == 32, "hli_unit");
+_Static_assert(offsetof(hli_unit, axis) == 16, "axis");
+_Static_assert(offsetof(hli_unit, time_us) == 24, "time_us");
+_Static_assert(offsetof(hli_unit, duration_us) == 32, "duration_us");
+_Static_assert(sizeof(hli_unit) == 40, "hli_unit");
 
 /* the state of a channel */
 typedef struct hli_channel {
@@ -100,12 +112,13 @@ _Static_assert(offsetof(hli_channel, distance_to_go) == 24, "distance_to_go");
 _Static_assert(offsetof(hli_channel, block) == 32, "block");
 _Static_assert(offsetof(hli_channel, active_cycles) == 36, "active_cycles");
 _Static_assert(offsetof(hli_channel, program) == 40, "program");
-_Static_assert(offsetof(hli_channel, realtime) == 680, "realtime");
-_Static_assert(sizeof(hli_channel) == 1320, "hli_channel");
+_Static_assert(offsetof(hli_channel, realtime) == 840, "realtime");
+_Static_assert(sizeof(hli_channel) == 1640, "hli_channel");
 
 /* the state of an axis */
 typedef struct hli_axis {
     char name[16]; /* its name in the channel, with a zero byte */
+    uint32_t logical; /* its logical number */
     double command; /* command position, ACS (mm, °) */
     double actual; /* actual position, ACS (mm, °) */
     double target; /* end of the motion, ACS (mm, °) */
@@ -116,15 +129,47 @@ typedef struct hli_axis {
     uint8_t state; /* PLCopen: 1 Standstill, 2 DiscreteMotion, 3 ContinuousMotion, 4 Stopping, 5 ErrorStop, 6 SynchronizedMotion */
 } hli_axis;
 _Static_assert(offsetof(hli_axis, name) == 0, "name");
-_Static_assert(offsetof(hli_axis, command) == 16, "command");
-_Static_assert(offsetof(hli_axis, actual) == 24, "actual");
-_Static_assert(offsetof(hli_axis, target) == 32, "target");
-_Static_assert(offsetof(hli_axis, machine) == 40, "machine");
-_Static_assert(offsetof(hli_axis, program) == 48, "program");
-_Static_assert(offsetof(hli_axis, distance_to_go) == 56, "distance_to_go");
-_Static_assert(offsetof(hli_axis, override_total) == 64, "override_total");
-_Static_assert(offsetof(hli_axis, state) == 68, "state");
-_Static_assert(sizeof(hli_axis) == 72, "hli_axis");
+_Static_assert(offsetof(hli_axis, logical) == 16, "logical");
+_Static_assert(offsetof(hli_axis, command) == 24, "command");
+_Static_assert(offsetof(hli_axis, actual) == 32, "actual");
+_Static_assert(offsetof(hli_axis, target) == 40, "target");
+_Static_assert(offsetof(hli_axis, machine) == 48, "machine");
+_Static_assert(offsetof(hli_axis, program) == 56, "program");
+_Static_assert(offsetof(hli_axis, distance_to_go) == 64, "distance_to_go");
+_Static_assert(offsetof(hli_axis, override_total) == 72, "override_total");
+_Static_assert(offsetof(hli_axis, state) == 76, "state");
+_Static_assert(sizeof(hli_axis) == 80, "hli_axis");
+
+/* the state of a spindle; where the PLC turns it, the job that waits for it */
+typedef struct hli_spindle {
+    char name[16]; /* its name in programs, with a zero byte */
+    uint32_t logical; /* its logical number */
+    uint32_t channel; /* number of its channel, from 1 */
+    uint32_t plc_controlled; /* 1: the PLC turns it (P-CHAN-00069) */
+    double speed; /* negative under M4; the CNC's only (rev/min) */
+    double position; /* 0 … 360; of the CNC's only (°) */
+    uint32_t job; /* 0: none waits; else the running number of the job */
+    uint32_t function; /* 3, 4, 5 or 19: M3, M4, M5, M19 */
+    uint32_t direction; /* of M19: 0 the shorter way, 1 forward, 2 back */
+    uint64_t job_time_us; /* the begin of the tick that has commanded it (µs) */
+    uint64_t job_duration_us; /* the time that the channel list gives it (µs) */
+    double job_speed; /* the speed that is commanded (rev/min) */
+    double job_position; /* of M19 (°) */
+} hli_spindle;
+_Static_assert(offsetof(hli_spindle, name) == 0, "name");
+_Static_assert(offsetof(hli_spindle, logical) == 16, "logical");
+_Static_assert(offsetof(hli_spindle, channel) == 20, "channel");
+_Static_assert(offsetof(hli_spindle, plc_controlled) == 24, "plc_controlled");
+_Static_assert(offsetof(hli_spindle, speed) == 32, "speed");
+_Static_assert(offsetof(hli_spindle, position) == 40, "position");
+_Static_assert(offsetof(hli_spindle, job) == 48, "job");
+_Static_assert(offsetof(hli_spindle, function) == 52, "function");
+_Static_assert(offsetof(hli_spindle, direction) == 56, "direction");
+_Static_assert(offsetof(hli_spindle, job_time_us) == 64, "job_time_us");
+_Static_assert(offsetof(hli_spindle, job_duration_us) == 72, "job_duration_us");
+_Static_assert(offsetof(hli_spindle, job_speed) == 80, "job_speed");
+_Static_assert(offsetof(hli_spindle, job_position) == 88, "job_position");
+_Static_assert(sizeof(hli_spindle) == 96, "hli_spindle");
 
 /* what the PLC commands a channel */
 typedef struct hli_command {
@@ -146,5 +191,14 @@ _Static_assert(offsetof(hli_command, plc_present) == 12, "plc_present");
 _Static_assert(offsetof(hli_command, ack_program) == 16, "ack_program");
 _Static_assert(offsetof(hli_command, ack_realtime) == 96, "ack_realtime");
 _Static_assert(sizeof(hli_command) == 176, "hli_command");
+
+/* the PLC's answer for a spindle that it turns */
+typedef struct hli_spindle_command {
+    uint32_t ack_job; /* acknowledges job of the spindle: its number */
+    uint32_t reserved; /* not used */
+} hli_spindle_command;
+_Static_assert(offsetof(hli_spindle_command, ack_job) == 0, "ack_job");
+_Static_assert(offsetof(hli_spindle_command, reserved) == 4, "reserved");
+_Static_assert(sizeof(hli_spindle_command) == 8, "hli_spindle_command");
 
 #endif

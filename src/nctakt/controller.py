@@ -157,8 +157,9 @@ class Controller:
         Raises ``Failure`` where there is one already or the shared memory cannot be had.
         """
         machine = self._machine
-        hlis = [channel.hli for channel in machine.channels]
-        self._image = InterfaceImage(self.machine, machine.kernel, hlis, machine.layout, name)
+        self._image = InterfaceImage(
+            self.machine, machine.kernel, machine.channels, machine.layout, name
+        )
         return self._image
 
     # --- tick by tick ---------------------------------------------------------------------------

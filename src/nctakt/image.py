@@ -14,7 +14,7 @@ from __future__ import annotations
 import contextlib
 import struct
 import weakref
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from multiprocessing.shared_memory import SharedMemory
 from types import TracebackType
 
@@ -29,20 +29,25 @@ from nctakt.hli.layout import (
     LINK,
     MAGIC,
     PANEL,
+    SPINDLE,
+    SPINDLE_COMMAND,
     VERSION,
+    Structure,
 )
 from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
-from nctakt.kernel.hli import Hli
+from nctakt.kernel.channel import Channel
 from nctakt.kernel.image import KINDS
 from nctakt.kernel.kernel import Kernel
-from nctakt.kernel.units import SectionUnits, Units
-from nctakt.lists.machine import MachineConfiguration
+from nctakt.kernel.units import SectionUnits, SpindleUnits, Units
+from nctakt.lists.channel_configuration import Spindle
+from nctakt.lists.machine import ChannelConfiguration, MachineConfiguration
+from nctakt.lists.technology import MOST_FUNCTIONS, TechnologyFunction
 from nctakt.lists.variable_header import describe_c
 from nctakt.lists.variable_layout import Field, fields, pack_of
 from nctakt.lists.variable_memory import Section, describe, image_bytes, sections
 from nctakt.messages import diagnostic
 from nctakt.nc.cells import CELL_BYTES
-from nctakt.nc.names import Layout
+from nctakt.nc.names import SPINDLE_VALUES, Layout
 
 __all__ = [
     "Field",
@@ -74,11 +79,11 @@ class InterfaceImage:
         self,
         machine: MachineConfiguration,
         kernel: Kernel,
-        hlis: Sequence[Hli],
+        channels: Sequence[Channel],
         cells: Layout,
         name: str | None = None,
     ) -> None:
-        """``hlis``: those of the channels; ``cells``: where values live in the memory."""
+        """``channels``: of the realtime part; ``cells``: where values live in the memory."""
         if kernel.image.is_attached:
             raise Failure(diagnostic(900347))
         self.name = name
@@ -96,7 +101,7 @@ class InterfaceImage:
             self.memory,
             published,
             [*_hli_rows(layout, cells), *_external_rows(layout, self._sections, pack, cells)],
-            _units(hlis, self.memory, published, layout, machine.cycle_time_us),
+            _units(channels, self.memory, published, layout, machine),
             entry(HEADER, "sequence").offset,
             layout.command_offset,
             kernel.tick,
@@ -211,6 +216,11 @@ def _put_header(memory: memoryview, layout: ImageLayout, machine: MachineConfigu
         "axes": layout.axes,
         "axis_offset": layout.axis_offset,
         "axis_size": size_of(AXIS),
+        "spindles": layout.spindles,
+        "spindle_offset": layout.spindle_offset,
+        "spindle_size": size_of(SPINDLE),
+        "spindle_command_offset": layout.spindle_command_offset,
+        "spindle_command_size": size_of(SPINDLE_COMMAND),
         "command_offset": layout.command_offset,
         "command_size": size_of(COMMAND),
         "link_offset": layout.link_offset,
@@ -220,11 +230,35 @@ def _put_header(memory: memoryview, layout: ImageLayout, machine: MachineConfigu
     for name, value in values.items():
         struct.pack_into("=I", memory, entry(HEADER, name).offset, value)
     memory[: len(MAGIC)] = MAGIC
-    size = entry(AXIS, "name").size_bytes
     for index, axis in enumerate(machine.axes):
-        characters = axis.name.encode("cp1252", "replace")[: size - 1]
-        place = layout.axis(index) + entry(AXIS, "name").offset
-        memory[place : place + len(characters)] = characters
+        _put_name(memory, AXIS, layout.axis(index), axis.name)
+        _put_number(memory, AXIS, layout.axis(index), "logical", axis.logical_number)
+    for index, (channel, spindle) in enumerate(_spindles(machine)):
+        place = layout.spindle(index)
+        _put_name(memory, SPINDLE, place, spindle.name)
+        _put_number(memory, SPINDLE, place, "logical", spindle.logical_number)
+        _put_number(memory, SPINDLE, place, "channel", channel)
+        _put_number(memory, SPINDLE, place, "plc_controlled", int(spindle.plc_controlled))
+
+
+def _spindles(machine: MachineConfiguration) -> Iterator[tuple[int, Spindle]]:
+    """Each spindle of the machine with the number of its channel."""
+    for channel in machine.channels:
+        for spindle in channel.parameters.spindles:
+            yield channel.number, spindle
+
+
+def _put_name(memory: memoryview, structure: Structure, first: int, name: str) -> None:
+    placed = entry(structure, "name")
+    characters = name.encode("cp1252", "replace")[: placed.size_bytes - 1]
+    place = first + placed.offset
+    memory[place : place + len(characters)] = characters
+
+
+def _put_number(
+    memory: memoryview, structure: Structure, first: int, name: str, value: int
+) -> None:
+    struct.pack_into("=I", memory, first + entry(structure, name).offset, value)
 
 
 def _hli_rows(layout: ImageLayout, cells: Layout) -> Iterator[_Row]:
@@ -248,6 +282,12 @@ def _hli_rows(layout: ImageLayout, cells: Layout) -> Iterator[_Row]:
                 cell = cells.axis_value(index, placed.entry.source)
                 kind = KINDS[placed.entry.type]
                 yield layout.axis(index) + placed.offset, kind, cell, placed.size_bytes, False
+    for index in range(layout.spindles):
+        for place, value in enumerate(SPINDLE_VALUES):
+            placed = next(one for one in entries(SPINDLE) if one.entry.source == value.path)
+            cell = cells.spindle_cell(0) + len(SPINDLE_VALUES) * index + place
+            kind = KINDS[placed.entry.type]
+            yield layout.spindle(index) + placed.offset, kind, cell, placed.size_bytes, False
 
 
 def _external_rows(
@@ -266,15 +306,30 @@ def _external_rows(
 
 
 def _units(
-    hlis: Sequence[Hli],
+    channels: Sequence[Channel],
     memory: memoryview,
     published: memoryview,
     layout: ImageLayout,
-    cycle_time_us: int,
+    machine: MachineConfiguration,
 ) -> Units:
-    """The technology functions of all channels, the last one first."""
+    """What waits for the PLC in all channels, the last one first."""
     units = Units()
-    for index, hli in reversed(list(enumerate(hlis))):
+    cycle_time_us = machine.cycle_time_us
+    for index, channel in reversed(list(enumerate(channels))):
+        hli, spindles = channel.hli, channel.context.spindles
+        units = SpindleUnits(
+            spindles,
+            memory,
+            published,
+            layout.spindle(spindles.first_number) + entry(SPINDLE, "job").offset,
+            size_of(SPINDLE),
+            layout.spindle_command(spindles.first_number)
+            + entry(SPINDLE_COMMAND, "ack_job").offset,
+            size_of(SPINDLE_COMMAND),
+            cycle_time_us,
+            units,
+        )
+        own = machine.channels[index]
         for section, name in ((hli.realtime, "realtime"), (hli.program, "program")):
             units = SectionUnits(
                 section,
@@ -283,9 +338,24 @@ def _units(
                 layout.channel(index) + unit_offset(CHANNEL, name),
                 layout.command(index) + entry(COMMAND, f"ack_{name}").offset,
                 cycle_time_us,
+                _axes_of(own.parameters.m_functions, own),
+                _axes_of(own.parameters.h_functions, own),
                 units,
             )
     return units
+
+
+def _axes_of(
+    functions: Mapping[int, TechnologyFunction], channel: ChannelConfiguration
+) -> bytearray:
+    """The logical number of the axis or spindle for each number of a function, 0: none."""
+    numbers = {axis.name: axis.logical_number for axis in channel.axes}
+    numbers |= {one.name: one.logical_number for one in channel.parameters.spindles}
+    table = bytearray(8 * MOST_FUNCTIONS)
+    for function in functions.values():
+        logical = numbers.get(function.axis_name, 0)
+        struct.pack_into("=q", table, 8 * function.number, logical)
+    return table
 
 
 def _create(name: str, size: int) -> SharedMemory:

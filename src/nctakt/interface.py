@@ -27,7 +27,8 @@ class TechnologyEntry:
 
     ``letter`` is M or H, ``sequence`` its number among those of the same tick and section,
     ``time_us`` the stamp, ``is_realtime`` tells that a realtime cycle has commanded it (POS_RT),
-    ``process_time_us`` is the time that the channel list gives it (P-CHAN-00040, P-CHAN-00026).
+    ``process_time_us`` is the time that the channel list gives it (P-CHAN-00040, P-CHAN-00026),
+    ``axis`` the axis or spindle that it is for (P-CHAN-00039, P-CHAN-00025), empty: the channel.
     """
 
     letter: str
@@ -36,6 +37,7 @@ class TechnologyEntry:
     time_us: int
     is_realtime: bool
     process_time_us: float
+    axis: str
     slot: int
 
     @property
@@ -43,13 +45,24 @@ class TechnologyEntry:
         """As in a program: ``M100``."""
         return f"{self.letter}{self.number}"
 
+    @property
+    def key(self) -> tuple[str, int]:
+        """Its place: section and slot."""
+        return "realtime" if self.is_realtime else "program", self.slot
+
+    @property
+    def stamp(self) -> tuple[int, int]:
+        """What tells it from the ones that had this place before."""
+        return self.time_us, self.sequence
+
 
 @dataclass(frozen=True, slots=True)
 class SpindleEntry:
     """A job of a spindle that the PLC turns, until it is acknowledged.
 
     ``function``: M 3, 4, 5 or 19. ``speed``: revolutions per minute. ``position``: degrees, that of
-    M19. ``direction`` of M19: 1 forward, -1 back, 0 the shorter way.
+    M19. ``direction`` of M19: 1 forward, -1 back, 0 the shorter way. ``speed_before``: what the
+    last job that was acknowledged has left, revolutions per minute, negative under M4.
     """
 
     spindle: str
@@ -58,7 +71,23 @@ class SpindleEntry:
     position: float
     direction: int
     time_us: int
+    speed_before: float
     place: int
+
+    @property
+    def name(self) -> str:
+        """That of the spindle."""
+        return self.spindle
+
+    @property
+    def key(self) -> tuple[str, int]:
+        """Its place: that of the spindle."""
+        return "spindle", self.place
+
+    @property
+    def stamp(self) -> tuple[int, int]:
+        """What tells it from the spindle's jobs before."""
+        return self.time_us, self.function
 
 
 class Interface:
@@ -171,9 +200,16 @@ class Interface:
             letter, number = ("H", -function - 1) if function < 0 else ("M", function)
             stamp_us = tick * cycle_time_us
             table = parameters.m_functions if letter == "M" else parameters.h_functions
-            duration_us = table[number].process_time_us
+            known = table[number]
             yield TechnologyEntry(
-                letter, number, sequence, stamp_us, is_realtime, duration_us, slot
+                letter,
+                number,
+                sequence,
+                stamp_us,
+                is_realtime,
+                known.process_time_us,
+                known.axis_name,
+                slot,
             )
 
     def acknowledge(self, entry: TechnologyEntry) -> None:
@@ -194,9 +230,10 @@ class Interface:
                 position,
                 way,
                 tick * cycle_time_us,
+                before_v / 6.0,
                 place,
             )
-            for place, function, speed_v, position, way, tick in spindles.jobs()
+            for place, function, speed_v, position, way, tick, before_v in spindles.jobs()
         ]
 
     def acknowledge_spindle(self, job: SpindleEntry) -> None:

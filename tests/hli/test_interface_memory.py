@@ -16,13 +16,26 @@ from pathlib import Path
 import pytest
 
 from nctakt.controller import Controller, NcText
-from nctakt.hli.layout import AXIS, CHANNEL, COMMAND, HEADER, LINK, MAGIC, UNIT, Structure
+from nctakt.hli.layout import (
+    AXIS,
+    CHANNEL,
+    COMMAND,
+    HEADER,
+    LINK,
+    MAGIC,
+    SPINDLE,
+    SPINDLE_COMMAND,
+    STRUCTURES,
+    UNIT,
+    Structure,
+)
 from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
 from nctakt.image import InterfaceImage, describe_hli_c
 from nctakt.plc import PartnerPlc, PlcError
 
 ROOT = Path(__file__).parent.parent.parent
 EXAMPLES = ROOT / "examples"
+DEMO = ROOT / "src" / "nctakt" / "machines" / "demo"
 FORMATS = {"BOOLEAN": "=B", "UNS08": "=B", "UNS32": "=I", "UNS64": "=Q", "REAL64": "=d"}
 
 needs_shared_folder = pytest.mark.skipif(
@@ -62,6 +75,13 @@ class Memory:
         self.channel = Part(self.image, CHANNEL, layout.channel(0))
         self.command = Part(self.image, COMMAND, layout.command(0))
         self.x = Part(self.image, AXIS, layout.axis(0))
+        self.spindles = [
+            Part(self.image, SPINDLE, layout.spindle(i)) for i in range(layout.spindles)
+        ]
+        self.answers = [
+            Part(self.image, SPINDLE_COMMAND, layout.spindle_command(i))
+            for i in range(layout.spindles)
+        ]
 
     def unit(self, section: str, slot: int) -> Part:
         """A place for a function."""
@@ -92,6 +112,10 @@ def areas(layout: ImageLayout) -> list[tuple[int, int]]:
         found.append((layout.command(index), layout.command(index) + size_of(COMMAND)))
     for index in range(layout.axes):
         found.append((layout.axis(index), layout.axis(index) + size_of(AXIS)))
+    for index in range(layout.spindles):
+        found.append((layout.spindle(index), layout.spindle(index) + size_of(SPINDLE)))
+        answer = layout.spindle_command(index)
+        found.append((answer, answer + size_of(SPINDLE_COMMAND)))
     return [*found, (layout.ve_offset, layout.size)]
 
 
@@ -100,11 +124,11 @@ def test_areas_do_not_overlap_and_the_plcs_are_last() -> None:
     layout = image_layout(Controller().machine)
     places = sorted(areas(layout))
     assert all(before[1] <= after[0] for before, after in itertools.pairwise(places))
-    assert layout.command_offset > layout.axis(layout.axes - 1)
-    assert layout.ve_offset > layout.command_offset
+    assert layout.command_offset > layout.spindle(layout.spindles - 1) > layout.axis(0)
+    assert layout.ve_offset > layout.spindle_command_offset > layout.command_offset
 
 
-@pytest.mark.parametrize("structure", [HEADER, LINK, UNIT, CHANNEL, AXIS, COMMAND])
+@pytest.mark.parametrize("structure", STRUCTURES)
 def test_values_stand_at_multiples_of_their_size(structure: Structure) -> None:
     """As a C compiler puts them; structures take a multiple of 8 bytes."""
     end = 0
@@ -119,7 +143,7 @@ def test_the_header_says_what_there_is() -> None:
     """Magic, version, sizes, places; ``ready`` is taken away when the image is closed."""
     memory = Memory(Controller())
     assert bytes(memory.image.memory[:8]) == MAGIC
-    assert (memory.header["version"], memory.header["ready"]) == (1, 1)
+    assert (memory.header["version"], memory.header["ready"]) == (2, 1)
     assert memory.header["size"] == memory.layout.size == len(memory.image.memory)
     assert memory.header["cycle_time_us"] == 1000
     assert memory.header["ve_offset"] == memory.layout.ve_offset
@@ -128,6 +152,17 @@ def test_the_header_says_what_there_is() -> None:
         for i in range(memory.layout.axes)
     ]
     assert names[:4] == ["X", "Y", "Z", "A"]
+    assert memory.header["spindle_offset"] == memory.layout.spindle_offset
+    assert memory.header["spindle_command_offset"] == memory.layout.spindle_command_offset
+    assert memory.header["spindles"] == 3
+    names = [
+        bytes(memory.image.memory[memory.layout.spindle(i) :][:16]).rstrip(b"\0").decode()
+        for i in range(3)
+    ]
+    assert names == ["S", "S2", "S3"]
+    found = [(one["logical"], one["channel"], one["plc_controlled"]) for one in memory.spindles]
+    assert found == [(5, 1, 0), (6, 1, 0), (10, 1, 1)]
+    assert memory.x["logical"] == 1
 
 
 def test_the_c_header_of_the_examples_is_that_of_the_declaration() -> None:
@@ -199,6 +234,65 @@ def test_the_main_program_waits_for_the_acknowledgement_in_the_image() -> None:
     memory.acknowledge("program", 0, 1)
     memory.controller.step(1)
     assert memory.x["command"] > 0.0
+
+
+def test_a_spindle_of_the_cnc_is_shown() -> None:
+    """M3 S1000 from rest: 36 °/s a tick, 6 revolutions a minute."""
+    memory = running("M3 S1000\nG04 X1\nM30")
+    memory.controller.step(10)
+    assert memory.spindles[0]["speed"] == pytest.approx(60.0)
+    assert memory.spindles[0]["position"] == pytest.approx(0.018 * 10**2)
+    assert memory.spindles[0]["job"] == 0
+
+
+def test_a_job_of_a_plc_spindle_waits_for_its_number() -> None:
+    """RC-404: function, speed, place in time; the next job comes when the first is over."""
+    memory = running(
+        "#RT CYCLE\n$IF ONCE TRUE\nS3[M4 REV=250]\n$ENDIF\n"
+        "$IF ONCE V.E.TRIGGER\nS3[M4 M19 REV=100 POS=90]\n$ENDIF\n#RT CYCLE END\nG04 X1\nM30"
+    )
+    memory.command["plc_present"] = 1
+    memory.controller.step(5)
+    spindle, answer = memory.spindles[2], memory.answers[2]
+    assert (spindle["job"], spindle["function"], spindle["job_speed"]) == (1, 4, 250.0)
+    assert (spindle["job_time_us"], spindle["job_duration_us"]) == (0, 0)
+    answer["ack_job"] = 7
+    memory.controller.step(1)
+    assert spindle["job"] == 1
+    answer["ack_job"] = 1
+    memory.controller.write("V.E.TRIGGER", 1)
+    memory.controller.step(1)
+    assert (spindle["job"], spindle["function"], spindle["direction"]) == (2, 19, 2)
+    assert (spindle["job_speed"], spindle["job_position"]) == (100.0, 90.0)
+    assert spindle["job_time_us"] == 6000
+    answer["ack_job"] = 2
+    memory.controller.step(1)
+    assert spindle["job"] == 0
+
+
+def test_without_a_plc_the_cnc_acknowledges_spindles_too() -> None:
+    """``plc_present`` 0: the job is over in the tick behind."""
+    memory = running("S3[M3 REV=250]\nG04 X1\nM30")
+    memory.controller.step(1)
+    assert memory.spindles[2]["job"] == 1
+    memory.controller.step(1)
+    assert memory.spindles[2]["job"] == 0
+
+
+def test_a_function_for_an_axis_names_it(tmp_path: Path) -> None:
+    """P-CHAN-00039: the unit has the logical number of the axis or spindle, 0 the channel's."""
+    folder = tmp_path / "machine"
+    shutil.copytree(DEMO, folder)
+    file = folder / "sda_mds1.lis"
+    lines = "m_default_outp_ax_name[100] Z\nm_default_outp_ax_name[101] S2\n"
+    file.write_text(lines + file.read_text("utf-8"), "utf-8")
+    memory = Memory(Controller(folder))
+    memory.controller.start(NcText("p.nc", "M100 M101 M102\nG04 X1\nM30"))
+    memory.command["plc_present"] = 1
+    memory.controller.step(1)
+    units = [memory.unit("program", slot) for slot in range(3)]
+    assert [(one["number"], one["axis"]) for one in units] == [(100, 3), (101, 6), (102, 0)]
+    assert [one.axis for one in memory.controller.hli.functions()] == ["Z", "S2", ""]
 
 
 # --- what the PLC writes ------------------------------------------------------------------------

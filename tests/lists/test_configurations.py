@@ -259,9 +259,18 @@ def test_spindles_that_contradict(text: str, findings: list[int]) -> None:
     assert sorted(channel(SPINDLES + text)[1]) == findings
 
 
+def test_a_function_for_an_unknown_axis_is_the_channels() -> None:
+    """900812, P-CHAN-00039, P-CHAN-00025."""
+    found, findings = channel("m_synch[100] MOS\nm_default_outp_ax_name[100] Q\n")
+    assert findings == [900812]
+    assert found.m_functions[100].axis_name == ""
+
+
 def test_m_and_h_functions() -> None:
     """P-CHAN-00041, 00027: only functions that the list names are defined."""
     text = (
+        "gruppe[0].achs_anzahl 1\ngruppe[0].achse[0].log_achs_nr 1\n"
+        "gruppe[0].achse[0].bezeichnung X\n"
         "m_synch[100] MOS\nm_prozess_zeit[100] 15\nm_default_outp_ax_name[100] X\n"
         "m_synch[999] PLC_INFO\nm_synch[101] NOT_VALID\nh_synch[0] MNS_SNS\nm_synch[30] MOS\n"
         "m_prozess_zeit[7] 5\n"

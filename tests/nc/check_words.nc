@@ -80,8 +80,8 @@ M114
 M115
 M116
 H116
-M200 ; error 900200 "M200 (M or H function of one axis)"
-H200 ; error 900200 "H200"
+M200
+H200
 G04 S10 ; error 900200 "G04 S (dwell in revolutions)"
 M30
 ; --- nobody knows it

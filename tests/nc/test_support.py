@@ -56,7 +56,7 @@ def test_technology_functions_are_answered_by_their_synchronisation() -> None:
         30: Answer.SIMULATED,
         100: Answer.SIMULATED,
         116: Answer.SIMULATED,
-        200: Answer.REFUSED,
+        200: Answer.SIMULATED,
     }
 
 

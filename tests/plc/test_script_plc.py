@@ -9,8 +9,22 @@ import pytest
 
 from nctakt.controller import Controller, NcText
 from nctakt.failure import Failure
-from nctakt.interface import Interface, TechnologyEntry
-from nctakt.plc import ALL, NONE, Plc, PlcError, Policy, after, at, load_plc, on, only, when
+from nctakt.interface import Interface, SpindleEntry, TechnologyEntry
+from nctakt.plc import (
+    ALL,
+    NONE,
+    Plc,
+    PlcError,
+    Policy,
+    SpindlePolicy,
+    after,
+    at,
+    load_plc,
+    on,
+    only,
+    run_up,
+    when,
+)
 from nctakt.results.run import Run
 
 FOUR = "#RT CYCLE\n$IF ONCE TRUE\nM100\nM101\nH100\n$ENDIF\n#RT CYCLE END\nM102\nG04 X0.020\nM30"
@@ -247,3 +261,87 @@ def test_a_write_to_an_unknown_variable_is_a_diagnostic(tmp_path: Path) -> None:
         run("M100\nM30", load_plc(tmp_path / "plc.py"))
     assert [found.id for found in caught.value.diagnostics] == [900523, 900541]
     assert "hli.write('V.E.COUTN', 1)" in caught.value.diagnostics[0].text()
+
+
+# --- spindles that the PLC turns ------------------------------------------------------------------
+
+#: S3 gets jobs in ticks 0, 300, 600 and 900.
+JOBS = """#RT CYCLE [ID=1 SCOPE=GLOBAL]
+$IF ONCE 1
+S3[M3 REV=1000]
+$ENDIF
+$IF ONCE V.E.COUNT >= 300
+S3[M4 REV=500]
+$ENDIF
+$IF ONCE V.E.COUNT >= 600
+S3[M4 M19 REV=200 POS=90]
+$ENDIF
+$IF ONCE V.E.COUNT >= 900
+S3[M5]
+$ENDIF
+V.E.COUNT += 1
+#RT CYCLE END
+G04 X1.5
+M30"""
+
+
+@pytest.mark.parametrize(
+    ("policy", "reached"),
+    [
+        (ALL, [1, 301, 601, 901]),
+        (after(3), [4, 304, 604, 904]),
+        (only("S3", then=after(20)), [21, 321, 621, 921]),
+        # 1000 in 0.1 s; 1500 in 0.15 s; from -500 to 200, then to 0: 0.09 s; at rest already
+        (run_up(10_000), [100, 450, 690, 901]),
+    ],
+)
+def test_jobs_of_plc_spindles_are_acknowledged_as_they_say(
+    policy: SpindlePolicy, reached: list[int]
+) -> None:
+    """RC-404: the tick behind the acknowledgement knows that the job is over.
+
+    M19 has brought the spindle to a stand, so M5 has nothing to do.
+    """
+
+    class Cell(Plc):
+        spindles = policy
+
+    made = run(JOBS, Cell())
+    assert [event.tick for event in made.events if event.kind == "spindle_reached"] == reached
+
+
+def test_a_spindle_that_nobody_acknowledges_is_busy() -> None:
+    """50935: the second job finds the first one still there."""
+
+    class Cell(Plc):
+        spindles = NONE
+
+    assert [found.id for found in run(JOBS, Cell()).errors] == [50935]
+
+
+def test_a_method_gets_each_job_of_a_spindle() -> None:
+    """Once each, behind the tick that commands it, with what the spindle turned with before."""
+    seen: list[tuple[int, int, float, float]] = []
+
+    class Cell(Plc):
+        spindles = run_up(10_000)
+
+        @on("S3")
+        def turn(self, hli: Interface, job: SpindleEntry) -> None:
+            """Notes the job."""
+            seen.append((hli.tick, job.function, job.speed, job.speed_before))
+
+    run(JOBS, Cell())
+    assert seen == [
+        (0, 3, 1000.0, 0.0),
+        (300, 4, 500.0, 1000.0),
+        (600, 19, 200.0, -500.0),
+        (900, 5, 0.0, 0.0),
+    ]
+
+
+@pytest.mark.parametrize("rate", [0.0, -1.0, float("inf")])
+def test_a_spindle_changes_its_speed_at_some_rate(rate: float) -> None:
+    """Revolutions per minute in a second, above 0."""
+    with pytest.raises(ValueError, match="per second"):
+        run_up(rate)

@@ -22,7 +22,7 @@ PREFIX = "HLI."
 MAGIC = b"NCTAKT\0\0"
 
 #: Changed whenever a value changes its place or meaning.
-VERSION = 1
+VERSION = 2
 
 #: Bytes of each number; names are characters, so many in all.
 TYPE_BYTES = {"BOOLEAN": 1, "UNS08": 1, "UNS32": 4, "UNS64": 8, "REAL64": 8, "STRING": 1}
@@ -94,8 +94,13 @@ HEADER = Structure(
         Entry("axes", "UNS32", "", "number of `hli_axis`"),
         Entry("axis_offset", "UNS32", "bytes", "place of the first `hli_axis`"),
         Entry("axis_size", "UNS32", "bytes", "from one `hli_axis` to the next"),
+        Entry("spindles", "UNS32", "", "number of `hli_spindle` and of `hli_spindle_command`"),
+        Entry("spindle_offset", "UNS32", "bytes", "place of the first `hli_spindle`"),
+        Entry("spindle_size", "UNS32", "bytes", "from one `hli_spindle` to the next"),
         Entry("command_offset", "UNS32", "bytes", "place of the first `hli_command`"),
         Entry("command_size", "UNS32", "bytes", "from one `hli_command` to the next"),
+        Entry("spindle_command_offset", "UNS32", "bytes", "of the first `hli_spindle_command`"),
+        Entry("spindle_command_size", "UNS32", "bytes", "from one of them to the next"),
         Entry("link_offset", "UNS32", "bytes", "place of `hli_link`"),
         Entry("ve_offset", "UNS32", "bytes", "place of the V.E variables"),
         Entry("ve_size", "UNS32", "bytes", "of the V.E variables, all sections"),
@@ -113,6 +118,7 @@ UNIT = Structure(
         Entry("letter", "UNS32", "", "1 M, 2 H"),
         Entry("number", "UNS32", "", "of the function: 100 for M100"),
         Entry("sequence", "UNS32", "", "its number among those of its tick and section, from 1"),
+        Entry("axis", "UNS32", "", "`logical` of the axis or spindle that it is for, 0: channel"),
         Entry("time_us", "UNS64", "µs", "the begin of the tick that has commanded it"),
         Entry("duration_us", "UNS64", "µs", "the time that the channel list gives it"),
     ),
@@ -137,6 +143,7 @@ AXIS = Structure(
     "the state of an axis",
     (
         Entry("name", "STRING", "", "its name in the channel, with a zero byte", count=16),
+        Entry("logical", "UNS32", "", "its logical number"),
         Entry("command", "REAL64", "mm, °", "command position, ACS", source="ACS.ACT_POS"),
         Entry("actual", "REAL64", "mm, °", "actual position, ACS", source="ACS.CUR_POS"),
         Entry("target", "REAL64", "mm, °", "end of the motion, ACS", source="ACS.CMD_POS"),
@@ -152,6 +159,26 @@ AXIS = Structure(
             "5 ErrorStop, 6 SynchronizedMotion",
             source="STATE",
         ),
+    ),
+)
+
+SPINDLE = Structure(
+    "hli_spindle",
+    "the state of a spindle; where the PLC turns it, the job that waits for it",
+    (
+        Entry("name", "STRING", "", "its name in programs, with a zero byte", count=16),
+        Entry("logical", "UNS32", "", "its logical number"),
+        Entry("channel", "UNS32", "", "number of its channel, from 1"),
+        Entry("plc_controlled", "UNS32", "", "1: the PLC turns it (P-CHAN-00069)"),
+        Entry("speed", "REAL64", "rev/min", "negative under M4; the CNC's only", source="SPEED"),
+        Entry("position", "REAL64", "°", "0 … 360; of the CNC's only", source="POSITION"),
+        Entry("job", "UNS32", "", "0: none waits; else the running number of the job"),
+        Entry("function", "UNS32", "", "3, 4, 5 or 19: M3, M4, M5, M19"),
+        Entry("direction", "UNS32", "", "of M19: 0 the shorter way, 1 forward, 2 back"),
+        Entry("job_time_us", "UNS64", "µs", "the begin of the tick that has commanded it"),
+        Entry("job_duration_us", "UNS64", "µs", "the time that the channel list gives it"),
+        Entry("job_speed", "REAL64", "rev/min", "the speed that is commanded"),
+        Entry("job_position", "REAL64", "°", "of M19"),
     ),
 )
 
@@ -178,6 +205,16 @@ COMMAND = Structure(
     is_command=True,
 )
 
+SPINDLE_COMMAND = Structure(
+    "hli_spindle_command",
+    "the PLC's answer for a spindle that it turns",
+    (
+        Entry("ack_job", "UNS32", "", "acknowledges `job` of the spindle: its number"),
+        Entry("reserved", "UNS32", "", "not used"),
+    ),
+    is_command=True,
+)
+
 LINK = Structure(
     "hli_link",
     "the PLC's side of the lockstep",
@@ -186,7 +223,7 @@ LINK = Structure(
 )
 
 #: All of them in the order of the image; ``UNIT`` stands in channels.
-STRUCTURES = (HEADER, LINK, UNIT, CHANNEL, AXIS, COMMAND)
+STRUCTURES = (HEADER, LINK, UNIT, CHANNEL, AXIS, SPINDLE, COMMAND, SPINDLE_COMMAND)
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,8 @@ from nctakt.hli.layout import (
     COMMAND,
     HEADER,
     LINK,
+    SPINDLE,
+    SPINDLE_COMMAND,
     TYPE_BYTES,
     UNIT,
     Entry,
@@ -85,10 +87,13 @@ class ImageLayout:
 
     channels: int
     axes: int
+    spindles: int
     link_offset: int
     channel_offset: int
     axis_offset: int
+    spindle_offset: int
     command_offset: int
+    spindle_command_offset: int
     ve_offset: int
     ve_size: int
 
@@ -105,6 +110,14 @@ class ImageLayout:
         """The first byte of an axis."""
         return self.axis_offset + index * size_of(AXIS)
 
+    def spindle(self, index: int) -> int:
+        """The first byte of a spindle, counted over all channels."""
+        return self.spindle_offset + index * size_of(SPINDLE)
+
+    def spindle_command(self, index: int) -> int:
+        """The first byte of the PLC's answer for a spindle."""
+        return self.spindle_command_offset + index * size_of(SPINDLE_COMMAND)
+
     def command(self, index: int) -> int:
         """The first byte of what the PLC commands a channel."""
         return self.command_offset + index * size_of(COMMAND)
@@ -113,17 +126,23 @@ class ImageLayout:
 def image_layout(machine: MachineConfiguration) -> ImageLayout:
     """The places in the image of a machine."""
     channels, axes = len(machine.channels), len(machine.axes)
+    spindles = sum(len(channel.parameters.spindles) for channel in machine.channels)
     link_offset = _aligned(size_of(HEADER), AREA_ALIGNMENT)
     channel_offset = _aligned(link_offset + size_of(LINK), AREA_ALIGNMENT)
     axis_offset = _aligned(channel_offset + channels * size_of(CHANNEL), AREA_ALIGNMENT)
-    command_offset = _aligned(axis_offset + axes * size_of(AXIS), AREA_ALIGNMENT)
+    spindle_offset = _aligned(axis_offset + axes * size_of(AXIS), AREA_ALIGNMENT)
+    command_offset = _aligned(spindle_offset + spindles * size_of(SPINDLE), AREA_ALIGNMENT)
+    answer_offset = _aligned(command_offset + channels * size_of(COMMAND), AREA_ALIGNMENT)
     return ImageLayout(
         channels,
         axes,
+        spindles,
         link_offset,
         channel_offset,
         axis_offset,
+        spindle_offset,
         command_offset,
-        _aligned(command_offset + channels * size_of(COMMAND), AREA_ALIGNMENT),
+        answer_offset,
+        _aligned(answer_offset + spindles * size_of(SPINDLE_COMMAND), AREA_ALIGNMENT),
         image_bytes(machine),
     )

@@ -225,7 +225,7 @@ class Channel(Commands):
                 self.end_reset()
         if self.context.single_axes.fault_count > 0:
             self.report_axes()
-        self.context.spindles.step(self.context.tick, self.hli.acknowledges_itself)
+        self.context.spindles.step(self.context.tick, self.hli.has_default_plc())
         self.hli.run_default_plc(self.context.tick)
         self.panel.publish(state, self.error_message)
         self.cells[self.first_cell + 6] = self.path.speed_v

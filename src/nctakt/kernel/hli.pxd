@@ -34,5 +34,6 @@ cdef class Hli:
     cdef public bint acknowledges_itself
 
     cdef void latch(self) noexcept nogil
+    cdef int has_default_plc(self) noexcept nogil
     cdef void run_default_plc(self, long long tick) noexcept nogil
     cdef void clear(self) noexcept nogil

@@ -136,9 +136,13 @@ class Hli:
         self.realtime.latch()
         self.program.latch()
 
+    def has_default_plc(self) -> int:
+        """Whether no script and no other process plays the PLC."""
+        return 1 if self.acknowledges_itself and not self.panel.plc_present else 0
+
     def run_default_plc(self, tick: int) -> None:
-        """The PLC phase of a tick, where no script plays the PLC."""
-        if self.acknowledges_itself and not self.panel.plc_present:
+        """The PLC phase of a tick, where nobody else plays the PLC."""
+        if self.has_default_plc():
             self.realtime.acknowledge_done(tick)
             self.program.acknowledge_done(tick)
 

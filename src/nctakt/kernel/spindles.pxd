@@ -36,6 +36,10 @@ cdef class Spindles:
     cdef long long[::1] taken_tick
     cdef long long[::1] plc_state
     cdef long long[::1] done_tick
+    cdef long long[::1] job
+    cdef double[::1] reached_v
+    cdef long long issued
+    cdef long long version
     cdef readonly Py_ssize_t active_count
 
     cdef int is_ready(self, Py_ssize_t spindle, long long tick) noexcept nogil
@@ -61,6 +65,7 @@ cdef class Spindles:
     cdef void leave(self, long long owner) noexcept nogil
     @cython.locals(spindle=Py_ssize_t)
     cdef void latch(self) noexcept nogil
+    cdef double plc_speed(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(spindle=Py_ssize_t)
     cdef void step(self, long long tick, int acknowledges_itself) noexcept nogil
     @cython.locals(time_t=double, cell=Py_ssize_t)

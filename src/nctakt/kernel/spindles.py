@@ -74,6 +74,10 @@ class Spindles:
         self.taken_tick = memoryview(bytearray(size)).cast("q")
         self.plc_state = memoryview(bytearray(size)).cast("q")
         self.done_tick = memoryview(bytearray(size)).cast("q")
+        self.job = memoryview(bytearray(size)).cast("q")
+        self.reached_v = memoryview(bytearray(size)).cast("d")
+        self.issued = 0
+        self.version = 0
         self.active_count = 0
         for spindle in range(count):
             self.taken_tick[spindle] = -1
@@ -139,6 +143,9 @@ class Spindles:
         if self.is_plc[spindle]:
             self.active_count += 1
             self.plc_state[spindle] = 1
+            self.issued = self.issued + 1 if self.issued < 2147483647 else 1
+            self.job[spindle] = self.issued
+            self.version += 1
             self.done_tick[spindle] = done_tick
 
     def plan(self, spindle: int, tick: int) -> None:
@@ -257,7 +264,15 @@ class Spindles:
             if self.plc_state[spindle] == 2:
                 self.plc_state[spindle] = 0
                 self.active_count -= 1
+                self.version += 1
+                self.reached_v[spindle] = self.plc_speed(spindle)
                 self.finish(spindle)
+
+    def plc_speed(self, spindle: int) -> float:
+        """What a PLC spindle turns with when its job is done; negative under M4."""
+        if self.function[spindle] == 3:
+            return self.wanted_v[spindle]
+        return 0.0 - self.wanted_v[spindle] if self.function[spindle] == 4 else 0.0
 
     def step(self, tick: int, acknowledges_itself: int) -> None:
         """One increment of all spindles that turn; then the default PLC, if there is no other."""
@@ -307,8 +322,11 @@ class Spindles:
 
     # --- Python's side --------------------------------------------------------------------------
 
-    def jobs(self) -> list[tuple[int, int, float, float, int, int]]:
-        """The PLC's jobs that wait: spindle, M, degrees per second, position, direction, tick."""
+    def jobs(self) -> list[tuple[int, int, float, float, int, int, float]]:
+        """The PLC's jobs that wait.
+
+        Spindle, M, degrees per second, position, direction, tick, degrees per second before.
+        """
         return [
             (
                 spindle,
@@ -317,6 +335,7 @@ class Spindles:
                 self.wanted_position[spindle],
                 self.direction[spindle],
                 self.taken_tick[spindle],
+                self.reached_v[spindle],
             )
             for spindle in range(self.count)
             if self.plc_state[spindle] == WAITING

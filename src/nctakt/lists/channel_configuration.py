@@ -162,11 +162,13 @@ class ChannelParameters:
 
 def channel_parameters(values: Values, collector: Collector) -> ChannelParameters:
     """Gather the values of a channel list (over those of the defaults list)."""
+    axes, spindles = _axes(values, collector), _spindles(values, collector)
+    names = {*(axis.name for axis in axes), *(spindle.name for spindle in spindles)}
     return ChannelParameters(
-        _axes(values, collector),
-        _spindles(values, collector),
-        technology_functions(values, "m", INTERNAL_M_FUNCTIONS),
-        technology_functions(values, "h"),
+        axes,
+        spindles,
+        technology_functions(values, "m", names, collector, INTERNAL_M_FUNCTIONS),
+        technology_functions(values, "h", names, collector),
         _program_paths(values),
         _implicit_programs(values),
         _program_start(values, collector),

@@ -8,11 +8,13 @@ waits (P-CHAN-00041); its process time is what a simulation of the machining tim
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 from nctakt.diagnostics import Text
-from nctakt.lists.parameter import Effect, Parameter, ValueType
+from nctakt.lists.parameter import Effect, Parameter, ValueType, with_indices
 from nctakt.lists.schema import Values
+from nctakt.messages import Collector
 
 MOST_FUNCTIONS = 1000
 _MOST_SPINDLES = 6
@@ -89,7 +91,7 @@ def _process_time(
 
 def _axis_name(id_: str, path: str, en: str, de: str) -> Parameter:
     text = Text(en, de)
-    return Parameter(id_, path, ValueType.STRING, "", text, high=16, effect=Effect.CHECKED)
+    return Parameter(id_, path, ValueType.STRING, "", text, high=16)
 
 
 _INDEX = f"[0..{MOST_FUNCTIONS - 1}]"
@@ -173,9 +175,17 @@ SPINDLE_FUNCTIONS: tuple[Parameter, ...] = tuple(
 
 
 def technology_functions(
-    values: Values, letter: str, internal: tuple[int, ...] = ()
+    values: Values,
+    letter: str,
+    axes: Collection[str],
+    collector: Collector,
+    internal: tuple[int, ...] = (),
 ) -> dict[int, TechnologyFunction]:
-    """The functions of ``letter`` (``m``, ``h``) that are defined, by number, ascending."""
+    """The functions of ``letter`` (``m``, ``h``) that are defined, by number, ascending.
+
+    ``axes``: the names of the channel's axes and spindles; a function for any other one is the
+    channel's (900812).
+    """
     functions: dict[int, TechnologyFunction] = {}
     numbers = {*values.indices(f"{letter}_synch[]"), *internal}
     for number in sorted(numbers):
@@ -188,9 +198,21 @@ def technology_functions(
             synchronisation,
             modifiers,
             values.integer(f"{letter}_prozess_zeit[]", number) / 10,
-            values.text(f"{letter}_default_outp_ax_name[]", number),
+            _axis_of(values, letter, number, axes, collector),
         )
     return functions
+
+
+def _axis_of(
+    values: Values, letter: str, number: int, axes: Collection[str], collector: Collector
+) -> str:
+    name = values.text(f"{letter}_default_outp_ax_name[]", number)
+    if name and name not in axes:
+        key = (f"{letter}_default_outp_ax_name[]", number)
+        path = with_indices(key[0], (number,))
+        values.report(collector, 900812, key, key=path, value=name)
+        return ""
+    return name
 
 
 def split(flags: tuple[str, ...], default: str) -> tuple[str, tuple[str, ...]]:

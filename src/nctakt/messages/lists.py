@@ -313,3 +313,13 @@ _add(
     reaction=1,
     clearing=1,
 )
+_add(
+    900812,
+    WARNING,
+    "{key}: no axis or spindle of the channel is called {value}; the function is the channel's",
+    "{key}: keine Achse oder Spindel des Kanals heißt {value}; die Funktion ist die des Kanals",
+    remedy_en="Use a name of gruppe[0].achse[i].bezeichnung or spindel[i].bezeichnung.",
+    remedy_de="Einen Namen aus gruppe[0].achse[i].bezeichnung oder spindel[i].bezeichnung"
+    " verwenden.",
+    parameters={"key": "the entry", "value": "the name"},
+)

@@ -121,7 +121,8 @@ def answer_h(number: int, functions: Mapping[int, TechnologyFunction]) -> Entry 
     function = functions.get(number)
     if function is None:
         return None
-    return form("M110 X") if function.axis_name else _TECHNOLOGY[function.synchronisation]
+    answer = _TECHNOLOGY[function.synchronisation]
+    return form("M110 X") if function.axis_name and answer.answer is Answer.SIMULATED else answer
 
 
 def answer_word(name: str) -> Entry | None:

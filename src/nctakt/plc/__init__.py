@@ -16,7 +16,7 @@ from nctakt.plc.axes import (
 )
 from nctakt.plc.loading import AnyPlc, PlcError, load_plc
 from nctakt.plc.partner import PartnerPlc
-from nctakt.plc.policies import ALL, NONE, Policy, after, only
+from nctakt.plc.policies import ALL, NONE, Policy, SpindlePolicy, after, only, run_up
 from nctakt.plc.script import Plc, at, on, when
 
 __all__ = [
@@ -36,10 +36,12 @@ __all__ = [
     "Plc",
     "PlcError",
     "Policy",
+    "SpindlePolicy",
     "after",
     "at",
     "load_plc",
     "on",
     "only",
+    "run_up",
     "when",
 ]

@@ -13,6 +13,9 @@
         def clamp(self, hli, function):
             ...
 
+Spindles that the PLC turns get their jobs in the same way: ``spindles`` says when they are done,
+``@on("S3")`` gets each one.
+
 What is done behind tick n counts from tick n + 1 on (RC-002). Behind each tick come, in this order:
 inputs from the file, ``at``, ``when``, ``on``, ``each_tick``, acknowledgements; among methods of
 one kind the order is that in which they stand in the class.
@@ -21,17 +24,17 @@ one kind the order is that in which they stand in the class.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
 
 from nctakt.plc.inputs import read_inputs
-from nctakt.plc.policies import ALL, Policy
+from nctakt.plc.policies import ALL, Policy, SpindlePolicy
 from nctakt.stimuli import Stimulus, parse_time
 
 if TYPE_CHECKING:
-    from nctakt.interface import Interface, TechnologyEntry
+    from nctakt.interface import Interface, SpindleEntry, TechnologyEntry
 
 _Method = TypeVar("_Method", bound=Callable[..., Any])
 
@@ -68,7 +71,7 @@ def when(condition: Callable[[Interface], object]) -> Callable[[_Method], _Metho
 
 
 def on(*names: str) -> Callable[[_Method], _Method]:
-    """Call the method with each function of these names (``M100``, ``H7``) that appears."""
+    """Call the method with each function (``M100``, ``H7``), each job of a spindle (``S3``)."""
     return _marked(_On(frozenset(name.upper() for name in names)))
 
 
@@ -88,13 +91,17 @@ class _Memory:
     first_tick: int | None = None
     done: list[tuple[str, int]] = field(default_factory=list)
     was_true: dict[tuple[str, int], bool] = field(default_factory=dict)
-    seen: dict[tuple[bool, int], tuple[int, int]] = field(default_factory=dict)
+    seen: dict[tuple[str, int], tuple[int, int]] = field(default_factory=dict)
 
 
 class Plc:
-    """Derive from it. ``acknowledge``: a policy; ``inputs``: a CSV file beside the PLC's own."""
+    """Derive from it. ``acknowledge``: a policy; ``inputs``: a CSV file beside the PLC's own.
+
+    ``spindles``: the policy for the jobs of spindles that the PLC turns.
+    """
 
     acknowledge: ClassVar[Policy] = ALL
+    spindles: ClassVar[SpindlePolicy] = ALL
     inputs: ClassVar[str | Path | None] = None
     _folder: ClassVar[Path] = Path()
     _marks: ClassVar[tuple[tuple[str, int, object], ...]] = ()
@@ -139,31 +146,29 @@ class Plc:
             if is_true and not memory.was_true.get((name, index), False):
                 getattr(self, name)(hli)
             memory.was_true[(name, index)] = is_true
-        functions = hli.functions()
-        for function in self._new(functions):
+        functions, jobs = hli.functions(), hli.spindle_jobs()
+        for one in self._new([*functions, *jobs]):
             for name, _, mark in self._of(_On):
-                if function.name in mark.names:
-                    getattr(self, name)(hli, function)
+                if one.name in mark.names:
+                    getattr(self, name)(hli, one)
         self.each_tick(hli)
         for function in functions:
             if self.acknowledge.answers(function, hli):
                 hli.acknowledge(function)
+        for job in jobs:
+            if self.spindles.answers(job, hli):
+                hli.acknowledge_spindle(job)
 
     def _of(self, kind: type[Any]) -> Iterator[tuple[str, int, Any]]:
         """The marks of one kind."""
         return (mark for mark in self._marks if isinstance(mark[2], kind))
 
-    def _new(self, functions: list[TechnologyEntry]) -> Iterator[TechnologyEntry]:
-        """The functions that were not there after the tick before."""
+    def _new(
+        self, entries: Sequence[TechnologyEntry | SpindleEntry]
+    ) -> Iterator[TechnologyEntry | SpindleEntry]:
+        """The functions and jobs that were not there after the tick before."""
         seen = self._memory.seen
-        for function in functions:
-            place, stamp = (
-                (function.is_realtime, function.slot),
-                (
-                    function.time_us,
-                    function.sequence,
-                ),
-            )
-            if seen.get(place) != stamp:
-                seen[place] = stamp
-                yield function
+        for one in entries:
+            if seen.get(one.key) != one.stamp:
+                seen[one.key] = one.stamp
+                yield one

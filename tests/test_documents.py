@@ -174,7 +174,7 @@ def test_the_table_of_what_is_simulated_is_current() -> None:
 
 
 def test_the_picture_of_motions_is_what_the_runs_give() -> None:
-    """``docs/pictures/motions.svg`` is what ``scripts/pictures`` draws."""
+    """Those of ``docs/pictures`` that ``scripts/pictures`` draws are what it draws."""
     command = [sys.executable, "scripts/pictures", "--check"]
     done = subprocess.run(command, cwd=ROOT, check=False, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr

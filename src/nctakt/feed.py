@@ -15,6 +15,7 @@ from nctakt.budget import Budget
 from nctakt.decoder import commands
 from nctakt.decoder.commands import Answer, Command
 from nctakt.decoder.own_variables import Scopes
+from nctakt.decoder.plain_blocks import PlainRun
 from nctakt.decoder.program import ProgramDecoder
 from nctakt.decoder.state import state_at_program_start
 from nctakt.decoder.surroundings import DecodeError
@@ -62,6 +63,7 @@ class Feed:
             state,
             registry.next_cycle,
             partial(registry.keep, channel=machine.number_in_names(program.channel)),
+            takes_runs=budget is None,
         )
         self._decoded: Generator[Command, Answer] = self._decoder.decode(program.text)
         self.given_up: Diagnostic | None = None
@@ -72,6 +74,7 @@ class Feed:
         self._budget = budget
         if budget is not None:
             budget.forgive()
+        self._high_water = self._channel.ahead.blocks + HIGH_WATER
         self._channel.taken_source = 0
         self._channel.decoder_open = True
         self._channel.wants_slot = False
@@ -91,8 +94,8 @@ class Feed:
     @property
     def wants_to_decode(self) -> bool:
         """Whether the decoder does not wait, and the queue is not full."""
-        high_water = self._channel.ahead.blocks + HIGH_WATER
-        return bool(self._channel.decoder_open and self._channel.timed_count < high_water)
+        channel = self._channel
+        return bool(channel.decoder_open and channel.timed_count < self._high_water)
 
     def _take_held(self) -> bool:
         """Put what was decoded ahead of its time into the queue, if it is paid by now."""
@@ -157,6 +160,9 @@ class Feed:
         self._channel.decoder_open = False
 
     def _take(self, command: Command) -> None:
+        if isinstance(command, PlainRun):
+            command.blocks.fill(self._channel, self._high_water)
+            return
         if isinstance(command, commands.LoadCycle):
             self._load(command)
             return

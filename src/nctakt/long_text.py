@@ -111,10 +111,15 @@ class LongText(Sequence[str]):
 
     def from_line(self, first: int) -> Iterator[str]:
         """The lines from index ``first`` on."""
+        for group in self.groups(first):
+            yield from group
+
+    def groups(self, first: int) -> Iterator[list[str]]:
+        """The lines from index ``first`` on, some at a time."""
         with self._path.open("rb") as file:
             for group in range(first // LINES_PER_PLACE, len(self._places) - 1):
                 lines = self._read(file, group)
-                yield from lines[max(0, first - group * LINES_PER_PLACE) :]
+                yield lines[max(0, first - group * LINES_PER_PLACE) :]
 
     @overload
     def __getitem__(self, index: int) -> str: ...

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Compiled or plain: which form of the realtime part is imported.
 
-The modules of ``nctakt.kernel``, and some of ``nctakt.schedule``, are Python files that are
-compiled at installation where there is a C compiler. ``use_plain``, called before the first of
-them is imported, makes Python import the files themselves: slower, for debuggers and coverage, with
-the same results. The environment variable ``NCTAKT_PLAIN=1`` does the same.
+The modules of ``nctakt.kernel``, and some of the decoder and of ``nctakt.schedule``, are Python
+files that are compiled at installation where there is a C compiler. ``use_plain``, called before
+the first of them is imported, makes Python import the files themselves: slower, for debuggers and
+coverage, with the same results. The environment variable ``NCTAKT_PLAIN=1`` does the same.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from types import ModuleType
 
 _PACKAGE = "nctakt.kernel."
 #: The packages with compiled modules.
-_PACKAGES = (_PACKAGE, "nctakt.schedule.")
+_PACKAGES = (_PACKAGE, "nctakt.decoder.", "nctakt.nc.", "nctakt.schedule.")
 
 
 class _PlainFinder:
@@ -38,7 +38,11 @@ class _PlainFinder:
 
 def use_plain() -> None:
     """Import the realtime part as plain Python from now on; it must not be imported yet."""
-    loaded = [name for name in sys.modules if name.startswith(_PACKAGE)]
+    loaded = [
+        name
+        for name, module in sys.modules.items()
+        if name.startswith(_PACKAGES) and str(module.__file__).endswith((".so", ".pyd"))
+    ]
     assert not loaded, loaded
     if not any(finder is _PlainFinder for finder in sys.meta_path):
         sys.meta_path.insert(0, _PlainFinder)

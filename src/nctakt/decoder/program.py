@@ -31,6 +31,7 @@ from nctakt.decoder.hashes import Hashes
 from nctakt.decoder.levels import MOST_LEVELS, MOST_NESTED, Level
 from nctakt.decoder.macros import Macros
 from nctakt.decoder.offsets import ALL, left_over
+from nctakt.decoder.plain_blocks import PlainBlocks
 from nctakt.decoder.requests import MovedAxes
 from nctakt.decoder.state import ModalState
 from nctakt.decoder.surroundings import Surroundings
@@ -43,7 +44,7 @@ from nctakt.kernel import arithmetic
 from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG
 from nctakt.nc import syntax
 from nctakt.nc.check_path import FORMS, command_name
-from nctakt.nc.outline import ProgramText, leads_to
+from nctakt.nc.outline import ProgramText, SectionReader, leads_to
 
 #: Blocks that may be decoded in a row without one that takes time (a loop that never moves).
 MOST_BLOCKS_WITHOUT_TIME = 100_000
@@ -58,7 +59,7 @@ class ProgramDecoder:
     """Decodes one main program.
 
     ``number_cycle`` gives each cycle definition its serial number and its first probe, and keeps
-    what was built.
+    what was built. ``takes_runs``: whoever takes the commands knows what to do with a ``PlainRun``.
     """
 
     def __init__(
@@ -67,6 +68,8 @@ class ProgramDecoder:
         state: ModalState,
         next_cycle: Callable[[], tuple[int, int]],
         keep_cycle: Callable[[CycleDefinition], None],
+        *,
+        takes_runs: bool,
     ) -> None:
         self._surroundings = surroundings
         self._state = state
@@ -81,6 +84,10 @@ class ProgramDecoder:
         self._levels = state.levels
         self._next_cycle = next_cycle
         self._keep_cycle = keep_cycle
+        self._plain = PlainBlocks(
+            self._values, self._moved, self._words.technology, MOST_BLOCKS_WITHOUT_TIME
+        )
+        self._takes_runs = takes_runs
         self._blocks = 0
         self._nested = 0
 
@@ -156,6 +163,9 @@ class ProgramDecoder:
     ) -> Decoded:
         """Statement by statement; from the one on that a label stands at or in."""
         self._nested += 1
+        reader = None
+        if self._takes_runs and isinstance(statements, SectionReader):
+            reader = statements
         for statement in statements:
             if label is None:
                 signal = yield from self._statement(statement)
@@ -171,6 +181,8 @@ class ProgramDecoder:
             if signal:
                 self._nested -= 1
                 return signal
+            if reader is not None and label is None:
+                self._blocks = yield from self._plain.decode(reader, self._blocks)
         self._nested -= 1
         return ""
 

@@ -115,6 +115,11 @@ class MovedAxes:
             for axes in (*self._running.values(), *self._nameless):
                 self._doubtful.update(dict.fromkeys(axis for axis in axes if axis not in moved))
 
+    @property
+    def is_quiet(self) -> bool:
+        """Whether no axis is or will become doubtful by what is known."""
+        return not (self._doubtful or self._armed or self._running or self._nameless)
+
     def doubtful(self, axes: Iterable[str]) -> tuple[str, ...]:
         """Those of these axes whose positions have to be requested before the path moves them."""
         return tuple(axis for axis in axes if axis in self._doubtful) if self._doubtful else ()

@@ -117,6 +117,17 @@ class ModalState:
         return self.motion == 0
 
     @property
+    def is_usual(self) -> bool:
+        """Whether lines and feeds mean what they mean without any further function.
+
+        Each function that changes how a line is made of its block has to be asked for here: plain
+        blocks then take the tree's way (``plain_blocks.py``).
+        """
+        pace = self.pace
+        has_override = pace.path_override != (1.0, 1.0) or bool(pace.axis_overrides)
+        return pace.feed_mode == 94 and not has_override
+
+    @property
     def length_unit_mm(self) -> float:
         """Millimetres in the active unit of length."""
         return MM_PER_INCH if self.inch else 1.0

@@ -60,6 +60,11 @@ class TechnologyOutputs:
                 yield one.output
         yield from _awaits(functions, _AWAITED_BEHIND)
 
+    @property
+    def awaits_feed(self) -> bool:
+        """Whether the next motion with feed waits for something."""
+        return bool(self._late["MVS_SLM"])
+
     def before_feed(self) -> Iterator[Command]:
         """A motion with feed begins: MVS_SLM is due."""
         return self._settle("MVS_SLM")

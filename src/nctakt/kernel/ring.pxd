@@ -18,4 +18,9 @@ cdef class CommandRing:
 
     @cython.locals(length=double, oldest=Py_ssize_t, promised_v=double, promised_free_v=double)
     cdef void prepare(self, Py_ssize_t base, double feed_v, double deviation) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void begin_segment(self, Py_ssize_t base, double source, double number, int exact_stop, int limits_jerk) noexcept nogil
+    cdef void end_segment(self, Py_ssize_t base, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
+    @cython.locals(base=Py_ssize_t, i=Py_ssize_t)
+    cdef void put_line(self, double source, double number, double[::1] start, double[::1] target, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
     cdef int passes(self, int kind) noexcept nogil

@@ -113,15 +113,7 @@ class CommandRing:
         numbers of a segment (``shape.py``); the override in it counts in its speed from here on.
         """
         base = self.next_row()
-        for i in range(self.width):
-            self.queue[base + i] = 0.0
-        self.queue[base] = SEGMENT
-        self.queue[base + 1] = source
-        self.queue[base + 2] = number
-        self.queue[base + 8] = exact_stop
-        self.queue[base + 10] = limits_jerk
-        if limits_jerk:
-            self.latest = -1
+        self.begin_segment(base, source, number, exact_stop, limits_jerk)
         for i in range(self.path.count):
             self.queue[base + 12 + i] = start[i]
             self.queue[base + 12 + self.path.count + i] = target[i]
@@ -129,13 +121,52 @@ class CommandRing:
             self.queue[base + 9] = 1.0
             for i in range(5):
                 self.queue[base + 12 + 2 * self.path.count + 7 + i] = arc[i]
-        self.tail += 1
-        self.timed_count += 1
         if pace is not None:
             for i in range(4):
                 self.queue[base + self.width - 4 + i] = pace[i]
             if feed_v > 0.0:
                 feed_v *= pace[0]
+        self.end_segment(base, feed_v, exact_stop, deviation, limits_jerk)
+
+    def put_line(
+        self,
+        source: int,
+        number: int,
+        start: memoryview[float],
+        target: memoryview[float],
+        feed_v: float,
+        exact_stop: int,
+        deviation: float,
+        limits_jerk: int,
+    ) -> None:
+        """``put_segment`` of a line, without objects; there is room for it (``reserve``)."""
+        base = self.tail % self.capacity * self.width
+        self.begin_segment(base, source, number, exact_stop, limits_jerk)
+        for i in range(self.path.count):
+            self.queue[base + 12 + i] = start[i]
+            self.queue[base + 12 + self.path.count + i] = target[i]
+        self.end_segment(base, feed_v, exact_stop, deviation, limits_jerk)
+
+    def begin_segment(
+        self, base: int, source: int, number: int, exact_stop: int, limits_jerk: int
+    ) -> None:
+        """The head of a segment, in a row that is otherwise empty."""
+        for i in range(self.width):
+            self.queue[base + i] = 0.0
+        self.queue[base] = 1.0
+        self.queue[base + 1] = source
+        self.queue[base + 2] = number
+        self.queue[base + 8] = exact_stop
+        self.queue[base + 10] = limits_jerk
+        if limits_jerk:
+            self.latest = -1
+
+    def end_segment(
+        self, base: int, feed_v: float, exact_stop: int, deviation: float, limits_jerk: int
+    ) -> None:
+        """The segment stands in its row: it counts, and is prepared."""
+        self.tail += 1
+        self.timed_count += 1
         self.prepare(base, feed_v, deviation)
         self.latest = -1 if exact_stop or limits_jerk else self.tail - 1
 
@@ -167,6 +198,11 @@ class CommandRing:
         if self.tail - self.head >= self.capacity:
             self.grow()
         return self.tail % self.capacity * self.width
+
+    def reserve(self, count: int) -> None:
+        """Room for so many commands in all, and one more."""
+        while self.capacity <= count + self.tail - self.head - self.timed_count:
+            self.grow()
 
     def grow(self) -> None:
         """Double the queue: many commands without motion stand in a row."""

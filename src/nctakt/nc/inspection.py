@@ -21,7 +21,8 @@ from nctakt.nc.branches import realtime_cycles
 from nctakt.nc.check import PROGRAM_ENDS, SUBPROGRAM_ENDS, Checker, Role, ends
 from nctakt.nc.names import NameTable
 from nctakt.nc.outline import ProgramText, Section, labels_in
-from nctakt.nc.parser import parse_from, sections
+from nctakt.nc.parser import StatementReader, sections
+from nctakt.nc.plain import PlainScanner, shape_code
 from nctakt.nc.source import Source
 from nctakt.nc.syntax import (
     AxisWord,
@@ -67,13 +68,22 @@ def inspect(
     ``role``: whether M17 or M30 ends it. Behind the end only what a jump leads to is checked.
     """
     found = Collector()
-    sequel = _Sequel(source, Checker(source, names, channel, found), found, role, watcher)
-    for line, section, statement in sections(source, parse_from(source, found), found):
+    checker = Checker(source, names, channel, found)
+    sequel = _Sequel(source, checker, plain_scanner(channel), found, role, watcher)
+    statements = StatementReader(source, found)
+    for line, section, statement in sections(source, statements, found):
         sequel.take(line, section, statement)
+        sequel.pass_over(statements)
     program = sequel.finish()
     found.diagnostics.sort(key=_place)
     collector.diagnostics += _told_once(found.diagnostics)
     return program
+
+
+def plain_scanner(channel: ChannelParameters) -> PlainScanner:
+    """What reads plain blocks of this channel: those of its axes that no spindle is called like."""
+    spindles = [spindle.name for spindle in channel.spindles]
+    return PlainScanner(["" if one.name in spindles else one.name for one in channel.axes])
 
 
 def _told_once(found: list[Diagnostic]) -> list[Diagnostic]:
@@ -93,6 +103,7 @@ class _Sequel:
         self,
         source: Source,
         checker: Checker,
+        scanner: PlainScanner,
         found: Collector,
         role: Role,
         watcher: Watcher | None,
@@ -103,6 +114,7 @@ class _Sequel:
         self._number = 0
         self._source = source
         self._checker = checker
+        self._scanner = scanner
         self._watcher = watcher
         self._collector = found
         self._found = found.diagnostics
@@ -110,6 +122,7 @@ class _Sequel:
         self._ended = False
         self._empty = True
         self._in_order: dict[Shape, None] = {}
+        self._plain_in_order: set[int] = set()
         self._local_calls: list[SubprogramCall] = []
 
     def take(self, line: int, number: int, statement: Statement) -> None:
@@ -128,6 +141,16 @@ class _Sequel:
             self._block(statement)
         elif self._is_checked(statement):
             self._check(statement)
+
+    def pass_over(self, statements: StatementReader) -> None:
+        """Take the plain lines that come next, where their statements are neither kept nor new."""
+        if self._section is None or self._section.kept is not None:
+            return
+        lines = statements.lines
+        while lines is not None and lines.more():
+            lines.index = self._scanner.pass_over(lines.group, lines.index, self._plain_in_order)
+            if lines.index < len(lines.group):
+                return
 
     def _begin(self, line: int, number: int, start: ProgramStart) -> None:
         self._end_section()
@@ -165,6 +188,7 @@ class _Sequel:
         self._ended = ends(block, numbers)
         if shape is not None and len(self._found) == before:
             self._in_order[shape] = None
+            self._plain_in_order.add(shape_code(shape))
 
     def _is_checked(self, statement: Statement) -> bool:
         """Behind the end of a section what no jump leads to never runs."""

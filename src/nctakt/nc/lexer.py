@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from nctakt.diagnostics import Span
 from nctakt.messages import Collector
-from nctakt.nc.source import Source
+from nctakt.nc.source import LineReader, Source
 
 #: Characters that a block may have, and those beyond which it is not read at all (20301).
 BLOCK_LENGTH = 4000
@@ -165,11 +165,14 @@ def _end_of_parentheses(line: str, start: int) -> int:
 
 
 class Lexer:
-    """Gives the blocks of a source one by one; each line is read once and only when it is due."""
+    """Gives the blocks of a source one by one; each line is read once and only when it is due.
+
+    Between two blocks others may take lines from ``lines``.
+    """
 
     def __init__(self, source: Source, collector: Collector, first_line: int = 1) -> None:
         self._file = source.file
-        self._lines = source.numbered(first_line)
+        self.lines = LineReader(source, first_line)
         self._waiting: tuple[int, str] | None = None
         self._collector = collector
         self._finished = False
@@ -223,16 +226,23 @@ class Lexer:
         if self._waiting is not None:
             line, self._waiting = self._waiting, None
             return line
-        if self._finished:
+        lines = self.lines
+        if self._finished or not (lines.index < len(lines.group) or lines.more()):
             return None
-        for number, raw in self._lines:
-            if "\0" in raw:
-                column = raw.index("\0") + 1
-                self._finished = True
-                self._report(900108, number, column, column + 1, raw)
-                return None
-            return number, raw
-        return None
+        number = lines.number
+        raw = lines.group[lines.index]
+        lines.index += 1
+        if "\0" in raw:
+            column = raw.index("\0") + 1
+            self._finished = True
+            self._report(900108, number, column, column + 1, raw)
+            return None
+        return number, raw
+
+    @property
+    def is_between(self) -> bool:
+        """Whether the next line of ``lines`` is the next one that a block would begin with."""
+        return self._waiting is None and not self._finished
 
     def _joined(self, text: str, number: int, raw: str) -> BlockText | None:
         """Put together what ``\\`` continues; lines without content between count for nothing."""

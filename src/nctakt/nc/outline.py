@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 
 from nctakt.diagnostics import Span
 from nctakt.messages import Collector
-from nctakt.nc.parser import parse_from
-from nctakt.nc.source import Source
+from nctakt.nc.parser import StatementReader
+from nctakt.nc.source import LineReader, Source
 from nctakt.nc.syntax import (
     Do,
     For,
@@ -118,13 +118,34 @@ class ProgramText:
         line = section.first_line if label is None else section.labels[label]
         if section.kept is not None:
             return (statement for begin, statement in section.kept if begin >= line)
-        return self._read(section, line)
+        return SectionReader(self.source, section, line)
 
-    def _read(self, section: Section, line: int) -> Iterator[Statement]:
-        """What was found when the text was checked is not told again."""
-        for begin, statement in parse_from(self.source, Collector(), line):
-            if isinstance(statement, ProgramStart):
-                if begin > section.first_line and (statement.local or section.is_local):
-                    return
-            else:
-                yield statement
+
+class SectionReader:
+    """The statements of a section from a line on, read from the text.
+
+    What was found when the text was checked is not told again. Between two statements others may
+    take lines (``lines``).
+    """
+
+    def __init__(self, source: Source, section: Section, line: int) -> None:
+        self.source = source
+        self._section = section
+        self._statements = StatementReader(source, Collector(), line)
+
+    def __iter__(self) -> Iterator[Statement]:
+        return self
+
+    def __next__(self) -> Statement:
+        for begin, statement in self._statements:
+            if not isinstance(statement, ProgramStart):
+                return statement
+            section = self._section
+            if begin > section.first_line and (statement.local or section.is_local):
+                break
+        raise StopIteration
+
+    @property
+    def lines(self) -> LineReader | None:
+        """The lines that come next, unless they belong to what has been begun."""
+        return self._statements.lines

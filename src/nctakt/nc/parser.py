@@ -19,7 +19,7 @@ from nctakt.nc.expressions import unreadable
 from nctakt.nc.frames import VariablesFrame
 from nctakt.nc.heads import parse_head, parse_program_start
 from nctakt.nc.lexer import BlockError, BlockText, Lexer
-from nctakt.nc.source import Source
+from nctakt.nc.source import LineReader, Source
 from nctakt.nc.structure import Structure
 from nctakt.nc.syntax import (
     NO_HEAD,
@@ -43,42 +43,68 @@ def parse(source: Source, collector: Collector) -> Iterator[Statement]:
 
     A structure is one statement, given when it is closed. Lines are read when they are due.
     """
-    for _, statement in parse_from(source, collector):
+    for _, statement in StatementReader(source, collector):
         yield statement
 
 
-def parse_from(
-    source: Source, collector: Collector, first_line: int = 1
-) -> Iterator[tuple[int, Statement]]:
+class StatementReader:
     """As ``parse``, from a line on, each statement with the line in which it begins.
 
-    ``first_line`` is one that was given before, so that no structure is open there.
+    ``first_line`` is one that was given before, so that no structure is open there. Between two
+    statements others may take lines (``lines``).
     """
-    structure = Structure(collector)
-    lexer = Lexer(source, collector, first_line)
-    begin = first_line
-    empty = True
-    for text in lexer.blocks():
-        empty = False
-        if structure.top is None:
-            begin = text.line_number
-        _block(text, lexer, structure)
-        if structure.ready:
-            for statement in structure.ready:
-                yield begin, statement
-            structure.ready.clear()
-    structure.close_all()
-    for statement in structure.ready:
-        yield begin, statement
-    if empty and not collector.has_errors:
-        place = Span(source.file, 1, 1, 2)
-        collector.report(900109, place, source.line_of(place))
+
+    def __init__(self, source: Source, collector: Collector, first_line: int = 1) -> None:
+        self._structure = Structure(collector)
+        self._lexer = Lexer(source, collector, first_line)
+        self._statements = self._read(source, collector, first_line)
+        self._given = 0
+
+    def __iter__(self) -> Iterator[tuple[int, Statement]]:
+        return self
+
+    def __next__(self) -> tuple[int, Statement]:
+        return next(self._statements)
+
+    @property
+    def lines(self) -> LineReader | None:
+        """The lines that come next, unless they belong to what has been begun."""
+        structure = self._structure
+        is_between = structure.top is None and self._given == len(structure.ready)
+        return self._lexer.lines if is_between and self._lexer.is_between else None
+
+    def _read(
+        self, source: Source, collector: Collector, first_line: int
+    ) -> Iterator[tuple[int, Statement]]:
+        structure = self._structure
+        begin = first_line
+        empty = True
+        for text in self._lexer.blocks():
+            empty = False
+            if structure.top is None:
+                begin = text.line_number
+            _block(text, self._lexer, structure)
+            if structure.ready:
+                yield from self._ready(begin)
+                structure.ready.clear()
+        structure.close_all()
+        yield from self._ready(begin)
+        if empty and not collector.has_errors:
+            place = Span(source.file, 1, 1, 2)
+            collector.report(900109, place, source.line_of(place))
+
+    def _ready(self, begin: int) -> Iterator[tuple[int, Statement]]:
+        """What is finished, counted as it is given."""
+        self._given = 0
+        for statement in self._structure.ready:
+            self._given += 1
+            yield begin, statement
 
 
 def parse_program(source: Source, collector: Collector) -> Program:
     """The whole program; diagnostics in the order of the text."""
     found = Collector()
-    program = _assemble(source, parse_from(source, found), found)
+    program = _assemble(source, StatementReader(source, found), found)
     found.diagnostics.sort(key=_place)
     collector.diagnostics += found.diagnostics
     return program

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 from nctakt.diagnostics import Span
 from nctakt.long_text import LongText
@@ -20,16 +21,47 @@ class Source:
     file: str
     lines: Sequence[str]
 
-    def numbered(self, first: int = 1) -> Iterator[tuple[int, str]]:
-        """The lines from one on with their numbers."""
-        if first == 1:
-            return enumerate(self.lines, start=1)
+    def groups(self, first: int = 1) -> Iterator[list[str]]:
+        """The lines from one on, some at a time."""
         if isinstance(self.lines, LongText):
-            return enumerate(self.lines.from_line(first - 1), start=first)
-        return ((number + 1, self.lines[number]) for number in range(first - 1, len(self.lines)))
+            return self.lines.groups(first - 1)
+        if isinstance(self.lines, list):
+            return iter((self.lines[first - 1 :],))
+        return ([line] for line in islice(self.lines, first - 1, None))
 
     def line_of(self, span: Span | None) -> str:
         """The whole line that a span stands in; empty without a span or outside the text."""
         if span is None or not 1 <= span.line <= len(self.lines):
             return ""
         return self.lines[span.line - 1]
+
+
+class LineReader:
+    """Goes through the lines of a source: the next one is ``group[index]``, its number ``number``.
+
+    Whoever takes lines moves ``index`` on; behind the group ``more`` fetches the next one.
+    """
+
+    __slots__ = ("_first", "_groups", "group", "index")
+
+    def __init__(self, source: Source, first: int = 1) -> None:
+        self._groups = source.groups(first)
+        self._first = first  # the number of the group's first line
+        self.group: list[str] = []
+        self.index = 0
+
+    @property
+    def number(self) -> int:
+        """The number of the next line."""
+        return self._first + self.index
+
+    def more(self) -> bool:
+        """Whether there is a next line."""
+        while self.index >= len(self.group):
+            group = next(self._groups, None)
+            if group is None:
+                return False
+            self._first += len(self.group)
+            self.group = group
+            self.index = 0
+        return True

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: MIT
+"""When plain blocks take the short way, and what they find and leave there.
+
+In: the lines that come next in a long program. Out: a ``PlainRun``, with which the queue is filled
+directly (``plain_motion.py``) for as long as plain blocks follow. The modal state goes there and
+comes back, so that both ways mix block by block; a block that the short way does not take is
+decoded from its tree, with its diagnostics.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Generator
+from dataclasses import dataclass
+
+from nctakt.decoder.commands import Answer, Command
+from nctakt.decoder.plain_motion import PlainMotion
+from nctakt.decoder.requests import MovedAxes
+from nctakt.decoder.technology import TechnologyOutputs
+from nctakt.decoder.values import Values
+from nctakt.diagnostics import Span
+from nctakt.kernel.ring import CommandRing
+from nctakt.nc.inspection import plain_scanner
+from nctakt.nc.outline import SectionReader
+from nctakt.nc.plain import EMPTY, PLAIN
+from nctakt.nc.source import LineReader
+from nctakt.sources import NO_SOURCE, pack
+
+
+class PlainBlocks:
+    """The plain blocks of one program; not more than ``most`` in a row may take no time."""
+
+    def __init__(
+        self, values: Values, moved: MovedAxes, technology: TechnologyOutputs, most: int
+    ) -> None:
+        self._surroundings = values.surroundings
+        self._state = values.state
+        self._moved = moved
+        self._technology = technology
+        parameters = self._surroundings.parameters
+        self._scanner = plain_scanner(parameters)
+        self._motion = PlainMotion(self._scanner, len(self._surroundings.axes))
+        self._motion.most_blocks = most
+        self._motion.rapid_stops_exactly = parameters.exact_stop_after_g00
+        self._lines: LineReader | None = None
+
+    def decode(self, reader: SectionReader, blocks: int) -> Generator[Command, Answer, int]:
+        """Decode the plain blocks that come next.
+
+        ``blocks``: how many were decoded since the last one that takes time, before and behind.
+        """
+        lines = reader.lines
+        if lines is None or not self._comes(lines) or not self._is_usual():
+            return blocks
+        self._hand_over(reader.source.file)
+        self._motion.blocks = blocks
+        self._lines = lines
+        while self._lines is not None:
+            yield PlainRun(0, 0, self)
+        self._take_back()
+        return self._motion.blocks
+
+    def _comes(self, lines: LineReader) -> bool:
+        """Whether the next line that says anything is plain; empty ones are taken."""
+        while lines.more():
+            what = self._scanner.read(lines.group[lines.index])
+            if what != EMPTY:
+                return what == PLAIN
+            lines.index += 1
+        return False
+
+    def _is_usual(self) -> bool:
+        """Whether nothing is active that plain blocks do not know."""
+        return (
+            self._state.is_usual
+            and not self._surroundings.tells_blocks
+            and self._moved.is_quiet
+            and not self._technology.awaits_feed
+        )
+
+    def _hand_over(self, file: str) -> None:
+        motion, state = self._motion, self._state
+        surroundings = self._surroundings
+        for index, axis in enumerate(surroundings.axes):
+            motion.set_axis(
+                index,
+                state.positions[index],
+                surroundings.offsets.total(index),
+                state.length_unit_mm if axis.is_linear else 1.0,
+                -math.inf if axis.is_modulo else axis.software_limit_low,
+                math.inf if axis.is_modulo else axis.software_limit_high,
+            )
+        feed_unit = surroundings.parameters.program_start.feed_unit_mm_min
+        motion.motion = state.motion
+        motion.feed_v = state.feed_mm_s
+        motion.feed_factor = state.length_unit_mm if state.inch else feed_unit
+        motion.is_absolute = state.absolute
+        motion.stops_exactly = state.path.exact_stop
+        motion.deviation = state.path.deviation if state.path.contouring else 0.0
+        motion.limits_jerk = state.path.limits_jerk
+        place = surroundings.place(Span(file, 1, 1, 2))
+        motion.place = -1 if place == NO_SOURCE else place - pack(0, 1, 1)
+
+    def _take_back(self) -> None:
+        motion, state = self._motion, self._state
+        state.positions = motion.places()
+        state.motion = motion.motion
+        state.feed_mm_s = motion.feed_v
+
+    def fill(self, ring: CommandRing, timed: int) -> None:
+        """Fill the queue up to so many commands that take time, or up to a block that is not plain.
+
+        Whoever takes the ``PlainRun`` does this.
+        """
+        lines = self._lines
+        assert lines is not None
+        ring.reserve(timed)
+        while ring.timed_count < timed:
+            if not lines.more():
+                self._lines = None
+                return
+            lines.index = self._motion.fill(ring, timed, lines.group, lines.index, lines.number)
+            if lines.index < len(lines.group) and ring.timed_count < timed:
+                self._lines = None
+                return
+
+
+@dataclass(frozen=True, slots=True)
+class PlainRun(Command):
+    """Plain blocks come next, which ``blocks`` puts into the queue."""
+
+    blocks: PlainBlocks

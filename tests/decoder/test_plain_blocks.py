@@ -1,0 +1,336 @@
+# SPDX-License-Identifier: MIT
+"""Plain blocks on their short way: the same commands, events and diagnostics as from the tree.
+
+Every program is decoded in both ways, as a long one that is read from its text: once with the short
+way (``decoder/plain_motion.py``), once with each block as a tree. Rows of the queue are compared as
+bits.
+"""
+
+from __future__ import annotations
+
+import random
+import struct
+from collections.abc import Generator
+from pathlib import Path
+
+import pytest
+
+from nctakt import loading
+from nctakt.controller import Controller, NcText
+from nctakt.decoder import plain_blocks, program
+from nctakt.diagnostics import Diagnostic
+from nctakt.failure import Failure
+from nctakt.feed import Feed
+from nctakt.kernel.ring import CommandRing
+from nctakt.messages import Collector
+from nctakt.nc import outline
+from nctakt.nc.lexer import Lexer
+from nctakt.nc.parser import parse
+from nctakt.nc.plain import EMPTY, OTHER, PLAIN, PlainScanner, shape_code
+from nctakt.nc.source import Source
+from nctakt.nc.syntax import AxisWord, Block, Number, Word
+
+#: Lines of all kinds: plain ones, nearly plain ones, and those that change what plain ones mean.
+OTHERS = (
+    "",
+    "   ",
+    "; G01 X1",
+    "(a (b) c)",
+    "N30 (only a comment)",
+    "G90",
+    "G91",
+    "G70",
+    "G71",
+    "G54",
+    "G53",
+    "G92 X3 Y-2",
+    "G60 X1",
+    "G93 F0.1",
+    "G94",
+    "G95",
+    "G94 F9000",
+    "#OVERRIDE [FEED_FACT=50]",
+    "#OVERRIDE [FEED_FACT=100]",
+    "X[OVERRIDE FEED_FACT=30]",
+    "G166 X2",
+    "G360",
+    "G359",
+    "G261",
+    "G260",
+    "G02 X4 Y3 R900",
+    "G03 I5 J0\nG01",
+    "X5 Y5",
+    "G04 0.01",
+    "F 2000",
+    "F3000.5",
+    "G01",
+    "G00",
+    "M100",
+    "V.P.A = V.P.A + 1",
+    "X = V.P.A",
+    "X = 1 Y2",
+    "X1.5 Y[1 + 1]",
+    "/ X9",
+    "/2 Y9",
+    "N40: X2",
+    "#CONTOUR MODE [DEV PATH_DEV = 0.2]",
+    "#CONTOUR MODE ON",
+    "#FLUSH WAIT",
+    '#MSG ["hello %f", V.P.A]',
+    "$IF V.P.A > 3\nX7\nG01 Y3\n$ENDIF",
+    "$FOR V.P.I = 1, 3, 1\nX = V.P.I\n$ENDFOR",
+    "X1 \\\nY2",
+    "#COMMENT BEGIN\nX1\n#COMMENT END",
+    "#SLOPE [TYPE=TRAPEZ]",
+    "#SLOPE [TYPE=STEP]",
+    "#FLUSH",
+)
+WRONG = (
+    "X99999",
+    "G01 X1 X2",
+    "X",
+    "Q5",
+    "G01 G00 X1",
+    "X1 0",
+    "Y1..2",
+    "N X1",
+    "G17 G02 X1",
+    "M99",
+)
+ENDS = ("M30", "", "%L SUB\nX1\nM17")
+
+
+def number(chance: random.Random) -> str:
+    """A number as programs write them."""
+    digits = f"{chance.uniform(0, 150):.{chance.randrange(6)}f}"
+    if chance.random() < 0.1:
+        digits = f"{chance.random():.{chance.randrange(1, 18)}f}".lstrip("0")
+    sign = chance.choice(("", "", "-", "+"))
+    return sign + digits + chance.choice(("", "", "" if "." in digits else "."))
+
+
+def plain_line(chance: random.Random) -> str:
+    """A line that is mostly plain."""
+    letters = chance.sample("XYZA", chance.randrange(1, 5))
+    words = [f"{letter}{number(chance)}" for letter in letters]
+    if chance.random() < 0.5:
+        words.insert(chance.randrange(len(words) + 1), chance.choice(("G01", "G1", "G00", "G 0")))
+    if chance.random() < 0.2:
+        words.insert(chance.randrange(len(words) + 1), f"F{chance.randrange(9000)}.5")
+    if chance.random() < 0.3:
+        words.insert(0, f"N{chance.randrange(1, 100000)}")
+    if chance.random() < 0.1:
+        words.append(chance.choice(("; end", "(note)", "(open", "(a) ")))
+    if chance.random() < 0.1:
+        words.insert(chance.randrange(len(words) + 1), "(in (side))")
+    line = chance.choice((" ", "", "\t", "  ")).join(words)
+    return chance.choice(("", "", " ")) + (line.lower() if chance.random() < 0.1 else line)
+
+
+def text(seed: int) -> str:
+    """A program of all kinds of lines; some have a mistake in them."""
+    chance = random.Random(seed)
+    lines = ["#VAR", "V.P.A = 1", "V.P.I = 0", "#ENDVAR"]
+    if chance.random() < 0.9:
+        lines.append("G01 F6000")
+    for _ in range(chance.randrange(5, 60)):
+        lines.append(plain_line(chance) if chance.random() < 0.75 else chance.choice(OTHERS))
+    if chance.random() < 0.3:
+        lines.insert(chance.randrange(len(lines)), chance.choice(WRONG))
+    lines.append(chance.choice(ENDS))
+    return "\n".join(lines)
+
+
+@pytest.fixture(autouse=True)
+def long(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every program is a long one."""
+    monkeypatch.setattr(outline, "KEPT_STATEMENTS", 0)
+
+
+def by_tree(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each block is decoded from its tree."""
+
+    def decode(_self: object, _reader: object, blocks: int) -> Generator[None, None, int]:
+        return blocks
+        yield
+
+    monkeypatch.setattr(plain_blocks.PlainBlocks, "decode", decode)
+
+
+Rows = tuple[list[bytes], list[Diagnostic]]
+
+
+def rows(content: str, high_water: int = 100_000) -> Rows:
+    """The queue of a program that is decoded up to its end or to where it waits."""
+    controller = Controller()
+    found = controller.diagnostics
+    try:
+        loaded = loading.load(NcText("p.nc", content), controller._machine, found)
+    except Failure as failure:
+        return [], failure.diagnostics
+    feed = Feed(controller._machine, loaded, found.append)
+    feed._high_water = high_water
+    channel = controller._machine.channels[0]
+    feed.refill()
+    queued = [channel.row(index) for index in range(channel.queued())]
+    return [struct.pack(f"{len(row)}d", *row) for row in queued], found
+
+
+@pytest.mark.parametrize("seed", range(150))
+def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Random programs: the rows of the queue are equal to the bit, and so are the diagnostics."""
+    content = text(seed)
+    short = rows(content)
+    by_tree(monkeypatch)
+    assert rows(content) == short
+
+
+def test_many_random_programs_are_in_order_and_full_of_plain_blocks(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The comparison is worth something: rows of both ways in most of its programs."""
+    taken = 0
+    fill = plain_blocks.PlainBlocks.fill
+
+    def count(blocks: plain_blocks.PlainBlocks, ring: CommandRing, timed: int) -> None:
+        nonlocal taken
+        before = ring.timed_count
+        fill(blocks, ring, timed)
+        taken += ring.timed_count - before
+
+    monkeypatch.setattr(plain_blocks.PlainBlocks, "fill", count)
+    found = [len(rows(text(seed))[0]) for seed in range(60)]
+    assert sum(count > 5 for count in found) > 30
+    assert 0.5 * sum(found) < taken < 0.95 * sum(found)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_the_queue_is_filled_as_far(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Decoding stops at the same block when the queue is full (what is read later, is later)."""
+    content = text(1000 + seed)
+    water = 1 + seed % 7
+    short = rows(content, water)
+    by_tree(monkeypatch)
+    assert rows(content, water) == short
+
+
+@pytest.mark.parametrize("seed", range(25))
+def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Whole runs: trace, events with their places, diagnostics, messages."""
+    content = text(2000 + seed)
+    found = []
+    for _ in range(2):
+        run = Controller().run(NcText("p.nc", content), ticks=3000, skip_levels=(2,))
+        assert run.trace is not None
+        found.append((run.state, run.ticks, run.diagnostics, list(run.trace.events), run.messages))
+        by_tree(monkeypatch)
+    assert found[0] == found[1]
+
+
+def test_blocks_that_the_short_way_does_not_take_are_told_from_the_tree() -> None:
+    """Software limits (900306), a missing feed (20008): with the place of their word or block."""
+    lines = "G01 F100\nX1\nX99999\n"
+    assert [str(one.span) for one in rows(lines)[1]] == ["p.nc:3:1"]
+    assert [one.id for one in rows(lines)[1]] == [900306]
+    found = rows("G90\nG00 X1 F0\n  G01 X2\n")[1]
+    assert [(one.id, str(one.span)) for one in found] == [(20008, "p.nc:3:3")]
+
+
+def test_blocks_without_time_are_counted_on_both_ways(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A bounded number of blocks in a row takes no time (900303), whichever way they go."""
+    monkeypatch.setattr(program, "MOST_BLOCKS_WITHOUT_TIME", 20)
+    assert rows("G01 F100\n" + "F100\n" * 18 + "X1\nM30")[1] == []
+    short = rows("G01 F100\n" + "F100\n" * 30)
+    assert [(one.id, str(one.span)) for one in short[1]] == [(900303, "p.nc:21:1")]
+    by_tree(monkeypatch)
+    assert rows("G01 F100\n" + "F100\n" * 30) == short
+
+
+# --- the scanner --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_numbers_are_those_of_float(seed: int) -> None:
+    """Up to 15 digits a number is what ``float`` reads, to the last bit and with its sign."""
+    chance = random.Random(seed)
+    scanner = PlainScanner(["X"])
+    for _ in range(2000):
+        whole = "".join(chance.choices("0123456789", k=chance.randrange(9)))
+        part = "".join(chance.choices("0123456789", k=chance.randrange(9)))
+        digits = chance.choice(("", "-", "+")) + whole + chance.choice((".", "." + part, ""))
+        what = scanner.read(f"X{digits}")
+        count = sum(one.isdigit() for one in digits)
+        assert what == (PLAIN if 0 < count <= 15 else OTHER), digits
+        if what == PLAIN:
+            assert struct.pack("d", scanner.values[0]) == struct.pack("d", float(digits))
+
+
+def words_of(scanner: PlainScanner, axes: str) -> dict[str, float]:
+    """What the scanner has read, by letter."""
+    found = {axis: scanner.values[i] for i, axis in enumerate(axes) if scanner.axes >> i & 1}
+    if scanner.motion >= 0:
+        found["G"] = scanner.motion
+    if scanner.has_feed:
+        found["F"] = scanner.feed
+    return found
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_the_scanner_reads_what_the_parser_reads(seed: int) -> None:
+    """Words, numbers, column and shape of each plain line are those of its tree."""
+    chance = random.Random(3000 + seed)
+    scanner = PlainScanner(["X", "Y", "Z", "A"])
+    plain = 0
+    for _ in range(300):
+        line = plain_line(chance)
+        if chance.random() < 0.3:
+            place = chance.randrange(len(line) + 1)
+            line = line[:place] + chance.choice(' XN.-;()[]=1:%#/\0\\"gF\xa0') + line[place:]
+        what = scanner.read(line)
+        source = Source("p.nc", [line])
+        collector = Collector()
+        if what == EMPTY:
+            assert list(Lexer(source, collector).blocks()) == []
+        if what != PLAIN:
+            continue
+        plain += 1
+        statements = list(parse(source, collector))
+        assert not collector.diagnostics, line
+        assert len(statements) == 1, line
+        block = statements[0]
+        assert isinstance(block, Block)
+        assert block.span.column == scanner.column, line
+        number = block.head.number
+        assert (0 if number is None else number.value) == scanner.number  # type: ignore[attr-defined]
+        words: dict[str, float] = {}
+        shape: list[str | float] = []
+        for word in block.words:
+            assert isinstance(word, AxisWord | Word)
+            assert isinstance(word.value, Number)
+            words[word.name] = word.value.value
+            shape += [word.name, word.value.value] if word.name == "G" else [word.name]
+        assert words == words_of(scanner, "XYZA"), line
+        assert shape_code(shape) == scanner.shape, line
+    assert plain > 100
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        *("X1=2", "X1 0", "X", "X-", "X.", "X1 Y", "G02 X1", "G1.5 X1", "X1 X2", "G01 G01 X1"),
+        *("N1", "N1: X1", "N0 X1", "N1 [A] X1", "/X1", "X1 \\", "%1", "X1 ;\0", "X1 (\0", "Q1"),
+        *("X1\xa0", "X\xbd", "X\u0661", "N1234567890123456 X1", "X1234567890123456", "L1 X1"),
+        "X" + "1" * 4000,
+    ],
+)
+def test_whatever_is_not_plain_is_left_to_the_parser(line: str) -> None:
+    """Nothing is guessed: what the short way does not know has a meaning or a mistake elsewhere."""
+    assert PlainScanner(["X", "Y"]).read(line) == OTHER
+
+
+def test_shapes_that_no_plain_block_has_have_no_code() -> None:
+    """Only one-letter words, G00 and G01 count, and not more than twelve."""
+    assert shape_code(("X1",)) == 0
+    assert shape_code(("G", 2.0, "X")) == 0
+    assert shape_code(tuple("XYZABCUVWXYZF")) == 0
+    assert len({shape_code(one) for one in (("X",), ("X", "Y"), ("G", 0.0), ("G", 1.0))}) == 4

@@ -86,6 +86,7 @@ LINES: list[tuple[str, dict[str, object], list[int]]] = [
     ("thread[-1].name X", NOTHING, [NEAREST]),
     ("thread[0]name X", NOTHING, [NEAREST]),
     ("cycle_time   \t ", NOTHING, [NO_VALUE]),
+    ("thread[0].name \t ", NOTHING, [NO_VALUE]),
     ("(cycle_time 2000", NOTHING, [NEAREST]),
     ("/* cycle_time 2000", NOTHING, [UNKNOWN]),
     ("thread[0].name 'single'", {NAME: "'single'"}, []),

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+import nctakt
 from nctakt.cli import main
 from nctakt.controller import Controller, NcText
 from nctakt.failure import Failure
@@ -17,6 +18,7 @@ from nctakt.lists.rtconf_profile import PROFILES, RtconfOptions
 from nctakt.results.run import Run
 from nctakt.results.summary import print_summary
 from nctakt.schedule.opening import RunSchedule, open_schedule
+from nctakt.stimuli import Stimulus
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 LIST = """\
@@ -38,6 +40,7 @@ thread[1].function[0].name task_rnd
 End
 """
 LOAD = "[functions]\ntask_int = 100\ntask_rnd = 600\n[controller]\nblock = 1\n"
+DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
 PLC = "external_thread[0].semaphore_name plc\nexternal_thread[0].cycle 2000\n"
 PLC_LOAD = "[external.plc]\ntime = 50\n"
 
@@ -127,6 +130,20 @@ def test_complete_needs_axes_that_allow_it(tmp_path: Path) -> None:
     standard = run(schedule(tmp_path, LIST.replace("SWITCHED", "STANDARD")), program)
     complete = run(schedule(tmp_path, LIST.replace("SWITCHED", "COMPLETE")), program)
     assert rows(complete) == rows(standard)
+
+
+def test_complete_where_all_axes_allow_it(tmp_path: Path) -> None:
+    """P-AXIS-00276 in the defaults list of the axes: COMPLETE puts out in the tick, as SWITCHED."""
+    machine = tmp_path / "machine"
+    shutil.copytree(DEMO, machine)
+    defaults = machine / "default_achs.lis"
+    allowed = "lr_param.field_bus_allows_optimized_schedule 1\n"
+    defaults.write_text(allowed + defaults.read_text("utf-8"), "utf-8")
+    program = NcText("program.nc", "N10 G01 X1 F6000\nM30\n")
+    complete = schedule(tmp_path, LIST.replace("SWITCHED", "COMPLETE"))
+    one = Controller(machine, complete).run(program)
+    other = Controller(machine, schedule(tmp_path)).run(program)
+    assert rows(one) == rows(other)
 
 
 def test_the_tick_is_the_cycle_of_the_interpolation(tmp_path: Path) -> None:
@@ -327,6 +344,37 @@ def test_programs_in_a_row_and_runs_in_a_row(tmp_path: Path) -> None:
         paced, usual = controller.run(text, text), plain.run(text, text)
         assert events(paced, "end") == events(usual, "end")
         assert paced.ticks == usual.ticks
+
+
+def test_reset_while_the_queue_is_empty(tmp_path: Path) -> None:
+    """RESET on the HLI ends a starving program; what it still owed is not the next one's."""
+    slow = LIST.replace("thread[1].cycle 1000", "thread[1].cycle 5000")
+    controller = Controller(
+        None, schedule(tmp_path, slow, LOAD.replace("block = 1", "block = 500"))
+    )
+    text = NcText("one.nc", "N10 G04 X0.001\nN20 G04 X0.001\nN30 G04 X0.001\nM30\n")
+    pressed = Stimulus(3_000, "HLI.RESET", 1)
+    first = controller.run(text, stimuli=[pressed])
+    assert first.state == "reset"
+    assert [found.first_tick for found in first.starved] == [1]
+    second = controller.run(NcText("two.nc", "N10 G04 X0.001\nM30\n"))
+    assert second.state == "ended"
+
+
+def test_values_are_read_when_a_block_begins(tmp_path: Path) -> None:
+    """Of 600 µs in each fifth NC cycle N10 takes 400, N20 the rest and 200 before tick 5.
+
+    So #MSG begins there: it sees what V.E.ASYNC is since tick 3, and not what it is from tick 5 on.
+    The message comes behind the dwell N20, which is tick 5.
+    """
+    slow = LIST.replace("thread[1].cycle 1000", "thread[1].cycle 5000")
+    given = schedule(tmp_path, slow, LOAD.replace("block = 1", "block = 400"))
+    program = 'N10 G04 X0.001\nN20 G04 X0.001\n#MSG ["%d", V.E.ASYNC]\nM30\n'
+    said = [
+        events(run(given, program, stimuli=[Stimulus(time_us, "V.E.ASYNC", 1)]), "message")
+        for time_us in (3_000, 5_000)
+    ]
+    assert said == [["6 message 1"], ["6 message 0"]]
 
 
 def test_random_times_are_the_same_each_time(tmp_path: Path) -> None:

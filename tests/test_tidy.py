@@ -466,7 +466,7 @@ def test_numbers_of_the_queue_have_names() -> None:
         "kernel/ring.py": ("TIMED_KINDS",),
         "feed.py": ("HIGH_WATER",),
         "kernel/hli.py": ("SLOT_COUNT",),
-        "kernel/path.py": ("RING_SIZE",),
+        "lists/startup.py": ("LEAST_BACKWARD_MEMORY",),
         "kernel/record.py": ("EVENT_WIDTH", "PROBE_WIDTH"),
         "nc/expressions.py": ("EXPRESSION_DEPTH",),
         "decoder/program.py": ("MOST_BLOCKS_WITHOUT_TIME",),

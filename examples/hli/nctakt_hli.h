@@ -94,6 +94,9 @@ typedef struct hli_channel {
     uint8_t paused; /* 1: single block waits for START */
     uint8_t armed; /* 1: a selected program waits for START */
     uint32_t error; /* number of the error that has stopped the channel, else 0 */
+    uint8_t retrace; /* 0: at its front, 1 backward over the history, 2 forward again */
+    uint32_t history; /* blocks in the history of the path, the current one included */
+    uint32_t history_size; /* blocks that the history holds (P-STUP-00033); 0: none */
     uint32_t override_total; /* that acts (%) */
     double path_speed; /* the speed on the path (mm/s) */
     double distance_to_go; /* left of the block (mm) */
@@ -106,14 +109,17 @@ _Static_assert(offsetof(hli_channel, state) == 0, "state");
 _Static_assert(offsetof(hli_channel, paused) == 1, "paused");
 _Static_assert(offsetof(hli_channel, armed) == 2, "armed");
 _Static_assert(offsetof(hli_channel, error) == 4, "error");
-_Static_assert(offsetof(hli_channel, override_total) == 8, "override_total");
-_Static_assert(offsetof(hli_channel, path_speed) == 16, "path_speed");
-_Static_assert(offsetof(hli_channel, distance_to_go) == 24, "distance_to_go");
-_Static_assert(offsetof(hli_channel, block) == 32, "block");
-_Static_assert(offsetof(hli_channel, active_cycles) == 36, "active_cycles");
-_Static_assert(offsetof(hli_channel, program) == 40, "program");
-_Static_assert(offsetof(hli_channel, realtime) == 840, "realtime");
-_Static_assert(sizeof(hli_channel) == 1640, "hli_channel");
+_Static_assert(offsetof(hli_channel, retrace) == 8, "retrace");
+_Static_assert(offsetof(hli_channel, history) == 12, "history");
+_Static_assert(offsetof(hli_channel, history_size) == 16, "history_size");
+_Static_assert(offsetof(hli_channel, override_total) == 20, "override_total");
+_Static_assert(offsetof(hli_channel, path_speed) == 24, "path_speed");
+_Static_assert(offsetof(hli_channel, distance_to_go) == 32, "distance_to_go");
+_Static_assert(offsetof(hli_channel, block) == 40, "block");
+_Static_assert(offsetof(hli_channel, active_cycles) == 44, "active_cycles");
+_Static_assert(offsetof(hli_channel, program) == 48, "program");
+_Static_assert(offsetof(hli_channel, realtime) == 848, "realtime");
+_Static_assert(sizeof(hli_channel) == 1648, "hli_channel");
 
 /* the state of an axis */
 typedef struct hli_axis {
@@ -179,6 +185,7 @@ typedef struct hli_command {
     uint8_t start; /* START: the PLC writes 1, the CNC takes it and writes 0 */
     uint8_t reset; /* RESET: the PLC writes 1, the CNC takes it and writes 0 */
     uint8_t plc_present; /* 1: the PLC acknowledges functions, 0: the CNC itself */
+    uint8_t backward_motion; /* 1: the path is walked back, 0: forward again */
     uint32_t ack_program[20]; /* acknowledges program[i] of the channel: its serial */
     uint32_t ack_realtime[20]; /* acknowledges realtime[i] of the channel: its serial */
 } hli_command;
@@ -188,6 +195,7 @@ _Static_assert(offsetof(hli_command, single_block) == 9, "single_block");
 _Static_assert(offsetof(hli_command, start) == 10, "start");
 _Static_assert(offsetof(hli_command, reset) == 11, "reset");
 _Static_assert(offsetof(hli_command, plc_present) == 12, "plc_present");
+_Static_assert(offsetof(hli_command, backward_motion) == 13, "backward_motion");
 _Static_assert(offsetof(hli_command, ack_program) == 16, "ack_program");
 _Static_assert(offsetof(hli_command, ack_realtime) == 96, "ack_realtime");
 _Static_assert(sizeof(hli_command) == 176, "hli_command");

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from nctakt.access import VariableAccess
 from nctakt.decoder.offsets import ActiveOffsets
-from nctakt.decoder.preparation import look_ahead, single_axes
+from nctakt.decoder.preparation import history_blocks, look_ahead, single_axes
 from nctakt.decoder.requests import living_cycles
 from nctakt.decoder.spindles import names_of
 from nctakt.decoder.surroundings import Surroundings
@@ -188,7 +188,12 @@ class Machine:
             self.record,
             Hli(Panel(self.memory, layout.panel_cell(index))),
             CycleManager(self.record, self.single_axes, CYCLE_OWNERS * index + 1),
-            KernelPath(self.axes, members, self.configuration.cycle_time_us),
+            KernelPath(
+                self.axes,
+                members,
+                self.configuration.cycle_time_us,
+                history_blocks(configuration.startup.backward_memory_bytes, len(members)),
+            ),
             Timers(self.memory, timers.cell, self.configuration.cycle_time_us),
             parameters.max_override_pct,
             look_ahead(
@@ -202,6 +207,7 @@ class Machine:
         limits = parameters.realtime_cycles
         spindles = channel_spindles(self.configuration, index, layout, self.memory, self.record)
         channel.set_spindles(spindles, limits.buffers)
+        channel.panel.show_size(channel.path.history_size)
         context = channel.context
         context.max_steps = limits.max_steps
         context.cont_steps = limits.cont_steps

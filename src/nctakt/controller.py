@@ -186,6 +186,24 @@ class Controller:
         while self.tick < end:
             self._advance(end)
 
+    def backward(self, channel: int = 1) -> None:
+        """Walk back on the path from the next tick on (MO-7); ``forward`` ends it.
+
+        Raises ``Failure`` (900880) where the machine keeps no history of the path.
+        """
+        index = self._index(channel)
+        if self._machine.channels[index].path.history_size == 0:
+            raise Failure(diagnostic(900880))
+        self._command_motion(index, backward=True)
+
+    def forward(self, channel: int = 1) -> None:
+        """Walk forward on the path again from the next tick on."""
+        self._command_motion(self._index(channel), backward=False)
+
+    def _command_motion(self, index: int, *, backward: bool) -> None:
+        prefix = self._machine.assembled[index].prefix if index else ""
+        self._machine.write(f"{prefix}HLI.BACKWARD_MOTION", backward)
+
     def reset(self, channel: int | None = None) -> None:
         """Reset a channel, else all (RC-007): runs until they stand, at least one tick."""
         chosen = self._channels if channel is None else [self._channels[self._index(channel)]]

@@ -20,6 +20,9 @@ from nctakt.messages import diagnostic
 #: The states of a channel in the order of their numbers.
 STATES = ("ready", "running", "error", "reset")
 
+#: How a path walks over its history, in the order of the numbers.
+RETRACES = ("front", "backward", "forward")
+
 
 @dataclass(frozen=True, slots=True)
 class TechnologyEntry:
@@ -283,6 +286,30 @@ class Interface:
     @single_block.setter
     def single_block(self, value: bool) -> None:
         self._machine.write("HLI.SINGLE_BLOCK", value)
+
+    @property
+    def backward_motion(self) -> bool:
+        """Whether backward motion on the path is commanded (MO-7)."""
+        return bool(self._machine.read("HLI.BACKWARD_MOTION"))
+
+    @backward_motion.setter
+    def backward_motion(self, value: bool) -> None:
+        self._machine.write("HLI.BACKWARD_MOTION", value)
+
+    @property
+    def retrace(self) -> str:
+        """``front``, or how the path walks over its history: ``backward`` or ``forward``."""
+        return RETRACES[int(self._machine.read("HLI.RETRACE"))]
+
+    @property
+    def history(self) -> int:
+        """How many blocks the history of the path holds now."""
+        return int(self._machine.read("HLI.HISTORY"))
+
+    @property
+    def history_size(self) -> int:
+        """How many blocks fit into it (P-STUP-00033)."""
+        return int(self._machine.read("HLI.HISTORY_SIZE"))
 
     def start(self) -> None:
         """Press START: the selected program begins, or single block lets the next block go."""

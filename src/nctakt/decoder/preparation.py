@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from nctakt.kernel import shape
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.lookahead import LookAhead
 from nctakt.kernel.record import Record
@@ -39,6 +40,11 @@ def look_ahead(
         jerks = (rapid * 1e6 / rapid_us, feed * 1e6 / slowest_us)
         ahead.limit_slope(index, (rapid, feed), jerks)
     return ahead
+
+
+def history_blocks(memory_bytes: int, axis_count: int) -> int:
+    """How many blocks behind the current one fit into the memory of backward motion (MO-7)."""
+    return memory_bytes // (8 * shape.width(axis_count))
 
 
 def single_axes(configuration: MachineConfiguration, axes: Axes, record: Record) -> SingleAxes:

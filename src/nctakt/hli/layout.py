@@ -66,6 +66,7 @@ PANEL = (
     Entry("start", "BOOLEAN", "", "START: the PLC writes 1, the CNC takes it and writes 0"),
     Entry("reset", "BOOLEAN", "", "RESET: the PLC writes 1, the CNC takes it and writes 0"),
     Entry("plc_present", "BOOLEAN", "", "1: the PLC acknowledges functions, 0: the CNC itself"),
+    Entry("backward_motion", "BOOLEAN", "", "1: the path is walked back, 0: forward again"),
 )
 
 #: What the channel shows; the CNC writes it.
@@ -74,6 +75,9 @@ LAMPS = (
     Entry("paused", "BOOLEAN", "", "1: single block waits for START"),
     Entry("armed", "BOOLEAN", "", "1: a selected program waits for START"),
     Entry("error", "UNS32", "", "number of the error that has stopped the channel, else 0"),
+    Entry("retrace", "UNS08", "", "0: at its front, 1 backward over the history, 2 forward again"),
+    Entry("history", "UNS32", "", "blocks in the history of the path, the current one included"),
+    Entry("history_size", "UNS32", "", "blocks that the history holds (P-STUP-00033); 0: none"),
 )
 
 #: Cells of a channel's panel.

@@ -25,10 +25,12 @@ cdef class Channel(Commands):
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self, long long tick) noexcept nogil
     cdef void run_cycles(self) noexcept nogil
-    @cython.locals(factor=double, stops=bint)
+    @cython.locals(factor=double, stops=bint, goes_on=int)
     cdef void interpolate(self) noexcept nogil
     @cython.locals(programmed=double, operator=double, pct=double, spindle=Py_ssize_t, speed_v=double)
     cdef double override(self) noexcept nogil
+    @cython.locals(goes_on=int)
+    cdef int step_back(self, double factor, int stops) noexcept nogil
     @cython.locals(number=double)
     cdef void publish_block(self) noexcept nogil
     @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int, message=int)

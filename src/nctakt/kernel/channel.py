@@ -78,7 +78,7 @@ class Channel(Commands):
         """The most events that one tick can record: a few for each command, cycle and slot."""
         commands = self.tail - self.head
         single = self.context.single_axes.event_bound(commands) + self.context.spindles.count
-        return 8 + single + 3 * commands + self.manager.events_bound + self.manager.capacity
+        return 12 + single + 3 * commands + self.manager.events_bound + self.manager.capacity
 
     # --- the tick -------------------------------------------------------------------------------
 
@@ -154,7 +154,12 @@ class Channel(Commands):
         self.path.publish_overrides(self.panel.override_pct)
         if self.path.is_single != self.panel.single_block:
             self.path.set_single(self.panel.single_block)
-        if self.path.step(factor, stops):
+        if self.path.is_away or self.panel.backward_motion:
+            goes_on = self.step_back(factor, stops)
+            stops = stops or (self.panel.backward_motion and self.path.history_size > 0)
+        else:
+            goes_on = self.path.step(factor, stops)
+        if goes_on:
             self.go_on(stops)
         self.cells[self.first_cell + 1] = arithmetic.round_half_even(self.total_pct)
 
@@ -180,6 +185,23 @@ class Channel(Commands):
             pct *= (speed_v if speed_v > 0.0 else 0.0 - speed_v) / self.path.pace(3)
             pct = min(pct, max(100.0, self.max_override_pct))
         return pct / 100.0
+
+    def step_back(self, factor: float, stops: int) -> int:
+        """One increment while backward motion is commanded, or forward over the history (MO-7)."""
+        if self.path.history_size == 0:
+            if self.panel.turns_back:
+                self.record.error(0, 0, 900880, 0.0)
+            return self.path.step(factor, stops)
+        if not self.path.is_away:
+            if self.is_stopped or self.is_resetting or not self.retrace.takes_over():
+                return self.path.step(factor, 1)
+            self.retrace.leave()
+            self.publish_block()
+        goes_on = self.retrace.step(factor, stops)
+        if self.retrace.fault != 0:
+            self.report(self.retrace.fault_source, self.retrace.fault, self.path.refused_axis)
+            self.retrace.fault = 0
+        return goes_on
 
     def publish_block(self) -> None:
         """The N number of the block that is current in this tick, its last one included."""
@@ -219,8 +241,9 @@ class Channel(Commands):
         """Answer what waits for the path to stand; end a reset; publish (RC-005, RC-007)."""
         state = 3 if self.is_resetting else 2 if self.is_stopped else 0
         if self.path.stands():
-            if not self.is_stopped and (self.waiting in (9, 10) or self.axes_stand()):
-                self.answer_waiting()
+            if not self.is_stopped and not self.path.is_away:
+                if self.waiting in (9, 10) or self.axes_stand():
+                    self.answer_waiting()
             if self.is_resetting:
                 self.end_reset()
         if self.context.single_axes.fault_count > 0:
@@ -228,6 +251,8 @@ class Channel(Commands):
         self.context.spindles.step(self.context.tick, self.hli.has_default_plc())
         self.hli.run_default_plc(self.context.tick)
         self.panel.publish(state, self.error_message)
+        if self.path.history_size > 0:
+            self.panel.show_history(self.retrace.way(), self.path.used - self.path.oldest)
         self.cells[self.first_cell + 6] = self.path.speed_v
         self.cells[self.first_cell + 8] = self.manager.running_count
         self.cells[self.first_cell + 9] = self.path.rest_d()

@@ -18,14 +18,16 @@ SINGLE_BLOCK = 2
 START = 3
 RESET = 4
 PLC_PRESENT = 5
+BACKWARD_MOTION = 6
 
 
 class Panel:
-    """Override, feed hold, single block, START and RESET of a channel, and its lamps.
+    """Override, feed hold, single block, START, RESET, backward motion of a channel, and its lamps.
 
     ``is_armed``: a program is selected and waits for START. ``is_running``: a program runs.
     ``is_paused``: single block has stopped the channel in front of a block. ``start_taken`` and
-    ``reset_taken`` tell Python what it has to do.
+    ``reset_taken`` tell Python what it has to do. ``turns_back``: backward motion is commanded, and
+    was not in the tick before.
     """
 
     def __init__(self, memory: bytearray, first_cell: int) -> None:
@@ -39,6 +41,7 @@ class Panel:
         self.block_moves = False
         self.start_taken = False
         self.reset_taken = False
+        self.backward_motion = False
         self.cells[first_cell] = 100.0
         self.latch()
 
@@ -46,13 +49,17 @@ class Panel:
 
     def put(self, row: int, value: float) -> None:
         """Write the command in this row of the table."""
-        assert OVERRIDE <= row <= PLC_PRESENT
+        assert OVERRIDE <= row <= BACKWARD_MOTION
         self.cells[self.first_cell + row] = value
 
     def arm(self, is_armed: bool) -> None:
         """A program is selected and waits for START, or no longer."""
         self.is_armed = is_armed
-        self.cells[self.first_cell + 8] = is_armed
+        self.cells[self.first_cell + 9] = is_armed
+
+    def show_size(self, blocks: int) -> None:
+        """So many blocks fit into the history of the path."""
+        self.cells[self.first_cell + 13] = blocks
 
     def begin_program(self) -> None:
         """A program has begun: its first block needs no START of its own."""
@@ -83,6 +90,8 @@ class Panel:
         self.start_pressed = self.cells[base + 3] != 0.0
         self.reset_pressed = self.cells[base + 4] != 0.0
         self.plc_present = self.cells[base + 5] != 0.0
+        self.turns_back = self.cells[base + 6] != 0.0 and not self.backward_motion
+        self.backward_motion = self.cells[base + 6] != 0.0
         if self.start_pressed:
             self.cells[base + 3] = 0.0
         if self.reset_pressed:
@@ -123,7 +132,12 @@ class Panel:
         base = self.first_cell
         if state == 0 and self.is_running:
             state = 1
-        self.cells[base + 6] = state
-        self.cells[base + 7] = self.is_paused
-        self.cells[base + 8] = self.is_armed
-        self.cells[base + 9] = message
+        self.cells[base + 7] = state
+        self.cells[base + 8] = self.is_paused
+        self.cells[base + 9] = self.is_armed
+        self.cells[base + 10] = message
+
+    def show_history(self, retrace: int, blocks: int) -> None:
+        """How the path walks over its history (0 not at all), and the blocks that are in it."""
+        self.cells[self.first_cell + 11] = retrace
+        self.cells[self.first_cell + 12] = blocks

@@ -17,10 +17,17 @@ cdef class Path:
     cdef long long[::1] moved
     cdef Py_ssize_t moved_count
     cdef readonly Py_ssize_t refused_axis
+    cdef readonly Py_ssize_t history_size
     cdef Py_ssize_t ring_size
     cdef double[::1] ring
+    cdef double[::1] ends
     cdef readonly long long used
+    cdef readonly long long oldest
     cdef Py_ssize_t base
+    cdef Py_ssize_t front
+    cdef readonly bint is_away
+    cdef bint is_front_over
+    cdef readonly int direction
     cdef readonly long long serial
     cdef readonly bint is_active
     cdef bint is_dwell
@@ -43,11 +50,20 @@ cdef class Path:
 
     @cython.locals(i=Py_ssize_t)
     cdef void begin(self, Py_ssize_t queue_base, double[::1] queue, double offset_t) noexcept nogil
+    @cython.locals(i=Py_ssize_t, end=Py_ssize_t)
+    cdef void remember(self) noexcept nogil
+    cdef Py_ssize_t row_of(self, long long place) noexcept nogil
+    cdef void rejoin(self, double covered_d) noexcept nogil
+    cdef void forget(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, message=int)
     cdef int refusal(self, Py_ssize_t queue_base, double[::1] queue) noexcept nogil
     cdef int obstacle(self, Py_ssize_t queue_base, double[::1] queue, Py_ssize_t i) noexcept nogil
-    @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
+    @cython.locals(i=Py_ssize_t)
     cdef void claim(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void claim_again(self) noexcept nogil
+    @cython.locals(axis=Py_ssize_t, end=Py_ssize_t)
+    cdef void claim_axis(self, Py_ssize_t i) noexcept nogil
     @cython.locals(k=Py_ssize_t)
     cdef void release(self) noexcept nogil
     @cython.locals(k=Py_ssize_t, axis=Py_ssize_t)
@@ -73,8 +89,9 @@ cdef class Path:
     cdef int advance_smoothly(self) noexcept nogil
     @cython.locals(now_t=double, over_t=double)
     cdef int advance(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, k=Py_ssize_t, end=Py_ssize_t)
     cdef int finish(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t, k=Py_ssize_t)
+    cdef void put_axes(self, Py_ssize_t place) noexcept nogil
     @cython.locals(i=Py_ssize_t, k=Py_ssize_t)
     cdef void move_axes(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)

@@ -6,9 +6,9 @@
 A segment is a row of the command queue; ``shape.py`` says what is in it and where the axes are on
 it. The path decides what only the tick knows: override, hold and stop. Every change of the speed
 limit plans the rest of the present stage of the segment anew from the present speed; position and
-speed come from the plan in closed form. Segments that were used stay in the ring until they are
-overwritten. Time left over in a tick when a segment ends without a stop is carried into the next
-one.
+speed come from the plan in closed form. Time left over in a tick when a segment ends without a stop
+is carried into the next one. Segments that were used stay in the ring until they are overwritten:
+``retrace.py`` walks back over them (MO-7).
 """
 
 from __future__ import annotations
@@ -18,14 +18,19 @@ from nctakt.kernel.axis import Axes
 from nctakt.kernel.motion import Profile
 from nctakt.kernel.trajectory import Trajectories
 
-#: Segments that the ring holds, with the current one.
-RING_SIZE = 256
-
 
 class Path:
-    """The path of one channel over the machine's axes that belong to it."""
+    """The path of one channel over the machine's axes that belong to it.
 
-    def __init__(self, axes: Axes, members: list[int], cycle_time_us: int) -> None:
+    ``history_size`` blocks behind the current one are kept, from the running number ``oldest`` on.
+    ``front`` is the row of the latest segment. While the path ``is_away`` from it the current row
+    is another one, walked over in ``direction`` (1 forward, -1 backward), and ``is_front_over``
+    tells that the latest segment was at its end before.
+    """
+
+    def __init__(
+        self, axes: Axes, members: list[int], cycle_time_us: int, history_size: int = 0
+    ) -> None:
         self.axes = axes
         self.count = len(members)
         self.members = memoryview(bytearray(8 * max(1, len(members)))).cast("q")
@@ -37,10 +42,17 @@ class Path:
         self.moved = memoryview(bytearray(8 * max(1, len(members)))).cast("q")
         self.moved_count = 0
         self.refused_axis = 0
-        self.ring_size = RING_SIZE
-        self.ring = memoryview(bytearray(8 * RING_SIZE * self.width)).cast("d")
+        self.history_size = history_size
+        self.ring_size = history_size + 1
+        self.ring = memoryview(bytearray(8 * self.ring_size * self.width)).cast("d")
+        self.ends = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
         self.used = 0
+        self.oldest = 0
         self.base = 0
+        self.front = 0
+        self.is_away = False
+        self.is_front_over = False
+        self.direction = 1
         self.serial = 0
         self.is_active = False
         self.is_dwell = False
@@ -66,6 +78,9 @@ class Path:
         self.base = (self.used % self.ring_size) * self.width
         for i in range(self.width):
             self.ring[self.base + i] = queue[queue_base + i]
+        self.front = self.base
+        if self.history_size > 0:
+            self.remember()
         self.used += 1
         self.serial += 1
         self.is_active = True
@@ -81,6 +96,44 @@ class Path:
             self.stage_end_d = 0.0
             self.next_stage()
             self.claim()
+
+    def remember(self) -> None:
+        """The segment goes into the history; a new one where an axis was moved otherwise."""
+        if self.used - self.oldest > self.history_size:
+            self.oldest += 1
+        if self.ring[self.base] == 2.0:
+            return
+        end = shape.end_place(self.ring, self.base, self.count)
+        for i in range(self.count):
+            if self.ring[self.base + 12 + i] != self.ends[i]:
+                self.oldest = self.used
+            self.ends[i] = self.ring[end + i]
+
+    def row_of(self, place: int) -> int:
+        """Where the segment with this running number begins in the ring."""
+        return place % self.ring_size * self.width
+
+    def rejoin(self, covered_d: float) -> None:
+        """Be at the latest segment again, so far from its start, and go on with it forward."""
+        self.is_away = False
+        self.direction = 1
+        self.base = self.front
+        self.limit_v = -1.0
+        self.offset_t = 0.0
+        self.ticks = 0
+        self.is_dwell = self.ring[self.base] == 2.0
+        if self.is_dwell:
+            return
+        self.covered_d = covered_d
+        self.stage = -1
+        self.stage_end_d = 0.0
+        while self.next_stage() and self.stage_end_d <= covered_d:
+            pass
+        self.claim_again()
+
+    def forget(self) -> None:
+        """The history ends here: nothing before is walked back."""
+        self.oldest = self.used
 
     def next_stage(self) -> int:
         """Go on to the next stage of the segment that has a way: 0 where there is none left."""
@@ -120,18 +173,28 @@ class Path:
 
         Where the path brakes on a segment that it cannot take, the others stay what they were.
         """
-        self.axes.has_moved = True
         self.moved_count = 0
         for i in range(self.count):
+            if self.obstacle(self.base, self.ring, i) == 0:
+                self.claim_axis(i)
+
+    def claim_again(self) -> None:
+        """``claim`` anywhere on a segment, whose axes the path has had before (MO-7)."""
+        self.moved_count = 0
+        for i in range(self.count):
+            self.claim_axis(i)
+
+    def claim_axis(self, i: int) -> None:
+        """An axis belongs to the path, if the segment moves it; its target is the way's end."""
+        self.axes.has_moved = True
+        if shape.moves(self.ring, self.base, self.count, i):
+            self.moved[self.moved_count] = i
+            self.moved_count += 1
             axis = self.members[i]
-            if self.obstacle(self.base, self.ring, i):
-                continue
-            if shape.moves(self.ring, self.base, self.count, i):
-                self.moved[self.moved_count] = i
-                self.moved_count += 1
-                self.axes.target[axis] = self.ring[self.base + 12 + self.count + i]
-                self.axes.on_path[axis] = 1
-                self.axes.show_state(axis, 6)
+            end = self.base + 12 + (self.count if self.direction > 0 else 0)
+            self.axes.target[axis] = self.ring[end + i]
+            self.axes.on_path[axis] = 1
+            self.axes.show_state(axis, 6)
 
     def release(self) -> None:
         """The segment is over: its axes are free."""
@@ -296,17 +359,18 @@ class Path:
         may have to wait, and must not stop the path in a step (MO-1).
         """
         self.is_active = False
-        end = self.base + 12 + self.count
-        if self.ring[end + self.count + 4] > 0.0:
-            end += self.count + 19
-        for k in range(self.moved_count):
-            i = self.moved[k]
-            self.axes.command[self.members[i]] = self.ring[end + i]
-        self.axes.has_moved = True
+        self.put_axes(shape.end_place(self.ring, self.base, self.count))
         self.release()
         if self.ring[self.base + 8] != 0.0:
             return 0
         return 1 if self.left_t > 0.0 or self.speed_v > 0.0 else 0
+
+    def put_axes(self, place: int) -> None:
+        """Put the axes that the segment moves to what stands at ``place`` in the ring."""
+        self.axes.has_moved = True
+        for k in range(self.moved_count):
+            i = self.moved[k]
+            self.axes.command[self.members[i]] = self.ring[place + i]
 
     def move_axes(self) -> None:
         """Put the axes where they are after the way that is covered."""
@@ -319,6 +383,9 @@ class Path:
     def abandon(self) -> None:
         """Reset: the rest of the segment is dropped where the axes stand, to be read at once."""
         self.is_active = False
+        self.is_away = False
+        self.direction = 1
+        self.forget()
         self.speed_v = 0.0
         self.speed_a = 0.0
         self.release()
@@ -341,11 +408,15 @@ class Path:
         """What is left of the current segment."""
         if not self.is_active or self.is_dwell:
             return 0.0
+        if self.direction < 0:
+            return self.covered_d
         return shape.whole_way(self.ring, self.base, self.count) - self.covered_d
 
     def promised_speed(self, place: int) -> float:
-        """The end speed at ``place`` of the current segment's row, 0 of a dwell."""
-        return 0.0 if self.is_dwell else self.ring[self.base + place]
+        """The end speed at ``place`` of the latest segment's row; 0: a dwell, or it is over."""
+        if self.ring[self.front] == 2.0 or (self.is_away and self.is_front_over):
+            return 0.0
+        return self.ring[self.front + place]
 
     def pace(self, place: int) -> float:
         """What the current segment's pace has there: 0 without one, and in a dwell (``shape.py``).

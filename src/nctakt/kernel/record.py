@@ -49,6 +49,7 @@ SPINDLE_POSITION = 36  # serial, spindle, degrees
 FROZEN = 40  # serial, number of the variable's text, value; the source is the access
 BLOCK = 25  # number of the block, tick in which it was decoded
 WAIT = 26  # reason, cell; the source is what waits
+RETRACED = 41  # RETRACE_BACKWARD …; the source is the block
 PAUSED = 31  # nothing; the source is what waits
 STARVED = 47  # nothing; the source is the last command that was taken
 FED = 48  # ticks for which the queue was empty
@@ -58,6 +59,11 @@ ENDED_BY_SCOPE = 0
 ENDED_BY_DELETE = 1
 ENDED_BY_RESET = 2
 ENDED_BY_ERROR = 3
+
+RETRACE_BACKWARD = 0
+RETRACE_FORWARD = 1
+RETRACE_START = 2
+RETRACE_FRONT = 3
 
 MOTION_DONE = 0
 MOTION_ABORTED = 1
@@ -222,6 +228,10 @@ class Record:
     def overflow(self, thread: int) -> None:
         """A thread of the schedule is still busy when it is due again."""
         self.event(49, 0, thread, 0.0, 0.0)
+
+    def retraced(self, source: int, how: int) -> None:
+        """The path walks over its history, or has come to one of its ends (RETRACE_BACKWARD …)."""
+        self.event(41, source, how, 0.0, 0.0)
 
     def user_error(self, source: int, serial: int, identity: float, reaction: float) -> None:
         """An ``#ERROR``; its values are told behind it."""

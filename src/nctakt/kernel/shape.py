@@ -52,6 +52,12 @@ def whole_way(row: memoryview[float], base: int, count: int) -> float:
     return row[base + 3] + row[base + 12 + 2 * count + 4]
 
 
+def end_place(row: memoryview[float], base: int, count: int) -> int:
+    """Where the positions at the end of all stages stand: the targets, or the curve's end."""
+    place = base + 12 + count
+    return place + count + 19 if row[place + count + 4] > 0.0 else place
+
+
 def moves(row: memoryview[float], base: int, count: int, i: int) -> int:
     """Whether a segment moves its axis ``i``: on its way, or on the curve behind it."""
     tail = base + 12 + 2 * count

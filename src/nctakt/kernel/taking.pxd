@@ -6,6 +6,7 @@ from nctakt.kernel.hli cimport Hli
 from nctakt.kernel.memory cimport Context
 from nctakt.kernel.panel cimport Panel
 from nctakt.kernel.record cimport Record
+from nctakt.kernel.retrace cimport Retrace
 from nctakt.kernel.ring cimport CommandRing
 from nctakt.kernel.single_axes cimport SingleAxes
 from nctakt.kernel.timers cimport Timers
@@ -18,6 +19,7 @@ cdef class Commands(CommandRing):
     cdef readonly Hli hli
     cdef readonly Panel panel
     cdef readonly CycleManager manager
+    cdef readonly Retrace retrace
     cdef readonly Context context
     cdef public Timers program_timers
     cdef int waiting
@@ -32,6 +34,7 @@ cdef class Commands(CommandRing):
 
     @cython.locals(base=Py_ssize_t)
     cdef void take_commands(self, long long tick) noexcept nogil
+    cdef int goes_back(self) noexcept nogil
     @cython.locals(source=cython.longlong, line=cython.longlong, is_begun=bint)
     cdef int enter_block(self, Py_ssize_t base) noexcept nogil
     @cython.locals(kind=int)

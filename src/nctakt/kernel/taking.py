@@ -16,6 +16,7 @@ from nctakt.kernel.lookahead import LookAhead
 from nctakt.kernel.memory import Context
 from nctakt.kernel.path import Path
 from nctakt.kernel.record import Record
+from nctakt.kernel.retrace import Retrace
 from nctakt.kernel.ring import CommandRing
 from nctakt.kernel.single_axes import SingleAxes
 from nctakt.kernel.spindles import Spindles
@@ -45,6 +46,7 @@ class Commands(CommandRing):
         self.hli = hli
         self.panel = hli.panel
         self.manager = manager
+        self.retrace = Retrace(path, hli.panel, record)
         self.context = Context(memory, record, hli, timers, single_axes)
         self.program_timers = timers
         self.waiting = 0
@@ -66,7 +68,7 @@ class Commands(CommandRing):
     def take_commands(self, tick: int) -> None:
         """Take commands in order until one takes time or has to wait (RC-003, RC-004)."""
         self.manager.leave_blocks(self.path.serial if self.path.is_active else 0)
-        if self.is_stopped or self.is_resetting or self.panel.is_paused:
+        if self.is_stopped or self.is_resetting or self.panel.is_paused or self.goes_back():
             return
         while self.head < self.tail and self.waiting == 0 and not self.is_stopped:
             if self.path.is_active and self.begun < self.head:
@@ -75,6 +77,14 @@ class Commands(CommandRing):
             if not self.enter_block(base) or not self.take(tick, base):
                 return
             self.head += 1
+
+    def goes_back(self) -> int:
+        """Whether the path is away from its front or about to leave it: nothing is taken."""
+        if self.path.is_away:
+            return 1
+        if not self.panel.backward_motion or self.path.history_size == 0:
+            return 0
+        return 1 if self.path.speed_v == 0.0 else 0
 
     def enter_block(self, base: int) -> int:
         """Whether the command at ``base`` may be taken: single block stops in front of a block."""
@@ -259,6 +269,7 @@ class Commands(CommandRing):
         if self.manager.has_fresh(tick):
             return 0
         self.timed_count -= 1
+        self.path.forget()
         self.manager.end_program()
         self.record.program_end(int(self.queue[base + 1]), int(self.queue[base + 3]))
         self.program_ended = True

@@ -41,6 +41,10 @@ _INTERPOLATOR_FLAGS: dict[str, int | None] = dict.fromkeys(
 )
 
 
+#: The least memory of backward motion in bytes (P-STUP-00033), where there is one.
+LEAST_BACKWARD_MEMORY = 16384
+
+
 @dataclass(frozen=True, slots=True)
 class ListReference:
     """A list that another list names: its path as written and where it is written."""
@@ -183,7 +187,6 @@ _CONTROLLER = (
         ),
         unit="byte",
         restart=True,
-        effect=Effect.CHECKED,
     ),
     Parameter(
         "P-STUP-00037",
@@ -314,7 +317,9 @@ def startup_configuration(values: Values, collector: Collector) -> StartupConfig
         alignment = 0
     return StartupConfiguration(
         _reference(values, "default_sda_mds"),
-        tuple(_channel(values, index) for index in range(values.integer("kanal_anzahl"))),
+        tuple(
+            _channel(values, index, collector) for index in range(values.integer("kanal_anzahl"))
+        ),
         _reference(values, "default_achs_mds"),
         tuple(_reference(values, "achs_mds[]", index) for index in range(_axis_count(values))),
         _reference(values, "rtconf_lis"),
@@ -341,7 +346,7 @@ def _reference(values: Values, pattern: str, *indices: int) -> ListReference | N
     return ListReference(path, *values.place(pattern, *indices))
 
 
-def _channel(values: Values, index: int) -> ChannelStartup:
+def _channel(values: Values, index: int, collector: Collector) -> ChannelStartup:
     return ChannelStartup(
         index,
         _reference(values, "sda_mds[]", index),
@@ -349,9 +354,20 @@ def _channel(values: Values, index: int) -> ChannelStartup:
         _reference(values, "werkz_data[]", index),
         _reference(values, "nullp_data[]", index),
         _reference(values, "pzv_data[]", index),
-        values.integer("fb_storage_size[]", index),
+        _backward_memory(values, index, collector),
         _look_ahead(values, index),
     )
+
+
+def _backward_memory(values: Values, index: int, collector: Collector) -> int:
+    """Bytes of the path's history: none, or at least ``LEAST_BACKWARD_MEMORY``."""
+    size = values.integer("fb_storage_size[]", index)
+    if 0 < size < LEAST_BACKWARD_MEMORY:
+        values.report(
+            collector, 50450, ("fb_storage_size[]", index), value=size, least=LEAST_BACKWARD_MEMORY
+        )
+        return LEAST_BACKWARD_MEMORY
+    return size
 
 
 def _look_ahead(values: Values, index: int) -> int:

@@ -30,6 +30,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``folders``           how lists name each other, tools, offsets (900740 … 900769)
 ``offsets``           offsets between programmed and axis positions (900770 … 900799)
 ``tools``             tools in programs, tool radius compensation (900865 … 900879)
+``backward``          backward motion and what works with its history (900880 … 900899)
 ``diagnosis``         the lines of the cycles' diagnosis data (900456 … 900458, 900550 … 900569)
 ``coverage``          branch coverage of realtime cycles (900800 … 900809)
 ``unreached``         numbers of the controller that no program of nctakt reaches
@@ -42,6 +43,7 @@ from __future__ import annotations
 
 from nctakt.diagnostics import Diagnostic, Severity, Span
 from nctakt.messages import (
+    backward,
     checked_axes,
     checked_blocks,
     checked_cycles,
@@ -99,6 +101,7 @@ for _stage in (
     pace,
     memory,
     realtime,
+    backward,
     user_errors,
     spindles,
     outside,

@@ -35,6 +35,8 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the command as written": "der Befehl, wie geschrieben",
         "spindel[i].log_achs_nr": "spindel[i].log_achs_nr",
         "P-CHAN-00480": "P-CHAN-00480",
+        "P-STUP-00033 as written": "P-STUP-00033, wie geschrieben",
+        "the least size in bytes": "die kleinste Größe in Byte",
         "the most characters": "die meisten Zeichen",
         "the line in the file": "die Zeile in der Datei",
         "the path as the list has it": "der Pfad, wie er in der Liste steht",

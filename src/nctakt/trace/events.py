@@ -29,6 +29,12 @@ _ENDED_BY = {
     record.ENDED_BY_RESET: "reset",
     record.ENDED_BY_ERROR: "error",
 }
+_RETRACED = {
+    record.RETRACE_BACKWARD: "backward",
+    record.RETRACE_FORWARD: "forward",
+    record.RETRACE_START: "start",
+    record.RETRACE_FRONT: "front",
+}
 _MOTION_ENDED = {
     record.MOTION_DONE: "done",
     record.MOTION_ABORTED: "aborted",
@@ -138,6 +144,7 @@ class EventDecoder:
             record.AXIS_BEGUN: self._axis_begun,
             record.AXIS_ENDED: self._axis_ended,
             record.AXIS_CHANGED: self._axis_changed,
+            record.RETRACED: self._retraced,
             record.BLOCK: self._block,
             record.WAIT: self._wait,
             record.STARVED: self._starved,
@@ -246,6 +253,9 @@ class EventDecoder:
     def _block(self, _kind: int, number: int, decoded: float, _b: float) -> tuple[str, str]:
         return "block", f"{number} decoded {int(decoded)}"
 
+    def _retraced(self, _kind: int, how: int, _a: float, _b: float) -> tuple[str, str]:
+        return "retrace", _RETRACED[how]
+
     def _wait(self, _kind: int, reason: int, cell: float, _b: float) -> tuple[str, str]:
         word = _WAITS[reason]
         return "waits", f"{word} {self._names.variable(int(cell))}" if cell else word
@@ -272,6 +282,7 @@ _WITHOUT_CYCLE = (
     record.WAIT,
     record.FED,
     record.OVERFLOW,
+    record.RETRACED,
 )
 
 

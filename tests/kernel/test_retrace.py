@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+"""Backward motion on the path: the same curve, the same limits, the same end (MO-1, MO-7).
+
+``NCTAKT_SEEDS=100000`` runs as many random programs of each kind, else 60 run compiled, 6 plain.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+
+import numpy as np
+import pytest
+from kernel_rig import DEMO
+from random_paths import AXES, program, violations
+
+from nctakt.controller import Controller, NcText
+from nctakt.interface import Interface
+from nctakt.mode import is_compiled
+from nctakt.results.run import Run
+
+MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("60" if is_compiled() else "6"))
+#: Programs of one test.
+CHUNK = 20
+#: The operator lets go behind so many ticks.
+PLAY_TICKS = 4000
+
+SIGNALS = [*(f"{name}.ACS.ACT_POS" for name in AXES), "HLI.RETRACE"]
+JERK_LIMITED = "#SLOPE [TYPE=TRAPEZ]"
+MOST_JERK_MM = 8e-5
+
+
+class Operator:
+    """Goes back and forward at random; ``is_wild``: turns the override, holds the feed as well."""
+
+    def __init__(self, seed: int, *, is_wild: bool) -> None:
+        self.chance = random.Random(seed)
+        self.is_wild = is_wild
+        self.next_tick = 1
+
+    def cycle(self, hli: Interface) -> None:
+        if hli.tick < self.next_tick:
+            return
+        self.next_tick = hli.tick + self.chance.choice((1, 5, 40, 150, 400))
+        plays = hli.tick < PLAY_TICKS
+        hli.backward_motion = plays and self.chance.random() < 0.5
+        if self.is_wild:
+            hli.override_pct = self.chance.choice((0.0, 3.0, 50.0, 100.0)) if plays else 100.0
+            hli.feed_hold = plays and self.chance.random() < 0.2
+        hli.acknowledge_all()
+
+
+def performed(seed: int, slope: str, operator: Operator | None) -> Run:
+    """The run of a random program."""
+    text = NcText("p.nc", program(seed, slope))
+    run = Controller(DEMO).run(text, signals=SIGNALS, ticks=400_000, plc=operator)
+    assert run.state == "ended", (seed, run.diagnostics)
+    return run
+
+
+def places(run: Run) -> np.ndarray:
+    """The positions of all axes, tick by tick; the modulo axis as it runs on."""
+    assert run.trace is not None
+    columns = [np.asarray(run.trace[name]) for name in SIGNALS[:4]]
+    columns[3] = np.unwrap(columns[3], period=360.0)
+    return np.stack(columns, axis=1)
+
+
+def farthest(way: np.ndarray, curve: np.ndarray) -> float:
+    """How far the farthest of some places is from a polyline."""
+    starts, steps = curve[:-1], np.diff(curve, axis=0)
+    sizes = np.maximum((steps * steps).sum(axis=1), 1e-300)
+    worst = 0.0
+    for place in way:
+        part = np.clip(((place - starts) * steps).sum(axis=1) / sizes, 0.0, 1.0)
+        off = place - (starts + part[:, None] * steps)
+        worst = max(worst, float(np.sqrt((off * off).sum(axis=1).min())))
+    return worst
+
+
+@pytest.mark.parametrize("is_wild", [False, True])
+@pytest.mark.parametrize("slope", ["", JERK_LIMITED])
+@pytest.mark.parametrize("first", range(0, MANY, CHUNK))
+def test_forward_and_backward_come_to_the_same_end(first: int, slope: str, is_wild: bool) -> None:
+    """Any commands at any tick: the limits hold, the curve is the same, the end bit-equal."""
+    for seed in range(first, min(first + CHUNK, MANY)):
+        straight = performed(seed, slope, None)
+        plain = places(straight)
+        run = performed(seed, slope, Operator(seed, is_wild=is_wild))
+        assert run.trace is not None
+        assert straight.trace is not None
+        found = places(run)
+        for i, name in enumerate(AXES):
+            assert run.trace[SIGNALS[i]][-1] == straight.trace[SIGNALS[i]][-1], seed
+            jerk = MOST_JERK_MM if slope else 0.0
+            assert violations(run.trace[SIGNALS[i]], name, jerk) == [], seed
+        walked = found[np.asarray(run.trace["HLI.RETRACE"]) > 0]
+        assert farthest(walked[::37], plain) < 0.05, seed

@@ -10,14 +10,21 @@ is an ``assert``.
 from __future__ import annotations
 
 import enum
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
 Language = Literal["en", "de"]
 
+#: The value of a parameter where there is none: no name is similar, a list is empty.
+NOTHING = "–"
+
 #: Longest part of a source line that is shown above the caret, in characters.
 EXCERPT_WIDTH = 120
+
+
+_SENTENCE_END = re.compile(r"(?<=[.?!;]) ")
 
 
 class Severity(enum.IntEnum):
@@ -66,6 +73,12 @@ class Text:
         return self.de if language == "de" else self.en
 
 
+_NOTHING_SIMILAR = Text(
+    "Check the spelling; nothing that is known here is similar.",
+    "Die Schreibweise prüfen; nichts, was hier bekannt ist, ist ähnlich.",
+)
+
+
 @dataclass(frozen=True, slots=True)
 class Message:
     """An entry of the catalogue.
@@ -112,11 +125,28 @@ class Diagnostic:
 
     def text(self, language: Language = "en") -> str:
         """The message with its parameters filled in."""
-        return self.message.text.get(language).format_map(self.values)
+        return self.message.text.get(language).format_map(self._shown_values(language))
 
     def remedy(self, language: Language = "en") -> str:
-        """The remedy with the parameters filled in."""
-        return self.message.remedy.get(language).format_map(self.values)
+        """The remedy with the parameters filled in; without what would tell of ``NOTHING``."""
+        template = self.message.remedy.get(language)
+        values = self._shown_values(language)
+        empty = {name for name, value in values.items() if value == NOTHING}
+        if not any(f"{{{name}}}" in template for name in empty):
+            return template.format_map(values)
+        sentences = [
+            sentence.format_map(values)
+            for sentence in _SENTENCE_END.split(template)
+            if not any(f"{{{name}}}" in sentence for name in empty)
+        ]
+        if not sentences:
+            return _NOTHING_SIMILAR.get(language)
+        told = " ".join(sentences).removesuffix(";")
+        return told[0].upper() + told[1:]
+
+    def _shown_values(self, language: Language) -> dict[str, object]:
+        """The values as a reader of this language writes them."""
+        return {name: _shown_value(value, language) for name, value in self.values.items()}
 
     def headline(self, language: Language = "en") -> str:
         """``file:line:column: error 22009: text``, without the excerpt."""
@@ -133,6 +163,17 @@ class Diagnostic:
             label = "Abhilfe" if language == "de" else "remedy"
             lines.append(f"  {label}: {remedy}")
         return "\n".join(lines)
+
+
+def _shown_value(value: object, language: Language) -> object:
+    if isinstance(value, Text):
+        return value.get(language)
+    return number_text(value) if isinstance(value, float) else value
+
+
+def number_text(value: float) -> str:
+    """A number for a reader: whole ones without ``.0``, others to twelve digits."""
+    return f"{value + 0.0:.12g}"
 
 
 def excerpt(line: str, column: int, end_column: int) -> list[str]:

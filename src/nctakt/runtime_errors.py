@@ -11,6 +11,7 @@ from nctakt.kernel.expressions import OPERATIONS
 from nctakt.lists.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.nc.axis_commands import REFUSALS
+from nctakt.sources import statement_span
 from nctakt.trace.events import Event, number_text
 
 
@@ -93,7 +94,7 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
         case _:
             raise AssertionError(number)
     line = "" if event.span is None else machine.files.line_at(event.span)
-    return diagnostic(number, event.span, line, **values)
+    return diagnostic(number, statement_span(event.span, line), line, **values)
 
 
 def _array(event: Event, machine: Machine) -> str:

@@ -8,7 +8,9 @@ count from 1, and 0 means that there is no place.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from nctakt.diagnostics import Span
 
@@ -107,3 +109,21 @@ def begins_at(span: Span, place: Span | None) -> bool:
     if place is None:
         return False
     return (span.file, span.line, span.column) == (place.file, place.line, place.column)
+
+
+_STATEMENT = re.compile(
+    r"""[#$VP@] (?: "[^"]*" | \[ (?:[^\[\]]|\[[^\[\]]*\])* \] | [^;("\[\]] )* (?<!\s)
+        | [^\W\d][\w.]*""",
+    re.VERBOSE | re.IGNORECASE,
+)
+
+
+def statement_span(span: Span | None, line: str) -> Span | None:
+    """The place of an event, which knows only where it begins, up to the end of what stands there.
+
+    Of a ``#`` or ``$`` statement and of an assignment that is all of it, else its word.
+    """
+    if span is None:
+        return None
+    found = _STATEMENT.match(line, span.column - 1)
+    return span if found is None else replace(span, end_column=found.end() + 1)

@@ -36,14 +36,14 @@ def channel_spindles(
     return made
 
 
-def turning(configuration: MachineConfiguration, index: int) -> frozenset[int]:
-    """The places of a channel's spindles that the CNC turns and has an axis list for."""
+def turning(configuration: MachineConfiguration, index: int) -> dict[int, float]:
+    """The places of a channel's spindles that the CNC turns, with the speed of their axis lists.
+
+    In degrees per second; only those that have an axis list.
+    """
     spindles = configuration.channels[index].parameters.spindles
-    return frozenset(
-        place
-        for place, spindle in enumerate(spindles)
-        if _axis_of(configuration, spindle) is not None
-    )
+    axes = {place: _axis_of(configuration, spindle) for place, spindle in enumerate(spindles)}
+    return {place: axis.max_speed for place, axis in axes.items() if axis is not None}
 
 
 def all_names(configuration: MachineConfiguration) -> list[str]:

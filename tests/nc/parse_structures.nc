@@ -79,11 +79,11 @@ $ELSE ; error 900120 "$ELSE behind"
 $ELSEIF P2 ; error 900120 "$ELSEIF behind"
 $ENDIF
 ; --- a condition that cannot be read does not make its end a mistake
-$IF P1 > ; error 900101 "<EOL>"
+$IF P1 > ; error 900101 "the end of the block"
 $ELSEIF * ; error 900101 "*"
 $ENDIF
 $IF P1 > $GOTO N20 ; error 900101 "$"
-$WHILE ; error 900101 "<EOL>"
+$WHILE ; error 900101 "the end of the block"
 $ENDWHILE
 $FOR P1 = 1 ; error 900113 "','"
 $ENDFOR
@@ -91,11 +91,11 @@ $FOR 3 = 1, 2, 3 ; error 900114 "3"
 $ENDFOR
 $FOR P1 1, 2, 3 ; error 900113 "'='"
 $ENDFOR
-$SWITCH ; error 900101 "<EOL>"
-$CASE ; error 900101 "<EOL>"
+$SWITCH ; error 900101 "the end of the block"
+$CASE ; error 900101 "the end of the block"
 $ENDSWITCH
 $DO
-$ENDDO ; error 900101 "<EOL>"
+$ENDDO ; error 900101 "the end of the block"
 ; --- something behind the words
 $ELSE X10 ; error 900106 "$ELSE"
 $IF P1
@@ -104,7 +104,7 @@ $ENDIF X ; error 900100 "X"
 $IF P1 G0 X10 ; error 900100 "G"
 $ENDIF
 $IF P1 $ENDIF ; error 900100 "$ENDIF"
-$GOTO ; error 900114 "<EOL>"
+$GOTO ; error 900114 "the end of the block"
 $GOTO 5 ; error 900114 "5"
 $BREAK 5 ; error 900100 "5"
 ; --- words that do not exist
@@ -169,9 +169,9 @@ $ENDIF
 #ENDVAR
 ; --- mistakes inside declarations
 #VAR
-  V.L.A : ; error 900114 "<EOL>"
-  V.L. ; error 900114 "<EOL>"
-  V.L.B = ; error 900101 "<EOL>"
+  V.L.A : ; error 900114 "the end of the block"
+  V.L. ; error 900114 "the end of the block"
+  V.L.B = ; error 900101 "the end of the block"
   some words ; error 900116 "declarations"
   V.L.C : SGN08 foo ; error 900100 "foo"
   V.L.E = [1, 2 ; error 900102 "bracket"
@@ -203,4 +203,4 @@ M29
 G0 X3
 ; --- a value in brackets that ends with the file
 #VAR ; error 900105 "#VAR"
-V.L.A = [1, ; error 900101 "<EOL>"
+V.L.A = [1, ; error 900101 "the end of the block"

@@ -63,7 +63,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         code = group.main(arguments, prog_name="nctakt", standalone_mode=False)
     except click.ClickException as error:
-        error.show()
+        from nctakt.cli.usage import tell_usage  # noqa: PLC0415 - only a mistake needs it
+
+        words = sys.argv[1:] if arguments is None else arguments
+        tell_usage(error, words)
         return EXIT_USAGE
     except (click.Abort, KeyboardInterrupt):
         click.echo("interrupted", err=True)

@@ -80,7 +80,7 @@ class ProgramDecoder:
         self._calls = Calls(self._values)
         self._macros = Macros(surroundings, self._values.fail)
         self._hashes = Hashes(self._values)
-        self._flow = Flow(self._values, self._statements, self._count)
+        self._flow = Flow(self._values, self._statements, self._round)
         self._levels = state.levels
         self._next_cycle = next_cycle
         self._keep_cycle = keep_cycle
@@ -89,6 +89,7 @@ class ProgramDecoder:
         )
         self._takes_runs = takes_runs
         self._blocks = 0
+        self._rounds: dict[Span, int] = {}
         self._nested = 0
 
     def decode(self, program: ProgramText) -> Generator[Command, Answer]:
@@ -126,6 +127,7 @@ class ProgramDecoder:
 
     def _took_time(self, command: Command) -> None:
         self._blocks = 0
+        self._rounds.clear()
         self._moved.took_time(self._words.moved_by(command), is_block=is_block(command))
 
     # --- programs -------------------------------------------------------------------------------
@@ -139,6 +141,7 @@ class ProgramDecoder:
             if not isinstance(signal, Jump):
                 return signal
             label = signal.label
+            self._round(signal.span)
             if label not in level.section.labels or label in level.section.doubled:
                 self._values.fail(900309, signal.span, label=label, name=level.section.name)
 
@@ -186,11 +189,17 @@ class ProgramDecoder:
         self._nested -= 1
         return ""
 
+    def _round(self, span: Span) -> None:
+        """A pass of the loop at this place, or a jump from it; the outermost one comes first."""
+        self._rounds[span] = self._rounds.get(span, 0) + 1
+        self._count(span)
+
     def _count(self, span: Span) -> None:
         """A block, or a pass of a loop: neither goes on for ever without taking time."""
         self._blocks += 1
         if self._blocks > MOST_BLOCKS_WITHOUT_TIME:
-            self._values.fail(900303, span, count=MOST_BLOCKS_WITHOUT_TIME)
+            loops = (loop for loop, rounds in self._rounds.items() if rounds > 1)
+            self._values.fail(900303, next(loops, span), count=MOST_BLOCKS_WITHOUT_TIME)
         if self._nested > MOST_NESTED:
             self._values.fail(900308, span, limit=MOST_NESTED)
 

@@ -20,6 +20,7 @@ from nctakt.diagnostics import Span
 from nctakt.kernel.instructions import Statement
 from nctakt.kernel.spindle_commands import CommandSpindle
 from nctakt.lists.channel_configuration import Spindle
+from nctakt.messages import diagnostic
 from nctakt.nc import syntax
 from nctakt.nc.spindle_commands import (
     CLOCKWISE,
@@ -58,6 +59,7 @@ class SpindleWords:
         modal = self.modal.setdefault(index, _Modal())
         if command.speed is not None:
             modal.speed = yield from self._speed(command.speed, number)
+            warn_of_speed(self.values, index, modal.speed, command.speed.span)
         position = 0.0
         if command.position is not None:
             position = yield from self.values.evaluate(command.position, number)
@@ -122,6 +124,17 @@ def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
     raise AssertionError(name)
 
 
+def warn_of_speed(values: Values, index: int, speed: float, span: Span) -> None:
+    """Tell where the spindle is slower (P-AXIS-00212) than the speed that is asked for in 1/min."""
+    limit = values.surroundings.turning.get(index)
+    if limit is None or speed * DEGREES_PER_S <= limit * (1.0 + 1e-9):
+        return
+    name = values.surroundings.parameters.spindles[index].name
+    line = values.surroundings.line(span)
+    told = diagnostic(900905, span, line, spindle=name, limit=limit / DEGREES_PER_S, speed=speed)
+    values.surroundings.notice(told)
+
+
 def cycle_statement(
     values: Values, builder: ExpressionBuilder, command: SpindleCommand, cost: int
 ) -> Statement:
@@ -133,6 +146,8 @@ def cycle_statement(
     function = function or turns[0]
     ticks = process_ticks(spindle.functions[f"m{function}"], values.surroundings.cycle_time_us)
     speed = _built(builder, command.speed)
+    if command.speed is not None and speed.constant is not None:
+        warn_of_speed(values, index, speed.constant, command.speed.span)
     position = _built(builder, command.position)
     source = values.surroundings.place(command.span)
     return CommandSpindle(

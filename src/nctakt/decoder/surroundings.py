@@ -25,7 +25,8 @@ class Surroundings:
     ``tools``: those of the list, by number. ``axis_numbers``: axis name -> place in the path's
     positions. ``cells``: the machine's memory, ``memory`` the same as bytes.
     ``place``: the source number of a span (``sources.py``). ``line``: the text line of a span.
-    ``turning``: the places of the spindles that the CNC turns and has an axis list for.
+    ``turning``: the places of the spindles that the CNC turns and has an axis list for, with its
+    highest speed in degrees per second.
     ``text_number``: the number of a text that is told with a user error.
     ``notice``: takes a finding that does not stop the program. ``subprogram``: the text of the
     file of this name, called at this place of that file; raises ``DecodeError``. Blocks of
@@ -46,7 +47,7 @@ class Surroundings:
     place: Callable[[Span], int]
     line: Callable[[Span], str]
     text_number: Callable[[str], int]
-    turning: frozenset[int]
+    turning: Mapping[int, float]
     notice: Callable[[Diagnostic], None]
     subprogram: Callable[[str, str, Span], ProgramText]
     skip_levels: frozenset[int]

@@ -178,9 +178,9 @@ _add(
     ERROR,
     "{command} does not have this form",
     "{command} hat diese Form nicht",
-    remedy_en="Write it as the manual of the language has it.",
-    remedy_de="So schreiben, wie es die Programmieranleitung angibt.",
-    parameters={"command": "the command"},
+    remedy_en="It is written so: {forms}",
+    remedy_de="Es wird so geschrieben: {forms}",
+    parameters={"command": "the command", "forms": "the forms that it has"},
 )
 _add(
     900234,

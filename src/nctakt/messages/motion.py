@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import ERROR, Catalogue
+from nctakt.messages.catalogue import ERROR, WARNING, Catalogue
 
 MESSAGES = Catalogue()
 _add = MESSAGES.add
@@ -96,11 +96,15 @@ _add(
     ERROR,
     "{word} of {command} is not simulated",
     "{word} von {command} wird nicht simuliert",
-    remedy_en="#CONTOUR MODE knows DEV and PATH_DEV, #SLOPE the types STEP and TRAPEZ.",
-    remedy_de="#CONTOUR MODE kennt DEV und PATH_DEV, #SLOPE die Typen STEP und TRAPEZ.",
+    remedy_en="Leave it out, or take what is simulated: {names}",
+    remedy_de="Es weglassen oder nehmen, was simuliert wird: {names}",
     cause_en="It would change positions or times in a way that nctakt does not model.",
     cause_de="Es würde Positionen oder Zeiten in einer Weise ändern, die nctakt nicht nachbildet.",
-    parameters={"word": "the keyword as the program has it", "command": "the command"},
+    parameters={
+        "word": "the keyword as the program has it",
+        "command": "the command",
+        "names": "what is simulated there",
+    },
     reaction=2,
     clearing=3,
 )
@@ -114,4 +118,47 @@ _add(
     parameters={"value": "the value"},
     reaction=2,
     clearing=3,
+)
+_add(
+    900900,
+    ERROR,
+    "{command} knows no {word}",
+    "{command} kennt kein {word}",
+    remedy_en="Did you mean {nearest}?",
+    remedy_de="Ist {nearest} gemeint?",
+    parameters={
+        "word": "the keyword as the program has it",
+        "command": "the command",
+        "nearest": "the nearest known name",
+    },
+)
+_add(
+    900903,
+    WARNING,
+    "the feed {value} is not above 0: a feed motion with it stops the program",
+    "der Vorschub {value} liegt nicht über 0: eine Vorschubbewegung damit hält das Programm an",
+    remedy_en="Program F with a value above 0.",
+    remedy_de="F mit einem Wert über 0 programmieren.",
+    parameters={"value": "the value"},
+)
+_add(
+    900904,
+    WARNING,
+    "the arc has a centre and a radius: the centre counts, R is for later arcs",
+    "der Kreisbogen hat Mittelpunkt und Radius: der Mittelpunkt gilt, R erst für spätere Bögen",
+    remedy_en="Program the centre (I, J, K) or the radius R, not both.",
+    remedy_de="Den Mittelpunkt (I, J, K) oder den Radius R programmieren, nicht beides.",
+    cause_en="In a block with a centre the radius is stored, and used by the next arc without one.",
+    cause_de="In einem Satz mit Mittelpunkt wird der Radius gemerkt; der nächste Bogen ohne "
+    "Mittelpunkt nutzt ihn.",
+)
+_add(
+    900906,
+    WARNING,
+    "this arc has no centre, and no radius has come before",
+    "dieser Kreisbogen hat keinen Mittelpunkt, und vorher kam kein Radius",
+    remedy_en="Program the centre with I, J or K, or a radius R other than 0.",
+    remedy_de="Den Mittelpunkt mit I, J oder K programmieren oder einen Radius R ungleich 0.",
+    cause_en="Where the program runs so, it stops here with 900700.",
+    cause_de="Läuft das Programm so, hält es hier mit 900700 an.",
 )

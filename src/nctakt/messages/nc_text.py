@@ -8,13 +8,13 @@ from nctakt.messages.catalogue import ERROR, WARNING, Catalogue
 MESSAGES = Catalogue()
 _add = MESSAGES.add
 
-_FOUND = {"found": "the text at that place; <EOL> at the end of the block"}
+_FOUND = {"found": "what stands at that place"}
 
 _add(
     900100,
     ERROR,
-    "nobody knows what '{found}' means here",
-    "mit '{found}' ist hier nichts anzufangen",
+    "nobody knows what {found} means here",
+    "mit {found} ist hier nichts anzufangen",
     remedy_en="Remove it, or write the block as the grammar has it.",
     remedy_de="Entfernen oder den Satz nach der Grammatik schreiben.",
     parameters=_FOUND,
@@ -22,8 +22,8 @@ _add(
 _add(
     900101,
     ERROR,
-    "a value is missing before '{found}'",
-    "vor '{found}' fehlt ein Wert",
+    "a value is missing before {found}",
+    "vor {found} fehlt ein Wert",
     remedy_en="Write a number, a variable or an expression.",
     remedy_de="Eine Zahl, eine Variable oder einen Ausdruck schreiben.",
     parameters=_FOUND,
@@ -124,8 +124,8 @@ _add(
 _add(
     900113,
     ERROR,
-    "'{symbol}' is missing before '{found}'",
-    "vor '{found}' fehlt '{symbol}'",
+    "'{symbol}' is missing before {found}",
+    "vor {found} fehlt '{symbol}'",
     remedy_en="Write '{symbol}'.",
     remedy_de="'{symbol}' schreiben.",
     parameters={"symbol": "what has to stand there", **_FOUND},
@@ -133,8 +133,8 @@ _add(
 _add(
     900114,
     ERROR,
-    "a name is missing before '{found}'",
-    "vor '{found}' fehlt ein Name",
+    "a name is missing before {found}",
+    "vor {found} fehlt ein Name",
     remedy_en="Write the name of the variable, label, program or command that is meant.",
     remedy_de="Den Namen schreiben: der Variablen, der Marke, des Programms, des Befehls.",
     parameters=_FOUND,
@@ -375,4 +375,12 @@ _add(
     remedy_en="M17 has [MAIN] or [JUMPS=number], and one label: [NAME] or N20.",
     remedy_de="M17 hat [MAIN] oder [JUMPS=Zahl] und eine Marke: [NAME] oder N20.",
     parameters={"word": "the word as written"},
+)
+_add(
+    900916,
+    ERROR,
+    "L CYCLE without NAME: nothing tells which program is called",
+    "L CYCLE ohne NAME: nichts sagt, welches Programm gerufen wird",
+    remedy_en="Write NAME=file.nc among its keywords: L CYCLE [NAME=file.nc @P1=5]",
+    remedy_de="NAME=datei.nc zu den Schlüsselwörtern schreiben: L CYCLE [NAME=datei.nc @P1=5]",
 )

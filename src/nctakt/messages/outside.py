@@ -307,3 +307,67 @@ _add(
     remedy_de="Ebenen sind ganze Zahlen von 1 bis {most}, mit Kommas dazwischen: --skip 1,3",
     parameters={"found": "the word as written", "most": "the highest level"},
 )
+_HELP = {"help": "the command that shows the help"}
+_add(
+    900907,
+    ERROR,
+    "there is no option {option}",
+    "eine Option {option} gibt es nicht",
+    remedy_en="Did you mean {nearest}? All options: {help}",
+    remedy_de="War {nearest} gemeint? Alle Optionen: {help}",
+    parameters={"option": "the option", "nearest": "the nearest known name", **_HELP},
+)
+_add(
+    900908,
+    ERROR,
+    "{value} is no value for {name}",
+    "{value} ist kein Wert für {name}",
+    remedy_en="Give {expected}. More: {help}",
+    remedy_de="Anzugeben ist {expected}. Mehr: {help}",
+    parameters={
+        "value": "the value as it was given",
+        "name": "the option or argument",
+        "expected": "what it takes",
+        **_HELP,
+    },
+)
+_add(
+    900909,
+    ERROR,
+    "the words of the command cannot be used: {reason}",
+    "die Wörter des Befehls sind nicht zu gebrauchen: {reason}",
+    remedy_en="What can be said: {help}",
+    remedy_de="Was möglich ist: {help}",
+    parameters={"reason": "why", **_HELP},
+)
+_add(
+    900910,
+    ERROR,
+    "{name} is missing",
+    "{name} fehlt",
+    remedy_en="Give it behind the command. More: {help}",
+    remedy_de="Es hinter dem Befehl angeben. Mehr: {help}",
+    parameters={"name": "the option or argument", **_HELP},
+)
+_add(
+    900911,
+    ERROR,
+    "a value is missing behind {option} on the command line",
+    "in der Befehlszeile fehlt hinter {option} ein Wert",
+    remedy_en="Give the value behind the option. More: {help}",
+    remedy_de="Den Wert hinter der Option angeben. Mehr: {help}",
+    parameters={"option": "the option", **_HELP},
+)
+_add(
+    900912,
+    ERROR,
+    "there is no command {word}",
+    "einen Befehl {word} gibt es nicht",
+    remedy_en="Did you mean {nearest}? There are {names}.",
+    remedy_de="War {nearest} gemeint? Es gibt {names}.",
+    parameters={
+        "word": "the word as it was given",
+        "nearest": "the nearest known name",
+        "names": "the commands that there are",
+    },
+)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import ERROR, Catalogue
+from nctakt.messages.catalogue import ERROR, WARNING, Catalogue
 
 MESSAGES = Catalogue()
 _add = MESSAGES.add
@@ -64,9 +64,10 @@ _add(
     ERROR,
     "{word} does not belong to a spindle command",
     "{word} gehört nicht zu einem Spindelbefehl",
-    remedy_en="A spindle knows M3, M4, M5, M19, S or REV, and S.POS or POS: S2[M3 REV=1000]",
-    remedy_de="Eine Spindel kennt M3, M4, M5, M19, S oder REV und S.POS oder POS: S2[M3 REV=1000]",
-    parameters={"word": "the word as written"},
+    remedy_en="Did you mean {nearest}? A spindle knows M3, M4, M5, M19, S or REV, S.POS or POS.",
+    remedy_de="Ist {nearest} gemeint? Eine Spindel kennt M3, M4, M5, M19, S oder REV, S.POS oder "
+    "POS.",
+    parameters={"word": "the word as written", "nearest": "the nearest known name"},
 )
 _add(
     900473,
@@ -126,4 +127,34 @@ _add(
     parameters={"spindle": "the spindle"},
     reaction=6,
     clearing=6,
+)
+_add(
+    900901,
+    ERROR,
+    "{words} exclude each other in one block",
+    "{words} schließen einander in einem Satz aus",
+    remedy_en="Give one of M3, M4 and M5 in a block; M5 alone, M19 alone or with M3 or M4.",
+    remedy_de="Je Satz nur eines von M3, M4 und M5; M5 allein, M19 allein oder mit M3 oder M4.",
+    parameters={"words": "the words of the block"},
+)
+_add(
+    900902,
+    ERROR,
+    "a position of the spindle without M19",
+    "eine Position der Spindel ohne M19",
+    remedy_en="Write M19 in the same block: M19 S100 S.POS=90",
+    remedy_de="M19 in denselben Satz schreiben: M19 S100 S.POS=90",
+)
+_add(
+    900905,
+    WARNING,
+    "spindle {spindle} turns no faster than {limit} 1/min; {speed} is limited to that",
+    "Spindel {spindle} dreht höchstens {limit} 1/min; {speed} wird darauf begrenzt",
+    remedy_en="Program at most that speed, or raise P-AXIS-00212 of the spindle's axis list.",
+    remedy_de="Höchstens diese Drehzahl programmieren oder P-AXIS-00212 der Spindelliste erhöhen.",
+    parameters={
+        "spindle": "the spindle's name",
+        "limit": "the speed of the axis list in 1/min",
+        "speed": "the speed as programmed",
+    },
 )

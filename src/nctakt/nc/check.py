@@ -26,6 +26,7 @@ from nctakt.nc.check_path import check_path_command
 from nctakt.nc.check_user_errors import UserErrorChecker
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.check_words import Role, WordChecker
+from nctakt.nc.command_forms import forms_of
 from nctakt.nc.findings import Findings
 from nctakt.nc.formats import places
 from nctakt.nc.frames import is_false
@@ -283,7 +284,8 @@ class Checker:
         elif self._commands.command(command, words):
             pass
         elif entry.answer is Answer.SIMULATED:
-            self._findings.report(900233, command.span, command=entry.name)
+            forms = forms_of(entry.name)
+            self._findings.report(900233, command.span, command=entry.name, forms=forms)
         else:
             self._findings.answer(entry, command.span, name)
 

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 
 from nctakt.nc.check_values import ValueChecker
+from nctakt.nc.command_forms import forms_of
 from nctakt.nc.findings import Findings
 from nctakt.nc.syntax import Bracket, Expression, HashCommand, Keyword, Name, Timer
 
@@ -68,7 +69,7 @@ class CommandChecker:
         """What stands in the one bracket of the command."""
         if len(command.arguments) == 1 and isinstance(command.arguments[0], Bracket):
             return command.arguments[0].items
-        self._findings.report(900233, command.span, command=name)
+        self._findings.report(900233, command.span, command=name, forms=forms_of(name))
         return ()
 
     def _option(

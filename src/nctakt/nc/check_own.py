@@ -10,6 +10,7 @@ from difflib import get_close_matches
 
 from nctakt.lists.variables import SCALARS
 from nctakt.nc.check_values import ValueChecker
+from nctakt.nc.command_forms import forms_of
 from nctakt.nc.findings import Findings
 from nctakt.nc.resolution import OWN_FAMILIES, indices_of, is_own, path_text
 from nctakt.nc.syntax import (
@@ -71,7 +72,8 @@ class OwnChecker:
     def delete(self, command: HashCommand) -> None:
         """``#DELETE V.P.A, V.S.B``; a family alone, ``V.P.``, means all of it."""
         if not command.arguments:
-            self._findings.report(900233, command.span, command="#DELETE")
+            forms = forms_of("#DELETE")
+            self._findings.report(900233, command.span, command="#DELETE", forms=forms)
         for argument in command.arguments:
             if not isinstance(argument, Variable) or not is_own(argument):
                 self._no_own(argument)

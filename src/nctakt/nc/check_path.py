@@ -7,11 +7,23 @@ would change positions or times.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from nctakt.diagnostics import NOTHING, Span
 from nctakt.nc.check_values import ValueChecker
+from nctakt.nc.command_forms import forms_of
 from nctakt.nc.findings import Findings
-from nctakt.nc.syntax import Bracket, BracketCommand, Expression, HashCommand, Keyword, Name
+from nctakt.nc.syntax import (
+    Bracket,
+    BracketCommand,
+    Expression,
+    HashCommand,
+    Keyword,
+    Name,
+    Number,
+)
+from nctakt.text import nearest
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +34,11 @@ class Form:
     numbers: tuple[str, ...] = ()
     names: dict[str, tuple[str, ...]] = field(default_factory=dict)
     needs_bracket: bool = True
+
+    @property
+    def keywords(self) -> tuple[str, ...]:
+        """What may stand in its bracket."""
+        return (*self.words, *self.numbers, *self.names)
 
 
 #: The commands by their words. Contouring: the corner deviation is the only mode.
@@ -63,7 +80,10 @@ def check_path_command(command: HashCommand, values: ValueChecker, findings: Fin
         return False
     has_bracket = len(command.arguments) == 1 and isinstance(command.arguments[0], Bracket)
     if not has_bracket and (form.needs_bracket or command.arguments):
-        findings.report(900233, command.span, command=f"#{name}")
+        forms = forms_of(
+            f"#{name.removesuffix(' ON').removesuffix(' OFF').removesuffix(' DEFAULT')}"
+        )
+        findings.report(900233, command.span, command=f"#{name}", forms=forms)
         return True
     for argument in command.arguments:
         assert isinstance(argument, Bracket)
@@ -86,16 +106,33 @@ def _check_item(
     form: Form, name: str, item: Keyword | Expression, values: ValueChecker, findings: Findings
 ) -> None:
     if not isinstance(item, Keyword):
-        findings.report(900706, item.span, command=name, word=findings.written(item.span))
+        _refuse(name, findings.written(item.span), form.keywords, item.span, findings)
         return
     if item.name in form.words and item.value is None:
         return
     if item.name in form.numbers and item.value is not None:
         values.value(item.value)
-        return
-    span = item.span
-    if item.name in form.names and isinstance(item.value, Name):
-        if item.value.name in form.names[item.name]:
-            return
-        span = item.value.span
-    findings.report(900706, span, command=name, word=findings.written(span))
+        _check_number(item, findings)
+    elif item.name not in form.names or not isinstance(item.value, Name):
+        word = item.name if item.name not in form.keywords else findings.written(item.span)
+        _refuse(name, word, form.keywords, item.span, findings)
+    elif item.value.name not in form.names[item.name]:
+        known = form.names[item.name]
+        _refuse(f"{name} [{item.name}]", item.value.name, known, item.value.span, findings)
+
+
+def _check_number(item: Keyword, findings: Findings) -> None:
+    """What is known to be wrong before the program runs."""
+    value = item.value
+    if item.name == "PATH_DEV" and isinstance(value, Number) and value.value <= 0.0:
+        findings.report(900707, value.span, value=value.value)
+
+
+def _refuse(name: str, word: str, known: Sequence[str], span: Span, findings: Findings) -> None:
+    """Report a word: one that is only misspelt, or one that is not simulated."""
+    near = nearest(word, known)
+    names = ", ".join(known) or NOTHING
+    if near and near != word:
+        findings.report(900900, span, command=name, word=word, nearest=near)
+    else:
+        findings.report(900706, span, command=name, word=word, names=names)

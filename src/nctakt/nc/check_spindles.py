@@ -7,6 +7,7 @@ in several blocks; a realtime cycle gives a whole job in one.
 
 from __future__ import annotations
 
+from nctakt.diagnostics import NOTHING
 from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.findings import Findings
@@ -17,6 +18,10 @@ from nctakt.nc.spindle_commands import (
     STOP,
     SpindleCommand,
 )
+from nctakt.text import nearest
+
+#: What a command to a spindle may have, for a misspelt word.
+WORDS = ("M3", "M4", "M5", "M19", "S", "REV", "S.POS", "POS")
 
 
 class SpindleChecker:
@@ -41,7 +46,8 @@ class SpindleChecker:
             self._findings.report(900473, command.span)
         for word in command.wrong:
             written = self._findings.written(word.span)
-            self._findings.report(900282, word.span, word=written)
+            known = nearest(written, WORDS) or NOTHING
+            self._findings.report(900282, word.span, word=written, nearest=known)
         for doubled in command.doubled:
             self._findings.report(900224, doubled.span, word=self._findings.written(doubled.span))
         for value in (command.speed, command.position):
@@ -49,18 +55,21 @@ class SpindleChecker:
                 self._values.value(value)
         if command.wrong or command.doubled:
             return
-        fits = self._is_job(command) if self._in_cycle else self._fits(command)
-        if not fits:
+        if not self._in_cycle:
+            self._fit(command)
+        elif not self._is_job(command):
             self._findings.report(50954, command.span, command=self._findings.written(command.span))
 
-    def _fits(self, command: SpindleCommand) -> bool:
-        """Whether the words of the main program go together."""
+    def _fit(self, command: SpindleCommand) -> None:
+        """The words of the main program have to go together."""
         turns = [one for one in command.functions if one in (CLOCKWISE, COUNTER_CLOCKWISE)]
         if len(turns) > 1 or (STOP in command.functions and len(command.functions) > 1):
-            return False
-        if command.position is not None and POSITION not in command.functions:
-            return False
-        return bool(command.functions) or command.speed is not None
+            words = ", ".join(f"M{one}" for one in command.functions)
+            self._findings.report(900901, command.span, words=words)
+        elif command.position is not None and POSITION not in command.functions:
+            self._findings.report(900902, command.position.span)
+        elif not command.functions and command.speed is None:
+            self._findings.report(50954, command.span, command=self._findings.written(command.span))
 
     def _is_job(self, command: SpindleCommand) -> bool:
         """Whether they are a complete job: turn, go to a position, or stop."""

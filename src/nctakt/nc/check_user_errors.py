@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.findings import Findings
-from nctakt.nc.syntax import Keyword, Number, StringLiteral, UserError
+from nctakt.nc.syntax import Expression, Keyword, Number, StringLiteral, UserError
 
 KEYWORDS = (
     "ID",
@@ -35,7 +35,12 @@ class UserErrorChecker:
     def check(self, error: UserError) -> None:
         """One statement."""
         found: dict[str, Keyword] = {}
+        lost = False  # a value whose = is missing
         for item in error.keywords:
+            if lost and isinstance(item, Expression):
+                lost = False
+                continue
+            lost = isinstance(item, Keyword) and item.value is None
             if not isinstance(item, Keyword) or item.name not in KEYWORDS or item.arguments:
                 written = self._findings.written(item.span)
                 if self._in_cycle:

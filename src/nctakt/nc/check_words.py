@@ -13,8 +13,10 @@ from difflib import get_close_matches
 from typing import Literal
 
 from nctakt.lists.channel_configuration import ChannelParameters
+from nctakt.lists.offsets import MOST_GROUPS
 from nctakt.nc import support
 from nctakt.nc.axis_commands import is_axis_command
+from nctakt.nc.check_motion import check_motion
 from nctakt.nc.check_path import check_axis_override
 from nctakt.nc.check_spindles import SpindleChecker
 from nctakt.nc.check_values import ValueChecker
@@ -102,6 +104,7 @@ class WordChecker:
                         self._unknown(word, state)
                 case StringWord():
                     pass  # what it stands for is known when it is decoded
+        check_motion(block, self._findings)
         self._exact_stop(block)
         self._reference(block)
 
@@ -151,7 +154,10 @@ class WordChecker:
         if word.name == "N" and state.returns:
             return
         if word.name in self.spindles:
-            self._findings.report(900282, word.span, word=self._findings.written(word.span))
+            written = self._findings.written(word.span)
+            self._findings.report(
+                900282, word.span, word=written, nearest=f"{word.name}[M3 REV=1000]"
+            )
             return
         entry = support.answer_word(word.name)
         if entry is None:
@@ -285,6 +291,14 @@ class WordChecker:
             self._findings.report(900770, word.span)
         else:
             self._values.value(word.additional)
+            self._known_group(word.additional)
+
+    def _known_group(self, value: Expression) -> None:
+        """The group of G159, where it is a number."""
+        if isinstance(value, Number):
+            group = value.value
+            if not 0 <= round(group) < MOST_GROUPS:
+                self._findings.report(900774, value.span, group=group, highest=MOST_GROUPS - 1)
 
     def _reference(self, block: Block) -> None:
         """G92 has axes, whose values are offsets, and no motion."""

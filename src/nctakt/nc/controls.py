@@ -20,6 +20,7 @@ from nctakt.nc.expressions import (
     expected,
     parse_expression,
     parse_target,
+    quoted,
     require,
     shown,
 )
@@ -191,7 +192,7 @@ def _one_line_body(text: BlockText) -> Statement:
     start = found.start(1) - 1
     make = _JUMPS.get("$" + found[1].upper())
     if make is None:
-        raise BlockError(900100, start, found.end(), found=shown("$" + found[1]))
+        raise BlockError(900100, start, found.end(), found=quoted("$" + found[1]))
     return make(text, Head(), text.span(start, found.end()))
 
 
@@ -411,7 +412,7 @@ def _end_realtime_cycle(here: Here, command: Hash) -> None:
         raise BlockError(22005, command.start, command.end, found="#RT CYCLE END")
     rest = (*command.words[3:], *command.arguments)
     if rest:
-        found = shown(here.text.text_of(rest[0].span))
+        found = quoted(here.text.text_of(rest[0].span))
         raise BlockError(900100, 0, 0, rest[0].span, found=found)
 
 

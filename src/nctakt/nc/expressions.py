@@ -13,6 +13,7 @@ from collections.abc import Callable
 from math import isinf
 from typing import NamedTuple
 
+from nctakt.diagnostics import Text
 from nctakt.nc.lexer import BlockError, BlockText
 from nctakt.nc.operators import CONSTANTS, FUNCTIONS, INFIX, PREFIX
 from nctakt.nc.syntax import (
@@ -36,7 +37,7 @@ from nctakt.nc.syntax import (
 EXPRESSION_DEPTH = 64
 
 #: How messages call the end of a block, in any language.
-END_OF_BLOCK = "<EOL>"
+END_OF_BLOCK = Text("the end of the block", "dem Satzende")
 
 FUNCTION_NAMES = "|".join(sorted(FUNCTIONS, key=len, reverse=True))
 
@@ -113,12 +114,13 @@ def parse_target(text: BlockText) -> Variable | Parameter | None:
 def expected(text: BlockText, message: int = 900101, symbol: str | None = None) -> BlockError:
     """The error that something is missing at the reading position, showing what stands there."""
     found = text.looking_at(_FOUND)
+    word: str | Text = END_OF_BLOCK
     if found is None:
         start = len(text.text.rstrip())
-        end, word = start + 1, END_OF_BLOCK
+        end = start + 1
     else:
         start, end = found.span(1)
-        word = shown(found[1])
+        word = quoted(found[1])
     if symbol is None:
         return BlockError(message, start, end, found=word)
     return BlockError(message, start, end, found=word, symbol=symbol)
@@ -143,6 +145,11 @@ def unreadable(text: BlockText) -> BlockError:
 def shown(found: str) -> str:
     """A piece of the text for a message: short, and nothing in it that does not print."""
     return "".join(c if c.isprintable() else f"U+{ord(c):04X}" for c in found[:40])
+
+
+def quoted(found: str) -> str:
+    """The same in quotation marks."""
+    return f"'{shown(found)}'"
 
 
 def require(text: BlockText, pattern: re.Pattern[str], symbol: str) -> None:
@@ -277,7 +284,7 @@ def _target(text: BlockText, depth: int) -> _SizedTarget | None:
     else:
         items = parse_list(text, depth)
         if len(items) != 1:
-            raise BlockError(900100, end, end + 1, found="[")
+            raise BlockError(900100, end, end + 1, found=quoted("["))
         index = items[0]
     parameter = Parameter(text.span(start, text.pos), index.node, bool(found[1]))
     return _SizedTarget(parameter, _checked(text, index.height + 1))

@@ -22,6 +22,7 @@ from nctakt.nc.expressions import (
     parse_item,
     parse_items,
     parse_variable,
+    quoted,
     starts_value,
 )
 from nctakt.nc.lexer import BlockError, BlockText
@@ -117,7 +118,7 @@ def cycle_keywords(text: BlockText, command: Hash) -> tuple[Item, ...]:
             for index, argument in enumerate(command.arguments)
             if index or not isinstance(argument, Bracket)
         )
-        found = text.text_of(wrong.span)
+        found = quoted(text.text_of(wrong.span))
         raise BlockError(900100, 0, 0, wrong.span, found=found)
     return items
 

@@ -257,6 +257,8 @@ def _shape(block: Block) -> Shape | None:
             continue
         if word.additional is not None or word.arguments:
             return None
+        if word.name == "F" and word.value.value <= 0.0:
+            return None
         if word.name not in _FREE_WORDS:
             if word.name != "G" or word.value.value > 3:
                 return None

@@ -18,6 +18,7 @@ from math import isfinite
 
 from nctakt.diagnostics import Span
 from nctakt.messages import Collector
+from nctakt.nc.check_motion import has_radius, lacks_centre
 from nctakt.nc.findings import Findings
 from nctakt.nc.frames import is_false
 from nctakt.nc.lint_channel import ChannelUse
@@ -40,6 +41,7 @@ from nctakt.nc.syntax import (
     RealtimeCycle,
     Repeat,
     Statement,
+    StringWord,
     SubprogramCall,
     Switch,
     Variable,
@@ -81,19 +83,23 @@ def never_deleted(programs: Sequence[GlobalCycles], collector: Collector) -> Non
 
 @dataclass(slots=True)
 class _State:
-    """What is certain at a place: active compensation (``G41``, ``G42``), values that were set."""
+    """What is certain at a place: active compensation (``G41``, ``G42``), values that were set,
+    that no radius of arcs has come.
+    """
 
     compensation: str = ""
     known: dict[str, Known] = field(default_factory=dict)
+    lacks_radius: bool = False
 
     def copy(self) -> _State:
-        return _State(self.compensation, dict(self.known))
+        return _State(self.compensation, dict(self.known), self.lacks_radius)
 
     def join(self, *others: _State) -> None:
         """Two ways meet here: certain is what is so on both."""
         for other in others:
             if not other.compensation:
                 self.compensation = ""
+            self.lacks_radius = self.lacks_radius and other.lacks_radius
             self.known = {
                 number: known
                 for number, known in self.known.items()
@@ -131,8 +137,11 @@ class Linter:
         self._deletes_any = False
 
     def section(self) -> None:
-        """A main program or subprogram begins: nothing of what was before is certain."""
-        self._state = _State()
+        """A main program or subprogram begins: nothing of what was before is certain.
+
+        But that a subprogram lives on a radius of its caller is not expected.
+        """
+        self._state = _State(lacks_radius=True)
 
     @property
     def global_cycles(self) -> GlobalCycles:
@@ -166,6 +175,7 @@ class Linter:
                 self._loop(statement)
             case SubprogramCall():
                 self._state.known.clear()
+                self._state.lacks_radius = False
 
     # --- ways through the program ----------------------------------------------------------------
 
@@ -272,6 +282,10 @@ class Linter:
     # --- tool radius compensation ----------------------------------------------------------------
 
     def _block(self, block: Block) -> None:
+        if has_radius(block) or any(isinstance(word, StringWord) for word in block.words):
+            self._state.lacks_radius = False
+        elif self._state.lacks_radius and lacks_centre(block):
+            self._findings.report(900906, block.span)
         for word in block.words:
             if isinstance(word, Word) and word.name == "G" and isinstance(word.value, Number):
                 if word.value.value in _COMPENSATION:

@@ -54,6 +54,7 @@ from nctakt.nc.syntax import (
     VariableBlock,
     Word,
 )
+from nctakt.text import nearest
 
 #: Letters that the name of an axis may begin with.
 AXIS_LETTERS = frozenset("ABCQUVWXYZ")
@@ -201,8 +202,16 @@ def _call(text: BlockText, *, local: bool) -> _Call:
         else:
             keywords.append(item)
     if name is None:
-        raise BlockError(900113, start, start + 1, symbol="NAME", found="[")
+        raise _without_name(keywords, start)
     return _Call(local, name, True, tuple(keywords))
+
+
+def _without_name(keywords: list[Keyword | Expression], start: int) -> BlockError:
+    """No NAME: perhaps a keyword is a misspelt one, else nothing tells what is called."""
+    for item in keywords:
+        if isinstance(item, Keyword) and nearest(item.name, ("NAME",)):
+            return BlockError(900133, 0, 0, item.span, word=item.name, nearest="NAME")
+    return BlockError(900916, start, start + 1)
 
 
 def _call_item(text: BlockText, depth: int) -> Keyword | Expression:

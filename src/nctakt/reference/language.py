@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 from nctakt.diagnostics import Text
 from nctakt.nc import support
+from nctakt.nc.command_forms import FORMS, forms_of
 from nctakt.nc.keywords import KEYWORDS, KeywordMeaning
 from nctakt.nc.operators import CONSTANTS, FUNCTIONS, INFIX, PREFIX, Function, Operator
 from nctakt.nc.support import Answer, Entry, Kind
@@ -124,7 +125,10 @@ _FAMILY = re.compile(r"(V)S?(\.[A-Z_]+)(\..*)?")
 
 def entry_article(entry: Entry) -> Article:
     """The article of a row of the support table."""
-    facts = [*_FURTHER.get(entry.name, ()), fact("In nctakt", "In nctakt", ANSWERS[entry.answer])]
+    facts = [*_FURTHER.get(entry.name, ())]
+    if entry.name in FORMS:
+        facts.append(fact("Written", "Schreibweise", forms_of(entry.name)))
+    facts.append(fact("In nctakt", "In nctakt", ANSWERS[entry.answer]))
     if entry.group:
         others = ", ".join(
             other.name

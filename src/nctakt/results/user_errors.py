@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from nctakt.diagnostics import Diagnostic, Span
 from nctakt.messages import diagnostic
+from nctakt.sources import statement_span
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
 
@@ -32,7 +33,8 @@ class UserErrorReport:
         number = user_message(self.reaction)
         values = {"RC": str(self.reaction), **self.values}
         told = ", ".join(f"{name} = {value}" for name, value in values.items())
-        return diagnostic(number, self.span, line, said=self.said(texts), values=told)
+        place = statement_span(self.span, line)
+        return diagnostic(number, place, line, said=self.said(texts), values=told)
 
     def said(self, texts: Mapping[int, str]) -> str:
         """The ID, with its text where there is one."""

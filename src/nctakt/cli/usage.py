@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: MIT
+"""Words of the command line that click cannot use, told as every other mistake is.
+
+In: the error of click, the words. Out: a diagnostic on standard error, in the language of
+``--lang`` as far as that stands among the words.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import cast
+
+import click
+
+from nctakt.cli.terminal import print_diagnostics
+from nctakt.diagnostics import NOTHING, Diagnostic, Language, Text
+from nctakt.messages import diagnostic
+from nctakt.text import nearest
+
+
+def tell_usage(error: click.ClickException, words: Sequence[str]) -> None:
+    """Show the mistake and how the help is asked for."""
+    print_diagnostics([_diagnostic(error)], _language(words))
+
+
+def _language(words: Sequence[str]) -> Language:
+    """What ``--lang`` says, or ``--lang=``; English where it says nothing of use."""
+    for word, following in zip(words, [*words[1:], ""], strict=True):
+        language = word.partition("=")[2] if word.startswith("--lang=") else following
+        if word.startswith("--lang") and language in ("en", "de"):
+            return cast(Language, language)
+    return "en"
+
+
+def _diagnostic(error: click.ClickException) -> Diagnostic:
+    context = getattr(error, "ctx", None)
+    help_of = f"{context.command_path} --help" if context is not None else "nctakt --help"
+    match error:
+        case click.NoSuchOption():
+            near = nearest(error.option_name, _options(context)) or NOTHING
+            return diagnostic(900907, option=error.option_name, nearest=near, help=help_of)
+        case click.MissingParameter():
+            return diagnostic(900910, name=_name(error), help=help_of)
+        case click.BadParameter():
+            expected = _expected(error)
+            return diagnostic(
+                900908, name=_name(error), value=_value(error), expected=expected, help=help_of
+            )
+        case click.BadOptionUsage() if error.option_name:
+            return diagnostic(900911, option=error.option_name, help=help_of)
+        case click.UsageError():
+            return _of_command(error, context, help_of)
+    return diagnostic(900909, reason=error.format_message(), help=help_of)
+
+
+def _of_command(error: click.UsageError, context: click.Context | None, help_of: str) -> Diagnostic:
+    """A subcommand that there is not, or what else click says."""
+    command = None if context is None else context.command
+    written = error.message.split("'")
+    if isinstance(command, click.Group) and context is not None and len(written) == 3:
+        known = command.list_commands(context)
+        near = nearest(written[1], known) or NOTHING
+        return diagnostic(900912, word=written[1], nearest=near, names=", ".join(known))
+    return diagnostic(900909, reason=error.message, help=help_of)
+
+
+def _options(context: click.Context | None) -> list[str]:
+    """All spellings of the command's options."""
+    if context is None:
+        return []
+    parameters = context.command.params
+    return [one for parameter in parameters for one in (*parameter.opts, *parameter.secondary_opts)]
+
+
+def _value(error: click.BadParameter) -> str:
+    """The value as click quotes it."""
+    return error.message.partition(" is not ")[0].strip("'")
+
+
+def _expected(error: click.BadParameter) -> Text:
+    """What the parameter takes."""
+    kind = None if error.param is None else error.param.type
+    if isinstance(kind, click.Choice):
+        choices = ", ".join(str(one) for one in kind.choices)
+        return Text(f"one of {choices}", f"eines von {choices}")
+    if isinstance(kind, click.IntRange | click.FloatRange):
+        low, high = kind.min, kind.max
+        whole = isinstance(kind, click.IntRange)
+        en = "a whole number" if whole else "a number"
+        de = "eine ganze Zahl" if whole else "eine Zahl"
+        if high is None:
+            return Text(f"{en} from {low} on", f"{de} ab {low}")
+        return Text(f"{en} from {low} to {high}", f"{de} von {low} bis {high}")
+    return Text(error.message, error.message)
+
+
+def _name(error: click.BadParameter) -> str:
+    """What the user calls the parameter: ``--ticks``, ``FILE``."""
+    parameter = error.param
+    if parameter is None:
+        return error.param_hint if isinstance(error.param_hint, str) else NOTHING
+    if isinstance(parameter, click.Option):
+        return max(parameter.opts, key=len)
+    return parameter.human_readable_name

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: MIT
+"""What is wrong with a motion by the words of its block alone: F0, an arc with centre and radius.
+
+In: a block. Out: warnings; whether the words are used in a motion at all only the run tells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from nctakt.nc.findings import Findings
+from nctakt.nc.syntax import AxisWord, Block, Number, Word
+
+CENTRE_WORDS = ("I", "J", "K")
+RADIUS_WORD = "R"
+FEED_WORD = "F"
+_ARCS = (2, 3)
+
+
+def check_motion(block: Block, findings: Findings) -> None:
+    """Check the words of one block."""
+    for word in _words(block, FEED_WORD):
+        if isinstance(word.value, Number) and word.value.value <= 0.0:
+            findings.report(900903, word.span, value=word.value.value)
+    radius = list(_words(block, RADIUS_WORD))
+    if radius and any(list(_words(block, name)) for name in CENTRE_WORDS):
+        findings.report(900904, radius[0].span)
+
+
+def lacks_centre(block: Block) -> bool:
+    """Whether it is an arc (G02, G03) with a target, without centre and radius."""
+    return (
+        any(
+            isinstance(word.value, Number) and word.value.value in _ARCS
+            for word in _words(block, "G")
+        )
+        and any(isinstance(word, AxisWord) for word in block.words)
+        and not any(list(_words(block, name)) for name in (*CENTRE_WORDS, RADIUS_WORD))
+    )
+
+
+def has_radius(block: Block) -> bool:
+    """Whether a radius stands in it, for this arc or a later one."""
+    return any(True for _ in _words(block, RADIUS_WORD))
+
+
+def _words(block: Block, name: str) -> Iterator[AxisWord | Word]:
+    """The words of a block with this name."""
+    return (word for word in block.words if isinstance(word, AxisWord | Word) and word.name == name)

@@ -8,6 +8,7 @@ know of each other: any number lives in one process.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
@@ -79,7 +80,9 @@ class Controller:
             for index, one in enumerate(self._channels):
                 one.budget = self._pace.budget(index)
         self._kernel = self._machine.kernel
-        self._recording = Recording(self._machine, self.diagnostics.append, self._is_told)
+        self._recording = Recording(
+            self._machine, self.diagnostics.append, functools.partial(_is_told, self._channels)
+        )
         self._stimuli: list[Stimulus] = []
         self._stimuli_from = 0
         self._plc: AnyPlc | None = None
@@ -441,15 +444,16 @@ class Controller:
             self._stimuli.pop(0)
         return self.tick + (1 << 60)
 
-    def _is_told(self, event: Event) -> bool:
-        """Whether the error is the decoder's, whose diagnostic is there since it gave up."""
-        feed = self._channels[max(event.channel - 1, 0)].feed
-        given_up = None if feed is None else feed.given_up
-        return given_up is not None and not event.cycle and event.text == str(given_up.id)
-
 
 def _worst(channels: Sequence[ChannelRun], otherwise: RunState) -> RunState:
     """How a run of several channels has ended: an error counts before a reset."""
     if any(one.is_stopped for one in channels):
         return "error"
     return "reset" if any(one.result == "reset" for one in channels) else otherwise
+
+
+def _is_told(channels: Sequence[ChannelRun], event: Event) -> bool:
+    """Whether the error is the decoder's, whose diagnostic is there since it gave up."""
+    feed = channels[max(event.channel - 1, 0)].feed
+    given_up = None if feed is None else feed.given_up
+    return given_up is not None and not event.cycle and event.text == str(given_up.id)

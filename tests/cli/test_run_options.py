@@ -336,7 +336,7 @@ def test_unusable_input_is_told_all_at_once(
     [
         ("", "Usage"),
         ("run", "no program is named"),
-        ("rum part.nc", "No such command"),
+        ("rum part.nc", "900912: there is no command rum"),
         ("run part.nc --ticks 0", "--ticks"),
         ("run part.nc --ticks many", "--ticks"),
         ("run part.nc --lang fr", "--lang"),

@@ -202,3 +202,20 @@ def test_a_fault_aborts_the_motions_of_its_cycle_and_no_others() -> None:
     assert last(found) == pytest.approx(100)
     controller.step(1000)
     assert controller.read("V.RTA.ACS.ACT_POS.Y") == 400
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        "M3 S99999\n#TIME 0.1\nM30",
+        "#RT CYCLE\n$IF ONCE 1 == 1\nM3 S99999\n$ENDIF\n#RT CYCLE END\n#TIME 0.1\nM30",
+    ],
+)
+def test_a_speed_beyond_the_axis_list_is_limited_and_told(program: str) -> None:
+    """P-AXIS-00212 of the demo machine's spindle: 36000 degrees per second, 6000 1/min."""
+    run = perform(program)
+    assert run.state == "ended"
+    (found,) = run.diagnostics
+    assert (found.id, found.severity.name) == (900905, "WARNING")
+    assert found.text() == "spindle S turns no faster than 6000 1/min; 99999 is limited to that"
+    assert numbers(perform(program.replace("99999", "6000"))) == []

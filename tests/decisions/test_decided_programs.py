@@ -51,6 +51,22 @@ def test_a_loop_that_never_moves_is_ended() -> None:
     assert (run.state, numbers(run)) == ("limit", [900302])
 
 
+@pytest.mark.parametrize(
+    ("program", "line"),
+    [
+        ("G00 X1\n$WHILE 1\nP1 = 1\n$FOR P2 = 1, 3, 1\nP3 = P2\n$ENDFOR\n$ENDWHILE\nM30", 2),
+        ("$FOR P2 = 1, 3, 1\nG00 X[P2]\n$WHILE 1\nP1 = 1\n$ENDWHILE\n$ENDFOR\nM30", 3),
+        ("N10: P1 = 1\nP1 = 2\n$GOTO N10\nM30", 3),
+    ],
+)
+def test_an_endless_loop_is_named_by_its_begin(program: str, line: int) -> None:
+    """900303 stands at the outermost loop that goes round without time, or at the jump."""
+    (found,) = perform(program).diagnostics
+    assert found.id == 900303
+    assert found.span is not None
+    assert found.span.line == line
+
+
 class _Late:
     """Acknowledges each function after so many ticks."""
 

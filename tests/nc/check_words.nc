@@ -53,7 +53,7 @@ G160 X1 ; error 900200 "G160"
 G163 ; error 900200 "G163"
 S1000
 S2=2000 ; error 900282 "S2=2000"
-S.POS=90 ; error 50954 "S.POS=90"
+S.POS=90 ; error 900902 "M19"
 S2[M03 REV=1000]
 S2[M19 POS=90] M3 S100 X1
 S2[M03 FEED=1000] ; error 900282 "FEED"
@@ -61,8 +61,8 @@ S2[M03 REV=1000 REV=2000] ; error 900224 "REV"
 S2[] ; error 50954 "S2[]"
 S1000 S ; error 900282 "S"
 M3
-M3 M4 ; error 50954 "M3"
-M5 M19 ; error 50954 "M5"
+M3 M4 ; error 900901 "M3, M4"
+M5 M19 ; error 900901 "M5, M19"
 M3=4 S100 ; error 900282 "M3=4"
 M3 S=V.E.NONE ; error 900213 "V.E.NONE"
 M19
@@ -232,6 +232,8 @@ G54 X10
 G159 = P1 Y3
 G54 G55 ; error 900210 "G55 and G54"
 G159 ; error 900770 "G159"
+G159 = 97 ; error 900774 "97"
+G159 = 96
 G54 = 3 ; error 900212 "G54"
 G92 X10 YP2
 G92 ; error 900771 "G92 names no axis"
@@ -263,8 +265,31 @@ G167 ; note 900201 "G167"
 #OVERRIDE [FEED_FACT=50 RAPID_FACT=P1]
 N10 #OVERRIDE [FEED_FACT=100]
 #OVERRIDE ; error 900233 "OVERRIDE"
-#OVERRIDE [FEED=50] ; error 900706 "FEED"
+#OVERRIDE [FEED=50] ; error 900900 "FEED"
+#OVERRIDE [Q=50] ; error 900706 "Q"
 X[OVERRIDE FEED_FACT=20 RAPID_FACT=60]
 X[OVERRIDE FEED_FACT=20 SLOW] ; error 900706 "SLOW"
 Q[OVERRIDE FEED_FACT=20] ; error 900203 "Q["
 X[OVERRIDE FEED_FACT=V.E.NONE] ; error 900213 "V.E.NONE"
+; --- arcs with a centre and a radius
+G02 X10 I5 R5 F100 ; warning 900904 "a centre and a radius"
+G03 X10 I5
+G03 X10 R5
+R7
+M30
+; --- #CONTOUR MODE and #SLOPE: misspelt, wrong, not simulated
+#CONTOUR MODE ON [DEVV PATH_DEV=0.1] ; error 900900 "knows no DEVV"
+#CONTOUR MODE [DEV PATH_DEF=0.1] ; error 900900 "knows no PATH_DEF"
+#CONTOUR MODE [DEV PATH_DEV=0] ; error 900707 "deviation 0 of"
+#CONTOUR MODE [DEV PATH_DEV=-0.5] ; error 900707 "deviation -0.5 of"
+#CONTOUR MODE [DEV PATH_DEV=P1]
+#CONTOUR MODE [QQ] ; error 900706 "QQ of #CONTOUR MODE"
+#CONTOUR MODE ON DEV ; error 900233 "#CONTOUR MODE"
+#SLOPE [TYP=STEP] ; error 900900 "knows no TYP"
+#SLOPE [TYPE=TRAPEZZ] ; error 900900 "#SLOPE [TYPE] knows no TRAPEZZ"
+#SLOPE ; error 900233 "#SLOPE"
+M30
+; --- #ERROR without its equals signs: one mistake each
+#ERROR [ID 455] ; error 900208 "ID"
+#ERROR [ID=455 RC 2] ; error 900208 "RC"
+M30

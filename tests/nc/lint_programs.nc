@@ -190,3 +190,21 @@ V.E.LEVEL_1_A[P1].FROZEN = 4
   V.E.VALUE1 = V.E.LEVEL_1_A[1].FROZEN ; note 900236 "the value that it has"
 #RT CYCLE END
 M30
+; --- a feed of 0, and arcs of which no radius can be known
+G02 X5 ; warning 900906 "no centre"
+G02 X5 ; warning 900906 "no centre"
+G01 X1 F100
+G01 X1 F0 ; warning 900903 "feed 0"
+G01 X1 F100
+G01 X1 F-2.5 ; warning 900903 "feed -2.5"
+G03
+G03 R5
+G02 X5
+M30
+; --- a radius may come on another way
+$IF P1 == 1
+  G02 X5 ; warning 900906 "no centre"
+  R5
+$ENDIF
+G02 X6
+M30

@@ -85,7 +85,8 @@ L CYCLE [NAME="a b.cyc"]
 L CYCLE [NAME=C:\dir\a.cyc @P1=1]
 LL cycle
 ; --- calls with mistakes
-L CYCLE [@P1=3] ; error 900113 "NAME"
+L CYCLE [@P1=3] ; error 900916 "NAME"
+L CYCLE [NAM=a.nc] ; error 900133 "NAM"
 L CYCLE [NAME=a.nc @P1=3 ; error 900102 "bracket"
 L CYCLE [NAME=] ; error 900114 "]"
 L CYCLE [NAME=a @P] ; error 900101 "@"

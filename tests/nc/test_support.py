@@ -6,10 +6,12 @@ from __future__ import annotations
 from collections import Counter
 
 import pytest
-from check_machine import demo_channel
+from check_machine import demo_channel, findings
 
+from nctakt.diagnostics import Severity
 from nctakt.lists.technology import INTERNAL_M_FUNCTIONS, SYNCHRONISATIONS
 from nctakt.nc import support
+from nctakt.nc.command_forms import FORMS
 from nctakt.nc.formats import places
 from nctakt.nc.operators import FUNCTIONS
 from nctakt.nc.support import Answer, Kind
@@ -85,3 +87,14 @@ def test_a_text_tells_its_places_for_values() -> None:
         ("%y", False),
         ("%", False),
     ]
+
+
+@pytest.mark.parametrize("command", FORMS)
+def test_the_forms_of_a_command_are_right(command: str) -> None:
+    """Each form that a remedy and ``nctakt explain`` show passes the check."""
+    entry = support.answer_hash(command.removeprefix("#").split())
+    assert entry is not None
+    assert entry.answer is Answer.SIMULATED
+    for form in FORMS[command]:
+        lines = ("#VAR", "V.P.NAME", "#ENDVAR", form, "M30")
+        assert [one.headline() for one in findings(lines) if one.severity is Severity.ERROR] == []

@@ -62,6 +62,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     _never_fail_at_a_character()
     try:
         code = group.main(arguments, prog_name="nctakt", standalone_mode=False)
+    except click.exceptions.NoArgsIsHelpError as error:
+        error.show()
+        return EXIT_USAGE
     except click.ClickException as error:
         from nctakt.cli.usage import tell_usage  # noqa: PLC0415 - only a mistake needs it
 

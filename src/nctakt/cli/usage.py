@@ -25,7 +25,7 @@ def tell_usage(error: click.ClickException, words: Sequence[str]) -> None:
 
 def _language(words: Sequence[str]) -> Language:
     """What ``--lang`` says, or ``--lang=``; English where it says nothing of use."""
-    for word, following in zip(words, [*words[1:], ""], strict=True):
+    for word, following in zip(words, [*words[1:], ""], strict=False):
         language = word.partition("=")[2] if word.startswith("--lang=") else following
         if word.startswith("--lang") and language in ("en", "de"):
             return cast(Language, language)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Messages of ``nctakt check`` on programs that would run: what is likely meant otherwise.
 
-Numbers 900235 … 900259, and the controller's own number where it is an error there.
+Numbers 900235 … 900259, 900903, 900906, and the controller's own where it is an error there.
 """
 
 from __future__ import annotations
@@ -230,4 +230,23 @@ _add(
     cause_de="Mit G91 beginnt jeder Befehl einen neuen Weg dort, wo die Achse gerade ist; mit "
     "BUFFERED will jeder einen Platz hinter der laufenden Bewegung.",
     parameters={"axis": "the axis", "word": "G91 or BUFFERED"},
+)
+_add(
+    900903,
+    WARNING,
+    "the feed {value} is not above 0: a feed motion with it stops the program",
+    "der Vorschub {value} liegt nicht über 0: eine Vorschubbewegung damit hält das Programm an",
+    remedy_en="Program F with a value above 0.",
+    remedy_de="F mit einem Wert über 0 programmieren.",
+    parameters={"value": "the value"},
+)
+_add(
+    900906,
+    WARNING,
+    "this arc has no centre, and no radius has come before",
+    "dieser Kreisbogen hat keinen Mittelpunkt, und vorher kam kein Radius",
+    remedy_en="Program the centre with I, J or K, or a radius R other than 0.",
+    remedy_de="Den Mittelpunkt mit I, J oder K programmieren oder einen Radius R ungleich 0.",
+    cause_en="Where the program runs so, it stops here with 900700.",
+    cause_de="Läuft das Programm so, hält es hier mit 900700 an.",
 )

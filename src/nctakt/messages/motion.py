@@ -133,15 +133,6 @@ _add(
     },
 )
 _add(
-    900903,
-    WARNING,
-    "the feed {value} is not above 0: a feed motion with it stops the program",
-    "der Vorschub {value} liegt nicht über 0: eine Vorschubbewegung damit hält das Programm an",
-    remedy_en="Program F with a value above 0.",
-    remedy_de="F mit einem Wert über 0 programmieren.",
-    parameters={"value": "the value"},
-)
-_add(
     900904,
     WARNING,
     "the arc has a centre and a radius: the centre counts, R is for later arcs",
@@ -151,14 +142,4 @@ _add(
     cause_en="In a block with a centre the radius is stored, and used by the next arc without one.",
     cause_de="In einem Satz mit Mittelpunkt wird der Radius gemerkt; der nächste Bogen ohne "
     "Mittelpunkt nutzt ihn.",
-)
-_add(
-    900906,
-    WARNING,
-    "this arc has no centre, and no radius has come before",
-    "dieser Kreisbogen hat keinen Mittelpunkt, und vorher kam kein Radius",
-    remedy_en="Program the centre with I, J or K, or a radius R other than 0.",
-    remedy_de="Den Mittelpunkt mit I, J oder K programmieren oder einen Radius R ungleich 0.",
-    cause_en="Where the program runs so, it stops here with 900700.",
-    cause_de="Läuft das Programm so, hält es hier mit 900700 an.",
 )

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What is wrong with a motion by the words of its block alone: F0, an arc with centre and radius.
+"""What is likely wrong with a motion by the words of its block alone: F0, arcs.
 
-In: a block. Out: warnings; whether the words are used in a motion at all only the run tells.
+In: a block. Out: warnings; whether a motion comes of its words only the run tells.
 """
 
 from __future__ import annotations
@@ -17,11 +17,15 @@ FEED_WORD = "F"
 _ARCS = (2, 3)
 
 
-def check_motion(block: Block, findings: Findings) -> None:
-    """Check the words of one block."""
+def check_feed(block: Block, findings: Findings) -> None:
+    """A feed of 0 or below is no feed."""
     for word in _words(block, FEED_WORD):
         if isinstance(word.value, Number) and word.value.value <= 0.0:
             findings.report(900903, word.span, value=word.value.value)
+
+
+def check_arc(block: Block, findings: Findings) -> None:
+    """Centre and radius in one block."""
     radius = list(_words(block, RADIUS_WORD))
     if radius and any(list(_words(block, name)) for name in CENTRE_WORDS):
         findings.report(900904, radius[0].span)

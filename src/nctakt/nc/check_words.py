@@ -16,7 +16,7 @@ from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.lists.offsets import MOST_GROUPS
 from nctakt.nc import support
 from nctakt.nc.axis_commands import is_axis_command
-from nctakt.nc.check_motion import check_motion
+from nctakt.nc.check_motion import check_arc
 from nctakt.nc.check_path import check_axis_override
 from nctakt.nc.check_spindles import SpindleChecker
 from nctakt.nc.check_values import ValueChecker
@@ -104,7 +104,7 @@ class WordChecker:
                         self._unknown(word, state)
                 case StringWord():
                     pass  # what it stands for is known when it is decoded
-        check_motion(block, self._findings)
+        check_arc(block, self._findings)
         self._exact_stop(block)
         self._reference(block)
 

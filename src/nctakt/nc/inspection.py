@@ -244,7 +244,7 @@ def _shape(block: Block) -> Shape | None:
     """What a check of the block depends on; ``None`` where that is more than its words tell.
 
     G functions change what comes after them, M functions may end the program, and the number of a
-    block may be computed: only blocks of axis words, F and G00 to G03 have a shape.
+    block may be computed: only blocks of axis words, F above 0, G00 and G01 have a shape.
     """
     if block.head.number is not None and not isinstance(block.head.number, Number):
         return None
@@ -260,7 +260,7 @@ def _shape(block: Block) -> Shape | None:
         if word.name == "F" and word.value.value <= 0.0:
             return None
         if word.name not in _FREE_WORDS:
-            if word.name != "G" or word.value.value > 3:
+            if word.name != "G" or word.value.value > 1:
                 return None
             shape.append(word.value.value)
     return tuple(shape)

@@ -18,7 +18,7 @@ from math import isfinite
 
 from nctakt.diagnostics import Span
 from nctakt.messages import Collector
-from nctakt.nc.check_motion import has_radius, lacks_centre
+from nctakt.nc.check_motion import check_feed, has_radius, lacks_centre
 from nctakt.nc.findings import Findings
 from nctakt.nc.frames import is_false
 from nctakt.nc.lint_channel import ChannelUse
@@ -282,6 +282,7 @@ class Linter:
     # --- tool radius compensation ----------------------------------------------------------------
 
     def _block(self, block: Block) -> None:
+        check_feed(block, self._findings)
         if has_radius(block) or any(isinstance(word, StringWord) for word in block.words):
             self._state.lacks_radius = False
         elif self._state.lacks_radius and lacks_centre(block):

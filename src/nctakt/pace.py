@@ -24,8 +24,9 @@ from nctakt.schedule.model import NS_PER_US
 from nctakt.schedule.opening import RunSchedule
 from nctakt.schedule.ticks import Duties, Share, TickSchedule
 
-#: "No scheduling list": not true of a machine that a schedule is given to.
-_NO_LIST = 900068
+#: What is said of the machine's own scheduling list, which does not count here: that there is none,
+#: contexts without a thread, realtime cycles in the time of Windows.
+_OF_OWN_LIST = (900068, 900611, 900697)
 
 
 def scheduled(
@@ -33,8 +34,9 @@ def scheduled(
 ) -> tuple[MachineConfiguration, Duties]:
     """The machine with the ticks of a schedule, and who works for it; raises ``Failure``."""
     collector = Collector()
-    collector.diagnostics += [one for one in machine.diagnostics if one.id != _NO_LIST]
-    collector.diagnostics += schedule.diagnostics
+    known = [one for one in machine.diagnostics if one.id not in _OF_OWN_LIST]
+    collector.diagnostics += known
+    collector.diagnostics += [one for one in schedule.diagnostics if one not in known]
     parameters = [channel.parameters for channel in machine.channels]
     check_contexts(schedule.configuration, parameters, collector)
     check_time_limits(schedule.configuration, parameters, collector)

@@ -82,7 +82,8 @@ M116
 H116
 M200
 H200
-G04 S10 ; error 900200 "G04 S (dwell in revolutions)"
+G04 S10
+G04 S10 X1 ; error 900211
 M30
 ; --- nobody knows it
 Q5 ; error 900203 "Q5"

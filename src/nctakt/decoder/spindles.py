@@ -83,6 +83,15 @@ class SpindleWords:
             command, number, (index, spindle, key), (function, speed, position, direction)
         )
 
+    def revolutions_s(self, count: float, span: Span) -> float:
+        """Seconds that the main spindle takes for so many revolutions, as it was programmed."""
+        for index, spindle in enumerate(self.values.surroundings.parameters.spindles):
+            modal = self.modal.get(index)
+            if spindle.is_main and modal is not None and modal.function in _DIRECTIONS:
+                if modal.speed > 0.0:
+                    return 60.0 * count / modal.speed
+        self.values.fail(900813, span)
+
     def _issue(
         self,
         command: SpindleCommand,

@@ -130,7 +130,11 @@ class Words:
             content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
         content.is_reference = REFERENCE in numbers
         content.path.once.update({EXACT_STOP, CONTOURING, NO_OVERRIDE}.intersection(numbers))
-        commands, words = split(block.words, self._spindle_names)
+        rest: Sequence[syntax.BlockWord] = block.words
+        if DWELL in numbers:
+            rest = [word for word in rest if not _is_revolutions(word)]
+            content.dwell_s = yield from self._revolutions(block, number)
+        commands, words = split(rest, self._spindle_names)
         for word in words:
             if isinstance(word, syntax.AxisWord):
                 if word.value is not None:
@@ -157,6 +161,17 @@ class Words:
         if DWELL in numbers and content.axes:
             content.dwell_s = content.axes.pop()[1]
         return content
+
+    def _revolutions(
+        self, block: syntax.Block, number: int
+    ) -> Generator[Command, Answer, float | None]:
+        """``G04 S10``: the time of revolutions of the main spindle."""
+        for word in filter(_is_revolutions, block.words):
+            assert isinstance(word, syntax.Word)
+            assert word.value is not None
+            count = yield from self._values.evaluate(word.value, number)
+            return self._spindles.revolutions_s(count, word.span)
+        return None
 
     def _additional(self, word: syntax.Word, value: float, content: _Content) -> None:
         """The number that belongs to a G function: the group of G159, the time of G04."""
@@ -303,3 +318,8 @@ class Words:
         count = int(arithmetic.ceiling(ticks - 1e-6))
         if count > 0:
             yield Dwell(self._surroundings.place(span), number, count)
+
+
+def _is_revolutions(word: syntax.BlockWord) -> bool:
+    """Whether the word of a block with G04 is its time in revolutions."""
+    return isinstance(word, syntax.Word) and word.name == "S"

@@ -158,3 +158,16 @@ _add(
         "speed": "the speed as programmed",
     },
 )
+_add(
+    900813,
+    ERROR,
+    "G04 S: the program has not set the main spindle turning",
+    "G04 S: das Programm hat die Hauptspindel nicht in Drehung versetzt",
+    remedy_en="Program M3 or M4 with a speed above 0 before, or give the time: G04 X1.5",
+    remedy_de="Vorher M3 oder M4 mit einer Drehzahl über 0 programmieren, oder die Zeit angeben: "
+    "G04 X1.5",
+    cause_en="The time is that of revolutions at the programmed speed.",
+    cause_de="Die Zeit ist die von Umdrehungen mit der programmierten Drehzahl.",
+    reaction=2,
+    clearing=3,
+)

@@ -335,7 +335,7 @@ class WordChecker:
             self._findings.report(900771, command.span, command=name)
 
     def _dwell_block(self, block: Block) -> None:
-        """``G04`` with its time: ``G04 X0.5``, ``G04 0.5``; revolutions are refused."""
+        """``G04`` with its time: ``G04 X0.5``, ``G04 0.5``; in revolutions, ``G04 S10``."""
         dwell = _dwell(block)
         assert dwell is not None
         others = [word for word in block.words if word is not dwell]
@@ -344,9 +344,8 @@ class WordChecker:
         for word in others:
             if isinstance(word, AxisWord) and word.name == "X" and word.value is not None:
                 times.append(word.value)
-            elif isinstance(word, Word) and word.name == "S" and len(others) == 1:
-                self._findings.answer(support.form("G04 S"), dwell.span)
-                return
+            elif isinstance(word, Word) and word.name == "S" and word.value is not None:
+                times.append(word.value)
             else:
                 wrong = True
         if wrong or len(times) != 1:

@@ -191,7 +191,7 @@ FORMS = known(
     ("M110=130", "R", "M or H function with a value", "M- oder H-Funktion mit Wert"),
     ("M[P1]", "R", "function with a computed number", "Funktion mit berechneter Nummer"),
     ("M110 X", "S", "M or H function of one axis", "M- oder H-Funktion einer Achse"),
-    ("G04 S", "R", "dwell in revolutions", "Verweilzeit in Umdrehungen"),
+    ("G04 S", "S", "dwell in revolutions", "Verweilzeit in Umdrehungen"),
     ('"NAME"', "S", "macro", "Makro"),
     ("V.P.A = [1, 2]", "S", "values of a program's own array", "Werte eines eigenen Feldes"),
     ('"text"', "S", "text as a value", "Text als Wert"),

@@ -216,6 +216,8 @@ class Feed:
                 command.arc,
                 None if command.pace is None else command.pace.row,
             )
+            if command.goes_on:
+                self._channel.block_goes_on()
             self._decoder.took_time(command)
             return
         row = commands.pack(command, place)

@@ -282,3 +282,23 @@ def test_d_and_g41_may_stand_in_one_block_and_d0_with_g40(monkeypatch: pytest.Mo
     segments, errors = decoded("F100 G01 D2\nG41 D1 X10 Y0\nX50\nG40 D0 Y20\n", monkeypatch)
     assert errors == []
     assert [one.target[:2] for one in segments] == [(10, 5), (50, 5), (50, 20)]
+
+
+@pytest.mark.parametrize("corners", ["G25", "G26"])
+def test_the_way_around_a_corner_is_part_of_its_block(corners: str) -> None:
+    """A BLOCK cycle runs until the last piece is over (RC-105), and with the next block no more."""
+    text = (
+        f"{START}G360 {corners} G41 X10 Y0\n#RT CYCLE [ID=1 SCOPE=BLOCK]\nV.E.COUNT += 1\n"
+        "#RT CYCLE END\nX50\nX20\nG40 X0\nM30\n"
+    )
+    controller = Controller()
+    signals = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS"]
+    run = controller.run(NcText("p.nc", text), signals=signals)
+    assert run.errors == ()
+    assert run.trace is not None
+    places = list(zip(*(run.trace[name].tolist() for name in signals), strict=True))
+    begun, over = places.index((10, 5)), next(n for n, (_, y) in enumerate(places) if y == -5)
+    assert places[over][0] == (55 if corners == "G25" else 50)
+    ended = [event.tick for event in run.events if event.kind == "ended"]
+    assert ended == [over + 1]
+    assert controller.read("V.E.COUNT") == over - begun

@@ -48,7 +48,8 @@ class Segment(Command):
 
     ``feed`` in mm/s, below 0 rapid. ``deviation``: how far the path may pass the target, 0 not at
     all. ``limits_jerk``: its slope is an S-curve. ``arc``: first and second axis of its plane,
-    centre, angle; ``None`` for a line. ``pace``: ``None`` where the feed is all.
+    centre, angle; ``None`` for a line. ``pace``: ``None`` where the feed is all. ``goes_on``: the
+    block goes on with the next segment.
     """
 
     start: tuple[float, ...]
@@ -59,6 +60,7 @@ class Segment(Command):
     limits_jerk: bool = False
     arc: tuple[float, ...] | None = None
     pace: Pace | None = None
+    goes_on: bool = False
 
 
 @dataclass(frozen=True, slots=True)

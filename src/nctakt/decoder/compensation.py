@@ -235,6 +235,7 @@ class Compensation:
                 target=tuple(target),
                 exact_stop=segment.exact_stop and is_last,
                 arc=row,
+                goes_on=not is_last,
             )
 
     def _elsewhere(self, segment: Segment) -> Segment:

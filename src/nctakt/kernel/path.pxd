@@ -68,6 +68,8 @@ cdef class Path:
     cdef void release(self) noexcept nogil
     @cython.locals(k=Py_ssize_t, axis=Py_ssize_t)
     cdef void rest(self) noexcept nogil
+    cdef bint goes_on(self) noexcept nogil
+    cdef long long block_serial(self) noexcept nogil
     @cython.locals(way=double)
     cdef int next_stage(self) noexcept nogil
     @cython.locals(limit_v=double)

@@ -75,6 +75,8 @@ class Path:
 
     def begin(self, queue_base: int, queue: memoryview[float], offset_t: float) -> None:
         """Take the segment in ``queue`` at ``queue_base`` as current, ``offset_t`` of it past."""
+        if not self.goes_on():
+            self.serial += 1
         self.base = (self.used % self.ring_size) * self.width
         for i in range(self.width):
             self.ring[self.base + i] = queue[queue_base + i]
@@ -82,7 +84,6 @@ class Path:
         if self.history_size > 0:
             self.remember()
         self.used += 1
-        self.serial += 1
         self.is_active = True
         self.is_dwell = self.ring[self.base] == 2.0
         self.dwell_ticks = int(self.ring[self.base + 3]) if self.is_dwell else 0
@@ -134,6 +135,14 @@ class Path:
     def forget(self) -> None:
         """The history ends here: nothing before is walked back."""
         self.oldest = self.used
+
+    def goes_on(self) -> bool:
+        """Whether the block of the segment that was taken last goes on with the next one."""
+        return self.ring[self.front + 8] < 0.0
+
+    def block_serial(self) -> int:
+        """The running number of the current block, 0 between two blocks."""
+        return self.serial if self.is_active or self.goes_on() else 0
 
     def next_stage(self) -> int:
         """Go on to the next stage of the segment that has a way: 0 where there is none left."""
@@ -361,7 +370,7 @@ class Path:
         self.is_active = False
         self.put_axes(shape.end_place(self.ring, self.base, self.count))
         self.release()
-        if self.ring[self.base + 8] != 0.0:
+        if self.ring[self.base + 8] > 0.0:
             return 0
         return 1 if self.left_t > 0.0 or self.speed_v > 0.0 else 0
 

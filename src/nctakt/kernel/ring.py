@@ -170,6 +170,10 @@ class CommandRing:
         self.prepare(base, feed_v, deviation)
         self.latest = -1 if exact_stop or limits_jerk else self.tail - 1
 
+    def block_goes_on(self) -> None:
+        """The latest segment, without exact stop, and the one behind it are one block."""
+        self.queue[(self.tail - 1) % self.capacity * self.width + 8] = -1.0
+
     def prepare(self, base: int, feed_v: float, deviation: float) -> None:
         """Limits of the latest segment and the speeds of those before it."""
         self.ahead.measure(self.queue, base, feed_v)

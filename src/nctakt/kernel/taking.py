@@ -67,7 +67,7 @@ class Commands(CommandRing):
 
     def take_commands(self, tick: int) -> None:
         """Take commands in order until one takes time or has to wait (RC-003, RC-004)."""
-        self.manager.leave_blocks(self.path.serial if self.path.is_active else 0)
+        self.manager.leave_blocks(self.path.block_serial())
         if self.is_stopped or self.is_resetting or self.panel.is_paused or self.goes_back():
             return
         while self.head < self.tail and self.waiting == 0 and not self.is_stopped:

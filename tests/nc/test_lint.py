@@ -132,6 +132,13 @@ def test_blocks_of_a_shape_that_was_seen_are_checked_all_the_same(seed: int) -> 
     assert sorted(found) == sorted(one.headline() for one in findings(lines, role="either"))
 
 
+def test_a_feed_of_nothing_is_found_in_a_long_program() -> None:
+    """Lines that are passed over since they are like others may not hide it."""
+    lines = (*["G01 X1 F100"] * 3000, "G01 X2 F0", "G01 X2 F-1", "M30")
+    found = [(one.id, one.span.line) for one in lints(lines) if one.span is not None]
+    assert found == [(900903, 3001), (900903, 3002)]
+
+
 # --- sets of programs ----------------------------------------------------------------------------
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
 # cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
-"""Plain blocks, read without a tree: a number, G00 or G01, axis words, F, comments.
+"""Plain blocks, read without a tree: a number, G00 or G01, axis words, F above 0, comments.
 
 In: lines. Out: what a line says, in numbers, where it is plain. Programs of CAM systems consist of
 such lines. Whatever is not exactly one of them is for the parser: there is one language, and this
@@ -166,7 +166,7 @@ class PlainScanner:
                 return -1
             self.shape = self.shape * 32 + 27 + self.motion
             self.words += 1
-        elif letter == 70 and not self.has_feed:
+        elif letter == 70 and not self.has_feed and self.value > 0.0:
             self.has_feed = True
             self.feed = self.value
         else:

@@ -19,7 +19,11 @@ def channel_spindles(
     memory: bytearray,
     record: Record,
 ) -> Spindles:
-    """The spindles of a channel with the limits of their axis lists."""
+    """The spindles of a channel with the limits of their axis lists.
+
+    Where the channel's slope is jerk-limited the ramp times of the list count, as for axes.
+    """
+    is_smooth = configuration.channels[index].parameters.program_start.slope_profile != 0
     spindles = configuration.channels[index].parameters.spindles
     first, cycle_time_us = layout.spindle_cell(index), configuration.cycle_time_us
     made = Spindles(memory, first, len(spindles), record, cycle_time_us)
@@ -27,12 +31,15 @@ def channel_spindles(
     made.first_number = sum(len(channel.parameters.spindles) for channel in before)
     for place, spindle in enumerate(spindles):
         axis = _axis_of(configuration, spindle)
-        made.configure(
-            place,
-            plc=spindle.plc_controlled,
-            speed=0.0 if axis is None else axis.max_speed,
-            acceleration=0.0 if axis is None else axis.max_acceleration,
-        )
+        if axis is None:
+            made.configure(place, plc=spindle.plc_controlled, speed=0.0, acceleration=0.0)
+            continue
+        slope = axis.dynamics.jerk_slope
+        jerk = slope.jerk if is_smooth else 0.0
+        acceleration = axis.max_acceleration
+        if jerk > 0.0:
+            acceleration = min(slope.least_acceleration, axis.dynamics.max_acceleration)
+        made.configure(place, plc=False, speed=axis.max_speed, acceleration=acceleration, jerk=jerk)
     return made
 
 

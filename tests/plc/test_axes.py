@@ -8,11 +8,13 @@ n + 1 on; 10 mm from rest to rest take 100 ticks, with 5 mm after 50 of them.
 from __future__ import annotations
 
 import itertools
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+import nctakt
 from nctakt.controller import Controller, NcText
 from nctakt.failure import Failure
 from nctakt.interface import Interface
@@ -320,8 +322,29 @@ def test_reset_leaves_error_stop() -> None:
     assert column(made, "X.ACS.ACT_POS")[-1] == 9999.9
 
 
+@pytest.mark.parametrize("block", [MC_MoveAbsolute, MC_MoveVelocity, MC_Halt, MC_Reset])
+def test_an_axis_without_single_axis_interface_is_refused(
+    block: type[AxisBlock], tmp_path: Path
+) -> None:
+    """50966: P-AXIS-00457 is not set, whatever the PLC asks for; nothing moves."""
+    shutil.copytree(Path(nctakt.__file__).parent / "machines" / "demo", tmp_path / "machine")
+    for file in (tmp_path / "machine").glob("*.lis"):
+        text = file.read_text("utf-8").replace("enable_single_axis", "# enable_single_axis")
+        lines = (line for line in text.splitlines() if "# enable_single_axis" not in line)
+        file.write_text("\n".join([*lines, ""]), "utf-8")
+    used = block("X")
+    inputs = {
+        MC_MoveAbsolute: {"position": 10, "velocity": 100},
+        MC_MoveVelocity: {"velocity": 100},
+    }.get(block, {})
+    plc = Cell(lambda hli: used(hli, execute=True, **inputs), used)  # type: ignore[operator]
+    made = Controller(tmp_path / "machine").run(NcText("p.nc", WAIT), plc=plc)
+    assert plc.told == [[(0, "busy"), (1, "error 50966")]]
+    assert made.state == "ended"
+
+
 def test_reset_of_an_axis_without_an_error_is_done() -> None:
-    """PLCopen: no effect; an axis that the PLC may not move is refused (50966)."""
+    """PLCopen: no effect."""
     reset = MC_Reset("X")
     plc = Cell(lambda hli: reset(hli, execute=True), reset)
     made = run(WAIT, plc)

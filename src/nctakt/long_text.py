@@ -13,6 +13,7 @@ import codecs
 import re
 from array import array
 from collections.abc import Iterator, Sequence
+from itertools import accumulate
 from pathlib import Path
 from typing import BinaryIO, overload
 
@@ -69,9 +70,12 @@ class LongText(Sequence[str]):
             data = rest + chunk
             # A carriage return at the very end may be half of a line end.
             usable = len(data) - 1 if chunk and data.endswith(b"\r") else len(data)
-            for found in _LINE_END.finditer(data, 0, usable):
-                self._add_line(line_begin)
-                line_begin = begin + found.end()
+            if b"\r" not in data:
+                line_begin = self._add_lines(data, begin, line_begin)
+            else:
+                for found in _LINE_END.finditer(data, 0, usable):
+                    self._add_line(line_begin)
+                    line_begin = begin + found.end()
             if not chunk:
                 end = begin + len(data)
                 break
@@ -85,6 +89,18 @@ class LongText(Sequence[str]):
         if self._count % LINES_PER_PLACE == 0:
             self._places.append(begin)
         self._count += 1
+
+    def _add_lines(self, data: bytes, begin: int, line_begin: int) -> int:
+        """Add the lines that a newline in ``data`` ends; where the one begins that is open.
+
+        ``data`` stands at ``begin`` in the file, its first line begins at ``line_begin``.
+        """
+        lengths = list(accumulate(map(len, data.split(b"\n"))))
+        count = len(lengths) - 1
+        for line in range(-self._count % LINES_PER_PLACE, count, LINES_PER_PLACE):
+            self._places.append(begin + lengths[line - 1] + line if line else line_begin)
+        self._count += count
+        return begin + lengths[count - 1] + count if count else line_begin
 
     def _check_encoding(self, decoder: codecs.IncrementalDecoder, chunk: bytes) -> None:
         if not self._is_utf8:

@@ -7,7 +7,7 @@ channel: the read waits until the path stands (RC-308).
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from typing import NoReturn
 
 from nctakt.decoder.commands import (
@@ -17,6 +17,7 @@ from nctakt.decoder.commands import (
 )
 from nctakt.decoder.expressions import Built, ExpressionBuilder, constant
 from nctakt.decoder.own_values import OwnValues
+from nctakt.decoder.plans import Leaf, Plan, Plans
 from nctakt.decoder.state import ModalState
 from nctakt.decoder.surroundings import DecodeError, Surroundings
 from nctakt.decoder.tools import ActiveTool
@@ -62,6 +63,7 @@ class Reading:
         self._builder = ExpressionBuilder(self._leaf, self._compare_texts, self._ask)
         self.own = OwnValues(state.levels, self._index, self.fail)
         self._context = empty_context()
+        self._plans = Plans()
         self.tool = ActiveTool(surroundings, state, self.fail)
 
     # --- reading --------------------------------------------------------------------------------
@@ -73,8 +75,9 @@ class Reading:
         """
         if isinstance(expression, syntax.Number):
             return expression.value
-        yield from self._fetch(expression, number)
-        value = self._compute(expression)
+        plan = self._plans.of(expression)
+        yield from self._fetch(expression, number, plan)
+        value = self._computed(expression, plan)
         self._fetched.clear()
         return value
 
@@ -200,6 +203,19 @@ class Reading:
         return value
 
     def _compute(self, expression: syntax.Expression) -> float:
+        return self._computed(expression, self._plans.of(expression))
+
+    def _computed(self, expression: syntax.Expression, plan: Plan | None) -> float:
+        """The value of an expression whose variables are fetched; as planned, if all are numbers.
+
+        What goes wrong is found out with the values in the nodes, where faults are told.
+        """
+        if plan is not None and plan.node is not None and self._load(plan.leaves):
+            context = self._plans.context
+            context.fault = 0
+            value = plan.node.measure(context)
+            if not context.fault and arithmetic.is_finite(value):
+                return value
         context = self._context
         context.fault = 0
         value = self._builder.build(expression).node.measure(context)
@@ -211,9 +227,25 @@ class Reading:
             self.fail(900301, expression.span)
         return value
 
-    def _fetch(self, expression: syntax.Expression, number: int) -> Generator[Command, Answer]:
+    def _load(self, leaves: Sequence[Leaf]) -> bool:
+        """Put the values of leaves into the cells of the plans; false where one is no number."""
+        cells = self._plans.cells
+        parameters = self.state.parameters
+        for cell, leaf in enumerate(leaves):
+            if isinstance(leaf, syntax.Variable):
+                value = self._fetched[id(leaf)]
+                if isinstance(value, str):
+                    return False
+                cells[cell] = value
+            else:
+                cells[cell] = parameters.get(self._parameter(leaf), 0.0)
+        return True
+
+    def _fetch(
+        self, expression: syntax.Expression, number: int, plan: Plan | None = None
+    ) -> Generator[Command, Answer]:
         """Get the values of all variables of an expression, innermost indices first."""
-        for variable in variables_in(expression):
+        for variable in plan.variables if plan is not None else variables_in(expression):
             if is_decoder_data(variable):
                 self._fetched[id(variable)] = self._read_now(variable)
                 continue

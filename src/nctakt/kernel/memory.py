@@ -94,7 +94,11 @@ class Context:
 
 def empty_context() -> Context:
     """A context without variables, for expressions whose operands are all known."""
-    memory = bytearray(8 * 10)
+    return context_of(bytearray(8 * 10))
+
+
+def context_of(memory: bytearray) -> Context:
+    """A context whose cells are this memory, at least ten, for what Python's side computes."""
     record = Record(memory, row_capacity=1, event_capacity=1, probe_capacity=1)
     single_axes = SingleAxes(Axes(memory, 0, 0), record, 1000)
     return Context(memory, record, Hli(Panel(memory, 0)), Timers(memory, 0, 1000), single_axes)

@@ -60,6 +60,8 @@ class ActiveOffsets:
     def total(self, axis: int, kinds: int = ALL) -> float:
         """What the offsets of these kinds add to an absolute position of this axis."""
         values = self._values[axis]
+        if kinds == ALL:
+            return sum(values)
         return sum(value for kind, value in enumerate(values) if kinds >> kind & 1)
 
     def adopt(self, offsets: coordinates.Offsets) -> None:

@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: MIT
+"""``python -m benchmarks.decoder``: how fast long programs are checked, decoded and run.
+
+Programs are made, the same in each run: one of straight blocks as CAM systems write them (G01 and
+three coordinates in each line); one of ordinary blocks (expressions, variables, branches, loops),
+each of which is read once; and the same ordinary blocks in a loop, which are read once and decoded
+again and again. Each stage has a process of its own, whose greatest memory is told:
+
+* *check*: the text is read once, as before each run;
+* *decode*: from the text to commands in the queue with their look-ahead; none is taken;
+* *run*: check, decoding and all ticks up to the program's end, without a trace.
+
+Where LinuxCNC's interpreter ``rs274`` is on the path it reads the same straight blocks, and writes
+its commands as text. ``--lines N`` changes the length of the programs.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import os
+import platform
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from nctakt import loading
+from nctakt.controller import Controller
+from nctakt.decoder.commands import Segment, pack, waits
+from nctakt.decoder.plain_blocks import PlainRun
+from nctakt.feed import Feed
+from nctakt.kernel.ring import CommandRing
+from nctakt.loading import LoadedProgram
+from nctakt.mode import is_compiled
+
+LINES = 1_000_000
+#: Ordinary programs are a fifth as long.
+ORDINARY_SHARE = 5
+
+#: Commands that the queue holds while a program is only decoded.
+QUEUE = 200
+
+#: Ordinary blocks; each repetition has other numbers.
+PIECE = """\
+N{n}0 V.P.ANGLE = V.P.ANGLE + {step}
+V.P.R = 40 + 5 * SIN[3 * V.P.ANGLE]
+$IF V.P.R > 42
+N{n}5 G01 X[V.P.R * COS[V.P.ANGLE]] Y[V.P.R * SIN[V.P.ANGLE]] F[3000 + P1]
+$ELSE
+G01 X=V.P.R Y{y} Z[0.1 * V.P.R]
+$ENDIF
+P1 = P1 + 1
+V.P.COUNT = V.P.COUNT + 2 * {step}
+$FOR P2 = 0, 1, 1
+X[P2 + {y}] Y=V.P.COUNT/1000
+$ENDFOR
+"""
+
+#: Blocks that one pass through them takes: a loop is one, each of its passes another.
+BLOCKS_OF_PIECE = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """What a stage took: lines, seconds by the clock and of the processor, MB at most."""
+
+    lines: int
+    seconds: float
+    cpu_s: float
+    memory_mb: float
+
+    def row(self, name: str, target: str = "") -> str:
+        """A line of the table."""
+        speed, cpu = self.lines / self.seconds, self.lines / self.cpu_s
+        return f"{name:34} {speed:12,.0f} {cpu:14,.0f} {self.memory_mb:9.1f}  {target}"
+
+
+def straight(count: int) -> Iterator[str]:
+    """G01 and three coordinates in each line: steps of about 0.1 mm on a bowl."""
+    yield "G90 G01 X100 Y0 Z0 F12000"
+    for i in range(1, count - 1):
+        angle = 0.001 * i
+        radius = 100.0 - 0.05 * (i % 1000) / 1000.0
+        x, y, z = radius * math.cos(angle), radius * math.sin(angle), 0.01 * (i % 1000)
+        yield f"G01 X{x:.3f} Y{y:.3f} Z{z:.3f}"
+    yield "M30"
+
+
+def ordinary(count: int) -> Iterator[str]:
+    """Expressions, variables, branches and loops."""
+    head = "#VAR\nV.P.ANGLE = 0\nV.P.R = 0\nV.P.COUNT = 0\n#ENDVAR\nP1 = 0\nG90 F3000"
+    yield from head.splitlines()
+    for i in range((count - 8) // len(PIECE.splitlines())):
+        yield from PIECE.format(n=i + 1, step=0.5 + i % 7, y=i % 50).splitlines()
+    yield "M30"
+
+
+def loop(passes: int) -> Iterator[str]:
+    """The ordinary blocks in a loop that is gone through so often."""
+    *head, end = ordinary(8)
+    yield from (*head, f"$WHILE P1 < {passes}")
+    yield from PIECE.format(n=1, step=2.5, y=3).replace("3000 + P1", "3000").splitlines()
+    yield from ("$ENDWHILE", end)
+
+
+def write(lines: Iterator[str], path: Path) -> int:
+    """Write a program; its lines."""
+    count = 0
+    with path.open("w", encoding="ascii") as file:
+        for line in lines:
+            file.write(line + "\n")
+            count += 1
+    return count
+
+
+# --- stages, each in a process of its own -------------------------------------------------------
+
+
+def check(path: Path) -> tuple[Controller, LoadedProgram]:
+    """Read and check a program."""
+    controller = Controller()
+    loaded = loading.load(path, controller._machine, controller.diagnostics)
+    return controller, loaded
+
+
+def put_segment(ring: CommandRing, command: Segment) -> None:
+    """A block of the tree's way into the queue."""
+    one = command
+    ring.put_segment(
+        *(one.source, one.number, one.start, one.target, one.feed, one.exact_stop),
+        *(one.deviation, one.limits_jerk, one.arc),
+    )
+
+
+def decode(controller: Controller, loaded: LoadedProgram) -> None:
+    """Decode a program into a queue that is a new one whenever it is full."""
+    machine = controller._machine
+    feed = Feed(machine, loaded, controller.diagnostics.append)
+    path, ahead = machine.channels[0].path, machine.channels[0].ahead
+    ring = CommandRing(path, ahead)
+    for command in feed._decoded:
+        assert not waits(command), command
+        if ring.timed_count >= QUEUE:
+            ring = CommandRing(path, ahead)
+        if isinstance(command, PlainRun):
+            command.blocks.fill(ring, QUEUE)
+        elif isinstance(command, Segment):
+            put_segment(ring, command)
+            feed._decoder.took_time(command)
+        else:
+            ring.put(pack(command))
+
+
+def run(path: Path) -> None:
+    """Run a program to its end."""
+    found = Controller().run(path, memory_trace=False)
+    assert found.state == "ended", [one.headline() for one in found.diagnostics]
+
+
+def stage(name: str, path: Path) -> None:
+    """Measure a stage in this process and print what it took."""
+    if name == "decode":
+        controller, loaded = check(path)
+    cpu_s, begin = time.process_time(), time.perf_counter()
+    match name:
+        case "check":
+            check(path)
+        case "decode":
+            decode(controller, loaded)
+        case "run":
+            run(path)
+    seconds, cpu_s = time.perf_counter() - begin, time.process_time() - cpu_s
+    memory_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    print(seconds, cpu_s, memory_mb)
+
+
+def measure(name: str, path: Path, lines: int) -> Measured:
+    """A stage in a process of its own."""
+    words = [sys.executable, "-m", "benchmarks.decoder", "--stage", name, str(path)]
+    done = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True)
+    seconds, cpu_s, memory_mb = map(float, done.stdout.split())
+    return Measured(lines, seconds, cpu_s, memory_mb)
+
+
+def rs274(path: Path, lines: int) -> Measured | None:
+    """LinuxCNC's interpreter on the same program; ``None`` where it is not on the path."""
+    program = shutil.which("rs274")
+    if program is None:
+        return None
+    variables, tools = path.with_suffix(".var"), path.with_suffix(".tbl")
+    variables.touch()
+    tools.touch()
+    words = [program, "-g", "-v", str(variables), "-t", str(tools), str(path), os.devnull]
+    begin = time.perf_counter()
+    process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    _, status, used = os.wait4(process.pid, 0)
+    seconds = time.perf_counter() - begin
+    assert status == 0, status
+    return Measured(lines, seconds, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024)
+
+
+# --- the table ----------------------------------------------------------------------------------
+
+
+def main() -> None:
+    """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--lines", type=int, default=LINES)
+    parser.add_argument("--stage", nargs=2, help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.stage:
+        stage(options.stage[0], Path(options.stage[1]))
+        return
+    form = "compiled" if is_compiled() else "plain"
+    print(f"Python {platform.python_version()}, {platform.machine()}, {form}\n")
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "straight.nc")
+        lines = write(straight(options.lines), path)
+        name = f"{lines:,} straight blocks"
+        print(f"{name:34} {'lines/s':>12} {'lines/CPU s':>14} {'MB':>9}  wanted")
+        wanted = {"check": "", "decode": "300,000 lines/s, 100 MB", "run": "100,000 lines/s"}
+        for name, target in wanted.items():
+            print(measure(name, path, lines).row(name, target), flush=True)
+        reference = rs274(path, lines)
+        print("rs274 is not on the path" if reference is None else reference.row("rs274"))
+        path = Path(folder, "ordinary.nc")
+        lines = write(ordinary(options.lines // ORDINARY_SHARE), path)
+        print(f"\n{lines:,} ordinary lines")
+        for name, target in {"check": "", "decode": "80,000 lines/s"}.items():
+            print(measure(name, path, lines).row(name, target), flush=True)
+        passes = options.lines // ORDINARY_SHARE // BLOCKS_OF_PIECE
+        write(loop(passes), path)
+        print(f"\n{passes * BLOCKS_OF_PIECE:,} ordinary blocks in a loop")
+        found = measure("decode", path, passes * BLOCKS_OF_PIECE)
+        print(found.row("decode", "80,000 blocks/s"))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

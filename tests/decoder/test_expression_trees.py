@@ -66,6 +66,13 @@ CONDITION = "#RT CYCLE\n$IF @\nV.E.COUNT = 1\n$ELSE\nV.E.COUNT = 2\n$ENDIF\n#RT 
 @example(
     ("call", "ATAN2", ("unary", "-", ("number", "0")), ("unary", "-", ("number", "1"))), [0.0] * 10
 )
+@example(
+    (
+        *("call", "ATAN2", ("call", "COT", ("number", "0"))),
+        ("binary", "MOD", ("number", "0"), ("list", ("number", "0"))),
+    ),
+    [0.0] * 10,
+)
 def test_a_realtime_cycle_computes_what_the_rules_say(tree: Tree, numbers: list[float]) -> None:
     """An assignment in a cycle has the value, or the fault, of RC-206 and RC-207."""
     controller, errors = perform(tree, numbers, CYCLE)

@@ -38,54 +38,63 @@ cdef class Unary(Expression):
     cdef Expression operand
 
 cdef class Add(Binary):
+    @cython.locals(left=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class Subtract(Binary):
+    @cython.locals(left=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class Multiply(Binary):
+    @cython.locals(left=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class Divide(Binary):
-    @cython.locals(result=double)
+    @cython.locals(left=double, result=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class Modulo(Binary):
-    @cython.locals(result=double)
+    @cython.locals(left=double, result=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class Power(Binary):
-    @cython.locals(result=double)
+    @cython.locals(left=double, result=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class BitAnd(Binary):
-    @cython.locals(result=double)
+    @cython.locals(left=double, result=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class BitOr(Binary):
-    @cython.locals(result=double)
+    @cython.locals(left=double, result=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class BitXor(Binary):
-    @cython.locals(result=double)
+    @cython.locals(left=double, result=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class Less(Binary):
+    @cython.locals(left=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class LessEqual(Binary):
+    @cython.locals(left=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class Greater(Binary):
+    @cython.locals(left=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class GreaterEqual(Binary):
+    @cython.locals(left=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class Equal(Binary):
+    @cython.locals(left=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class NotEqual(Binary):
+    @cython.locals(left=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class And(Binary):
@@ -184,7 +193,7 @@ cdef class Invert(Unary):
     cdef double value(self, Context context) noexcept nogil
 
 cdef class ArcTangent2(Binary):
-    @cython.locals(result=double)
+    @cython.locals(left=double, result=double)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class CellConstant(Expression):

@@ -89,7 +89,7 @@ class LoadElement(Expression):
 
 
 class Binary(Expression):
-    """Base of all nodes with two operands."""
+    """Base of all nodes with two operands; the left one is computed first, as its fault counts."""
 
     def __init__(self, left: Expression, right: Expression) -> None:
         self.left = left
@@ -107,28 +107,32 @@ class Add(Binary):
     """``+``."""
 
     def value(self, context: Context) -> float:
-        return self.left.value(context) + self.right.value(context)
+        left = self.left.value(context)
+        return left + self.right.value(context)
 
 
 class Subtract(Binary):
     """``-``."""
 
     def value(self, context: Context) -> float:
-        return self.left.value(context) - self.right.value(context)
+        left = self.left.value(context)
+        return left - self.right.value(context)
 
 
 class Multiply(Binary):
     """``*``."""
 
     def value(self, context: Context) -> float:
-        return self.left.value(context) * self.right.value(context)
+        left = self.left.value(context)
+        return left * self.right.value(context)
 
 
 class Divide(Binary):
     """``/``."""
 
     def value(self, context: Context) -> float:
-        result = arithmetic.divide(self.left.value(context), self.right.value(context))
+        left = self.left.value(context)
+        result = arithmetic.divide(left, self.right.value(context))
         if result != result:
             context.fail(50879, 0, 1.0, 0.0)
             return 0.0
@@ -139,7 +143,8 @@ class Modulo(Binary):
     """``MOD``."""
 
     def value(self, context: Context) -> float:
-        result = arithmetic.modulo(self.left.value(context), self.right.value(context))
+        left = self.left.value(context)
+        result = arithmetic.modulo(left, self.right.value(context))
         if result != result:
             context.fail(50879, 0, 2.0, 0.0)
             return 0.0
@@ -150,7 +155,8 @@ class Power(Binary):
     """``**``."""
 
     def value(self, context: Context) -> float:
-        result = arithmetic.power(self.left.value(context), self.right.value(context))
+        left = self.left.value(context)
+        result = arithmetic.power(left, self.right.value(context))
         if result != result:
             context.fail(50879, 0, 3.0, 0.0)
             return 0.0
@@ -161,7 +167,8 @@ class BitAnd(Binary):
     """``&``."""
 
     def value(self, context: Context) -> float:
-        result = arithmetic.bit_and(self.left.value(context), self.right.value(context))
+        left = self.left.value(context)
+        result = arithmetic.bit_and(left, self.right.value(context))
         if result != result:
             context.fail(50879, 0, 4.0, 0.0)
             return 0.0
@@ -172,7 +179,8 @@ class BitOr(Binary):
     """``|``."""
 
     def value(self, context: Context) -> float:
-        result = arithmetic.bit_or(self.left.value(context), self.right.value(context))
+        left = self.left.value(context)
+        result = arithmetic.bit_or(left, self.right.value(context))
         if result != result:
             context.fail(50879, 0, 5.0, 0.0)
             return 0.0
@@ -183,7 +191,8 @@ class BitXor(Binary):
     """``^``."""
 
     def value(self, context: Context) -> float:
-        result = arithmetic.bit_xor(self.left.value(context), self.right.value(context))
+        left = self.left.value(context)
+        result = arithmetic.bit_xor(left, self.right.value(context))
         if result != result:
             context.fail(50879, 0, 6.0, 0.0)
             return 0.0
@@ -194,42 +203,48 @@ class Less(Binary):
     """``<``."""
 
     def value(self, context: Context) -> float:
-        return 1.0 if self.left.value(context) < self.right.value(context) else 0.0
+        left = self.left.value(context)
+        return 1.0 if left < self.right.value(context) else 0.0
 
 
 class LessEqual(Binary):
     """``<=``."""
 
     def value(self, context: Context) -> float:
-        return 1.0 if self.left.value(context) <= self.right.value(context) else 0.0
+        left = self.left.value(context)
+        return 1.0 if left <= self.right.value(context) else 0.0
 
 
 class Greater(Binary):
     """``>``."""
 
     def value(self, context: Context) -> float:
-        return 1.0 if self.left.value(context) > self.right.value(context) else 0.0
+        left = self.left.value(context)
+        return 1.0 if left > self.right.value(context) else 0.0
 
 
 class GreaterEqual(Binary):
     """``>=``."""
 
     def value(self, context: Context) -> float:
-        return 1.0 if self.left.value(context) >= self.right.value(context) else 0.0
+        left = self.left.value(context)
+        return 1.0 if left >= self.right.value(context) else 0.0
 
 
 class Equal(Binary):
     """``==``, exact (RC-304)."""
 
     def value(self, context: Context) -> float:
-        return 1.0 if self.left.value(context) == self.right.value(context) else 0.0
+        left = self.left.value(context)
+        return 1.0 if left == self.right.value(context) else 0.0
 
 
 class NotEqual(Binary):
     """``!=``, exact (RC-304)."""
 
     def value(self, context: Context) -> float:
-        return 1.0 if self.left.value(context) != self.right.value(context) else 0.0
+        left = self.left.value(context)
+        return 1.0 if left != self.right.value(context) else 0.0
 
 
 class And(Binary):
@@ -486,7 +501,8 @@ class ArcTangent2(Binary):
     """``ATAN2[y, x]``."""
 
     def value(self, context: Context) -> float:
-        result = arithmetic.arc_tangent_2(self.left.value(context), self.right.value(context))
+        left = self.left.value(context)
+        result = arithmetic.arc_tangent_2(left, self.right.value(context))
         if result != result:
             context.fail(50879, 0, 19.0, 0.0)
             return 0.0

@@ -84,6 +84,10 @@ OTHERS = (
     "#SLOPE [TYPE=TRAPEZ]",
     "#SLOPE [TYPE=STEP]",
     "#FLUSH",
+    "D3",
+    "D0",
+    "V.G.WZ_AKT.R = 0.01\nG41 G26",
+    "G40",
 )
 WRONG = (
     "X99999",

@@ -294,3 +294,17 @@ M30
 #ERROR [ID 455] ; error 900208 "ID"
 #ERROR [ID=455 RC 2] ; error 900208 "RC"
 M30
+; --- coordinate systems (MO-8)
+#CS DEF [1] [0, 0, 10, P1, 0, 45]
+#CS ON [,,10,,,45]
+#CS ON [V.E.NONE, 0] ; error 900213 "V.E.NONE"
+#CS ON
+#CS OFF
+#CS OFF ALL
+#CS OFF [1] ; error 900233 "CS"
+#CS DEF [1] ; error 900233 "CS"
+#CS ON [1, 2, 3, 4, 5, 6, 7] ; error 900233 "CS"
+#CS ON [ID=1] ; error 900233 "CS"
+#CS ; error 900233 "CS"
+#CS ADD [1, 2] ; error 900200 "#CS ADD"
+#CS MODE ON ; error 900200 "#CS MODE"

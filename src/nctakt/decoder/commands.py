@@ -187,6 +187,25 @@ class SetOffset(Command):
 
 
 @dataclass(frozen=True, slots=True)
+class SetOrigin(Command):
+    """The program's coordinate system begins here on a machine axis, mm or degrees (MO-8)."""
+
+    axis: int
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class SetTurn(Command):
+    """The program's coordinate system is turned over three machine axes (MO-8).
+
+    ``matrix``: row by row, from its coordinates to those of the axes; empty: it is not turned.
+    """
+
+    axes: tuple[int, int, int]
+    matrix: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Freeze(Command):
     """The cycle ``serial``, defined just before, has this variable as a constant (RC-302)."""
 
@@ -315,6 +334,13 @@ def pack(command: Command, place: int = 0) -> list[float]:
             return [ring.MESSAGE, *head, place]
         case SetOffset():
             return [ring.SET_OFFSET, *head, command.axis, command.kind, command.value]
+        case SetOrigin():
+            return [ring.SET_ORIGIN, *head, command.axis, command.value]
+        case SetTurn():
+            first, second, third = command.axes
+            if not command.matrix:
+                return [ring.SET_TURN, *head, first]
+            return [ring.SET_TURN, *head, first, second + 1, third + 1, *command.matrix]
         case Freeze():
             return [ring.FREEZE, *head, command.serial, place, command.value]
         case UserErrorTold():

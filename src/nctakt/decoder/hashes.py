@@ -10,6 +10,7 @@ from collections.abc import Generator
 
 from nctakt.decoder.commands import Answer, Command, Flush, PositionRequest, ProgramTimer
 from nctakt.decoder.cycles import TIMER_ACTIONS
+from nctakt.decoder.systems import SystemCommands
 from nctakt.decoder.values import Values
 from nctakt.nc import syntax
 from nctakt.nc.system_variables import TIMERS
@@ -21,14 +22,17 @@ class Hashes:
     def __init__(self, values: Values) -> None:
         self._values = values
         self._surroundings = values.surroundings
+        self._systems = SystemCommands(values)
 
     def command(self, command: syntax.HashCommand, number: int) -> Generator[Command, Answer]:
-        """``#DELETE``, ``#FILENAME``, ``#CHANNEL INIT``; others that pass have no effect."""
+        """``#DELETE``, ``#CS``, ``#FILENAME``, ``#CHANNEL INIT``; others have no effect."""
         words = tuple(word.name for word in command.words)
         if words == ("DELETE",):
             for argument in command.arguments:
                 assert isinstance(argument, syntax.Variable)
                 self._values.own.delete(argument)
+        elif words[0] == "CS":
+            yield from self._systems.command(command, number)
         elif words in (("FILENAME",), ("FILE", "NAME")):
             yield from self._file(command, number)
         elif words == ("CHANNEL", "INIT"):

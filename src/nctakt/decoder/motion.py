@@ -85,6 +85,9 @@ class PathMotion:
         radius = self._state.tool.tool.radius
         if radius == 0.0:
             self._values.fail(900869, span, word=f"G{function}")
+        path = self._state.path
+        if not self._surroundings.offsets.systems.keeps_plane(path.plane):
+            self._values.fail(900845, span, word=f"G{function}", plane=path.plane)
         compensation.radius = radius
         compensation.side = 1 if function == 41 else -1
 
@@ -158,17 +161,27 @@ class PathMotion:
         clockwise = self._state.motion == 2
         if max(PLANES[path.plane]) >= len(start):
             self._values.fail(900703, span, plane=path.plane)
+        offsets = self._surroundings.offsets
+        begin = offsets.inside(start, words.offset_kinds)
+        end = offsets.inside(target, words.offset_kinds)
         try:
             if words.centre:
-                centre = self._centre(start, words)
-                return arc_about(start, target, path.plane, centre, clockwise)
-            if path.radius == 0.0:
+                centre = self._centre(begin, words)
+                arc = arc_about(begin, end, path.plane, centre, clockwise)
+            elif path.radius == 0.0:
                 raise ArcError(900700)
-            if start == target:
+            elif start == target:
                 return None
-            return arc_of_radius(start, target, path.plane, path.radius, clockwise)
+            else:
+                arc = arc_of_radius(begin, end, path.plane, path.radius, clockwise)
         except ArcError as error:
             self._values.fail(error.message, span, **error.values)
+        if not offsets.systems.is_active:
+            return arc
+        outside = offsets.systems.arc(arc, begin, start)
+        if outside is None:
+            self._values.fail(900842, span, plane=path.plane)
+        return outside
 
     def _centre(self, start: list[float], words: PathWords) -> tuple[float, float]:
         """The centre in the plane: from the start on (G162), or absolute (G161); missing is 0."""

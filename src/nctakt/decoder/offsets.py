@@ -11,7 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from nctakt.decoder.commands import SetOffset
+from nctakt.decoder.commands import Command, SetOffset
+from nctakt.decoder.frames import CoordinateSystems
 from nctakt.kernel import coordinates
 from nctakt.kernel.coordinates import ADD_ZERO, CLAMP, PSET, TOOL, ZERO
 from nctakt.lists.offsets import ClampOffsets, ZeroOffsets
@@ -32,6 +33,9 @@ KEYWORDS = {
 }
 ALL = (1 << coordinates.KINDS) - 1
 KEYWORDS["ALL"] = ALL
+
+#: The kinds that a coordinate system of the program takes over when it begins: all but the tool's.
+KINDS_IN_SYSTEMS = tuple(kind for kind in range(coordinates.KINDS) if kind != TOOL)
 
 
 def left_over(command: OffsetCommand) -> int:
@@ -56,13 +60,51 @@ class ActiveOffsets:
         self._default_group = zero_offsets.default_group
         self._clamp_offsets = clamp_offsets
         self.clamp_group = 0
+        self.systems = CoordinateSystems(self._axes)
 
     def total(self, axis: int, kinds: int = ALL) -> float:
-        """What the offsets of these kinds add to an absolute position of this axis."""
+        """What the offsets of these kinds add to an absolute position of this axis.
+
+        In a coordinate system of the program the tool is outside of it (``inside``).
+        """
+        if self.systems.is_active:
+            kinds &= ALL - KEYWORDS["TOOL"]
         values = self._values[axis]
         if kinds == ALL:
             return sum(values)
         return sum(value for kind, value in enumerate(values) if kinds >> kind & 1)
+
+    # --- coordinate systems ---------------------------------------------------------------------
+
+    def inside(self, positions: Sequence[float], kinds: int = ALL) -> list[float]:
+        """Positions of the axes -> in the coordinate system of the program, with offsets yet."""
+        return self.systems.inside(positions, self._tool(kinds))
+
+    def outside(self, positions: Sequence[float], kinds: int = ALL) -> list[float]:
+        """What ``inside`` was made of."""
+        return self.systems.outside(positions, self._tool(kinds))
+
+    def _tool(self, kinds: int) -> list[float]:
+        acts = kinds >> TOOL & 1
+        return [values[TOOL] if acts else 0.0 for values in self._values]
+
+    def enter_system(
+        self, components: Sequence[float], source: int, number: int
+    ) -> Iterator[Command]:
+        """``#CS ON``: the offsets that are active shift it, and begin anew in it."""
+        without_tool = ALL - KEYWORDS["TOOL"]
+        shift = [self.total(axis, without_tool) for axis in range(len(self._axes))]
+        kept = tuple(tuple(values) for values in self._values)
+        yield from self.systems.enter(components, shift, kept, source, number)
+        for kind in KINDS_IN_SYSTEMS:
+            yield from self._set_group(kind, {}, source, number)
+
+    def leave_system(self, source: int, number: int) -> Iterator[Command]:
+        """``#CS OFF``: the offsets of before are active again."""
+        kept = yield from self.systems.leave(source, number)
+        for kind in KINDS_IN_SYSTEMS:
+            before = {axis: values[kind] for axis, values in enumerate(kept)}
+            yield from self._set_group(kind, before, source, number)
 
     def adopt(self, offsets: coordinates.Offsets) -> None:
         """Take over what the realtime part has: behind a reset some commands were never taken."""
@@ -72,8 +114,9 @@ class ActiveOffsets:
 
     # --- commands, from ``source`` in the block ``number`` ---------------------------------------
 
-    def begin_program(self) -> Iterator[SetOffset]:
+    def begin_program(self) -> Iterator[Command]:
         """Zero and clamp offsets as the lists say; those of the program before it are gone."""
+        yield from self.systems.begin_program()
         yield from self._set_group(ZERO, self._group(self._default_group), 0, 0)
         clamp = self._clamp_offsets.groups.get(self.clamp_group, {})
         yield from self._set_group(CLAMP, clamp, 0, 0)

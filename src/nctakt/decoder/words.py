@@ -7,7 +7,7 @@ motion, the motion, functions that come after it, the program's end.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Container, Generator, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from nctakt.decoder.arcs import PLANES
@@ -20,6 +20,7 @@ from nctakt.decoder.commands import (
     Segment,
     TechnologyOutput,
 )
+from nctakt.decoder.frames import MAIN_AXES, SAME_PLACE_MM
 from nctakt.decoder.motion import CENTRE_WORDS, CONTOURING, EXACT_STOP, PathMotion, PathWords
 from nctakt.decoder.offsets import ALL, ZERO_GROUPS
 from nctakt.decoder.pace import NO_OVERRIDE, PathPace
@@ -91,7 +92,7 @@ class Words:
             programmed = yield from self._values.evaluate(word.value, number)
             value = self._in_axis_unit(axis, programmed)
             yield from self._request([word.name], command.span, number)
-            position = self._state.positions[axis]
+            position = offsets.inside(self._state.positions)[axis]
             yield from offsets.preset(axis, position, value, source, number)
 
     def block(
@@ -251,9 +252,7 @@ class Words:
             return
         yield from self._request(self._programmed(content), span, number)
         start = self._state.positions
-        target = list(start)
-        for word, value in content.axes:
-            self._set_target(target, word, value, content.path.offset_kinds)
+        target = self._target(content, span)
         segment = self.path.segment(start, target, content.path, span, number)
         self._state.positions = target
         if segment is None:
@@ -270,6 +269,9 @@ class Words:
             for name, place in self._surroundings.axis_numbers.items():
                 if place in plane and name not in names:
                     names.append(name)
+        if self._surroundings.offsets.systems.is_active:
+            main = list(self._surroundings.axis_numbers)[:MAIN_AXES]
+            names += [name for name in main if name not in names]
         return names
 
     def _request(self, axes: Sequence[str], span: Span, number: int) -> Generator[Command, Answer]:
@@ -300,15 +302,37 @@ class Words:
             if command.start[place] != command.target[place] or place in plane
         ]
 
-    def _set_target(
-        self, target: list[float], word: syntax.AxisWord, value: float, kinds: int
-    ) -> None:
-        index = self._surroundings.axis_numbers[word.name]
-        offset = self._surroundings.offsets.total(index, kinds)
-        begin = offset if self._state.absolute else target[index]
-        position = begin + self._in_axis_unit(index, value)
-        target[index] = position
-        self.path.check_limits(target, (index,), word.span)
+    def _target(self, content: _Content, span: Span) -> list[float]:
+        """Where the block ends: positions of the axes."""
+        offsets, kinds = self._surroundings.offsets, content.path.offset_kinds
+        target = offsets.inside(self._state.positions, kinds)
+        spans = {}
+        for word, value in content.axes:
+            index = self._surroundings.axis_numbers[word.name]
+            begin = offsets.total(index, kinds) if self._state.absolute else target[index]
+            target[index] = begin + self._in_axis_unit(index, value)
+            spans[index] = word.span
+        if offsets.systems.is_active:
+            target = self._outside(target, spans, kinds)
+            if any(index < MAIN_AXES for index in spans):
+                spans = {index: span for index in range(MAIN_AXES)} | spans
+        for index, place in spans.items():
+            self.path.check_limits(target, (index,), place)
+        return target
+
+    def _outside(self, target: list[float], programmed: Container[int], kinds: int) -> list[float]:
+        """A target in a coordinate system of the program as positions of the axes.
+
+        What rounding alone would move stays.
+        """
+        start = self._state.positions
+        found = self._surroundings.offsets.outside(target, kinds)
+        turns = any(axis in programmed for axis in range(MAIN_AXES))
+        for index, before in enumerate(start):
+            moves = turns if index < MAIN_AXES else index in programmed
+            if not moves or abs(found[index] - before) < SAME_PLACE_MM:
+                found[index] = before
+        return found
 
     def dwell(self, seconds: float, span: Span, number: int) -> Generator[Command, Answer]:
         """Standing still; ``ceil(d / T)`` ticks (RC-005)."""

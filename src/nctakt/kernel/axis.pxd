@@ -2,7 +2,7 @@
 # C types of axis.py.
 cimport cython
 from nctakt.kernel cimport arithmetic
-from nctakt.kernel.coordinates cimport Offsets
+from nctakt.kernel.coordinates cimport Offsets, Turns
 
 cdef class Axes:
     cdef double[::1] cells
@@ -27,6 +27,7 @@ cdef class Axes:
     cdef double[::1] max_override_pct
     cdef double[::1] independent_pct
     cdef readonly Offsets offsets
+    cdef Turns turns
     cdef bint has_moved
 
     @cython.locals(i=Py_ssize_t, step=double, sent=double, lag=double)
@@ -41,4 +42,10 @@ cdef class Axes:
     cdef void publish_override(self, Py_ssize_t i, double operator_pct) noexcept nogil
     cdef void show_state(self, Py_ssize_t i, int state) noexcept nogil
     cdef void set_offset(self, Py_ssize_t axis, int kind, double value) noexcept nogil
+    @cython.locals(j=Py_ssize_t, k=Py_ssize_t, place=int, source=Py_ssize_t, x=double, y=double, z=double)
+    cdef void publish_turned(self, Py_ssize_t i) noexcept nogil
+    @cython.locals(base=Py_ssize_t, value=double)
+    cdef void publish_inside(self, Py_ssize_t i, Py_ssize_t axis, int column, int place, double x, double y, double z) noexcept nogil
+    cdef void set_origin(self, Py_ssize_t axis, double value) noexcept nogil
+    cdef void turn(self, double[::1] row, Py_ssize_t base) noexcept nogil
     cdef void publish_system(self, Py_ssize_t base, double here, double real, double there, double rest) noexcept nogil

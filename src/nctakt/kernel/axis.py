@@ -23,7 +23,7 @@ own (MO-13); ``independent_pct`` is the override of the latter (RC-305).
 from __future__ import annotations
 
 from nctakt.kernel import arithmetic
-from nctakt.kernel.coordinates import Offsets
+from nctakt.kernel.coordinates import Offsets, Turns
 
 
 class Axes:
@@ -56,6 +56,7 @@ class Axes:
             self.max_override_pct[i] = 100.0
             self.independent_pct[i] = 100.0
         self.offsets = Offsets(count)
+        self.turns = Turns(count)
         self.has_moved = True
 
     def begin_tick(self) -> None:
@@ -108,6 +109,38 @@ class Axes:
             shift = self.offsets.program[i]
             self.publish_system(base + 7, here - shift, real - shift, there - shift, rest)
             self.publish_system(base + 11, here, real, there, rest)
+        if self.turns.active > 0:
+            for i in range(self.count):
+                if self.turns.second[i] > 0:
+                    self.publish_turned(i)
+
+    def publish_turned(self, i: int) -> None:
+        """PCS of the three axes of a turned system: its inverse matrix from the other side."""
+        j = self.turns.second[i] - 1
+        k = self.turns.third[i] - 1
+        for place in range(4):
+            source = self.first_cell + (6 if place == 3 else place)
+            x = self.cells[source + i * 21]
+            y = self.cells[source + j * 21]
+            z = self.cells[source + k * 21]
+            if place < 3:
+                x -= self.offsets.outer(i)
+                y -= self.offsets.outer(j)
+                z -= self.offsets.outer(k)
+            self.publish_inside(i, i, 0, place, x, y, z)
+            self.publish_inside(i, j, 1, place, x, y, z)
+            self.publish_inside(i, k, 2, place, x, y, z)
+
+    def publish_inside(
+        self, i: int, axis: int, column: int, place: int, x: float, y: float, z: float
+    ) -> None:
+        """One coordinate in PCS; the way that is left has no offset."""
+        base = 9 * i + column
+        value = self.turns.matrix[base] * x + self.turns.matrix[base + 3] * y
+        value += self.turns.matrix[base + 6] * z
+        if place < 3:
+            value -= self.offsets.inner(axis)
+        self.cells[self.first_cell + axis * 21 + 7 + place] = value
 
     def publish_system(
         self, base: int, here: float, real: float, there: float, rest: float
@@ -138,6 +171,18 @@ class Axes:
     def set_offset(self, axis: int, kind: int, value: float) -> None:
         """Another offset is active: the positions in PCS differ from now on (MO-8)."""
         self.offsets.set(axis, kind, value)
+        self.has_moved = True
+        self.publish()
+
+    def set_origin(self, axis: int, value: float) -> None:
+        """The coordinate system of the program begins elsewhere from now on."""
+        self.offsets.set_origin(axis, value)
+        self.has_moved = True
+        self.publish()
+
+    def turn(self, row: memoryview[float], base: int) -> None:
+        """The coordinate system of a program is turned otherwise from now on."""
+        self.turns.set(row, base)
         self.has_moved = True
         self.publish()
 

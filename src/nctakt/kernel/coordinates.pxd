@@ -5,7 +5,20 @@ cimport cython
 cdef class Offsets:
     cdef double[::1] values
     cdef double[::1] program
+    cdef double[::1] origin
 
     cdef void set(self, Py_ssize_t axis, int kind, double value) noexcept nogil
     @cython.locals(kind=int, total=double)
     cdef double sum_of(self, Py_ssize_t axis, int kinds) noexcept nogil
+    cdef void set_origin(self, Py_ssize_t axis, double value) noexcept nogil
+    cdef double outer(self, Py_ssize_t axis) noexcept nogil
+    cdef double inner(self, Py_ssize_t axis) noexcept nogil
+
+cdef class Turns:
+    cdef int active
+    cdef long long[::1] second
+    cdef long long[::1] third
+    cdef double[::1] matrix
+
+    @cython.locals(first=Py_ssize_t, before=int, i=int)
+    cdef void set(self, double[::1] row, Py_ssize_t base) noexcept nogil

@@ -38,6 +38,8 @@ BLOCK_MARK = 30
 WAIT_MARK = 31
 TIMER = 32
 SET_OFFSET = 50
+SET_ORIGIN = 51
+SET_TURN = 52
 FREEZE = 60
 
 #: The kinds that take or may take time.
@@ -233,4 +235,4 @@ class CommandRing:
 
     def passes(self, kind: int) -> int:
         """Whether the path passes a command of this kind between two blocks without a stop."""
-        return 1 if kind in (1, 3, 4, 5, 7, 8, 20, 21, 23, 30, 31, 32, 50, 60) else 0
+        return 1 if kind in (1, 3, 4, 5, 7, 8, 20, 21, 23, 30, 31, 32, 50, 51, 52, 60) else 0

@@ -53,8 +53,8 @@ cdef class Commands(CommandRing):
     cdef void take_write(self, Py_ssize_t base) noexcept nogil
     @cython.locals(first=Py_ssize_t, count=Py_ssize_t, zeros=Py_ssize_t, i=Py_ssize_t)
     cdef void take_characters(self, Py_ssize_t base, Py_ssize_t place) noexcept nogil
-    @cython.locals(kind=int)
-    cdef void take_offset(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(axis=Py_ssize_t)
+    cdef void take_offset(self, Py_ssize_t base, int kind) noexcept nogil
     @cython.locals(source=cython.longlong, name=cython.longlong)
     cdef void take_frozen(self, Py_ssize_t base) noexcept nogil
     @cython.locals(source=cython.longlong, subject=cython.longlong)

@@ -119,8 +119,8 @@ class Commands(CommandRing):
             return 1
         if kind == 11:
             return self.take_program_end(tick, base)
-        if kind == 50:
-            self.take_offset(base)
+        if 50 <= kind <= 52:
+            self.take_offset(base, kind)
             return 1
         if kind == 60:
             self.take_frozen(base)
@@ -242,10 +242,16 @@ class Commands(CommandRing):
         for i in range(count, count + zeros):
             self.characters[first + i] = 0
 
-    def take_offset(self, base: int) -> None:
-        """An offset of an axis: the cycles of this tick see it (MO-8)."""
-        kind = int(self.queue[base + 4])
-        self.path.axes.set_offset(int(self.queue[base + 3]), kind, self.queue[base + 5])
+    def take_offset(self, base: int, kind: int) -> None:
+        """An offset, the origin or the turn of a system: the cycles of this tick see it (MO-8)."""
+        if kind == 52:
+            self.path.axes.turn(self.queue, base + 3)
+            return
+        axis = int(self.queue[base + 3])
+        if kind == 51:
+            self.path.axes.set_origin(axis, self.queue[base + 4])
+        else:
+            self.path.axes.set_offset(axis, int(self.queue[base + 4]), self.queue[base + 5])
 
     def take_frozen(self, base: int) -> None:
         """What the definition before it has frozen: told where it is taken (RC-302)."""

@@ -29,6 +29,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``plc``               the PLC's side: partners in other processes, scripts (900650 … 900679)
 ``folders``           how lists name each other, tools, offsets (900740 … 900769)
 ``offsets``           offsets between programmed and axis positions (900770 … 900799)
+``systems``           coordinate systems of programs (900840 … 900846)
 ``tools``             tools in programs, tool radius compensation (900865 … 900879)
 ``backward``          backward motion and what works with its history (900880 … 900899)
 ``diagnosis``         the lines of the cycles' diagnosis data (900456 … 900458, 900550 … 900569)
@@ -69,6 +70,7 @@ from nctakt.messages import (
     scheduling,
     scheduling_run,
     spindles,
+    systems,
     tools,
     unreached,
     user_errors,
@@ -95,6 +97,7 @@ for _stage in (
     checked_axes,
     lints,
     offsets,
+    systems,
     tools,
     decoder,
     motion,

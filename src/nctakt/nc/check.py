@@ -23,6 +23,7 @@ from nctakt.nc.check_commands import CommandChecker
 from nctakt.nc.check_cycle import CycleChecker
 from nctakt.nc.check_own import OwnChecker
 from nctakt.nc.check_path import check_path_command
+from nctakt.nc.check_systems import check_system
 from nctakt.nc.check_user_errors import UserErrorChecker
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.check_words import Role, WordChecker
@@ -278,6 +279,8 @@ class Checker:
         elif words == ["EXPL", "SYN"] and not command.arguments:
             return
         elif check_path_command(command, self._values, self._findings):
+            return
+        elif check_system(command, self._values, self._findings):
             return
         elif words == ["DELETE"]:
             self._own.delete(command)

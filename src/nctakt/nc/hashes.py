@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import Literal, cast
 
 from nctakt.nc.expressions import (
+    CLOSING,
     COMMA,
     OPENING,
     Item,
@@ -36,6 +37,7 @@ from nctakt.nc.syntax import (
     Head,
     Keyword,
     Name,
+    Number,
     Statement,
     Time,
     Timer,
@@ -88,8 +90,29 @@ def parse_arguments(text: BlockText, name: tuple[str, ...]) -> tuple[Argument, .
         arguments.append(parse_expression(text))
     while not text.at_end():
         if text.match(COMMA) is None:
-            arguments.append(_argument(text))
+            arguments.append(_components(text) if name[0] == "CS" else _argument(text))
     return tuple(arguments)
+
+
+def _components(text: BlockText) -> Argument:
+    """Values in brackets by their places (``#CS``); none between two commas is 0."""
+    if text.looking_at(OPENING) is None:
+        return _argument(text)
+    start = text.skip_blanks()
+    text.match(OPENING)
+    items: list[Item] = []
+    is_gap = True
+    while text.match(CLOSING) is None:
+        if text.at_end():
+            raise BlockError(900102, start, start + 1)
+        place = text.skip_blanks()
+        is_comma = text.match(COMMA) is not None
+        if not is_comma:
+            items.append(parse_item(text))
+        elif is_gap:
+            items.append(Number(text.span(place, place + 1), 0.0))
+        is_gap = is_comma
+    return Bracket(text.span(start, text.pos), tuple(items))
 
 
 def _argument(text: BlockText) -> Argument:

@@ -51,6 +51,8 @@ OTHERS = (
     "G94 F9000",
     "#OVERRIDE [FEED_FACT=50]",
     "#OVERRIDE [FEED_FACT=100]",
+    "#CS ON [1, 2, 0, 0, 0, 30]",
+    "#CS OFF ALL",
     "X[OVERRIDE FEED_FACT=30]",
     "G166 X2",
     "G360",

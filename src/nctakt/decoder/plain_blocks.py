@@ -73,6 +73,7 @@ class PlainBlocks:
         """Whether nothing is active that plain blocks do not know."""
         return (
             self._state.is_usual
+            and not self._surroundings.offsets.systems.is_active
             and not self._surroundings.tells_blocks
             and self._moved.is_quiet
             and not self._technology.awaits_feed

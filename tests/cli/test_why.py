@@ -72,7 +72,7 @@ def test_how_everything_stood_at_a_time(capsys: pytest.CaptureFixture[str]) -> N
         "  line 2  $IF ONCE V.RTA.ACS.ACT_POS.X > 200\n"
         "    evaluated in this tick\n"
         "    true since tick 463 (0.463 s): 200.25 > 200\n"
-        "    body ran\n"
+        "    body ran: M100\n"
     )
 
 

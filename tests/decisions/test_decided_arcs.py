@@ -229,3 +229,18 @@ def test_other_slopes_and_modes_are_refused_by_name() -> None:
     assert numbers(perform("#SLOPE [TYPE=SIN2]\n#SLOPE [TYPE=HSC]\nM30")) == [900706, 900706]
     assert numbers(perform("#CONTOUR MODE [DIST PRE_DIST=1]\nM30")) == [900706, 900706]
     assert numbers(perform("#CONTOUR MODE [DEV PATH_DEV=0]\nM30")) == [900707]
+
+
+def test_a_centre_counts_before_a_radius_which_stays() -> None:
+    """900904: from X1 to X11 about I5 whatever R says, 5 mm high; the next arc has that R of 6.
+
+    It is 6 − √(6² − 5²) = 2.683 mm high.
+    """
+    signals = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS"]
+    run = perform("G01 X1 F5000\nG02 X11 I5 R6\nG02 X21\nM30", signals=signals)
+    assert (run.state, numbers(run)) == ("ended", [900904])
+    assert run.trace is not None
+    places = list(zip(*(run.trace[one].tolist() for one in signals), strict=True))
+    first = max(y for x, y in places if x <= 11)
+    second = max(y for x, y in places if x > 11)
+    assert (first, second) == (pytest.approx(5, abs=0.01), pytest.approx(2.683, abs=0.01))

@@ -19,7 +19,7 @@ realtime cycle 17  part.nc:1  PROG
     evaluated in ticks 0 to 463
     false from tick 0 (0 s): 0 > 200
     true from tick 463 (0.463 s): 200.25 > 200
-    body ran once, in tick 463 (0.463 s)
+    body ran once, in tick 463 (0.463 s): M100
     ONCE: done, no longer evaluated
 """
 
@@ -33,7 +33,7 @@ Echtzeit-Zyklus 17  part.nc:1  PROG
     ausgewertet: Takte 0 bis 463
     falsch ab Takt 0 (0 s): 0 > 200
     wahr ab Takt 463 (0.463 s): 200.25 > 200
-    Rumpf lief einmal: Takt 463 (0.463 s)
+    Rumpf lief einmal: Takt 463 (0.463 s): M100
     ONCE: erledigt, nicht mehr ausgewertet
 """
 
@@ -50,7 +50,7 @@ ALWAYS = """\
       evaluated in ticks 2 to 4
       false from tick 2 (0.002 s): 0 > 100
       true from tick 4 (0.004 s): 150 > 100
-      body ran 7 times, in ticks 4 to 7, 11 to 13
+      body ran 7 times, in ticks 4 to 7, 11 to 13: V.E.COUNT += 1
       ALWAYS: latched since tick 4 (0.004 s), no longer evaluated
 """
 
@@ -150,7 +150,10 @@ def test_a_long_list_shows_its_ends() -> None:
     text = why(TOGGLE, ticks=50).render()
     assert text.count("true from tick") + text.count("false from tick") == 2 * ENDS_SHOWN
     assert "    … 42 more …\n" in text
-    assert "body ran 25 times, in ticks 0, 2, 4, 6, … 17 more …, 42, 44, 46, 48\n" in text
+    assert (
+        "body ran 25 times, in ticks 0, 2, 4, 6, … 17 more …, 42, 44, 46, 48: V.E.COUNT = 1\n"
+        in text
+    )
 
 
 def test_a_line_is_that_of_the_branch_around_it() -> None:

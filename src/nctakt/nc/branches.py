@@ -9,11 +9,12 @@ same ``$IF``. A branch is found again in the realtime part by its span.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from nctakt.diagnostics import Span
 from nctakt.nc import syntax
+from nctakt.nc.printer import print_statement
 
 BranchWord = Literal["$IF", "$ELSEIF", "$ELSE"]
 
@@ -24,7 +25,7 @@ class BranchPlace:
 
     ``frequency`` is ``ONCE``, ``EDGE``, ``ALWAYS`` or empty; ``condition`` is ``None`` for
     ``$ELSE``. ``lines`` are those of the branch itself and of the statements in its body that stand
-    in no further branch.
+    in no further branch, ``commands`` the texts of those statements.
     """
 
     span: Span
@@ -34,6 +35,7 @@ class BranchPlace:
     outer: int | None
     earlier: tuple[int, ...]
     lines: tuple[int, ...]
+    commands: tuple[str, ...]
 
 
 def branch_places(statement: syntax.RealtimeCycle) -> list[BranchPlace]:
@@ -80,6 +82,12 @@ def _own_lines(body: Sequence[syntax.Statement]) -> list[int]:
     return [one.span.line for one in body if not isinstance(one, syntax.If)]
 
 
+def _commands(body: Sequence[syntax.Statement]) -> tuple[str, ...]:
+    """The statements that stand in no branch, as text without block number."""
+    bare = (replace(one, head=syntax.NO_HEAD) for one in body if not isinstance(one, syntax.If))
+    return tuple(" ".join(line.strip() for line in print_statement(one)) for one in bare)
+
+
 def _walk(body: Sequence[syntax.Statement], outer: int | None, found: list[BranchPlace]) -> None:
     for statement in body:
         if isinstance(statement, syntax.If):
@@ -99,7 +107,11 @@ def _branches(statement: syntax.If, outer: int | None, found: list[BranchPlace])
         frequency = (statement.frequency or "") if word == "$IF" else ""
         lines = (span.line, *_own_lines(body))
         place = len(found)
-        found.append(BranchPlace(span, word, frequency, condition, outer, tuple(earlier), lines))
+        found.append(
+            BranchPlace(
+                span, word, frequency, condition, outer, tuple(earlier), lines, _commands(body)
+            )
+        )
         earlier.append(place)
         _walk(body, place, found)
 

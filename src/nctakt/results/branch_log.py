@@ -213,4 +213,5 @@ class BranchLog:
             self.evaluated.finish(node.next_tick),
             self.bodies.finish(self._reaction.next_tick),
             tuple(one for one in frozen if one.span in places),
+            place.commands,
         )

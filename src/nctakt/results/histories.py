@@ -163,7 +163,8 @@ class BranchHistory:
     ``text`` is its source line without blanks around. ``outer`` and ``earlier`` are positions in
     the cycle's branches. ``parts`` are what ``&&`` and ``||`` combine in the condition. In the
     ticks ``evaluated`` the condition was, in the ticks ``bodies`` the body ran. ``frozen`` are the
-    asynchronous values in the condition (RC-302).
+    asynchronous values in the condition (RC-302). ``commands`` are the statements of the body that
+    stand in no further branch.
     """
 
     span: Span
@@ -178,6 +179,7 @@ class BranchHistory:
     evaluated: Times = Times()
     bodies: Times = Times()
     frozen: tuple[Frozen, ...] = ()
+    commands: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

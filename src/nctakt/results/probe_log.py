@@ -254,6 +254,7 @@ class ProbeLog:
                 place.outer,
                 place.earlier,
                 _unseen(place.condition),
+                commands=place.commands,
             )
             for place in branch_places(statement)
         )

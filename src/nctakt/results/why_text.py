@@ -177,8 +177,7 @@ def _branches(
     for index, depth in zip(cycle.shown, depths, strict=True):
         branch = cycle.branches[index]
         indent = "  " * (1 + depth - min(depths))
-        text = branch.text if len(branch.text) <= _WIDTH else f"{branch.text[: _WIDTH - 1]}…"
-        lines += ["", f"{indent}{words.line(branch.span)}  {text}"]
+        lines += ["", f"{indent}{words.line(branch.span)}  {_cut(branch.text)}"]
         lines += [f"{indent}  {line}" for line in tell(branch, cycle)]
     return lines
 
@@ -203,13 +202,24 @@ def _history(cycle: CycleHistory, branch: BranchHistory, last_tick: int, words: 
         lines += _changes(branch.condition, words)
         count = branch.bodies.ticks
         times = words.times(branch.bodies)
-        lines.append(words.get(_BODY_ONCE if count == 1 else _BODY, count=count, times=times))
+        ran = words.get(_BODY_ONCE if count == 1 else _BODY, count=count, times=times)
+        lines.append(ran + _commands(branch))
         return [*lines, *_frequency(branch, words)]
     chain = _chain(cycle, branch, lambda one: why_branch_never(cycle, one, last_tick))
     if chain[0].kind != "false":
         lines += _changes(branch.condition, words)
     reason = words.branch_reason(cycle, branch, chain)
     return [*lines, words.get(_BODY_NEVER, reason=reason)]
+
+
+def _commands(branch: BranchHistory) -> str:
+    """What stands in the body, as far as it fits on a line."""
+    told = _cut("; ".join(branch.commands))
+    return f": {told}" if told else ""
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= _WIDTH else f"{text[: _WIDTH - 1]}…"
 
 
 def _frozen(branch: BranchHistory, words: Words) -> list[str]:
@@ -271,7 +281,7 @@ def _state(cycle: CycleHistory, branch: BranchHistory, tick: int, words: Words) 
         lines += [f"  {line}" for line in _truth(part, tick, words)]
     chain = _chain(cycle, branch, lambda one: why_branch_idle(cycle, one, tick))
     if not chain:
-        return [*lines, words.get(_AT_BODY)]
+        return [*lines, words.get(_AT_BODY) + _commands(branch)]
     if chain[0].kind == "false" and chain[0].change is not None:
         return [*lines, words.get(_AT_NO_BODY_FALSE)]
     reason = words.branch_reason(cycle, branch, chain)

@@ -3,7 +3,8 @@
 
 Cycles send axes to positions, by distances, endlessly, and stop them; they are held, continued,
 aborted, deleted and started again, while blocks of the path program the same axes. Some programs
-end with an error, which is a way to end as well; none may make an axis jump.
+end with an error, which is a way to end as well; none may make an axis jump. Nor may a PLC that
+commands the same axes, holds the feed, changes the override and presses START and RESET.
 """
 
 from __future__ import annotations
@@ -14,7 +15,10 @@ import numpy as np
 import pytest
 
 from nctakt.controller import Controller
+from nctakt.interface import Interface
 from nctakt.loading import NcText
+from nctakt.plc import MC_Halt, MC_MoveAbsolute, MC_MoveRelative, MC_MoveVelocity, MC_Reset, Plc
+from nctakt.plc.axes import AxisBlock
 from nctakt.results.run import Run
 
 AXES = ("X", "Y", "Z", "A")
@@ -99,6 +103,57 @@ class Generator:
         self.lines.append(f"#RT CYCLE {action} [ID={chance.choice(self.known)}]")
 
 
+class RandomPlc(Plc):
+    """Does what comes to its mind."""
+
+    def __init__(self, seed: int) -> None:
+        self.chance = Random(seed)
+        self.blocks: list[tuple[AxisBlock, dict[str, object]]] = []
+
+    def each_tick(self, hli: Interface) -> None:
+        """Follow the blocks that are busy, and now and then do something new."""
+        for block, inputs in self.blocks:
+            block(hli, execute=True, **inputs)  # type: ignore[operator]
+        self.blocks = [one for one in self.blocks if one[0].busy]
+        chance = self.chance
+        if chance.random() < 0.02:
+            self.blocks.append(self.command(chance.choice(AXES)))
+        if chance.random() < 0.002:
+            hli.reset()
+        if chance.random() < 0.01:
+            hli.start()
+        if chance.random() < 0.01:
+            hli.feed_hold = chance.random() < 0.3
+        if chance.random() < 0.01:
+            hli.override_pct = chance.choice((0, 20, 100, 120))
+
+    def command(self, axis: str) -> tuple[AxisBlock, dict[str, object]]:
+        """A block with its inputs."""
+        chance = self.chance
+        speed = {"velocity": chance.uniform(1, 500), "buffered": chance.random() < 0.3}
+        way = chance.uniform(-80, 80)
+        choices: tuple[tuple[AxisBlock, dict[str, object]], ...] = (
+            (MC_MoveAbsolute(axis), {"position": way, **speed}),
+            (MC_MoveRelative(axis), {"distance": way, **speed}),
+            (MC_MoveVelocity(axis), {"direction": chance.choice((1, -1, 0)), **speed}),
+            (MC_Halt(axis), {}),
+            (MC_Reset(axis), {}),
+        )
+        return chance.choice(choices)
+
+
+def assert_within_limits(run: Run, seed: int) -> None:
+    """MO-1: the speed and the acceleration of each axis, tick by tick."""
+    assert run.trace is not None
+    for axis, most in HIGHEST.items():
+        steps = np.diff(run.trace[f"{axis}.ACS.ACT_POS"], prepend=0.0)
+        if axis == "A":
+            steps = (steps + 180.0) % 360.0 - 180.0
+        assert np.abs(steps).max(initial=0.0) <= most * (1 + 1e-9), (seed, axis)
+        changes = np.diff(steps, prepend=0.0)
+        assert np.abs(changes).max(initial=0.0) <= HIGHEST_CHANGE * (1 + 1e-6), (seed, axis)
+
+
 def run_of(seed: int) -> Run:
     """A run of the program of this seed."""
     program = NcText(f"seed{seed}.nc", Generator(seed).program())
@@ -114,15 +169,20 @@ def test_no_axis_moves_or_changes_faster_than_it_can(first: int) -> None:
     ended = 0
     for seed in range(first, first + 100):
         run = run_of(seed)
-        assert run.trace is not None
-        for axis, most in HIGHEST.items():
-            steps = np.diff(run.trace[f"{axis}.ACS.ACT_POS"], prepend=0.0)
-            if axis == "A":
-                steps = (steps + 180.0) % 360.0 - 180.0
-            assert np.abs(steps).max(initial=0.0) <= most * (1 + 1e-9), (seed, axis)
-            changes = np.diff(steps, prepend=0.0)
-            assert np.abs(changes).max(initial=0.0) <= HIGHEST_CHANGE * (1 + 1e-6), (seed, axis)
+        assert_within_limits(run, seed)
         found = {error.id for error in run.errors}
         assert found <= EXPECTED_ERRORS, seed
         ended += not found
     assert ended > 25
+
+
+@pytest.mark.parametrize("first", range(0, 60, 30))
+def test_nor_does_it_with_a_plc_that_commands_them(first: int) -> None:
+    """MO-1, MO-13, RC-007: every second run waits for START, so that RESET does not end it."""
+    for seed in range(first, first + 30):
+        program = NcText(f"seed{seed}.nc", Generator(seed).program())
+        plc = RandomPlc(seed)
+        waits = seed % 2 == 0
+        run = Controller().run(program, ticks=3000, plc=plc, waits_for_start=waits)
+        assert_within_limits(run, seed)
+        assert {error.id for error in run.errors} <= EXPECTED_ERRORS | {50900}, seed

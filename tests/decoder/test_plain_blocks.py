@@ -233,6 +233,25 @@ def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch, tmp_
     assert found[0] == found[1]
 
 
+@pytest.mark.parametrize("direction", ["G41", "G42"])
+def test_compensated_contours_go_by_the_tree(
+    direction: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """MO-9: between G41 or G42 and the motion behind G40 no block takes the short way."""
+    content = "\n".join(
+        (
+            "V.G.WZ_AKT.R = 2\nG01 F6000 X5\nY1",
+            f"{direction}\nX20 Y20\nX60\nF3000\nY50\nX20 Y50\nY20\nG40\nX0 Y0",
+            "X3\nX4 Y4\nM30",
+        )
+    )
+    found = rows(content)
+    assert found[1] == []
+    assert len(found[0]) > 10
+    by_tree(monkeypatch)
+    assert rows(content) == found
+
+
 def test_blocks_that_the_short_way_does_not_take_are_told_from_the_tree() -> None:
     """Software limits (900306), a missing feed (20008): with the place of their word or block."""
     lines = "G01 F100\nX1\nX99999\n"

@@ -10,9 +10,10 @@ from __future__ import annotations
 from math import asin, degrees
 
 import pytest
-from compensated import decoded, way
+from compensated import decoded, distance, way
 
 from nctakt.controller import Controller, NcText
+from nctakt.stimuli import Stimulus
 
 START = "D1 G01 F9000\n"
 
@@ -302,3 +303,25 @@ def test_the_way_around_a_corner_is_part_of_its_block(corners: str) -> None:
     ended = [event.tick for event in run.events if event.kind == "ended"]
     assert ended == [over + 1]
     assert controller.read("V.E.COUNT") == over - begun
+
+
+def test_a_compensated_contour_is_walked_back_on_its_curve(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Ways around corners are part of the history (MO-7)."""
+    text = f"{START}F60000 G26 G41 X10 Y0\nX60\nY-60\nG03 X90 Y-60 I15\nG01 X120\nG40 Y0\n"
+    segments, _ = decoded(text, monkeypatch)
+    signals = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS"]
+    back = [
+        Stimulus(400_000, "HLI.BACKWARD_MOTION", 1),
+        Stimulus(750_000, "HLI.BACKWARD_MOTION", 0),
+    ]
+    run = Controller().run(NcText("p.nc", text + "M30\n"), signals=signals, stimuli=back)
+    assert run.errors == ()
+    assert run.trace is not None
+    places = list(zip(*(run.trace[name].tolist() for name in signals), strict=True))
+    assert len(places) > 1000
+    ways = [way(one) for one in segments]
+    assert max(min(distance(place, one) for one in ways) for place in places) < 1e-9
+    assert places[-1] == (120, 0)
+    assert min(x for x, _ in places[600:900]) < 60

@@ -32,13 +32,14 @@ MOST_BETWEEN = 1000
 class _Motion:
     """A motion in the plane; ``distance`` to the left of it goes the tool, 0: to and from it.
 
-    ``start``: where the tool begins it.
+    ``beside``: the whole way at this distance. ``start``: where the tool begins it.
     """
 
     segment: Segment
     span: Span
     piece: Piece
     distance: float
+    beside: Piece
     start: Point = (0.0, 0.0)
 
 
@@ -99,11 +100,13 @@ class Compensation:
         wanted = self._state.compensation
         distance = wanted.side * wanted.radius
         is_free = distance != self._distance
-        motion = _Motion(segment, self._path.span, piece, 0.0 if is_free else distance)
         if is_free and not piece.is_line:
-            self._values.fail(900870, motion.span)
-        if not is_free and contours.shifted(piece, distance) is None:
-            self._values.fail(900871, motion.span, radius=abs(distance))
+            self._values.fail(900870, self._path.span)
+        beside = piece if is_free else contours.shifted(piece, distance)
+        if beside is None:
+            self._values.fail(900871, self._path.span, radius=abs(distance))
+        own_distance = 0.0 if is_free else distance
+        motion = _Motion(segment, self._path.span, piece, own_distance, beside)
         self._distance = distance
         wanted.is_on_way = True
         if self._held is None:
@@ -139,7 +142,8 @@ class Compensation:
         """The held motion up to where the next one begins, and what came between them."""
         if held.distance and motion.distance:
             by_arc = self._state.compensation.by_arc
-            joint = contours.join(held.piece, motion.piece, held.distance, by_arc)
+            ways = (held.beside, motion.beside)
+            joint = contours.join(held.piece, motion.piece, ways, held.distance, by_arc)
         else:
             joint = self._free_joint(held, motion)
         if joint is None:
@@ -193,9 +197,7 @@ class Compensation:
     def _own(self, held: _Motion, end: Point) -> list[Piece]:
         """The way beside the motion itself; empty where nothing is left of it."""
         if held.distance:
-            whole = contours.shifted(held.piece, held.distance)
-            assert whole is not None
-            own = contours.trimmed(whole, held.start, end)
+            own = contours.trimmed(held.beside, held.start, end)
             if own is None:
                 self._fail(held)
         else:

@@ -88,10 +88,13 @@ def is_outer(turn: float, distance: float) -> bool:
     return turn * distance < 0.0 or abs(turn) > REVERSAL_DEG
 
 
-def join(first: Piece, second: Piece, distance: float, by_arc: bool) -> Joint | None:
+def join(
+    first: Piece, second: Piece, beside_them: tuple[Piece, Piece], distance: float, by_arc: bool
+) -> Joint | None:
     """Join what goes at ``distance`` beside two pieces that meet, ``None`` where it does not meet.
 
-    ``by_arc``: around an outer corner in an arc, else in lines.
+    ``beside_them``: both of them ``shifted``. ``by_arc``: around an outer corner in an arc, else in
+    lines.
     """
     corner = first.end
     before, behind = first.direction_at(first.end), second.direction_at(second.start)
@@ -106,10 +109,7 @@ def join(first: Piece, second: Piece, distance: float, by_arc: bool) -> Joint | 
     if first.is_line and second.is_line:
         place = _bisecting(corner, before, behind, distance)
         return Joint(place, (), place)
-    ways_a, ways_b = shifted(first, distance), shifted(second, distance)
-    assert ways_a is not None
-    assert ways_b is not None
-    places = list(_common(ways_a, ways_b))
+    places = list(_common(*beside_them))
     if not places:
         return None
     place = min(places, key=lambda one: _length(_less(one, corner)))

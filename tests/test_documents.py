@@ -401,7 +401,7 @@ def test_the_kinds_of_events_are_those_of_the_code() -> None:
         value
         for name, value in vars(record).items()
         if name.isupper() and isinstance(value, int) and not name.endswith("_WIDTH")
-        if not name.startswith(("ENDED_BY", "MOTION_", "RETRACE_"))
+        if not name.startswith(("ENDED_BY", "MOTION_", "RETRACE_", "LOOP_"))
     )
     decoder = EventDecoder(1000, _Names())
     with_choices = (record.CREATED, record.ENDED, record.USER_VALUE, record.USER_TEXT)

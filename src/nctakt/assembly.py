@@ -274,6 +274,7 @@ class Machine:
             self.system[channel],
             living_cycles(self.channels[channel].manager, self.registry.definition),
             lambda: self._moving_axes(channel),
+            self.channels[channel].path.history_size,
         )
 
     def _moving_axes(self, channel: int) -> tuple[str, ...]:

@@ -221,6 +221,11 @@ class Feed:
             self._decoder.took_time(command)
             return
         row = commands.pack(command, place)
-        self._channel.put(row)
+        if isinstance(command, commands.LoopBegin):
+            self._channel.begin_loop(row)
+        elif isinstance(command, commands.LoopEnd):
+            self._channel.end_loop(row)
+        else:
+            self._channel.put(row)
         if row[0] in TIMED_KINDS:
             self._decoder.took_time(command)

@@ -63,7 +63,7 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
                 "reason_en": reason.en,
                 "reason_de": reason.de,
             }
-        case 900420 | 900435 | 900446 | 900447:
+        case 50885 | 900420 | 900435 | 900446 | 900447:
             values = {"axis": machine.registry.axis(int(channel.error_detail))}
         case 900811:
             values = {"spindle": machine.registry.spindle(int(channel.error_detail))}
@@ -75,7 +75,7 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
             values = {"spindle": machine.registry.spindle(int(a))}
         case 51028:
             values = {"cycle": cycle, "places": int(a)}
-        case 900472 | 900880:
+        case 900472 | 900880 | 50891:
             values = {}
         case 900460 | 900461 | 900470:
             values = {"value": number_text(a)}

@@ -206,3 +206,12 @@ def test_reset_error_and_hold_stop_on_the_way_back() -> None:
     controller.reset()
     assert controller.hli.retrace == "front"
     assert 0.0 < float(controller.read("V.RTA.ACS.ACT_POS.X")) < 50.0
+
+
+def test_a_program_may_clear_the_history() -> None:
+    """``#BACKWARD STORAGE CLEAR`` between two blocks that the path passes: no way back over it."""
+    run = perform("N10 G01 X10 F6000\n#BACKWARD STORAGE CLEAR\nN20 X20\nM30", (150, 1.0))
+    assert run.state == "limit"
+    assert told(run)[-1][1] == "retrace start"
+    assert at(run, 149) == pytest.approx(13.75)  # N10 was passed without a stop
+    assert at(run, 2999) == 10.0

@@ -96,3 +96,39 @@ def test_forward_and_backward_come_to_the_same_end(first: int, slope: str, is_wi
             assert violations(run.trace[SIGNALS[i]], name, jerk) == [], seed
         walked = found[np.asarray(run.trace["HLI.RETRACE"]) > 0]
         assert farthest(walked[::37], plain) < 0.05, seed
+
+
+@pytest.mark.parametrize("way", ["reset", "error"])
+@pytest.mark.parametrize("slope", ["", JERK_LIMITED])
+@pytest.mark.parametrize("seed", range(6))
+def test_a_stop_in_any_tick_of_the_way_back_stays_on_the_path(
+    seed: int, slope: str, way: str
+) -> None:
+    """MO-6: a reset and a fault of a realtime cycle brake within the limits, on the curve."""
+    chance = random.Random(seed)
+    text = program(seed, slope)
+    plain = places(performed(seed, slope, None))
+    fault = "#RT CYCLE [ID = 1 SCOPE = PROG]\n$IF V.E.VALUE > 0\nV.E.COUNT = 1 / 0\n$ENDIF\n"
+    controller = Controller(DEMO)
+    controller.start(NcText("p.nc", f"{fault}#RT CYCLE END\n{text}"))
+    found = []
+
+    def go(ticks: int) -> None:
+        for _ in range(ticks):
+            controller.step(1)
+            found.append([float(controller.read(f"V.RTA.ACS.ACT_POS.{name}")) for name in AXES])
+
+    go(chance.randint(1, 800))
+    controller.backward()
+    go(chance.randint(1, 600))
+    if way == "reset":
+        controller._machine.channels[0].request_reset()
+    else:
+        controller.write("V.E.VALUE", 1.0)
+    go(400)
+    walked = np.asarray(found)
+    for i, name in enumerate(AXES):
+        assert violations(walked[:, i], name, MOST_JERK_MM if slope else 0.0) == []
+        assert walked[-1][i] == walked[-2][i]
+    walked[:, 3] = np.unwrap(walked[:, 3], period=360.0)
+    assert farthest(walked[-1:], np.concatenate([np.zeros((1, 4)), plain])) < 0.05

@@ -132,6 +132,7 @@ M30
   #MSG ["x"] ; error 22002 "#MSG"
   #SLOPE [TYPE=TRAPEZ] ; error 22002 "#SLOPE"
   #RT WHILE ; error 22002 "#RT WHILE"
+  #RT ENDWHILE
   #FOO ; error 900202 "#FOO"
 #RT CYCLE END
 ; --- variables (RC-301 … RC-303)

@@ -301,6 +301,62 @@ class ProgramTimer(Command):
     action: int
 
 
+@dataclass(frozen=True, slots=True)
+class LoopBegin(Command):
+    """``#RT WHILE``: what follows, up to its end, is the body of a realtime loop."""
+
+
+@dataclass(frozen=True, slots=True)
+class LoopPass(Command):
+    """The end of each pass of a realtime loop: it is counted."""
+
+
+@dataclass(frozen=True, slots=True)
+class LoopEnd(Command):
+    """``#RT ENDWHILE``: the decoder goes on when the loop is left."""
+
+
+@dataclass(frozen=True, slots=True)
+class FixedStop(Command):
+    """``X[FIXED_STOP ON|OFF …]`` for the axis at this place of the channel.
+
+    ``limit``: mm or degrees between command and actual position, for so many ``ticks``. ``begin``,
+    ``end``: parts of the way. ``needed``: an axis that finds no stop is an error.
+    """
+
+    axis: int
+    is_on: bool
+    limit: float
+    ticks: int
+    begin: float
+    end: float
+    needed: bool
+
+
+@dataclass(frozen=True, slots=True)
+class FixedStopEnd(Command):
+    """The block that moves to a fixed stop is over."""
+
+
+@dataclass(frozen=True, slots=True)
+class Measure(Command):
+    """The next motion looks for an edge; ``function`` goes out ``residual`` mm behind it."""
+
+    function: int
+    ticks: int
+    residual: float
+
+
+@dataclass(frozen=True, slots=True)
+class MeasureEnd(Command):
+    """The motion that looks for an edge is over; its function is waited for."""
+
+
+@dataclass(frozen=True, slots=True)
+class ClearHistory(Command):
+    """Nothing in front of this is walked back (``#BACKWARD STORAGE CLEAR``)."""
+
+
 #: What the decoder gets back from a command that waits.
 Answer = float | tuple[float, ...] | None
 
@@ -362,6 +418,23 @@ def pack(command: Command, place: int = 0) -> list[float]:
             return [ring.WAIT_MARK, *head, command.reason, command.cell]
         case ProgramTimer():
             return [ring.TIMER, *head, command.timer, command.action]
+        case FixedStop():
+            row = [ring.FIXED_STOP, *head, command.axis, command.is_on, command.limit]
+            return [*row, command.ticks, command.begin, command.end, command.needed]
+        case Measure():
+            return [ring.MEASURE, *head, command.function, command.ticks, command.residual]
+        case ClearHistory():
+            return [ring.CLEAR_HISTORY, *head]
+        case MeasureEnd():
+            return [ring.MEASURE_END, *head]
+        case FixedStopEnd():
+            return [ring.FIXED_STOP_END, *head]
+        case LoopBegin():
+            return [ring.LOOP_BEGIN, *head]
+        case LoopPass():
+            return [ring.LOOP_PASS, *head]
+        case LoopEnd():
+            return [ring.LOOP_END, *head, 0, 0, True]
         case ProgramEnd():
             return [ring.PROGRAM_END, *head, place]
         case GiveUp():
@@ -400,6 +473,6 @@ def is_block(command: Command) -> bool:
 
 def waits(command: Command) -> bool:
     """Whether the decoder goes on only with an answer."""
-    return isinstance(command, ReadRealtime | PositionRequest) or (
+    return isinstance(command, ReadRealtime | PositionRequest | LoopEnd) or (
         isinstance(command, Flush) and command.waits
     )

@@ -8,7 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Generator
 
-from nctakt.decoder.commands import Answer, Command, Flush, PositionRequest, ProgramTimer
+from nctakt.decoder.commands import (
+    Answer,
+    ClearHistory,
+    Command,
+    Flush,
+    PositionRequest,
+    ProgramTimer,
+)
 from nctakt.decoder.cycles import TIMER_ACTIONS
 from nctakt.decoder.systems import SystemCommands
 from nctakt.decoder.values import Values
@@ -25,7 +32,10 @@ class Hashes:
         self._systems = SystemCommands(values)
 
     def command(self, command: syntax.HashCommand, number: int) -> Generator[Command, Answer]:
-        """``#DELETE``, ``#CS``, ``#FILENAME``, ``#CHANNEL INIT``; others have no effect."""
+        """``#DELETE``, ``#CS``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``.
+
+        Others have no effect.
+        """
         words = tuple(word.name for word in command.words)
         if words == ("DELETE",):
             for argument in command.arguments:
@@ -35,6 +45,8 @@ class Hashes:
             yield from self._systems.command(command, number)
         elif words in (("FILENAME",), ("FILE", "NAME")):
             yield from self._file(command, number)
+        elif words == ("BACKWARD", "STORAGE", "CLEAR"):
+            yield ClearHistory(self._surroundings.place(command.span), number)
         elif words == ("CHANNEL", "INIT"):
             source = self._surroundings.place(command.span)
             self._values.empties_channel("#CHANNEL INIT", command.span)

@@ -60,6 +60,8 @@ def single_axes(configuration: MachineConfiguration, axes: Axes, record: Record)
         axes.set_override(index, axis.override_mode, axis.max_override_pct)
         if axis.is_modulo:
             axes.set_modulo(index, axis.dynamics.modulo_low, axis.modulo_range)
+        if axis.obstacle != 0.0:
+            axes.set_stop(index, axis.obstacle)
         if not axis.follows_exactly:
             _let_lag(axes, index, axis, configuration.cycle_time_us)
         slope = axis.dynamics.jerk_slope

@@ -29,6 +29,7 @@ from nctakt.decoder.cycles import SCOPES, CycleBuilder, CycleDefinition
 from nctakt.decoder.flow import Decoded, Flow, Jump, Return, Signal
 from nctakt.decoder.hashes import Hashes
 from nctakt.decoder.levels import MOST_LEVELS, MOST_NESTED, Level
+from nctakt.decoder.loops import RealtimeLoops
 from nctakt.decoder.macros import Macros
 from nctakt.decoder.offsets import ALL, left_over
 from nctakt.decoder.plain_blocks import PlainBlocks
@@ -80,6 +81,7 @@ class ProgramDecoder:
         self._calls = Calls(self._values)
         self._macros = Macros(surroundings, self._values.fail)
         self._hashes = Hashes(self._values)
+        self._loops = RealtimeLoops(self._values, self._words, self._statements)
         self._flow = Flow(self._values, self._statements, self._round)
         self._levels = state.levels
         self._next_cycle = next_cycle
@@ -283,6 +285,8 @@ class ProgramDecoder:
                 yield from self._define(statement, source, number)
             case syntax.CycleControl():
                 yield from self._control(statement, source, number)
+            case syntax.RealtimeLoop():
+                yield from self._loops.loop(statement, number)
             case syntax.Flush():
                 self._values.empties_channel("#FLUSH", statement.span)
                 if statement.mode != "CONTINUE":

@@ -96,7 +96,8 @@ class PaceState:
 class ModalState:
     """``motion``: G00 … G03. ``feed_mm_s``: under G94, 0: none yet. ``parameters``: P1, P2, …
 
-    ``message_file``: what #FILENAME has named for the messages that are saved.
+    ``measures``: edge banding is on (G108). ``message_file``: what #FILENAME has named for the
+    messages that are saved.
     """
 
     motion: int
@@ -108,6 +109,7 @@ class ModalState:
     tool: ToolState = field(default_factory=ToolState)
     parameters: dict[int, float] = field(default_factory=dict)
     message_file: str = ""
+    measures: bool = False
     pace: PaceState = field(default_factory=PaceState)
     levels: Levels = field(default_factory=Levels)
 

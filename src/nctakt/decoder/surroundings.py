@@ -32,7 +32,8 @@ class Surroundings:
     file of this name, called at this place of that file; raises ``DecodeError``. Blocks of
     ``skip_levels`` are left out. ``tells_blocks``: each block is marked. ``system``: data of the
     controller (V.G, V.A). ``living_cycles``: what earlier programs have left. ``moving_axes``:
-    names of the axes that move beside the path at this moment.
+    names of the axes that move beside the path at this moment. ``history_size``: how many blocks
+    the history of the path holds.
     """
 
     names: NameTable
@@ -55,6 +56,7 @@ class Surroundings:
     system: SystemData
     living_cycles: tuple[LivingCycle, ...]
     moving_axes: Callable[[], tuple[str, ...]]
+    history_size: int
 
 
 class DecodeError(Exception):

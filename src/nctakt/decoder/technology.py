@@ -65,6 +65,14 @@ class TechnologyOutputs:
         """Whether the next motion with feed waits for something."""
         return bool(self._late["MVS_SLM"])
 
+    def measuring(self, functions: list[Issued]) -> Issued | None:
+        """The function that goes out where an edge is found, taken away from the others."""
+        for one in functions:
+            if one.synchronisation == "MNE_SNS":
+                functions.remove(one)
+                return one
+        return None
+
     def before_feed(self) -> Iterator[Command]:
         """A motion with feed begins: MVS_SLM is due."""
         return self._settle("MVS_SLM")

@@ -16,10 +16,15 @@ from nctakt.decoder.commands import (
     AwaitAcknowledge,
     Command,
     Dwell,
+    FixedStop,
+    FixedStopEnd,
+    Measure,
+    MeasureEnd,
     PositionRequest,
     Segment,
     TechnologyOutput,
 )
+from nctakt.decoder.fixed_stops import fixed_stop, is_fixed_stop
 from nctakt.decoder.frames import MAIN_AXES, SAME_PLACE_MM
 from nctakt.decoder.motion import CENTRE_WORDS, CONTOURING, EXACT_STOP, PathMotion, PathWords
 from nctakt.decoder.offsets import ALL, ZERO_GROUPS
@@ -45,6 +50,9 @@ DWELL = 4
 #: Tool radius compensation, left and right of the contour: with the tool of its own block.
 COMPENSATIONS = frozenset((41, 42))
 
+#: Edge banding off and on.
+EDGE_BANDING = (107, 108)
+
 #: M functions that end the main program.
 PROGRAM_ENDS = (2, 30)
 
@@ -60,6 +68,7 @@ class _Content:
     zero_group: int | None = None
     is_reference: bool = False
     turns_tool: bool = False
+    stops: list[tuple[syntax.BracketCommand, FixedStop]] = field(default_factory=list)
     ends_program: bool = False
 
 
@@ -91,7 +100,7 @@ class Words:
                 continue
             programmed = yield from self._values.evaluate(word.value, number)
             value = self._in_axis_unit(axis, programmed)
-            yield from self._request([word.name], command.span, number)
+            yield from self.request([word.name], command.span, number)
             position = offsets.inside(self._state.positions)[axis]
             yield from offsets.preset(axis, position, value, source, number)
 
@@ -109,7 +118,13 @@ class Words:
         if content.turns_tool:
             yield from self._values.tool.offsets(block.span, number)
         yield from self.technology.before(content.functions)
-        yield from self._motion(content, block.span, number)
+        measured = self.technology.measuring(content.functions) if self._state.measures else None
+        if measured is not None:
+            yield from self._measure(content, measured, block.span, number)
+        elif content.stops:
+            yield from self._to_stop(content, block.span, number)
+        else:
+            yield from self._motion(content, block.span, number)
         if content.dwell_s is not None:
             yield from self.dwell(content.dwell_s, block.span, number)
         yield from self.technology.behind(content.functions)
@@ -144,6 +159,10 @@ class Words:
                 continue
             if isinstance(word, syntax.BracketCommand):
                 axis = self._surroundings.axis_numbers[word.name]
+                if is_fixed_stop(word):
+                    stop = yield from fixed_stop(self._values, word, axis, number)
+                    content.stops.append((word, stop))
+                    continue
                 yield from self.path.pace.override(word.items, number, axis)
                 continue
             assert isinstance(word, syntax.Word), word
@@ -209,10 +228,18 @@ class Words:
             state.inch = function == 70
         elif function in (90, 91):
             state.absolute = function == 90
+        elif function in EDGE_BANDING:
+            self._edge_banding(function, span)
         elif function != DWELL:
             if function in PLANES and state.path.compensation.is_active:
                 self.path.keep_plane(function, span)
             self.path.modal(function)
+
+    def _edge_banding(self, function: int, span: Span) -> None:
+        """G108 lets the next block with a function of the type MNE_SNS look for an edge."""
+        if function == EDGE_BANDING[1] and self._surroundings.parameters.edge_across_blocks:
+            self._values.fail(900884, span)
+        self._state.measures = function == EDGE_BANDING[1]
 
     def _word(self, word: syntax.Word, value: float, block: int, content: _Content) -> None:
         if word.name == "F":
@@ -250,7 +277,7 @@ class Words:
         """The path to the programmed position; a centre without a target is a full circle."""
         if not content.axes and not (content.path.centre and self._state.motion > 1):
             return
-        yield from self._request(self._programmed(content), span, number)
+        yield from self.request(self._programmed(content), span, number)
         start = self._state.positions
         target = self._target(content, span)
         segment = self.path.segment(start, target, content.path, span, number)
@@ -260,6 +287,38 @@ class Words:
         if segment.feed > 0.0:
             yield from self.technology.before_feed()
         yield segment
+
+    def _measure(
+        self, content: _Content, measured: Issued, span: Span, number: int
+    ) -> Generator[Command, Answer]:
+        """A motion on whose way the edge of the strip is found (G108, V.RTG.MEAS_DELTA)."""
+        self._state.measures = False
+        source = self._surroundings.place(span)
+        output = measured.output
+        assert isinstance(output, TechnologyOutput)
+        residual = self._surroundings.parameters.residual_path_mm
+        yield Measure(source, number, output.function, output.ticks, residual)
+        yield from self._motion(content, span, number)
+        yield MeasureEnd(source, number)
+
+    def _to_stop(self, content: _Content, span: Span, number: int) -> Generator[Command, Answer]:
+        """A motion to a fixed stop, or away from it: where it ends only the axes know (MO-12)."""
+        moved = self._programmed(content)
+        monitored = False
+        for word, stop in content.stops:
+            if stop.is_on and word.name not in moved:
+                self._values.fail(21966, word.span, axis=word.name)
+            if stop.is_on:
+                self._values.empties_channel(f"{word.name}[FIXED_STOP]", word.span)
+            monitored = monitored or stop.is_on
+            yield stop
+        yield from self._motion(content, span, number)
+        if monitored:
+            source = self._surroundings.place(span)
+            yield FixedStopEnd(source, number)
+            answer = yield PositionRequest(source, number)
+            assert isinstance(answer, tuple)
+            self._state.positions = list(answer)
 
     def _programmed(self, content: _Content) -> list[str]:
         """Names of the axes that the block programs; an arc moves both axes of its plane."""
@@ -274,7 +333,7 @@ class Words:
             names += [name for name in main if name not in names]
         return names
 
-    def _request(self, axes: Sequence[str], span: Span, number: int) -> Generator[Command, Answer]:
+    def request(self, axes: Sequence[str], span: Span, number: int) -> Generator[Command, Answer]:
         """Ask for the positions of those of these axes that cycles may have moved (RC-409)."""
         doubtful = self._moved.doubtful(axes)
         if not doubtful:

@@ -67,6 +67,7 @@ PANEL = (
     Entry("reset", "BOOLEAN", "", "RESET: the PLC writes 1, the CNC takes it and writes 0"),
     Entry("plc_present", "BOOLEAN", "", "1: the PLC acknowledges functions, 0: the CNC itself"),
     Entry("backward_motion", "BOOLEAN", "", "1: the path is walked back, 0: forward again"),
+    Entry("probe", "BOOLEAN", "", "1: the probe of the edge banding is on the edge"),
 )
 
 #: What the channel shows; the CNC writes it.
@@ -77,6 +78,7 @@ LAMPS = (
     Entry("error", "UNS32", "", "number of the error that has stopped the channel, else 0"),
     Entry("retrace", "UNS08", "", "0: at its front, 1 backward over the history, 2 forward again"),
     Entry("history", "UNS32", "", "blocks in the history of the path, the current one included"),
+    Entry("inside_rt_loop", "BOOLEAN", "", "1: the path is in a realtime loop"),
     Entry("history_size", "UNS32", "", "blocks that the history holds (P-STUP-00033); 0: none"),
 )
 

@@ -26,6 +26,9 @@ cdef class Axes:
     cdef double[::1] override_pct
     cdef double[::1] max_override_pct
     cdef double[::1] independent_pct
+    cdef bint has_stops
+    cdef double[::1] stop_low
+    cdef double[::1] stop_high
     cdef readonly Offsets offsets
     cdef Turns turns
     cdef bint has_moved
@@ -40,6 +43,8 @@ cdef class Axes:
     cdef void publish(self) noexcept nogil
     @cython.locals(base=Py_ssize_t, pct=double)
     cdef void publish_override(self, Py_ssize_t i, double operator_pct) noexcept nogil
+    @cython.locals(real=double)
+    cdef double real_place(self, Py_ssize_t i) noexcept nogil
     cdef void show_state(self, Py_ssize_t i, int state) noexcept nogil
     cdef void set_offset(self, Py_ssize_t axis, int kind, double value) noexcept nogil
     @cython.locals(j=Py_ssize_t, k=Py_ssize_t, place=int, source=Py_ssize_t, x=double, y=double, z=double)

@@ -55,6 +55,12 @@ class Axes:
             self.override_pct[i] = 100.0
             self.max_override_pct[i] = 100.0
             self.independent_pct[i] = 100.0
+        self.has_stops = False
+        self.stop_low = memoryview(bytearray(8 * count)).cast("d")
+        self.stop_high = memoryview(bytearray(8 * count)).cast("d")
+        for i in range(count):
+            self.stop_low[i] = -1e300
+            self.stop_high[i] = 1e300
         self.offsets = Offsets(count)
         self.turns = Turns(count)
         self.has_moved = True
@@ -96,7 +102,7 @@ class Axes:
             base = self.first_cell + i * 21
             rest = self.target[i] - self.command[i]
             here = self.command[i]
-            real = here - self.lag_d[i]
+            real = self.real_place(i)
             there = self.target[i]
             if self.modulo_range[i] > 0.0:
                 here = arithmetic.within(here, self.modulo_low[i], self.modulo_range[i])
@@ -141,6 +147,13 @@ class Axes:
         if place < 3:
             value -= self.offsets.inner(axis)
         self.cells[self.first_cell + axis * 21 + 7 + place] = value
+
+    def real_place(self, i: int) -> float:
+        """The actual position: behind the command by the lag, and never beyond an obstacle."""
+        real = self.command[i] - self.lag_d[i]
+        if self.has_stops:
+            real = max(min(real, self.stop_high[i]), self.stop_low[i])
+        return real
 
     def publish_system(
         self, base: int, here: float, real: float, there: float, rest: float
@@ -199,6 +212,14 @@ class Axes:
         """Let the positions of an axis repeat after ``full`` (P-AXIS-00015)."""
         self.modulo_low[index] = low
         self.modulo_range[index] = full
+
+    def set_stop(self, index: int, place: float) -> None:
+        """Let an obstacle stand in the way of an axis that is at 0 (MO-12)."""
+        self.has_stops = True
+        if place > 0.0:
+            self.stop_high[index] = place
+        else:
+            self.stop_low[index] = place
 
     def set_lag(self, index: int, kept: float, gained: float) -> None:
         """Let an axis lag: what a tick keeps of the error, and adds of its way."""

@@ -29,6 +29,7 @@ cdef class Channel(Commands):
     cdef void interpolate(self) noexcept nogil
     @cython.locals(programmed=double, operator=double, pct=double, spindle=Py_ssize_t, speed_v=double)
     cdef double override(self) noexcept nogil
+    cdef void watch_stops(self) noexcept nogil
     @cython.locals(goes_on=int)
     cdef int step_back(self, double factor, int stops) noexcept nogil
     @cython.locals(number=double)

@@ -78,7 +78,14 @@ class Channel(Commands):
         """The most events that one tick can record: a few for each command, cycle and slot."""
         commands = self.tail - self.head
         single = self.context.single_axes.event_bound(commands) + self.context.spindles.count
-        return 12 + single + 3 * commands + self.manager.events_bound + self.manager.capacity
+        return (
+            12
+            + self.path.count
+            + single
+            + 3 * commands
+            + self.manager.events_bound
+            + self.manager.capacity
+        )
 
     # --- the tick -------------------------------------------------------------------------------
 
@@ -149,7 +156,12 @@ class Channel(Commands):
     def interpolate(self) -> None:
         """One increment of the path with this tick's override (RC-305, MO-5)."""
         factor = self.override()
-        stops = self.is_stopped or self.is_resetting or self.panel.feed_hold
+        stops = self.is_stopped or self.is_resetting or self.panel.feed_hold or self.is_at_stop
+        if self.is_looping and not self.path.is_away:
+            self.prolong_loop()
+        if self.edge.phase > 0 and self.path.is_active and not self.path.is_away:
+            if self.edge.watch(self.context.tick):
+                stops = True
         self.publish_block()
         self.path.publish_overrides(self.panel.override_pct)
         if self.path.is_single != self.panel.single_block:
@@ -162,6 +174,16 @@ class Channel(Commands):
         if goes_on:
             self.go_on(stops)
         self.cells[self.first_cell + 1] = arithmetic.round_half_even(self.total_pct)
+        if self.stops.count > 0 and not self.path.is_away:
+            self.watch_stops()
+
+    def watch_stops(self) -> None:
+        """At the fixed stop the path brakes, and what is left of its block is dropped (MO-12)."""
+        if self.stops.watch() and self.path.is_active:
+            self.is_at_stop = True
+        if self.is_at_stop and self.path.speed_v == 0.0:
+            self.is_at_stop = False
+            self.path.abandon()
 
     def override(self) -> float:
         """What the current segment's prepared speed is multiplied with in this tick (RC-305).
@@ -242,7 +264,9 @@ class Channel(Commands):
         state = 3 if self.is_resetting else 2 if self.is_stopped else 0
         if self.path.stands():
             if not self.is_stopped and not self.path.is_away:
-                if self.waiting in (9, 10) or self.axes_stand():
+                if self.waiting == 71:
+                    self.leave_loop(int(self.queue[self.head % self.capacity * self.width + 1]))
+                if self.waiting in (9, 10, 71) or self.axes_stand():
                     self.answer_waiting()
             if self.is_resetting:
                 self.end_reset()
@@ -294,6 +318,10 @@ class Channel(Commands):
         for i in range(self.path.count):
             self.context.single_axes.reopen(self.path.members[i])
         self.path.abandon()
+        self.give_up_loop()
+        self.is_at_stop = False
+        self.stops.clear()
+        self.edge.clear()
         self.head = self.tail
         self.timed_count = 0
         self.begun = -1

@@ -17,6 +17,7 @@ cdef class Panel:
     cdef bint is_released
     cdef readonly bint backward_motion
     cdef bint turns_back
+    cdef readonly bint probe
     cdef long long block_line
     cdef bint block_moves
     cdef readonly bint start_taken
@@ -28,4 +29,5 @@ cdef class Panel:
     cdef int lets_go(self, long long line, bint moves, bint is_begun) noexcept nogil
     @cython.locals(base=Py_ssize_t)
     cdef void publish(self, int state, int message) noexcept nogil
+    cdef void show_loop(self, bint is_inside) noexcept nogil
     cdef void show_history(self, int retrace, long long blocks) noexcept nogil

@@ -19,6 +19,7 @@ START = 3
 RESET = 4
 PLC_PRESENT = 5
 BACKWARD_MOTION = 6
+PROBE = 7
 
 
 class Panel:
@@ -49,17 +50,17 @@ class Panel:
 
     def put(self, row: int, value: float) -> None:
         """Write the command in this row of the table."""
-        assert OVERRIDE <= row <= BACKWARD_MOTION
+        assert OVERRIDE <= row <= PROBE
         self.cells[self.first_cell + row] = value
 
     def arm(self, is_armed: bool) -> None:
         """A program is selected and waits for START, or no longer."""
         self.is_armed = is_armed
-        self.cells[self.first_cell + 9] = is_armed
+        self.cells[self.first_cell + 10] = is_armed
 
     def show_size(self, blocks: int) -> None:
         """So many blocks fit into the history of the path."""
-        self.cells[self.first_cell + 13] = blocks
+        self.cells[self.first_cell + 15] = blocks
 
     def begin_program(self) -> None:
         """A program has begun: its first block needs no START of its own."""
@@ -92,6 +93,7 @@ class Panel:
         self.plc_present = self.cells[base + 5] != 0.0
         self.turns_back = self.cells[base + 6] != 0.0 and not self.backward_motion
         self.backward_motion = self.cells[base + 6] != 0.0
+        self.probe = self.cells[base + 7] != 0.0
         if self.start_pressed:
             self.cells[base + 3] = 0.0
         if self.reset_pressed:
@@ -132,12 +134,16 @@ class Panel:
         base = self.first_cell
         if state == 0 and self.is_running:
             state = 1
-        self.cells[base + 7] = state
-        self.cells[base + 8] = self.is_paused
-        self.cells[base + 9] = self.is_armed
-        self.cells[base + 10] = message
+        self.cells[base + 8] = state
+        self.cells[base + 9] = self.is_paused
+        self.cells[base + 10] = self.is_armed
+        self.cells[base + 11] = message
+
+    def show_loop(self, is_inside: bool) -> None:
+        """The path is in a realtime loop, or no longer."""
+        self.cells[self.first_cell + 14] = is_inside
 
     def show_history(self, retrace: int, blocks: int) -> None:
         """How the path walks over its history (0 not at all), and the blocks that are in it."""
-        self.cells[self.first_cell + 11] = retrace
-        self.cells[self.first_cell + 12] = blocks
+        self.cells[self.first_cell + 12] = retrace
+        self.cells[self.first_cell + 13] = blocks

@@ -103,3 +103,7 @@ cdef class Path:
     cdef double promised_speed(self, Py_ssize_t place) noexcept nogil
     cdef double pace(self, int place) noexcept nogil
     cdef double block_number(self) noexcept nogil
+    cdef double covered_way(self) noexcept nogil
+    @cython.locals(acceleration=double, way=double)
+    cdef double brake_way(self) noexcept nogil
+    cdef double covered_part(self) noexcept nogil

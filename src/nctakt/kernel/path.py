@@ -445,3 +445,21 @@ class Path:
         assert 0 <= back < min(self.used, self.ring_size)
         base = (self.used - 1 - back) % self.ring_size * self.width
         return [self.ring[base + i] for i in range(self.width)]
+
+    def covered_way(self) -> float:
+        """What is covered of the current segment."""
+        return self.covered_d
+
+    def brake_way(self) -> float:
+        """How far the path goes on the current segment if it brakes from now on."""
+        acceleration = self.ring[self.base + 6]
+        way = 0.5 * self.speed_v * self.speed_v / acceleration
+        if self.ring[self.base + 10] > 0.0:
+            way += self.speed_v * acceleration / self.ring[self.base + 10]
+        return way
+
+    def covered_part(self) -> float:
+        """How much of the current segment's way is covered, from 0 to 1."""
+        if not self.is_active or self.is_dwell:
+            return 1.0
+        return self.covered_d / shape.whole_way(self.ring, self.base, self.count)

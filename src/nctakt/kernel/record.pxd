@@ -40,6 +40,9 @@ cdef class Record:
     cdef void block(self, long long source, long long number, long long decoded_tick) noexcept nogil
     cdef void wait(self, long long source, int reason, Py_ssize_t cell) noexcept nogil
     cdef void paused(self, long long source) noexcept nogil
+    cdef void loop(self, long long source, int how) noexcept nogil
+    cdef void fixed_stop(self, long long source, Py_ssize_t axis, double position) noexcept nogil
+    cdef void probe_found(self, long long source, double delta) noexcept nogil
     cdef void retraced(self, long long source, int how) noexcept nogil
     cdef void axis_begun(self, long long source, long long serial, Py_ssize_t axis, double target) noexcept nogil
     cdef void axis_ended(self, long long source, long long serial, Py_ssize_t axis, int how) noexcept nogil

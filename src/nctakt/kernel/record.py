@@ -49,6 +49,9 @@ SPINDLE_POSITION = 36  # serial, spindle, degrees
 FROZEN = 40  # serial, number of the variable's text, value; the source is the access
 BLOCK = 25  # number of the block, tick in which it was decoded
 WAIT = 26  # reason, cell; the source is what waits
+LOOP = 42  # LOOP_BEGUN …; the source is the loop
+PROBED = 44  # nothing, what is left of the block behind the joint
+FIXED_STOP = 43  # axis, position; the source is its command
 RETRACED = 41  # RETRACE_BACKWARD …; the source is the block
 PAUSED = 31  # nothing; the source is what waits
 STARVED = 47  # nothing; the source is the last command that was taken
@@ -59,6 +62,10 @@ ENDED_BY_SCOPE = 0
 ENDED_BY_DELETE = 1
 ENDED_BY_RESET = 2
 ENDED_BY_ERROR = 3
+
+LOOP_BEGUN = 0
+LOOP_SKIPPED = 1
+LOOP_LEFT = 2
 
 RETRACE_BACKWARD = 0
 RETRACE_FORWARD = 1
@@ -228,6 +235,18 @@ class Record:
     def overflow(self, thread: int) -> None:
         """A thread of the schedule is still busy when it is due again."""
         self.event(49, 0, thread, 0.0, 0.0)
+
+    def loop(self, source: int, how: int) -> None:
+        """A realtime loop is entered, passed over or left (LOOP_BEGUN …)."""
+        self.event(42, source, how, 0.0, 0.0)
+
+    def fixed_stop(self, source: int, axis: int, position: float) -> None:
+        """An axis has found its fixed stop."""
+        self.event(43, source, 0, axis, position)
+
+    def probe_found(self, source: int, delta: float) -> None:
+        """The probe of the edge banding has found the edge."""
+        self.event(44, source, 0, delta, 0.0)
 
     def retraced(self, source: int, how: int) -> None:
         """The path walks over its history, or has come to one of its ends (RETRACE_BACKWARD …)."""

@@ -2,6 +2,7 @@
 # C types of ring.py.
 cimport cython
 from nctakt.kernel.lookahead cimport LookAhead
+from nctakt.kernel.loops cimport LoopBody
 from nctakt.kernel.path cimport Path
 
 cdef class CommandRing:
@@ -15,6 +16,8 @@ cdef class CommandRing:
     cdef readonly Py_ssize_t timed_count
     cdef Py_ssize_t begun
     cdef Py_ssize_t latest
+    cdef readonly LoopBody body
+    cdef double[::1] end_row
 
     @cython.locals(length=double, oldest=Py_ssize_t, promised_v=double, promised_free_v=double)
     cdef void prepare(self, Py_ssize_t base, double feed_v, double deviation) noexcept nogil
@@ -24,3 +27,11 @@ cdef class CommandRing:
     @cython.locals(base=Py_ssize_t, i=Py_ssize_t)
     cdef void put_line(self, double source, double number, double[::1] start, double[::1] target, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
     cdef int passes(self, int kind) noexcept nogil
+    @cython.locals(count=Py_ssize_t, way=double, need=double, position=Py_ssize_t, base=Py_ssize_t)
+    cdef int needs_pass(self) noexcept nogil
+    @cython.locals(speed=double, acceleration=double, way=double)
+    cdef double brake_way_in(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(end=Py_ssize_t, i=Py_ssize_t, k=Py_ssize_t, base=Py_ssize_t, place=Py_ssize_t)
+    cdef void repeat_body(self) noexcept nogil
+    @cython.locals(exact_stop=bint, limits_jerk=bint)
+    cdef void repeat_segment(self, Py_ssize_t base, double feed_v, double deviation) noexcept nogil

@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nctakt.kernel.lookahead import LookAhead
+from nctakt.kernel.loops import LoopBody
 from nctakt.kernel.path import Path
 
 # Kinds of commands.
@@ -41,6 +42,14 @@ SET_OFFSET = 50
 SET_ORIGIN = 51
 SET_TURN = 52
 FREEZE = 60
+LOOP_BEGIN = 70
+LOOP_END = 71
+LOOP_PASS = 72
+FIXED_STOP = 73
+FIXED_STOP_END = 74
+MEASURE = 75
+MEASURE_END = 76
+CLEAR_HISTORY = 77
 
 #: The kinds that take or may take time.
 TIMED_KINDS = (
@@ -54,6 +63,9 @@ TIMED_KINDS = (
     USER_STOP,
     AWAIT_SPINDLE,
     POSITIONS,
+    LOOP_END,
+    FIXED_STOP_END,
+    MEASURE_END,
 )
 
 
@@ -80,6 +92,8 @@ class CommandRing:
         self.timed_count = 0
         self.begun = -1
         self.latest = -1
+        self.body = LoopBody(self.width)
+        self.end_row = memoryview(bytearray(8 * self.width)).cast("d")
 
     def put(self, row: list[float]) -> None:
         """Append a command; the row may be shorter than the ring's width."""
@@ -93,6 +107,22 @@ class CommandRing:
             self.timed_count += 1
         if not self.passes(int(row[0])):
             self.latest = -1
+        if self.body.is_open:
+            self.body.keep(self.row(self.tail - 1), 0.0, 0.0)
+
+    def begin_loop(self, row: list[float]) -> None:
+        """Append the begin of a realtime loop; what comes up to its end is its body."""
+        self.put(row)
+        self.body.begin()
+
+    def end_loop(self, row: list[float]) -> None:
+        """Append the end of a realtime loop, where the path goes on into another pass."""
+        latest = self.latest
+        self.body.end(self.path.count, latest < 0)
+        self.put(row)
+        self.latest = latest
+        while self.capacity < 4 * (self.body.count + 2) + self.ahead.blocks:
+            self.grow()
 
     def put_segment(
         self,
@@ -114,6 +144,19 @@ class CommandRing:
         ``arc``: first and second axis of the plane, centre, angle in degrees. ``pace``: the last
         numbers of a segment (``shape.py``); the override in it counts in its speed from here on.
         """
+        if self.body.is_open:
+            self.keep_segment(
+                source,
+                number,
+                start,
+                target,
+                feed_v,
+                exact_stop,
+                deviation,
+                limits_jerk,
+                arc,
+                pace,
+            )
         base = self.next_row()
         self.begin_segment(base, source, number, exact_stop, limits_jerk)
         for i in range(self.path.count):
@@ -235,4 +278,96 @@ class CommandRing:
 
     def passes(self, kind: int) -> int:
         """Whether the path passes a command of this kind between two blocks without a stop."""
-        return 1 if kind in (1, 3, 4, 5, 7, 8, 20, 21, 23, 30, 31, 32, 50, 51, 52, 60) else 0
+        return (
+            1 if kind in (1, 3, 4, 5, 7, 8, 20, 21, 23, 30, 31, 32, 50, 51, 52, 60, 72, 77) else 0
+        )
+
+    def keep_segment(
+        self,
+        source: int,
+        number: int,
+        start: Sequence[float],
+        target: Sequence[float],
+        feed_v: float,
+        exact_stop: bool,
+        deviation: float,
+        limits_jerk: bool,
+        arc: Sequence[float] | None,
+        pace: Sequence[float] | None,
+    ) -> None:
+        """A segment of a loop's body, as it is before its preparation: as ``put_segment``."""
+        row = [0.0] * self.width
+        row[0:3] = [SEGMENT, source, number]
+        row[8], row[10] = exact_stop, limits_jerk
+        row[12 : 12 + self.path.count] = start
+        row[12 + self.path.count : 12 + 2 * self.path.count] = target
+        if arc is not None:
+            row[9] = 1.0
+            place = 12 + 2 * self.path.count + 7
+            row[place : place + 5] = arc
+        if pace is not None:
+            row[self.width - 4 : self.width] = pace
+            if feed_v > 0.0:
+                feed_v *= pace[0]
+        self.body.keep(row, feed_v, deviation)
+
+    def needs_pass(self) -> int:
+        """Whether a path that does not slow down for the loop's end needs another pass by now.
+
+        At least one segment behind the next one has to be there, and the way to brake on.
+        """
+        if not self.body.is_complete or self.body.stops:
+            return 0
+        count = 0
+        way = 0.0
+        need = 0.0
+        position = max(self.head, self.begun + 1)
+        while position < self.tail:
+            base = position % self.capacity * self.width
+            if self.queue[base] == 1.0:
+                count += 1
+                way += self.queue[base + 3]
+                need = max(need, self.brake_way_in(base))
+                if count > 1 and way >= need:
+                    return 0
+            position += 1
+        return 1 if self.tail - self.head + self.body.count < self.capacity else 0
+
+    def brake_way_in(self, base: int) -> float:
+        """How far the path brakes from a segment's highest speed, with three ticks more."""
+        speed = min(self.queue[base + 4] * self.ahead.most_factor, self.queue[base + 5])
+        acceleration = self.queue[base + 6]
+        way = speed * (0.5 * speed / acceleration + 3.0 * self.path.cycle_time_t)
+        if self.queue[base + 10] > 0.0:
+            way += speed * acceleration / self.queue[base + 10]
+        return way
+
+    def repeat_body(self) -> None:
+        """Put the body in again, in front of the loop's end, which is the last command."""
+        end = (self.tail - 1) % self.capacity * self.width
+        for i in range(self.width):
+            self.end_row[i] = self.queue[end + i]
+        self.tail -= 1
+        for k in range(self.body.count):
+            base = self.tail % self.capacity * self.width
+            place = k * self.body.stride
+            for i in range(self.width):
+                self.queue[base + i] = self.body.rows[place + i]
+            self.tail += 1
+            if self.queue[base] == 1.0:
+                place += self.width
+                self.repeat_segment(base, self.body.rows[place], self.body.rows[place + 1])
+        base = self.tail % self.capacity * self.width
+        for i in range(self.width):
+            self.queue[base + i] = self.end_row[i]
+        self.tail += 1
+
+    def repeat_segment(self, base: int, feed_v: float, deviation: float) -> None:
+        """A segment of the body stands in its row again: it counts, and is prepared."""
+        exact_stop = self.queue[base + 8] != 0.0
+        limits_jerk = self.queue[base + 10] != 0.0
+        if limits_jerk:
+            self.latest = -1
+        self.timed_count += 1
+        self.prepare(base, feed_v, deviation)
+        self.latest = -1 if exact_stop or limits_jerk else self.tail - 1

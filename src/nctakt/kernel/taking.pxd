@@ -2,6 +2,8 @@
 # C types of taking.py.
 cimport cython
 from nctakt.kernel.cycles cimport CycleManager
+from nctakt.kernel.edge_probe cimport EdgeProbe
+from nctakt.kernel.fixed_stops cimport FixedStops
 from nctakt.kernel.hli cimport Hli
 from nctakt.kernel.memory cimport Context
 from nctakt.kernel.panel cimport Panel
@@ -20,6 +22,9 @@ cdef class Commands(CommandRing):
     cdef readonly Panel panel
     cdef readonly CycleManager manager
     cdef readonly Retrace retrace
+    cdef readonly FixedStops stops
+    cdef bint is_at_stop
+    cdef readonly EdgeProbe edge
     cdef readonly Context context
     cdef public Timers program_timers
     cdef int waiting
@@ -28,6 +33,8 @@ cdef class Commands(CommandRing):
     cdef readonly bint error_pending
     cdef readonly double error_detail
     cdef readonly int error_message
+    cdef readonly bint is_looping
+    cdef bint is_skipping
     cdef readonly bint is_stopped
     cdef readonly bint is_fatal
     cdef readonly bint is_resetting
@@ -35,6 +42,15 @@ cdef class Commands(CommandRing):
     @cython.locals(base=Py_ssize_t)
     cdef void take_commands(self, long long tick) noexcept nogil
     cdef int goes_back(self) noexcept nogil
+    cdef void take_loop(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(source=cython.longlong, member=Py_ssize_t)
+    cdef void take_fixed_stop(self, Py_ssize_t base, int kind) noexcept nogil
+    @cython.locals(source=cython.longlong, function=cython.longlong, ticks=cython.longlong, found=int)
+    cdef int take_measuring(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
+    cdef int goes_round(self) noexcept nogil
+    cdef void prolong_loop(self) noexcept nogil
+    cdef void leave_loop(self, long long source) noexcept nogil
+    cdef void give_up_loop(self) noexcept nogil
     @cython.locals(source=cython.longlong, line=cython.longlong, is_begun=bint)
     cdef int enter_block(self, Py_ssize_t base) noexcept nogil
     @cython.locals(kind=int)

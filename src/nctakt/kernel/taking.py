@@ -11,6 +11,8 @@ The channel's cells stand from ``first_cell`` on in the order of ``nc/names.py``
 from __future__ import annotations
 
 from nctakt.kernel.cycles import CycleManager
+from nctakt.kernel.edge_probe import EdgeProbe
+from nctakt.kernel.fixed_stops import FixedStops
 from nctakt.kernel.hli import Hli
 from nctakt.kernel.lookahead import LookAhead
 from nctakt.kernel.memory import Context
@@ -47,6 +49,9 @@ class Commands(CommandRing):
         self.panel = hli.panel
         self.manager = manager
         self.retrace = Retrace(path, hli.panel, record)
+        self.stops = FixedStops(path, record)
+        self.is_at_stop = False
+        self.edge = EdgeProbe(path, hli, record, memory, first_cell + 3)
         self.context = Context(memory, record, hli, timers, single_axes)
         self.program_timers = timers
         self.waiting = 0
@@ -55,6 +60,8 @@ class Commands(CommandRing):
         self.error_pending = False
         self.error_detail = 0.0
         self.error_message = 0
+        self.is_looping = False
+        self.is_skipping = False
         self.is_stopped = False
         self.is_fatal = False
         self.is_resetting = False
@@ -74,7 +81,12 @@ class Commands(CommandRing):
             if self.path.is_active and self.begun < self.head:
                 return
             base = self.head % self.capacity * self.width
-            if not self.enter_block(base) or not self.take(tick, base):
+            if self.queue[base] == 71.0 and self.goes_round():
+                self.repeat_body()
+                continue
+            if self.is_skipping and self.queue[base] != 71.0:
+                self.timed_count -= 1 if self.queue[base] == 1.0 else 0
+            elif not self.enter_block(base) or not self.take(tick, base):
                 return
             self.head += 1
 
@@ -134,6 +146,20 @@ class Commands(CommandRing):
             return self.take_spindle_wait(base)
         if 30 <= kind <= 32:
             self.take_mark(tick, base, kind)
+            return 1
+        if kind == 77:
+            self.path.forget()
+            return 1
+        if 75 <= kind <= 76:
+            return self.take_measuring(tick, base, kind)
+        if 73 <= kind <= 74:
+            self.take_fixed_stop(base, kind)
+            return 1
+        if kind == 70:
+            self.take_loop(base)
+            return 1
+        if kind == 72:
+            self.cells[self.first_cell + 5] += 1.0
             return 1
         if kind == 12:
             self.timed_count -= 1
@@ -253,6 +279,69 @@ class Commands(CommandRing):
         else:
             self.path.axes.set_offset(axis, int(self.queue[base + 4]), self.queue[base + 5])
 
+    def take_loop(self, base: int) -> None:
+        """The begin of a realtime loop: without its condition it is passed over."""
+        self.cells[self.first_cell + 5] = 0.0
+        self.is_skipping = self.cells[self.first_cell + 4] == 0.0
+        self.is_looping = not self.is_skipping
+        self.panel.show_loop(self.is_looping)
+        self.record.loop(int(self.queue[base + 1]), 1 if self.is_skipping else 0)
+        self.prolong_loop()
+
+    def prolong_loop(self) -> None:
+        """While the loop's condition holds there is always another pass ahead of the path."""
+        if self.goes_round():
+            while self.needs_pass():
+                self.repeat_body()
+
+    def take_fixed_stop(self, base: int, kind: int) -> None:
+        """An axis is monitored from now on or no longer; the block that needs a stop is over."""
+        source = int(self.queue[base + 1])
+        if kind == 73:
+            member = int(self.queue[base + 3])
+            if self.queue[base + 4] != 0.0:
+                self.stops.arm(member, source, self.queue, base + 5)
+            else:
+                self.stops.disarm(member)
+            return
+        self.timed_count -= 1
+        member = self.stops.missing()
+        if member >= 0:
+            self.report(source, 50885, self.path.members[member])
+
+    def take_measuring(self, tick: int, base: int, kind: int) -> int:
+        """The next block is measured in; it is over, and its function was acknowledged."""
+        source = int(self.queue[base + 1])
+        if kind == 75:
+            function = int(self.queue[base + 3])
+            ticks = int(self.queue[base + 4])
+            self.edge.arm(source, function, ticks, self.queue[base + 5])
+            return 1
+        found = self.edge.finish(tick)
+        if found == 0:
+            return 0
+        self.timed_count -= 1
+        if found < 0:
+            self.report(source, 50891, 0.0)
+        return 1
+
+    def goes_round(self) -> int:
+        """Whether the condition of the loop that the path is in holds."""
+        return 1 if self.is_looping and self.cells[self.first_cell + 4] != 0.0 else 0
+
+    def leave_loop(self, source: int) -> None:
+        """The path has come to the loop's end, and the condition does not hold."""
+        if self.is_looping:
+            self.record.loop(source, 2)
+        self.give_up_loop()
+
+    def give_up_loop(self) -> None:
+        """There is no loop any more."""
+        self.is_looping = False
+        self.is_skipping = False
+        self.panel.show_loop(False)
+        self.body.give_up()
+
     def take_frozen(self, base: int) -> None:
         """What the definition before it has frozen: told where it is taken (RC-302)."""
         source = int(self.queue[base + 1])
@@ -276,6 +365,8 @@ class Commands(CommandRing):
             return 0
         self.timed_count -= 1
         self.path.forget()
+        self.stops.clear()
+        self.edge.clear()
         self.manager.end_program()
         self.record.program_end(int(self.queue[base + 1]), int(self.queue[base + 3]))
         self.program_ended = True

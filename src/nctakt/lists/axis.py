@@ -213,6 +213,15 @@ _CHARACTER = (
         "Der simulierte Antrieb folgt genau: Istposition = Sollposition",
     ),
     _axis(
+        "",
+        "antr.simu.fixed_stop",
+        ValueType.SGN32,
+        0,
+        "Place of an obstacle in the simulation that the axis cannot pass, seen from 0; 0: none",
+        "Ort eines Hindernisses der Simulation, das die Achse nicht passiert, von 0 aus; 0: keines",
+        unit="0.1 µm, 1e-4°",
+    ),
+    _axis(
         "P-AXIS-00228",
         "vorsteuer.vs_v_faktor",
         ValueType.SGN32,

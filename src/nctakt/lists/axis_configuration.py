@@ -119,7 +119,8 @@ class AxisConfiguration:
     ``is_modulo``: positions repeat every ``modulo_range``, and there are no software limits.
     ``feed_forward_share``: P-AXIS-00228 / P-AXIS-00229. ``override_mode``: P-AXIS-00491.
     ``max_override_pct``: P-AXIS-00109. ``follows_exactly``:
-    actual position = command position (P-AXIS-00096). ``file``: the list that describes the axis.
+    actual position = command position (P-AXIS-00096). ``obstacle``: what the axis cannot pass, in
+    mm or degrees; 0: nothing. ``file``: the list that describes the axis.
     """
 
     logical_number: int
@@ -134,6 +135,7 @@ class AxisConfiguration:
     software_limit_tolerance: float
     optimised_schedule: bool
     follows_exactly: bool
+    obstacle: float
     feed_forward_share: float
     dynamics: AxisDynamics
     gears: tuple[AxisDynamics, ...]
@@ -194,6 +196,7 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         values.integer("kenngr.swe_toleranz") / POSITION_UNITS,
         values.flag("lr_param.field_bus_allows_optimized_schedule"),
         values.flag("antr.simu.ist_gleich_soll"),
+        0.0 if is_modulo else values.integer("antr.simu.fixed_stop") / POSITION_UNITS,
         _feed_forward(values),
         _active_gear(values, gears, collector),
         gears,

@@ -327,7 +327,6 @@ _DEFAULTS = (
         "Kantenanleimen: Weg, der nach dem Messsignal bleibt",
         low=0,
         unit="0.1 µm",
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00029",
@@ -336,7 +335,6 @@ _DEFAULTS = (
         False,
         "Edge banding across blocks",
         "Kantenanleimen über Sätze hinweg",
-        effect=Effect.CHECKED,
     ),
 )
 

@@ -32,6 +32,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``systems``           coordinate systems of programs (900840 … 900846)
 ``tools``             tools in programs, tool radius compensation (900865 … 900879)
 ``backward``          backward motion and what works with its history (900880 … 900899)
+``fixed_stops``       moving to a fixed stop
 ``diagnosis``         the lines of the cycles' diagnosis data (900456 … 900458, 900550 … 900569)
 ``coverage``          branch coverage of realtime cycles (900800 … 900809)
 ``unreached``         numbers of the controller that no program of nctakt reaches
@@ -53,6 +54,7 @@ from nctakt.messages import (
     coverage,
     decoder,
     diagnosis,
+    fixed_stops,
     folders,
     lints,
     lists,
@@ -105,6 +107,7 @@ for _stage in (
     memory,
     realtime,
     backward,
+    fixed_stops,
     user_errors,
     spindles,
     outside,

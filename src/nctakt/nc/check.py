@@ -21,6 +21,7 @@ from nctakt.nc.check_axes import AxisCommandChecker
 from nctakt.nc.check_calls import CallChecker
 from nctakt.nc.check_commands import CommandChecker
 from nctakt.nc.check_cycle import CycleChecker
+from nctakt.nc.check_loop import LoopChecker
 from nctakt.nc.check_own import OwnChecker
 from nctakt.nc.check_path import check_path_command
 from nctakt.nc.check_systems import check_system
@@ -52,6 +53,7 @@ from nctakt.nc.syntax import (
     Number,
     OffsetCommand,
     RealtimeCycle,
+    RealtimeLoop,
     Repeat,
     Statement,
     StringLiteral,
@@ -92,6 +94,7 @@ class Checker:
         self._cycles = CycleChecker(
             channel, self._words, self._values, in_cycle, single, self._findings
         )
+        self._realtime_loops = LoopChecker(channel, names, self._findings, self.statement)
         self._calls = CallChecker(self._words, self._values, self._findings)
         self._own = OwnChecker(self._values, self._findings)
         self._commands = CommandChecker(self._values, self._findings)
@@ -132,6 +135,8 @@ class Checker:
                 self._cycles.definition(statement)
             case CycleControl():
                 self._cycles.control(statement)
+            case RealtimeLoop():
+                self._realtime_loops.loop(statement)
             case Time():
                 self._values.block(statement.seconds)
             case UserMessage():

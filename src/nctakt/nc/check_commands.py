@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """``#`` commands of the main program that the decoder carries out: their forms.
 
-In: ``#TIMER``, ``#FILENAME``, ``#CHANNEL INIT``. Out: diagnostics.
+In: ``#TIMER``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``. Out: diagnostics.
 """
 
 from __future__ import annotations
@@ -44,6 +44,9 @@ class CommandChecker:
             self._file(command)
         elif tuple(words) == ("CHANNEL", "INIT"):
             self._channel(command)
+        elif tuple(words) == ("BACKWARD", "STORAGE", "CLEAR"):
+            if command.arguments:
+                self._findings.report(900233, command.span, command="#BACKWARD STORAGE CLEAR")
         else:
             return False
         return True

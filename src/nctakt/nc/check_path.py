@@ -56,6 +56,24 @@ FORMS = {
 _AXIS_OVERRIDE = Form(("OVERRIDE",), ("FEED_FACT", "RAPID_FACT"))
 
 
+#: ``X[FIXED_STOP ON POS_LAG_LIMIT=0.5]``; torque and window change nothing in the simulation.
+_FIXED_STOP = Form(
+    ("FIXED_STOP", "ON", "OFF"),
+    (
+        "TORQUE_LIMIT",
+        "POS_LAG_LIMIT",
+        "CYCLES",
+        "WINDOW",
+        "START",
+        "END",
+        "ERR_NOT_DETECTED",
+    ),
+)
+
+#: Commands for one axis of the path, by their first keyword.
+_AXIS_FORMS = {"OVERRIDE": _AXIS_OVERRIDE, "FIXED_STOP": _FIXED_STOP}
+
+
 def command_name(command: HashCommand) -> str:
     """The words of a command."""
     return " ".join(word.name for word in command.words)
@@ -92,13 +110,14 @@ def check_path_command(command: HashCommand, values: ValueChecker, findings: Fin
     return True
 
 
-def check_axis_override(command: BracketCommand, values: ValueChecker, findings: Findings) -> bool:
-    """Check ``X[OVERRIDE …]``; false where it is another command for an axis."""
+def check_path_axis(command: BracketCommand, values: ValueChecker, findings: Findings) -> bool:
+    """Check ``X[OVERRIDE …]``, ``X[FIXED_STOP …]``; false where it is another command."""
     first = command.items[0] if command.items else None
-    if not isinstance(first, Keyword) or first.name != "OVERRIDE":
+    if not isinstance(first, Keyword) or first.name not in _AXIS_FORMS:
         return False
+    form, name = _AXIS_FORMS[first.name], f"{command.name}[{first.name}]"
     for item in command.items:
-        _check_item(_AXIS_OVERRIDE, f"{command.name}[OVERRIDE]", item, values, findings)
+        _check_item(form, name, item, values, findings)
     return True
 
 

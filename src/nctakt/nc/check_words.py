@@ -17,7 +17,7 @@ from nctakt.lists.offsets import MOST_GROUPS
 from nctakt.nc import support
 from nctakt.nc.axis_commands import is_axis_command
 from nctakt.nc.check_motion import check_arc
-from nctakt.nc.check_path import check_axis_override
+from nctakt.nc.check_path import check_path_axis
 from nctakt.nc.check_spindles import SpindleChecker
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.findings import Findings
@@ -98,7 +98,7 @@ class WordChecker:
                 case Word():
                     self._word(word, state)
                 case BracketCommand():
-                    if self._is_override(word):
+                    if self._is_of_path(word):
                         continue
                     if not self.bracket(word, state):
                         self._unknown(word, state)
@@ -254,11 +254,11 @@ class WordChecker:
                 self._values.value(item.value)
             seen[kind] = None
 
-    def _is_override(self, command: BracketCommand) -> bool:
-        """Whether it is ``X[OVERRIDE …]``; then it has been checked."""
+    def _is_of_path(self, command: BracketCommand) -> bool:
+        """Whether it is ``X[OVERRIDE …]`` or ``X[FIXED_STOP …]``; then it has been checked."""
         if command.name not in self.axes:
             return False
-        return check_axis_override(command, self._values, self._findings)
+        return check_path_axis(command, self._values, self._findings)
 
     def bracket(self, command: BracketCommand, state: _Block | None = None) -> bool:
         """``X[…]``, ``S2[…]``, ``M17[MAIN]``; false where nobody knows the name."""

@@ -30,6 +30,7 @@ from nctakt.nc.frames import (
     ForFrame,
     Frame,
     IfFrame,
+    LoopFrame,
     Opening,
     RepeatFrame,
     SwitchFrame,
@@ -57,6 +58,7 @@ from nctakt.nc.syntax import (
     Goto,
     Head,
     If,
+    Keyword,
     Statement,
 )
 from nctakt.nc.words import parse_offsets
@@ -416,6 +418,29 @@ def _end_realtime_cycle(here: Here, command: Hash) -> None:
         raise BlockError(900100, 0, 0, rest[0].span, found=found)
 
 
+def _realtime_loop(here: Here, command: Hash) -> None:
+    """``#RT WHILE``, with ``[MODULO]`` or without."""
+    frame = LoopFrame(here.opening("#RT ENDWHILE"))
+    here.structure.open(frame)
+    for wrong in command.words[2:]:
+        raise BlockError(900100, 0, 0, wrong.span, found=shown(wrong.text))
+    for item in cycle_keywords(here.text, command):
+        if not isinstance(item, Keyword) or item != Keyword(item.span, "MODULO", None):
+            found = shown(here.text.text_of(item.span))
+            raise BlockError(900100, 0, 0, item.span, found=found)
+        frame.modulo = True
+
+
+def _end_realtime_loop(here: Here, command: Hash) -> None:
+    frame = here.structure.find(lambda open_frame: isinstance(open_frame, LoopFrame))
+    if frame is None:
+        raise BlockError(22181, command.start, command.end, found="#RT ENDWHILE")
+    here.structure.close(frame)
+    for wrong in (*command.words[2:], *command.arguments):
+        found = shown(here.text.text_of(wrong.span))
+        raise BlockError(900100, 0, 0, wrong.span, found=found)
+
+
 def _variables(here: Here, _: Hash) -> None:
     here.structure.open(VariablesFrame(here.opening("#ENDVAR")))
 
@@ -430,6 +455,8 @@ def _comment_end(here: Here, _: Hash) -> None:
 
 _HASH_LINES: dict[tuple[str, ...], Callable[[Here, Hash], None]] = {
     ("RT", "CYCLE"): _realtime_cycle,
+    ("RT", "WHILE"): _realtime_loop,
+    ("RT", "ENDWHILE"): _end_realtime_loop,
     ("VAR",): _variables,
     ("ENDVAR",): _end_variables,
     ("COMMENT", "END"): _comment_end,

@@ -26,6 +26,7 @@ from nctakt.nc.syntax import (
     Number,
     Parameter,
     RealtimeCycle,
+    RealtimeLoop,
     Repeat,
     Statement,
     Switch,
@@ -193,6 +194,19 @@ class WhileFrame(Frame):
 
     def finish(self) -> While:
         return While(self.opening.span, self.opening.head, self.condition, tuple(self.body))
+
+
+class LoopFrame(Frame):
+    """``#RT WHILE``."""
+
+    __slots__ = ("modulo",)
+
+    def __init__(self, opening: Opening) -> None:
+        super().__init__(opening)
+        self.modulo = False
+
+    def finish(self) -> RealtimeLoop:
+        return RealtimeLoop(self.opening.span, self.opening.head, self.modulo, tuple(self.body))
 
 
 class _FootFrame(Frame):

@@ -39,6 +39,7 @@ from nctakt.nc.syntax import (
     Number,
     Parameter,
     RealtimeCycle,
+    RealtimeLoop,
     Repeat,
     Statement,
     StringWord,
@@ -171,7 +172,7 @@ class Linter:
                 self._if(statement)
             case Switch():
                 self._switch(statement)
-            case For() | While() | Do() | Repeat():
+            case For() | While() | Do() | Repeat() | RealtimeLoop():
                 self._loop(statement)
             case SubprogramCall():
                 self._state.known.clear()
@@ -202,7 +203,7 @@ class Linter:
         self._all(body)
         return self._state
 
-    def _loop(self, loop: For | While | Do | Repeat) -> None:
+    def _loop(self, loop: For | While | Do | Repeat | RealtimeLoop) -> None:
         """Values may have changed in a round before; the body may not run at all."""
         if isinstance(loop, While) and is_false(loop.condition):
             return
@@ -210,7 +211,7 @@ class Linter:
         before = self._state.copy()
         self._all(loop.body)
         self._state.known.clear()
-        if isinstance(loop, For | While):
+        if isinstance(loop, For | While | RealtimeLoop):
             self._state.join(before)
 
     # --- values ----------------------------------------------------------------------------------

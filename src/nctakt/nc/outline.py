@@ -21,6 +21,7 @@ from nctakt.nc.syntax import (
     If,
     ProgramStart,
     RealtimeCycle,
+    RealtimeLoop,
     Repeat,
     Statement,
     SubprogramCall,
@@ -43,13 +44,13 @@ def bodies_of(statement: Statement) -> Iterator[tuple[Statement, ...]]:
         case Switch():
             for case in statement.cases:
                 yield case.body
-        case For() | While() | Do() | Repeat():
+        case For() | While() | Do() | Repeat() | RealtimeLoop():
             yield statement.body
 
 
 def is_loop(statement: Statement) -> bool:
     """Whether a structure repeats its body: no jump leads into it."""
-    return isinstance(statement, For | While | Do | Repeat)
+    return isinstance(statement, For | While | Do | Repeat | RealtimeLoop)
 
 
 def labels_in(statement: Statement, in_loop: bool = False) -> Iterator[tuple[str, bool]]:

@@ -45,6 +45,7 @@ from nctakt.nc.syntax import (
     Program,
     ProgramStart,
     RealtimeCycle,
+    RealtimeLoop,
     Repeat,
     Statement,
     StringLiteral,
@@ -360,6 +361,12 @@ def _print_while(node: While, indent: str) -> Iterator[str]:
     yield f"{indent}$ENDWHILE"
 
 
+def _print_realtime_loop(node: RealtimeLoop, indent: str) -> Iterator[str]:
+    yield f"{indent}{format_head(node.head)}#RT WHILE{' [MODULO]' if node.modulo else ''}"
+    yield from _body(node.body, indent + "  ")
+    yield f"{indent}#RT ENDWHILE"
+
+
 def _print_do(node: Do, indent: str) -> Iterator[str]:
     yield f"{indent}{format_head(node.head)}$DO"
     yield from _body(node.body, indent + "  ")
@@ -417,5 +424,6 @@ _STRUCTURES: dict[type[Statement], Callable[[Any, str], Iterator[str]]] = {
     Repeat: _print_repeat,
     Switch: _print_switch,
     RealtimeCycle: _print_cycle,
+    RealtimeLoop: _print_realtime_loop,
     VariableDeclarations: _print_declarations,
 }

@@ -13,7 +13,7 @@ from collections.abc import Callable
 
 from nctakt.diagnostics import Span
 from nctakt.messages import Collector
-from nctakt.nc.frames import CycleFrame, Frame, SwitchFrame
+from nctakt.nc.frames import CycleFrame, Frame, LoopFrame, SwitchFrame
 from nctakt.nc.lexer import BlockError, BlockText
 from nctakt.nc.syntax import Head, Statement, Unreadable
 
@@ -134,6 +134,8 @@ class Structure:
             if not frame.reported:
                 self.report(22005, opening.span, opening.line, found=opening.begin)
                 self.expect_stray_cycle_end()
+        elif isinstance(frame, LoopFrame):
+            self.report(50992, opening.span, opening.line)
         else:
             self.report(900105, opening.span, opening.line, begin=opening.begin, end=opening.end)
         self.close(frame)

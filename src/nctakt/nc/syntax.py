@@ -322,6 +322,14 @@ class While(Statement):
 
 
 @dataclass(frozen=True, slots=True)
+class RealtimeLoop(Statement):
+    """``#RT WHILE [MODULO] … #RT ENDWHILE``: the realtime part repeats the body."""
+
+    modulo: bool
+    body: tuple[Statement, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Do(Statement):
     """``$DO … $ENDDO condition``: goes on while the condition holds."""
 

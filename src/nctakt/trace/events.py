@@ -29,6 +29,11 @@ _ENDED_BY = {
     record.ENDED_BY_RESET: "reset",
     record.ENDED_BY_ERROR: "error",
 }
+_LOOPS = {
+    record.LOOP_BEGUN: "begun",
+    record.LOOP_SKIPPED: "skipped",
+    record.LOOP_LEFT: "left",
+}
 _RETRACED = {
     record.RETRACE_BACKWARD: "backward",
     record.RETRACE_FORWARD: "forward",
@@ -145,6 +150,9 @@ class EventDecoder:
             record.AXIS_ENDED: self._axis_ended,
             record.AXIS_CHANGED: self._axis_changed,
             record.RETRACED: self._retraced,
+            record.PROBED: self._probed,
+            record.FIXED_STOP: self._fixed_stop,
+            record.LOOP: self._loop,
             record.BLOCK: self._block,
             record.WAIT: self._wait,
             record.STARVED: self._starved,
@@ -256,6 +264,17 @@ class EventDecoder:
     def _retraced(self, _kind: int, how: int, _a: float, _b: float) -> tuple[str, str]:
         return "retrace", _RETRACED[how]
 
+    def _fixed_stop(
+        self, _kind: int, _serial: int, axis: float, position: float
+    ) -> tuple[str, str]:
+        return "fixed_stop", f"{self._names.axis(int(axis))} {number_text(position)}"
+
+    def _probed(self, _kind: int, _serial: int, delta: float, _b: float) -> tuple[str, str]:
+        return "probe", number_text(delta)
+
+    def _loop(self, _kind: int, how: int, _a: float, _b: float) -> tuple[str, str]:
+        return "loop", _LOOPS[how]
+
     def _wait(self, _kind: int, reason: int, cell: float, _b: float) -> tuple[str, str]:
         word = _WAITS[reason]
         return "waits", f"{word} {self._names.variable(int(cell))}" if cell else word
@@ -283,6 +302,7 @@ _WITHOUT_CYCLE = (
     record.FED,
     record.OVERFLOW,
     record.RETRACED,
+    record.LOOP,
 )
 
 

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""What is decided about measuring the edge joint (G108, V.RTG.MEAS_DELTA): docs/conformance.md."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from decided import numbers, perform, told
+
+from nctakt.controller import Controller
+from nctakt.lists.machine import load_machine
+from nctakt.stimuli import Stimulus
+
+PROBE = [Stimulus(500_000, "HLI.PROBE", 1.0)]
+BLOCK = "G108\nG01 X100 F6000 M116\n"
+
+
+def machine(residual_mm: float, *, across_blocks: bool = False) -> Controller:
+    """The demo machine with this residual path (P-CHAN-00030) and P-CHAN-00029."""
+    demo = load_machine(None)
+    (channel,) = demo.channels
+    parameters = replace(
+        channel.parameters, residual_path_mm=residual_mm, edge_across_blocks=across_blocks
+    )
+    return Controller(replace(demo, channels=(replace(channel, parameters=parameters),)))
+
+
+def test_a_block_that_finds_no_edge_is_an_error() -> None:
+    """Behind the block: 50891, and the function does not go out."""
+    run = perform(f"{BLOCK}M30")
+    assert numbers(run) == [50891]
+    assert told(run, "output") == []
+
+
+def test_a_joint_behind_the_end_is_that_of_the_end() -> None:
+    """The residual path is longer than the block: its function goes out at its end."""
+    controller = machine(80.0)
+    run = perform(f"{BLOCK}G00 X110\nM30", controller, stimuli=PROBE)
+    assert run.state == "ended", run.diagnostics
+    assert told(run, "output") == ["1025 output m 116"]
+    assert controller.read("V.RTG.MEAS_DELTA") == 100.0 - 48.75 - 80.0
+
+
+def test_measuring_is_over_with_its_block_and_with_g107() -> None:
+    """G108 counts for one block with a function of its type; G107 takes it back."""
+    run = perform(f"{BLOCK}G01 X50 M116\nM30", machine(5.0), stimuli=PROBE)
+    assert run.state == "ended", run.diagnostics
+    assert len(told(run, "probe")) == 1
+    run = perform("G108\nG107\nG01 X100 F6000 M116\nM30", stimuli=PROBE)
+    assert run.state == "ended"
+    assert told(run, "probe") == []
+
+
+def test_measuring_across_blocks_is_refused() -> None:
+    """P-CHAN-00029: 900884 at G108."""
+    assert numbers(perform(f"{BLOCK}M30", machine(5.0, across_blocks=True))) == [900884]
+
+
+def test_the_program_reads_and_writes_the_delta() -> None:
+    """V.RTG.MEAS_DELTA keeps its value until the next edge, or until the program writes it."""
+    controller = machine(5.0)
+    text = f"{BLOCK}V.E.VALUE = V.RTG.MEAS_DELTA\nV.RTG.MEAS_DELTA = 1.5\nM30"
+    run = perform(text, controller, stimuli=PROBE)
+    assert run.state == "ended"
+    assert controller.read("V.E.VALUE") == 46.25
+    assert controller.read("V.RTG.MEAS_DELTA") == 1.5
+
+
+def test_a_reset_ends_the_measuring() -> None:
+    """Nothing is looked for any more."""
+    controller = machine(5.0)
+    perform(f"{BLOCK}M30", controller, stimuli=[Stimulus(300_000, "HLI.RESET", 1.0)])
+    run = perform("G00 X60\nM30", controller, stimuli=PROBE)
+    assert run.state == "ended"
+    assert told(run, "probe") == []

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""What is decided about moving to a fixed stop (MO-12): docs/conformance.md."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from decided import numbers, perform, told
+
+from nctakt.controller import Controller
+from nctakt.lists.machine import load_machine
+
+ON = "X[FIXED_STOP ON"
+
+
+def machine(**obstacles: float) -> Controller:
+    """The demo machine with obstacles in the way of these axes, in mm."""
+    demo = load_machine(None)
+    axes = tuple(replace(axis, obstacle=obstacles.get(axis.name, 0.0)) for axis in demo.axes)
+    return Controller(replace(demo, axes=axes))
+
+
+def test_an_axis_that_finds_no_stop_is_an_error_unless_it_may() -> None:
+    """No obstacle on the way: 50885 behind the block; with ERR_NOT_DETECTED=0 it goes on."""
+    run = perform(f"G01 X10 F6000 {ON}]\nG00 X20\nM30")
+    assert run.state == "error"
+    assert numbers(run) == [50885]
+    run = perform(f"G01 X10 F6000 {ON} ERR_NOT_DETECTED=0]\nG00 X20\nM30")
+    assert run.state == "ended"
+    assert told(run, "fixed_stop") == []
+
+
+def test_without_monitoring_an_obstacle_only_holds_the_axis() -> None:
+    """The actual position stays at it, the command goes on; nothing is told."""
+    controller = machine(X=50.0)
+    run = perform("G01 X60 F6000\nM30", controller)
+    assert run.state == "ended"
+    assert controller.read("V.RTA.ACS.ACT_POS.X") == 60.0
+    assert controller.read("V.RTA.ACS.CUR_POS.X") == 50.0
+
+
+def test_an_obstacle_below_zero_holds_the_other_way() -> None:
+    """Its sign tells the side; the position of the stop stays after the block."""
+    controller = machine(X=-20.0)
+    run = perform(f"G01 X-40 F6000 {ON}]\nV.E.VALUE = V.RTA.FIXED_STOP.ACS.POS.X\nM30", controller)
+    assert run.state == "ended"
+    assert controller.read("V.E.VALUE") == -20.0
+
+
+def test_all_monitored_axes_have_to_find_their_stop() -> None:
+    """X at 20 alone does not stop the path, Y at 30 behind it does."""
+    controller = machine(X=20.0, Y=30.0)
+    run = perform(f"G01 X80 Y80 F6000 {ON}] Y[FIXED_STOP ON]\nM30", controller)
+    assert [text.split(" ", 1)[1] for text in told(run, "fixed_stop")] == [
+        "fixed_stop X 20",
+        "fixed_stop Y 30",
+    ]
+    assert 32.0 < float(controller.read("V.RTA.ACS.ACT_POS.Y")) < 34.0
+
+
+def test_start_and_end_bound_the_part_of_the_way() -> None:
+    """Up to 60 % of the way nothing is monitored, and nothing behind 40 %."""
+    late = perform(f"G01 X100 F6000 {ON} START=60]\nM30", machine(X=50.0))
+    early = perform(f"G01 X100 F6000 {ON}]\nM30", machine(X=50.0))
+    assert int(told(late, "fixed_stop")[0].split()[0]) - int(
+        told(early, "fixed_stop")[0].split()[0]
+    ) == pytest.approx(80, abs=1)
+    never = perform(f"G01 X100 F6000 {ON} END=40]\nM30", machine(X=50.0))
+    assert numbers(never) == [50885]
+
+
+def test_monitoring_ends_with_the_program_and_with_a_reset() -> None:
+    """ACTIVE is taken back."""
+    controller = machine(X=50.0)
+    perform(f"G01 X100 F6000 {ON}]\nM30", controller)
+    assert controller.read("V.RTA.FIXED_STOP.ACTIVE.X") is False
+    perform(f"G01 X100 F6000 {ON}]\nG04 1\nM30", controller, ticks=600)
+    assert controller.read("V.RTA.FIXED_STOP.ACTIVE.X") is True
+    controller.reset()
+    assert controller.read("V.RTA.FIXED_STOP.ACTIVE.X") is False
+
+
+@pytest.mark.parametrize(
+    ("block", "number"),
+    [
+        ("X10 Y[FIXED_STOP ON]", 21966),
+        ("X10 X[FIXED_STOP ON START=50 END=40]", 21968),
+        ("X10 X[FIXED_STOP ON START=10 END=200]", 21968),
+        ("X10 X[FIXED_STOP AT=5]", 900706),
+    ],
+)
+def test_what_cannot_be_monitored(block: str, number: int) -> None:
+    """No motion of the axis, no part of the way, no such word."""
+    run = perform(f"G01 F6000 {block}\nM30")
+    assert run.state == "error"
+    assert numbers(run) == [number]

@@ -9,7 +9,7 @@ import pytest
 from check_machine import demo_channel, findings
 
 from nctakt.diagnostics import Severity
-from nctakt.lists.technology import INTERNAL_M_FUNCTIONS, SYNCHRONISATIONS
+from nctakt.lists.technology import INTERNAL_M_FUNCTIONS, SYNCHRONISATIONS, TechnologyFunction
 from nctakt.nc import support
 from nctakt.nc.command_forms import FORMS
 from nctakt.nc.formats import places
@@ -98,3 +98,15 @@ def test_the_forms_of_a_command_are_right(command: str) -> None:
     for form in FORMS[command]:
         lines = ("#VAR", "V.P.NAME", "#ENDVAR", form, "M30")
         assert [one.headline() for one in findings(lines) if one.severity is Severity.ERROR] == []
+
+
+@pytest.mark.parametrize("synchronisation", ["MEP_SVS", "MEP_MOS", "MET_SVS", "MET_MOS"])
+@pytest.mark.parametrize("axis", ["", "X"])
+def test_functions_that_go_out_before_their_block_are_refused(
+    synchronisation: str, axis: str
+) -> None:
+    """P-CHAN-00041: a way or a time before the block's end; refused by name, for axes as well."""
+    functions = {7: TechnologyFunction(7, synchronisation, (), 0.0, axis)}
+    entry = support.answer_m(7, functions)
+    assert entry is not None
+    assert (entry.name, entry.answer) == (synchronisation, Answer.REFUSED)

@@ -135,7 +135,7 @@ class Feed:
 
     def _next(self) -> None:
         answer = self._take_answer()
-        begun = self._decoder.blocks
+        begun = self._decoder.begun
         try:
             command = next(self._decoded) if answer is None else self._decoded.send(answer)
         except StopIteration:
@@ -145,7 +145,7 @@ class Feed:
             self._give_up(error.diagnostic)
             return
         if self._budget is not None:
-            self._budget.spend(self._decoder.blocks - begun)
+            self._budget.spend(self._decoder.begun - begun)
             if not self._budget.is_paid:
                 self._held = command
                 return

@@ -111,6 +111,20 @@ def test_starved_programs_do_the_same_later(program: Path, tmp_path: Path) -> No
     assert said[0] == said[1]
 
 
+def test_blocks_of_a_compensated_contour_take_their_time(tmp_path: Path) -> None:
+    """P-RTCF-00012: a contour under G41, whose blocks go on late (MO-9), is not decoded faster."""
+    blocks = [f"V.E.COUNT = 1\nX{place} Y{place}" for place in range(20, 60)]
+    moves = "\n".join(["G01 F60000 X0 Y0", "{}", "X10 Y10", *blocks, "{}", "X0 Y0", "M30"])
+    given = schedule(tmp_path, load=LOAD.replace("block = 1", "block = 100"))
+    decoded = []
+    for begin, end in (("F60000", "F60000"), ("V.G.WZ_AKT.R = 1\nG41", "G40")):
+        paced = run(given, moves.format(begin, end), blocks=True)
+        assert paced.state == "ended"
+        ticks = [str(event).split()[3] for event in paced.events if event.kind == "block"]
+        decoded.append(max(ticks.count(str(tick)) for tick in range(1, 10)))
+    assert decoded == [6, 6]
+
+
 def test_standard_puts_out_one_tick_later(tmp_path: Path) -> None:
     """P-RTCF-00018: STANDARD puts out what the call before has computed; nothing else differs."""
     program = "N10 G01 X1 F6000\nN20 G01 X3 Y1\nN30 G04 X0.01\nM30\n"

@@ -91,6 +91,7 @@ class ProgramDecoder:
         )
         self._takes_runs = takes_runs
         self._blocks = 0
+        self._begun = 0
         self._rounds: dict[Span, int] = {}
         self._nested = 0
 
@@ -118,9 +119,9 @@ class ProgramDecoder:
         yield ProgramEnd(0, 0)
 
     @property
-    def blocks(self) -> int:
-        """Blocks and passes of loops since the last command that took time."""
-        return self._blocks
+    def begun(self) -> int:
+        """Blocks and passes of loops that were begun since the program began."""
+        return self._begun
 
     def took_time(self, command: Command) -> None:
         """The one who takes the commands has seen one that takes time."""
@@ -198,6 +199,7 @@ class ProgramDecoder:
 
     def _count(self, span: Span) -> None:
         """A block, or a pass of a loop: neither goes on for ever without taking time."""
+        self._begun += 1
         self._blocks += 1
         if self._blocks > MOST_BLOCKS_WITHOUT_TIME:
             loops = (loop for loop, rounds in self._rounds.items() if rounds > 1)

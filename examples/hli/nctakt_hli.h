@@ -96,6 +96,7 @@ typedef struct hli_channel {
     uint32_t error; /* number of the error that has stopped the channel, else 0 */
     uint8_t retrace; /* 0: at its front, 1 backward over the history, 2 forward again */
     uint32_t history; /* blocks in the history of the path, the current one included */
+    uint8_t inside_rt_loop; /* 1: the path is in a realtime loop */
     uint32_t history_size; /* blocks that the history holds (P-STUP-00033); 0: none */
     uint32_t override_total; /* that acts (%) */
     double path_speed; /* the speed on the path (mm/s) */
@@ -111,15 +112,16 @@ _Static_assert(offsetof(hli_channel, armed) == 2, "armed");
 _Static_assert(offsetof(hli_channel, error) == 4, "error");
 _Static_assert(offsetof(hli_channel, retrace) == 8, "retrace");
 _Static_assert(offsetof(hli_channel, history) == 12, "history");
-_Static_assert(offsetof(hli_channel, history_size) == 16, "history_size");
-_Static_assert(offsetof(hli_channel, override_total) == 20, "override_total");
-_Static_assert(offsetof(hli_channel, path_speed) == 24, "path_speed");
-_Static_assert(offsetof(hli_channel, distance_to_go) == 32, "distance_to_go");
-_Static_assert(offsetof(hli_channel, block) == 40, "block");
-_Static_assert(offsetof(hli_channel, active_cycles) == 44, "active_cycles");
-_Static_assert(offsetof(hli_channel, program) == 48, "program");
-_Static_assert(offsetof(hli_channel, realtime) == 848, "realtime");
-_Static_assert(sizeof(hli_channel) == 1648, "hli_channel");
+_Static_assert(offsetof(hli_channel, inside_rt_loop) == 16, "inside_rt_loop");
+_Static_assert(offsetof(hli_channel, history_size) == 20, "history_size");
+_Static_assert(offsetof(hli_channel, override_total) == 24, "override_total");
+_Static_assert(offsetof(hli_channel, path_speed) == 32, "path_speed");
+_Static_assert(offsetof(hli_channel, distance_to_go) == 40, "distance_to_go");
+_Static_assert(offsetof(hli_channel, block) == 48, "block");
+_Static_assert(offsetof(hli_channel, active_cycles) == 52, "active_cycles");
+_Static_assert(offsetof(hli_channel, program) == 56, "program");
+_Static_assert(offsetof(hli_channel, realtime) == 856, "realtime");
+_Static_assert(sizeof(hli_channel) == 1656, "hli_channel");
 
 /* the state of an axis */
 typedef struct hli_axis {
@@ -186,6 +188,7 @@ typedef struct hli_command {
     uint8_t reset; /* RESET: the PLC writes 1, the CNC takes it and writes 0 */
     uint8_t plc_present; /* 1: the PLC acknowledges functions, 0: the CNC itself */
     uint8_t backward_motion; /* 1: the path is walked back, 0: forward again */
+    uint8_t probe; /* 1: the probe of the edge banding is on the edge */
     uint32_t ack_program[20]; /* acknowledges program[i] of the channel: its serial */
     uint32_t ack_realtime[20]; /* acknowledges realtime[i] of the channel: its serial */
 } hli_command;
@@ -196,6 +199,7 @@ _Static_assert(offsetof(hli_command, start) == 10, "start");
 _Static_assert(offsetof(hli_command, reset) == 11, "reset");
 _Static_assert(offsetof(hli_command, plc_present) == 12, "plc_present");
 _Static_assert(offsetof(hli_command, backward_motion) == 13, "backward_motion");
+_Static_assert(offsetof(hli_command, probe) == 14, "probe");
 _Static_assert(offsetof(hli_command, ack_program) == 16, "ack_program");
 _Static_assert(offsetof(hli_command, ack_realtime) == 96, "ack_realtime");
 _Static_assert(sizeof(hli_command) == 176, "hli_command");

@@ -79,6 +79,14 @@ def test_commands_are_known_by_their_first_words(words: tuple[str, ...], name: s
     assert (entry.name if entry else None) == name
 
 
+def test_what_ends_a_simulated_command_is_simulated() -> None:
+    """The end of a realtime loop has the answer of its begin."""
+    found, begin = support.answer_hash(["RT", "ENDWHILE"]), support.answer_hash(["RT", "WHILE"])
+    assert found is not None
+    assert begin is not None
+    assert found.answer == begin.answer
+
+
 def test_a_text_tells_its_places_for_values() -> None:
     """``%%`` is the sign itself, an unknown letter is no place that can be filled."""
     assert list(places("%d %% %5.2f %y %")) == [

@@ -29,7 +29,7 @@ COMMANDS = known(
     ("#MSG", "S", "message of the program", "Meldung des Programms"),
     ("#TIME", "S", "dwell", "Verweilzeit"),
     ("#RT WHILE", "S", "realtime loop", "Echtzeit-Schleife"),
-    ("#RT ENDWHILE", "R", "end of a realtime loop", "Ende einer Echtzeit-Schleife"),
+    ("#RT ENDWHILE", "S", "end of a realtime loop", "Ende einer Echtzeit-Schleife"),
     ("#MSG INFO", "R", "message to one receiver", "Meldung an einen Empfänger"),
     ("#MSG SYN", "R", "message with acknowledgement", "Meldung mit Quittung"),
     ("#ACHSE", "R", "exchange of axes", "Achstausch"),

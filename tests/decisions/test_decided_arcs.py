@@ -218,10 +218,28 @@ def test_the_slope_is_that_of_the_channel_until_the_program_chooses(tmp_path: Pa
     assert ticks == [505, 532, 532, 505]
 
 
-def test_with_a_limit_of_the_jerk_each_block_stops() -> None:
-    """The path stands between two blocks, where one of them has the jerk-limited slope."""
-    one = moved("#SLOPE [TYPE=TRAPEZ]\nG01 X10 F1200").ticks
-    assert moved("#SLOPE [TYPE=TRAPEZ]\nG01 X10 F1200\nX20").ticks == 2 * one - 1
+def test_with_a_limit_of_the_jerk_the_path_passes_block_ends() -> None:
+    """MO-3: a line in pieces takes as long as in one piece; a right angle is a stop."""
+    slope = "#SLOPE [TYPE=TRAPEZ]\nG01 F1200 "
+    assert moved(slope + "X10\nX10.1\nX20").ticks == moved(slope + "X20").ticks
+    run = moved(slope + "X10\nY10")
+    assert place(run, run.ticks - 2) == (10.0, 10.0, 0.0)
+    assert all(x == 10.0 or y == 0.0 for x, y, _ in (place(run, t) for t in range(run.ticks)))
+
+
+def test_with_a_limit_of_the_jerk_an_arc_is_entered_slowly() -> None:
+    """The centripetal acceleration comes in a step, at most 0.7 of what the jerk does in a tick.
+
+    A step counts 3/4 in a tick: v² / 50 <= 0.7 * 80 / 0.75, 61.1 mm/s; the feed would be 100.
+    """
+    program = "#SLOPE [TYPE=TRAPEZ]\nG01 X50 F6000\nG03 X100 Y50 J50\nG01 Y90"
+    run = moved(program)
+    assert run.trace is not None
+    speeds = run.trace["PATH.SPEED"].tolist()
+    ticks = range(1, run.ticks - 1)
+    entries = [t for t in ticks if place(run, t - 1)[1] == 0.0 < place(run, t)[1]]
+    assert 60.0 < speeds[entries[0]] <= 61.2
+    assert max(speeds) == pytest.approx(100.0)
 
 
 def test_other_slopes_and_modes_are_refused_by_name() -> None:

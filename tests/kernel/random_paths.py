@@ -49,6 +49,33 @@ def program(seed: int, slope: str = "") -> str:
     return "\n".join([*lines, "M30"])
 
 
+def flowing(seed: int, slope: str = "") -> str:
+    """A program whose blocks mostly go on in their direction: pieces of lines, tangential arcs."""
+    chance = random.Random(seed)
+    lines = [slope, "G91 G01 F6000"]
+    heading = chance.choice((0.0, math.pi / 4, math.pi / 2, chance.uniform(-math.pi, math.pi)))
+    size = chance.choice((0.05, 0.3, 3.0, 20.0))
+    for _ in range(chance.randint(8, 60)):
+        if chance.random() < 0.1:
+            size = chance.choice((0.05, 0.3, 3.0, 20.0))
+        if chance.random() < 0.2:
+            lines.append(_setting(chance))
+        if chance.random() < 0.2:
+            heading += chance.choice((1e-4, 1e-3, 1e-2, 0.1)) * chance.gauss(0.0, 1.0)
+        length = size * chance.uniform(0.2, 2.0)
+        rise = f" Z{length * chance.uniform(-0.5, 0.5):.6f}" if chance.random() < 0.1 else ""
+        if chance.random() < 0.4:
+            radius = size * chance.choice((0.3, 1.0, 5.0, 50.0)) * chance.choice((1, -1))
+            x, y = -math.sin(heading) * radius, math.cos(heading) * radius
+            heading += math.copysign(min(length / abs(radius), 2.5), radius)
+            ends = f"X{x + math.sin(heading) * radius:.9f} Y{y - math.cos(heading) * radius:.9f}"
+            lines.append(f"G0{3 if radius > 0 else 2} {ends} I{x:.9f} J{y:.9f}{rise}")
+        else:
+            ends = f"X{length * math.cos(heading):.9f} Y{length * math.sin(heading):.9f}"
+            lines.append(f"G0{chance.choice((1, 1, 1, 1, 1, 0))} {ends}{rise}")
+    return "\n".join([*lines, "M30"])
+
+
 def _setting(chance: random.Random) -> str:
     return chance.choice(
         (

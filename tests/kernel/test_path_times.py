@@ -117,6 +117,31 @@ def test_look_ahead_is_bounded_by_its_blocks() -> None:
     assert math.sqrt(2 * ACCELERATION * 0.01 * 110) < max(run.trace["PATH.SPEED"]) <= most
 
 
+def test_short_blocks_lose_nothing_with_a_limit_of_the_jerk() -> None:
+    """MO-3: 200 blocks of 0.1 mm and more in one line are as fast as one block, within a tick."""
+    ends = np.cumsum([0.1 + 0.37 * (i % 7) for i in range(200)])
+    for feed in (40.0, 200.0, 400.0):
+        program = f"#SLOPE [TYPE=TRAPEZ]\nG01 F{feed * 60}\n" + "\n".join(
+            f"X{end:.2f}" for end in ends
+        )
+        assert seconds(program) <= s_curve(ends[-1], feed) + 0.001
+
+
+def test_a_feed_changes_within_the_jerk_in_the_best_time() -> None:
+    """MO-3: 60 mm at 100 mm/s, 30 mm at 20 mm/s: the first ends with the second's feed.
+
+    By hand: up to 100 and down to 20 mm/s with peaks √(80000 · Δv), then down from 20 to a stand.
+    """
+
+    def ramp(change: float) -> float:
+        return change / ACCELERATION + 0.05 if change >= 200 else 2 * math.sqrt(change / JERK)
+
+    up, down, stop = ramp(100), ramp(80), ramp(20)
+    best = up + (60 - 50 * up - 60 * down) / 100 + down + (30 - 10 * stop) / 20 + stop
+    found = seconds("#SLOPE [TYPE=TRAPEZ]\nG01 X60 F6000\nX90 F1200")
+    assert best - 0.001 <= found <= best + 0.002
+
+
 @pytest.mark.parametrize("length", [0.01, 0.3, 5.0, 20.0, 70.0, 400.0])
 @pytest.mark.parametrize("feed", [20.0, 150.0, 450.0])
 def test_jerk_limited_blocks_take_the_optimum(length: float, feed: float) -> None:

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import os
 import random
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 from kernel_rig import DEMO
-from random_paths import AXES, program, violations
+from random_paths import AXES, flowing, program, violations
 
 from nctakt.controller import Controller, NcText
 from nctakt.interface import Interface
@@ -48,9 +49,14 @@ class Operator:
         hli.feed_hold = not is_over and self.chance.random() < 0.2
 
 
-def performed(seed: int, slope: str = "", plc: Operator | None = None) -> Run:
+def performed(
+    seed: int,
+    slope: str = "",
+    plc: Operator | None = None,
+    make: Callable[[int, str], str] = program,
+) -> Run:
     """The run of a random program, within the limits."""
-    text = NcText("p.nc", program(seed, slope))
+    text = NcText("p.nc", make(seed, slope))
     run = Controller(DEMO).run(text, signals=SIGNALS, ticks=400_000, plc=plc)
     assert run.state == "ended", (seed, run.diagnostics)
     assert run.trace is not None
@@ -72,6 +78,15 @@ def test_random_programs_keep_the_limit_of_the_jerk(first: int) -> None:
     """MO-2: with the jerk-limited slope the jerk of each axis as well."""
     for seed in range(first, min(first + CHUNK, SOME)):
         performed(seed, JERK_LIMITED)
+
+
+@pytest.mark.parametrize("is_held", [False, True])
+@pytest.mark.parametrize("slope", ["", JERK_LIMITED])
+@pytest.mark.parametrize("first", range(0, SOME, CHUNK))
+def test_paths_that_flow_keep_the_limits(first: int, slope: str, is_held: bool) -> None:
+    """MO-3: tangential transitions, which the path passes; also with override and feed hold."""
+    for seed in range(first, min(first + CHUNK, SOME)):
+        performed(seed, slope, Operator(seed) if is_held else None, flowing)
 
 
 @pytest.mark.parametrize("slope", ["", JERK_LIMITED])

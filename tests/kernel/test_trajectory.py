@@ -210,6 +210,15 @@ def oracle_duration_t(ruckig: Any, case: Case) -> float | None:
     return float(found.duration)
 
 
+def test_a_way_that_just_misses_the_top_speed_takes_its_time() -> None:
+    """MO-11: up to 3 mm/s and down again, one bit less than the way that this takes: 24.2 ms."""
+    plans = Trajectories(1)
+    duration_t = plans.prepare_distance(
+        0.03628432967805994, 0.0, 0.0, 3.0, 4101.6212198957655, 82032.42439791533
+    )
+    assert duration_t == pytest.approx(4 * math.sqrt(3.0 / 82032.42439791533))
+
+
 @needs_ruckig
 def test_no_motion_is_longer_than_the_oracles() -> None:
     """Not over 1 % + 2 ticks longer than ruckig, from any state; ruckig fails in a few cases."""

@@ -6,218 +6,34 @@
 Runs when a segment is put into the queue, before the tick that takes it; compiled like the tick,
 because a program may have very many short blocks. ``shape.py`` says what is in a segment's row.
 
-* ``measure``: the way of a segment, and the highest speed and acceleration on it that keep every
-  axis within its own limits; on an arc the centripetal acceleration counts.
+* ``measure`` (``segment_limits.py``): the way of a segment, and the highest speed and acceleration
+  on it that keep every axis within its own limits.
 * ``join``: how the path passes from one segment to the next. An axis whose speed changes in a step
   has at most a share of what its acceleration changes in a tick, and the path keeps that share in
   reserve near the corner; a corner that would nearly stop it is a stop. With a deviation a parabola
   rounds the corner between two lines.
 * ``spread``: the speeds at the ends of the segments before, from the last one backwards, so that
   each next one can still be kept and the last one stops.
+
+This is for the trapezoid; with a limit of the jerk ``jerk_ahead.py`` does both.
 """
 
 from __future__ import annotations
 
 from nctakt.kernel import arithmetic, shape
+from nctakt.kernel.jerk_ahead import JerkAhead
 
 
-class LookAhead:
-    """The preparation of one channel over ``count`` axes, ``blocks`` segments ahead.
-
-    ``most_factor``: the highest override as a factor (P-CHAN-00056). ``capacity``: that of the
-    channel's queue, which keeps it current.
-    """
-
-    def __init__(self, count: int, cycle_time_us: int, blocks: int, most_factor: float) -> None:
-        self.count = count
-        self.blocks = blocks
-        self.most_factor = max(1.0, most_factor)
-        self.tick_t = cycle_time_us / 1e6
-        self.width = shape.width(count)
-        self.capacity = 0
-        room = max(1, count)
-        self.linear = memoryview(bytearray(8 * room)).cast("q")
-        self.rapid_v = memoryview(bytearray(8 * room)).cast("d")
-        self.most_v = memoryview(bytearray(8 * room)).cast("d")
-        self.rapid_a = memoryview(bytearray(8 * room)).cast("d")
-        self.feed_a = memoryview(bytearray(8 * room)).cast("d")
-        self.rapid_slope_a = memoryview(bytearray(8 * room)).cast("d")
-        self.feed_slope_a = memoryview(bytearray(8 * room)).cast("d")
-        self.rapid_j = memoryview(bytearray(8 * room)).cast("d")
-        self.feed_j = memoryview(bytearray(8 * room)).cast("d")
-        self.entering = memoryview(bytearray(8 * room)).cast("d")
-        self.leaving = memoryview(bytearray(8 * room)).cast("d")
-        self.steps = memoryview(bytearray(8 * room)).cast("d")
-        self.shares = memoryview(bytearray(8 * room)).cast("d")
-        self.spare = memoryview(bytearray(16 * self.width)).cast("d")
-        self.bend = 0.0
-        self.last_bend = 0.0
-        self.last_length = 0.0
-        self.last_deviation = 0.0
-
-    def limit(
-        self,
-        index: int,
-        is_linear: bool,
-        speeds: tuple[float, float],
-        accelerations: tuple[float, float],
-    ) -> None:
-        """The limits of one axis: rapid and highest speed, acceleration of rapid and feed."""
-        self.linear[index] = is_linear
-        self.rapid_v[index], self.most_v[index] = speeds
-        self.rapid_a[index], self.feed_a[index] = accelerations
-
-    def limit_slope(
-        self, index: int, accelerations: tuple[float, float], jerks: tuple[float, float]
-    ) -> None:
-        """The limits of one axis with the jerk-limited slope: of rapid and feed."""
-        self.rapid_slope_a[index], self.feed_slope_a[index] = accelerations
-        self.rapid_j[index], self.feed_j[index] = jerks
-
-    # --- the limits of a segment ----------------------------------------------------------------
-
-    def measure(self, row: memoryview[float], base: int, feed_v: float) -> None:
-        """Way, speeds and acceleration of the segment in ``row``; ``feed_v`` below 0: rapid."""
-        self.bend = 0.0
-        row[base + 3] = self.straight_way(row, base)
-        if row[base + 9] == 1.0:
-            self.measure_arc(row, base, feed_v)
-        else:
-            self.bound(row, base, feed_v)
-        if row[base + 10] > 0.0:
-            self.smooth(row, base, feed_v)
-        row[base + 11] = 0.0
-        shape.direct(row, base, self.count, 0, self.entering)
-
-    def smooth(self, row: memoryview[float], base: int, feed_v: float) -> None:
-        """Acceleration and jerk of the jerk-limited slope.
-
-        On an arc the jerk of an axis has three parts: 0.4 of its limit are for the path's own, 0.3
-        for the turning of the path's acceleration, 0.3 for that of the centripetal one.
-        """
-        limit_a = 1e300
-        limit_j = 1e300
-        for i in range(self.count):
-            way = row[base + 12 + self.count + i] - row[base + 12 + i]
-            if way == 0.0 or self.in_plane(row, base, i):
-                continue
-            part = (way if way > 0.0 else 0.0 - way) / row[base + 3]
-            slope_a = self.rapid_slope_a[i] if feed_v < 0.0 else self.feed_slope_a[i]
-            slope_j = self.rapid_j[i] if feed_v < 0.0 else self.feed_j[i]
-            limit_a = min(limit_a, slope_a / part)
-            limit_j = min(limit_j, slope_j / part)
-        if row[base + 9] == 1.0:
-            tail = base + 12 + 2 * self.count
-            first = int(row[tail + 7])
-            second = int(row[tail + 8])
-            x = row[base + 12 + first] - row[tail + 9]
-            y = row[base + 12 + second] - row[tail + 10]
-            radius = arithmetic.square_root(x * x + y * y)
-            plane_j = min(self.feed_j[first], self.feed_j[second])
-            plane_a = min(self.feed_slope_a[first], self.feed_slope_a[second])
-            plane_a = min(plane_a, row[base + 6])
-            speed = arithmetic.power(0.3 * plane_j * radius * radius, 1.0 / 3.0)
-            speed = min(speed, arithmetic.square_root(0.5 * plane_a * radius))
-            row[base + 5] = min(row[base + 5], speed)
-            fastest = min(row[base + 5], row[base + 4] * self.most_factor)
-            limit_a = min(limit_a, 0.8 * plane_a, 0.1 * plane_j * radius / fastest)
-            limit_j = min(limit_j, 0.4 * plane_j)
-        row[base + 6] = min(row[base + 6], limit_a)
-        row[base + 10] = limit_j
-
-    def straight_way(self, row: memoryview[float], base: int) -> float:
-        """The way in the linear axes, or in the rotary ones where no linear axis moves."""
-        linear2 = 0.0
-        rotary2 = 0.0
-        for i in range(self.count):
-            way = row[base + 12 + self.count + i] - row[base + 12 + i]
-            if self.linear[i]:
-                linear2 += way * way
-            else:
-                rotary2 += way * way
-        return arithmetic.square_root(linear2 if linear2 > 0.0 else rotary2)
-
-    def bound(self, row: memoryview[float], base: int, feed_v: float) -> None:
-        """Speeds and acceleration on a line, or of the axes outside of an arc's plane."""
-        highest = 1e300
-        limit_a = 1e300
-        rapid = 1e300
-        for i in range(self.count):
-            way = row[base + 12 + self.count + i] - row[base + 12 + i]
-            if way == 0.0 or self.in_plane(row, base, i):
-                continue
-            part = (way if way > 0.0 else 0.0 - way) / row[base + 3]
-            rapid = min(rapid, self.rapid_v[i] / part)
-            highest = min(highest, self.most_v[i] / part)
-            limit_a = min(limit_a, self.acceleration(i, feed_v) / part)
-        row[base + 4] = rapid if feed_v < 0.0 else feed_v
-        row[base + 5] = highest
-        row[base + 6] = limit_a
-
-    def acceleration(self, index: int, feed_v: float) -> float:
-        """The acceleration of an axis at rapid or feed."""
-        return self.rapid_a[index] if feed_v < 0.0 else self.feed_a[index]
-
-    def in_plane(self, row: memoryview[float], base: int, index: int) -> int:
-        """Whether an axis is one of the two of the arc."""
-        if row[base + 9] != 1.0:
-            return 0
-        tail = base + 12 + 2 * self.count
-        return 1 if row[tail + 7] == index or row[tail + 8] == index else 0
-
-    def measure_arc(self, row: memoryview[float], base: int, feed_v: float) -> None:
-        """``measure`` for an arc, a helix where further axes move.
-
-        Of the acceleration ``a`` that both axes of the plane have, the centripetal part takes a
-        share ``s``, so that along the path ``a * sqrt(1 - s²)`` is left. The speed is the one that
-        is fastest over the arc from rest to rest, not above what is programmed.
-        """
-        tail = base + 12 + 2 * self.count
-        first = int(row[tail + 7])
-        second = int(row[tail + 8])
-        x = row[base + 12 + first] - row[tail + 9]
-        y = row[base + 12 + second] - row[tail + 10]
-        radius = arithmetic.square_root(x * x + y * y)
-        angle = row[tail + 11] * 0.017453292519943295
-        way = radius * (angle if angle > 0.0 else 0.0 - angle)
-        length2 = way * way
-        for i in range(self.count):
-            if self.linear[i] and not self.in_plane(row, base, i):
-                rise = row[base + 12 + self.count + i] - row[base + 12 + i]
-                length2 += rise * rise
-        length = arithmetic.square_root(length2)
-        row[base + 3] = length
-        self.bound(row, base, feed_v)
-        part = way / length
-        plane_a = min(self.feed_a[first], self.feed_a[second])
-        highest = min(row[base + 5], min(self.most_v[first], self.most_v[second]) / part)
-        wanted = min(feed_v * self.most_factor, highest)
-        self.bend = min(wanted * part * wanted * part / (radius * plane_a), 0.95)
-        best_t = 1e300
-        best_v = 0.0
-        best_a = 0.0
-        share = self.bend
-        for _ in range(6):
-            speed = min(arithmetic.square_root(share * radius * plane_a) / part, wanted)
-            limit_a = plane_a * arithmetic.square_root(1.0 - share * share) / part
-            limit_a = min(limit_a, row[base + 6])
-            time = length / speed + speed / limit_a
-            if speed * speed > limit_a * length:
-                time = 2.0 * arithmetic.square_root(length / limit_a)
-            if time < best_t:
-                best_t = time
-                best_v = speed
-                best_a = limit_a
-                self.bend = share
-            share *= 0.85
-        row[base + 5] = min(highest, best_v)
-        row[base + 6] = best_a
+class LookAhead(JerkAhead):
+    """The preparation of one channel: how its segments go on into each other."""
 
     # --- from one segment to the next -----------------------------------------------------------
 
     def leave(self, row: memoryview[float], base: int, length: float, deviation: float) -> None:
         """Keep what the next segment needs to know of this one, ``length`` as programmed."""
         shape.direct(row, base, self.count, 1, self.leaving)
+        if row[base + 10] > 0.0:
+            self.leave_smoothly(row, base)
         self.last_bend = self.bend
         self.last_length = length
         self.last_deviation = deviation
@@ -230,6 +46,9 @@ class LookAhead:
             self.steps[i] = self.entering[i] - self.leaving[i]
             if self.steps[i] < 0.0:
                 self.steps[i] = 0.0 - self.steps[i]
+        if row[base + 10] > 0.0:
+            self.join_smoothly(row, before, base)
+            return
         if self.last_deviation > 0.0 and row[before + 9] == 0.0 and row[base + 9] == 0.0:
             if self.round_corner(row, before, base):
                 return
@@ -238,10 +57,6 @@ class LookAhead:
     def axis_acceleration(self, index: int) -> float:
         """What an axis can do in both segments of a corner."""
         return min(self.rapid_a[index], self.feed_a[index])
-
-    def speed_of(self, row: memoryview[float], base: int) -> float:
-        """The highest speed that a segment is ever driven with."""
-        return min(row[base + 4] * self.most_factor, row[base + 5])
 
     def pass_corner(self, row: memoryview[float], before: int, base: int) -> None:
         """The highest speed at a corner, and the zones around it with acceleration in reserve."""
@@ -330,7 +145,7 @@ class LookAhead:
         row[tail + 6] = curve_a
         for i in range(self.count):
             place = row[before + 12 + self.count + i] + half * self.entering[i]
-            row[tail + 19 + i] = place
+            row[tail + 22 + i] = place
             row[base + 12 + i] = place
         row[base + 3] -= half
         row[before + 11] = 1e300
@@ -398,9 +213,22 @@ class LookAhead:
             self.spare[i] = row[base + i]
             self.spare[self.width + i] = row[before + i]
         self.join(row, before, base)
-        if self.spread(row, number, oldest, promised_v, promised_free_v):
+        if self.spread_any(row, number, oldest, promised_v, promised_free_v):
             return
         for i in range(self.width):
             row[base + i] = self.spare[i]
             row[before + i] = self.spare[self.width + i]
-        self.spread(row, number, oldest, 0.0, 0.0)
+        self.spread_any(row, number, oldest, -1.0, -1.0)
+
+    def spread_any(
+        self,
+        row: memoryview[float],
+        number: int,
+        oldest: int,
+        promised_v: float,
+        promised_free_v: float,
+    ) -> int:
+        """``spread``, or ``spread_smoothly``: a speed below 0 is none that is promised."""
+        if row[number % self.capacity * self.width + 10] > 0.0:
+            return self.spread_smoothly(row, number, oldest, promised_v >= 0.0)
+        return self.spread(row, number, oldest, promised_v, promised_free_v)

@@ -5,7 +5,7 @@ from nctakt.kernel cimport arithmetic
 from nctakt.kernel cimport shape
 from nctakt.kernel.axis cimport Axes
 from nctakt.kernel.motion cimport Profile
-from nctakt.kernel.trajectory cimport Trajectories
+from nctakt.kernel.smooth_speed cimport SmoothSpeed
 
 cdef class Path:
     cdef Axes axes
@@ -33,8 +33,7 @@ cdef class Path:
     cdef bint is_dwell
     cdef long long dwell_ticks
     cdef Profile profile
-    cdef Trajectories course
-    cdef double speed_a
+    cdef SmoothSpeed smooth
     cdef double[::1] places
     cdef int stage
     cdef double stage_end_d
@@ -74,6 +73,8 @@ cdef class Path:
     cdef int next_stage(self) noexcept nogil
     @cython.locals(limit_v=double)
     cdef int step(self, double factor, int is_stopping) noexcept nogil
+    @cython.locals(goal=Py_ssize_t)
+    cdef int runs_on(self) noexcept nogil
     cdef void set_single(self, bint is_single) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void publish_overrides(self, double operator_pct) noexcept nogil
@@ -85,9 +86,7 @@ cdef class Path:
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
     @cython.locals(end_v=double, stop_v=double, brake2=double, free_v=double)
     cdef double block_end_speed(self, double rest_d, double limit_a) noexcept nogil
-    @cython.locals(limit_a=double, limit_j=double, rest_d=double)
-    cdef void replan_smoothly(self, double limit_v) noexcept nogil
-    @cython.locals(now_t=double, over_t=double)
+    @cython.locals(now_t=double, is_over=int)
     cdef int advance_smoothly(self) noexcept nogil
     @cython.locals(now_t=double, over_t=double)
     cdef int advance(self) noexcept nogil

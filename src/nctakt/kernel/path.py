@@ -16,7 +16,7 @@ from __future__ import annotations
 from nctakt.kernel import arithmetic, shape
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.motion import Profile
-from nctakt.kernel.trajectory import Trajectories
+from nctakt.kernel.smooth_speed import SmoothSpeed
 
 
 class Path:
@@ -58,8 +58,7 @@ class Path:
         self.is_dwell = False
         self.dwell_ticks = 0
         self.profile = Profile()
-        self.course = Trajectories(1)
-        self.speed_a = 0.0
+        self.smooth = SmoothSpeed(self.cycle_time_t)
         self.places = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
         self.stage = 0
         self.stage_end_d = 0.0
@@ -236,8 +235,13 @@ class Path:
     def set_single(self, is_single: bool) -> None:
         """Single block on or off: the current segment is planned anew where it matters (MO-6)."""
         self.is_single = is_single
-        if self.is_active and not self.is_dwell and self.ring[self.base + 7] > 0.0:
+        if self.is_active and not self.is_dwell and self.runs_on():
             self.limit_v = -1.0
+
+    def runs_on(self) -> int:
+        """Whether the current segment does not end with a stand."""
+        goal = self.base + 12 + 2 * self.count + 15
+        return 1 if self.ring[self.base + 7] + self.ring[goal] + self.ring[goal + 1] > 0.0 else 0
 
     def publish_overrides(self, operator_pct: float) -> None:
         """TOTAL of the members' independent motions: operator's and CYCLE part (RC-305)."""
@@ -270,7 +274,16 @@ class Path:
         self.plan_d = self.covered_d
         self.ticks = 0
         if self.ring[self.base + 10] > 0.0:
-            self.replan_smoothly(limit_v)
+            self.smooth.plan(
+                self.ring,
+                self.base,
+                self.base + 12 + 2 * self.count,
+                self.stage_end_d - self.covered_d,
+                self.speed_v,
+                limit_v,
+                self.factor,
+                self.is_single,
+            )
             return
         rest_d = self.stage_end_d - self.covered_d
         limit_a = shape.stage_acceleration(self.ring, self.base, self.count, self.stage)
@@ -279,32 +292,16 @@ class Path:
             limit_v = min(limit_v, self.ring[self.base + 12 + 2 * self.count + 5])
         self.profile.plan(rest_d, self.speed_v, end_v, limit_v, limit_a)
 
-    def replan_smoothly(self, limit_v: float) -> None:
-        """``replan`` with a limit of the jerk: to a stand at the end, or at once where it is 0."""
-        limit_a = self.ring[self.base + 6]
-        limit_j = self.ring[self.base + 10]
-        if limit_v > 0.0:
-            rest_d = self.stage_end_d - self.covered_d
-            self.course.plan_distance(
-                0, rest_d, self.speed_v, self.speed_a, limit_v, limit_a, limit_j
-            )
-        else:
-            self.course.plan_speed(0, 0.0, self.speed_v, self.speed_a, limit_a, limit_j)
-
     def advance_smoothly(self) -> int:
-        """``advance`` with a limit of the jerk: the segment ends with a stand."""
+        """``advance`` with a limit of the jerk."""
         now_t = self.offset_t + self.ticks * self.cycle_time_us / 1e6
-        over_t = now_t - self.course.duration_t(0)
-        if self.limit_v <= 0.0 or over_t < -1e-6 * self.cycle_time_t:
-            self.course.evaluate(0, now_t)
-            self.covered_d = min(self.plan_d + self.course.distance_d, self.stage_end_d)
-            self.speed_v = max(self.course.speed_v, 0.0)
-            self.speed_a = self.course.acceleration_a
+        is_over = self.smooth.advance(now_t)
+        self.speed_v = self.smooth.speed_v
+        if is_over == 0:
+            self.covered_d = self.plan_d + self.smooth.distance_d
             self.move_axes()
             return 0
-        self.left_t = max(over_t, 0.0)
-        self.speed_v = 0.0
-        self.speed_a = 0.0
+        self.left_t = self.smooth.left_t
         self.covered_d = self.stage_end_d
         return self.finish()
 
@@ -396,7 +393,7 @@ class Path:
         self.direction = 1
         self.forget()
         self.speed_v = 0.0
-        self.speed_a = 0.0
+        self.smooth.acceleration_a = 0.0
         self.release()
         self.rest()
         for i in range(self.count):

@@ -128,7 +128,7 @@ class Retrace:
         """Begin to walk in ``direction``, out of the stand."""
         self.path.direction = direction
         self.path.speed_v = 0.0
-        self.path.speed_a = 0.0
+        self.path.smooth.acceleration_a = 0.0
         self.path.limit_v = -1.0
         self.is_blocked = False
         self.record.retraced(int(self.path.ring[self.path.base + 1]), 0 if direction < 0 else 1)
@@ -260,10 +260,18 @@ class Retrace:
         limit_j = self.path.ring[self.path.base + 10]
         if limit_v > 0.0:
             self.course.plan_distance(
-                0, rest_d, self.path.speed_v, self.path.speed_a, limit_v, limit_a, limit_j
+                0,
+                rest_d,
+                self.path.speed_v,
+                self.path.smooth.acceleration_a,
+                limit_v,
+                limit_a,
+                limit_j,
             )
         else:
-            self.course.plan_speed(0, 0.0, self.path.speed_v, self.path.speed_a, limit_a, limit_j)
+            self.course.plan_speed(
+                0, 0.0, self.path.speed_v, self.path.smooth.acceleration_a, limit_a, limit_j
+            )
 
     # --- the way --------------------------------------------------------------------------------
 
@@ -385,7 +393,7 @@ class Retrace:
             self.path.speed_v = (
                 0.0 if self.path.ring[self.path.base + 10] > 0.0 else self.profile.end_v
             )
-            self.path.speed_a = 0.0
+            self.path.smooth.acceleration_a = 0.0
             self.offset_t = self.path.left_t
             self.stage = self.next_stage(self.path.base, self.stage)
             if self.stage >= 0:
@@ -420,7 +428,7 @@ class Retrace:
             self.course.evaluate(0, now_t)
             way = self.course.distance_d
             self.path.speed_v = max(self.course.speed_v, 0.0)
-            self.path.speed_a = self.course.acceleration_a
+            self.path.smooth.acceleration_a = self.course.acceleration_a
         else:
             way = self.profile.position(now_t)
             self.path.speed_v = self.profile.speed(now_t)

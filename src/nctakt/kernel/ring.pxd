@@ -23,9 +23,11 @@ cdef class CommandRing:
     cdef void prepare(self, Py_ssize_t base, double feed_v, double deviation) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void begin_segment(self, Py_ssize_t base, double source, double number, int exact_stop, int limits_jerk) noexcept nogil
-    cdef void end_segment(self, Py_ssize_t base, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
+    cdef void end_segment(self, Py_ssize_t base, double feed_v, int exact_stop, double deviation) noexcept nogil
     @cython.locals(base=Py_ssize_t, i=Py_ssize_t)
     cdef void put_line(self, double source, double number, double[::1] start, double[::1] target, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
+    @cython.locals(before=Py_ssize_t, limits_jerk=bint)
+    cdef int is_like(self, Py_ssize_t number, Py_ssize_t base) noexcept nogil
     cdef int passes(self, int kind) noexcept nogil
     @cython.locals(count=Py_ssize_t, way=double, need=double, position=Py_ssize_t, base=Py_ssize_t)
     cdef int needs_pass(self) noexcept nogil

@@ -140,7 +140,7 @@ class CommandRing:
         """Append a segment, and let the path go on into it from the one before.
 
         ``feed_v``: mm/s, below 0 rapid. ``deviation``: how far the path may pass its target, 0 not
-        at all. ``limits_jerk``: the slope is an S-curve, and the path stops before and behind.
+        at all. ``limits_jerk``: the slope is an S-curve; the path stops where the slope changes.
         ``arc``: first and second axis of the plane, centre, angle in degrees. ``pace``: the last
         numbers of a segment (``shape.py``); the override in it counts in its speed from here on.
         """
@@ -171,7 +171,7 @@ class CommandRing:
                 self.queue[base + self.width - 4 + i] = pace[i]
             if feed_v > 0.0:
                 feed_v *= pace[0]
-        self.end_segment(base, feed_v, exact_stop, deviation, limits_jerk)
+        self.end_segment(base, feed_v, exact_stop, deviation)
 
     def put_line(
         self,
@@ -190,7 +190,7 @@ class CommandRing:
         for i in range(self.path.count):
             self.queue[base + 12 + i] = start[i]
             self.queue[base + 12 + self.path.count + i] = target[i]
-        self.end_segment(base, feed_v, exact_stop, deviation, limits_jerk)
+        self.end_segment(base, feed_v, exact_stop, deviation)
 
     def begin_segment(
         self, base: int, source: int, number: int, exact_stop: int, limits_jerk: int
@@ -203,17 +203,13 @@ class CommandRing:
         self.queue[base + 2] = number
         self.queue[base + 8] = exact_stop
         self.queue[base + 10] = limits_jerk
-        if limits_jerk:
-            self.latest = -1
 
-    def end_segment(
-        self, base: int, feed_v: float, exact_stop: int, deviation: float, limits_jerk: int
-    ) -> None:
+    def end_segment(self, base: int, feed_v: float, exact_stop: int, deviation: float) -> None:
         """The segment stands in its row: it counts, and is prepared."""
         self.tail += 1
         self.timed_count += 1
         self.prepare(base, feed_v, deviation)
-        self.latest = -1 if exact_stop or limits_jerk else self.tail - 1
+        self.latest = -1 if exact_stop else self.tail - 1
 
     def block_goes_on(self) -> None:
         """The latest segment, without exact stop, and the one behind it are one block."""
@@ -226,9 +222,9 @@ class CommandRing:
             self.queue[base + 4] *= self.queue[base + self.width - 4]
         length = self.queue[base + 3]
         oldest = max(self.head, self.begun + 1)
-        if self.latest >= oldest:
-            promised_v = 0.0
-            promised_free_v = 0.0
+        if self.latest >= oldest and self.is_like(self.latest, base):
+            promised_v = -1.0
+            promised_free_v = -1.0
             if self.path.is_active:
                 promised_v = self.path.promised_speed(7)
                 promised_free_v = self.path.promised_speed(25 + 2 * self.path.count)
@@ -241,6 +237,12 @@ class CommandRing:
                 promised_free_v,
             )
         self.ahead.leave(self.queue, base, length, deviation)
+
+    def is_like(self, number: int, base: int) -> int:
+        """Whether two segments have one kind of slope: the path stops between different ones."""
+        before = number % self.capacity * self.width
+        limits_jerk = self.queue[base + 10] > 0.0
+        return 1 if limits_jerk == (self.queue[before + 10] > 0.0) else 0
 
     def next_row(self) -> int:
         """Where the next command of the queue begins."""

@@ -20,3 +20,5 @@ cdef void locate(double[::1] row, Py_ssize_t base, Py_ssize_t count, double way,
 cdef void locate_on_curve(double[::1] row, Py_ssize_t base, Py_ssize_t count, double way, double[::1] places) noexcept nogil
 @cython.locals(length=double, i=Py_ssize_t, tail=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, place=Py_ssize_t, turn=double)
 cdef void direct(double[::1] row, Py_ssize_t base, Py_ssize_t count, int at_end, double[::1] ways) noexcept nogil
+@cython.locals(i=Py_ssize_t, tail=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, place=Py_ssize_t, turn=double)
+cdef void curve(double[::1] row, Py_ssize_t base, Py_ssize_t count, int at_end, double[::1] turns) noexcept nogil

@@ -20,9 +20,11 @@ t + 5  highest speed and acceleration on this curve
 t + 7  arc: the plane's first and second axis, centre in them, angle in degrees
 t + 12 programmed speed of the next segment (0: none), end speed without regard to feeds
 t + 14 how many commands before it the segment stands that it continues (0: none)
-t + 15 jerk mode: way from its end to the place that the path has to be able to slow down for,
-       the speed there, acceleration and jerk up to there
-t + 19 with a curve: where it ends, each axis
+t + 15 with a jerk: way from its end to the place that the path has to slow down for, the speed
+       there, acceleration and jerk on this way (``jerk_ahead.py``)
+t + 19 with a jerk: acceleration and jerk that the segments behind it allow on it, and whether the
+       speed at t + 16 is a feed
+t + 22 with a curve: where it ends, each axis
 last 4 pace, all 0 without one: programmed override as a factor, whether the operator's has no
        effect, spindle whose speed its feed follows, counted from 1, and that speed in degrees/s
 ====== =============================================================================
@@ -39,7 +41,7 @@ from nctakt.kernel import arithmetic
 
 #: Numbers in front of, and behind, the positions of a segment.
 HEAD_WIDTH = 12
-TAIL_WIDTH = 23
+TAIL_WIDTH = 26
 
 
 def width(count: int) -> int:
@@ -55,7 +57,7 @@ def whole_way(row: memoryview[float], base: int, count: int) -> float:
 def end_place(row: memoryview[float], base: int, count: int) -> int:
     """Where the positions at the end of all stages stand: the targets, or the curve's end."""
     place = base + 12 + count
-    return place + count + 19 if row[place + count + 4] > 0.0 else place
+    return place + count + 22 if row[place + count + 4] > 0.0 else place
 
 
 def moves(row: memoryview[float], base: int, count: int, i: int) -> int:
@@ -66,7 +68,7 @@ def moves(row: memoryview[float], base: int, count: int, i: int) -> int:
         return 1
     if row[base + 9] == 1.0 and (row[tail + 7] == i or row[tail + 8] == i):
         return 1
-    return 1 if row[tail + 4] > 0.0 and row[tail + 19 + i] != target else 0
+    return 1 if row[tail + 4] > 0.0 and row[tail + 22 + i] != target else 0
 
 
 def stage_way(row: memoryview[float], base: int, count: int, stage: int) -> float:
@@ -147,7 +149,7 @@ def locate_on_curve(
     for i in range(count):
         corner = row[base + 12 + count + i]
         before = (row[base + 12 + i] - corner) * half / length
-        behind = row[tail + 19 + i] - corner
+        behind = row[tail + 22 + i] - corner
         places[i] = corner + (1.0 - part) * (1.0 - part) * before + part * part * behind
 
 
@@ -166,3 +168,19 @@ def direct(
         turn = row[tail + 11] * 0.017453292519943295 / length
         ways[first] = (row[tail + 10] - row[place + second]) * turn
         ways[second] = (row[place + first] - row[tail + 9]) * turn
+
+
+def curve(
+    row: memoryview[float], base: int, count: int, at_end: int, turns: memoryview[float]
+) -> None:
+    """Put the change of ``direct`` per way, at start or target, into ``turns``: 0 on a line."""
+    for i in range(count):
+        turns[i] = 0.0
+    if row[base + 9] == 1.0:
+        tail = base + 12 + 2 * count
+        first = int(row[tail + 7])
+        second = int(row[tail + 8])
+        place = base + 12 + (count if at_end else 0)
+        turn = row[tail + 11] * 0.017453292519943295 / row[base + 3]
+        turns[first] = (row[tail + 9] - row[place + first]) * turn * turn
+        turns[second] = (row[tail + 10] - row[place + second]) * turn * turn

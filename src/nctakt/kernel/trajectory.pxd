@@ -30,14 +30,18 @@ cdef class Trajectories:
     cdef double end_t
     cdef double end_d
     cdef double end_v
+    cdef double goal_v
     cdef double side
 
     @cython.locals(beyond_d=double)
     cdef void plan_distance(self, Py_ssize_t axis, double distance_d, double start_v, double start_a, double top_v, double limit_a, double limit_j) noexcept nogil
+    @cython.locals(direct_d=double, sign=double)
+    cdef int plan_passing(self, Py_ssize_t axis, double distance_d, double start_v, double start_a, double top_v, double goal_v, double limit_a, double limit_j, double fading_j) noexcept nogil
     @cython.locals(rise=double, sign=double, peak2=double)
     cdef void plan_speed(self, Py_ssize_t axis, double end_v, double start_v, double start_a, double limit_a, double limit_j) noexcept nogil
     @cython.locals(base=Py_ssize_t, phase=Py_ssize_t, last=Py_ssize_t, since=double, speed_v=double, rise_a=double, jerk=double, half=double)
     cdef void evaluate(self, Py_ssize_t axis, double time_t) noexcept nogil
+    cdef void rewind(self, Py_ssize_t axis) noexcept nogil
     cdef double duration_t(self, Py_ssize_t axis) noexcept nogil
     cdef double stopping_d(self, double start_v, double start_a, double limit_a, double limit_j) noexcept nogil
     @cython.locals(rise=double, highest_v=double, peak2=double, first_t=double, rest_d=double)
@@ -65,6 +69,8 @@ cdef class Trajectories:
     cdef void begin(self, Py_ssize_t axis, double top_v, double limit_a, double limit_j) noexcept nogil
     @cython.locals(place=Py_ssize_t)
     cdef void append(self, double time_t, double start_a, double jerk_j) noexcept nogil
+    @cython.locals(jerk=double)
+    cdef double fade(self, double fading_j) noexcept nogil
     cdef void append_both(self) noexcept nogil
     @cython.locals(fading_j=double)
     cdef void append_change(self, double end_v) noexcept nogil

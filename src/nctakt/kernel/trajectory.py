@@ -4,10 +4,11 @@
 """One axis on its own: state, target and limits -> a time-optimal motion in closed form (MO-11).
 
 A plan begins in any state (distance 0, a speed, an acceleration) and ends at rest after a distance,
-or with a speed. It is a row of phases of constant jerk; ``evaluate`` gives distance, speed and
-acceleration at any time by the polynomial of the phase. With the jerk 0 the acceleration may step:
-a trapezoid of at most three phases. Else there are at most seven: two changes of speed, each
-with three phases (the acceleration builds up, is kept, fades), and a constant speed between them.
+or with a speed, or passes the end of a distance with a speed. It is a row of phases of constant
+jerk; ``evaluate`` gives distance, speed and acceleration at any time by the polynomial of the
+phase. With the jerk 0 the acceleration may step: a trapezoid of at most three phases. Else there
+are at most seven: two changes of speed, each with three phases (the acceleration builds up, is
+kept, fades), and a constant speed between them; one more where what is there fades first.
 
 Which change of speed is looked for: let the axis brake at once, and see where it would stand. If
 the target lies beyond, it has to go on in that direction, else to come back; mirrored where need
@@ -32,7 +33,7 @@ CROSSING = 1
 LEAST_BRAKING = 2
 
 PHASE_WIDTH = 5
-PLAN_WIDTH = 3 + 8 * PHASE_WIDTH
+PLAN_WIDTH = 3 + 9 * PHASE_WIDTH
 
 
 class Trajectories:
@@ -70,6 +71,7 @@ class Trajectories:
         self.end_t = 0.0
         self.end_d = 0.0
         self.end_v = 0.0
+        self.goal_v = 0.0
         self.side = 1.0
 
     # --- what is asked --------------------------------------------------------------------------
@@ -86,6 +88,7 @@ class Trajectories:
     ) -> None:
         """Plan to stand after ``distance_d``, nowhere faster than ``top_v`` (> 0) but at first."""
         self.begin(axis, top_v, limit_a, limit_j)
+        self.goal_v = 0.0
         beyond_d = distance_d - self.stopping(start_v, start_a)
         self.side = 1.0 if beyond_d >= 0.0 else -1.0
         self.from_v = self.side * start_v
@@ -99,6 +102,41 @@ class Trajectories:
             self.solve(self.side * distance_d)
             self.append_both()
         self.finish()
+
+    def plan_passing(
+        self,
+        axis: int,
+        distance_d: float,
+        start_v: float,
+        start_a: float,
+        top_v: float,
+        goal_v: float,
+        limit_a: float,
+        limit_j: float,
+        fading_j: float,
+    ) -> int:
+        """Plan to pass a place ahead with ``goal_v`` (not above ``top_v``) and no acceleration.
+
+        0 where the way is too short for it: then the speed changes to ``goal_v`` at once, and has
+        not got there when the place is passed. Only with a limit of the jerk; where ``fading_j`` is
+        not 0, the acceleration of the start first fades with this one.
+        """
+        self.begin(axis, top_v, limit_a, limit_j)
+        self.side = 1.0
+        self.goal_v = goal_v
+        self.from_v = start_v
+        self.from_a = start_a
+        if fading_j > 0.0:
+            distance_d -= self.fade(fading_j)
+        sign = 1.0 if self.settled() < goal_v else -1.0
+        direct_d = self.brake(self.from_v, self.from_a, sign)
+        if direct_d >= distance_d - 1e-10:
+            self.append_change(goal_v)
+        else:
+            self.solve(distance_d)
+            self.append_both()
+        self.finish()
+        return 1 if direct_d <= distance_d + 1e-10 else 0
 
     def plan_speed(
         self,
@@ -131,7 +169,7 @@ class Trajectories:
 
         The times of one plan have to rise from call to call.
         """
-        base = axis * 43
+        base = axis * 48
         phase = int(self.rows[base + 2])
         last = int(self.rows[base])
         while phase < last and time_t >= self.rows[base + 8 + 5 * phase]:
@@ -149,12 +187,17 @@ class Trajectories:
         self.speed_v = speed_v + since * (rise_a + half * jerk)
         self.acceleration_a = rise_a + since * jerk
 
+    def rewind(self, axis: int) -> None:
+        """Let ``evaluate`` be asked for an earlier time again."""
+        self.rows[axis * 48 + 2] = 0.0
+
     def duration_t(self, axis: int) -> float:
         """When the target, or the speed, is reached."""
-        return self.rows[axis * 43 + 1]
+        return self.rows[axis * 48 + 1]
 
     def stopping_d(self, start_v: float, start_a: float, limit_a: float, limit_j: float) -> float:
         """The way that braking at once takes."""
+        self.goal_v = 0.0
         self.limit_a = limit_a
         self.limit_j = limit_j
         return self.stopping(start_v, start_a)
@@ -238,15 +281,15 @@ class Trajectories:
         return way_d + time * (speed_v + 0.5 * time * (peak_a - sign * time * self.limit_j / 3.0))
 
     def brake(self, start_v: float, start_a: float, sign: float) -> float:
-        """``change`` to a stand."""
-        peak2 = self.peak2(start_v, start_a, 0.0, 0.0, sign)
-        return self.change(start_v, start_a, 0.0, 0.0, sign, peak2)
+        """``change`` to the speed at the end, a stand unless it is to be passed."""
+        peak2 = self.peak2(start_v, start_a, self.goal_v, 0.0, sign)
+        return self.change(start_v, start_a, self.goal_v, 0.0, sign, peak2)
 
     def solve(self, distance_d: float) -> None:
         """Find speed and acceleration in the middle for a distance that braking at once misses."""
         self.cruise_t = 0.0
         settled_v = self.settled()
-        self.slowest_v = max(settled_v, 0.0)
+        self.slowest_v = max(settled_v, self.goal_v)
         rising_a = max(self.from_a, 0.0)
         self.slowest_peak2 = rising_a * rising_a + self.limit_j * (self.slowest_v - settled_v)
         self.sign = -1.0 if settled_v > self.top_v else 1.0
@@ -274,7 +317,7 @@ class Trajectories:
         """
         ramp_v = self.limit_a * self.limit_a / self.limit_j
         least_v = self.from_v + ramp_v - 0.5 * self.from_a * self.from_a / self.limit_j
-        least_v = max(least_v, ramp_v)
+        least_v = max(least_v, ramp_v + self.goal_v)
         if self.top_v < least_v:
             return 0
         left_d = longest_d - self.top_v * (self.top_v + ramp_v) / self.limit_a
@@ -289,8 +332,8 @@ class Trajectories:
     def crossing(self) -> float:
         """The deceleration with which an axis that brakes at once passes ``top_v``."""
         rising = self.from_a * self.from_a + 2.0 * self.limit_j * (self.from_v - self.top_v)
-        peak2 = 0.5 * self.from_a * self.from_a + self.limit_j * self.from_v
-        falling = 2.0 * self.limit_j * self.top_v
+        peak2 = 0.5 * self.from_a * self.from_a + self.limit_j * (self.from_v - self.goal_v)
+        falling = 2.0 * self.limit_j * (self.top_v - self.goal_v)
         return min(self.limit_a, math.sqrt(max(min(rising, peak2, falling), 0.0)))
 
     def measure(self, unknown: int, value: float) -> float:
@@ -326,6 +369,8 @@ class Trajectories:
         value_d = self.measure(unknown, high) - distance_d
         allowed_d = 1e-12 + 1e-15 * math.fabs(distance_d)
         allowed = 1e-15 * (math.fabs(low) + math.fabs(high))
+        if math.fabs(value_d) <= allowed_d:
+            return
         part = 0.5
         for _attempt in range(100):
             found = value + part * (other - value)
@@ -339,6 +384,8 @@ class Trajectories:
                 other, other_d = value, value_d
             value, value_d = found, found_d
             part = 0.5
+            if before_d == other_d:
+                continue
             ratio = (value - other) / (before - other)
             ratio_d = (value_d - other_d) / (before_d - other_d)
             if ratio_d * ratio_d < ratio and (1.0 - ratio_d) * (1.0 - ratio_d) < 1.0 - ratio:
@@ -356,7 +403,7 @@ class Trajectories:
 
     def begin(self, axis: int, top_v: float, limit_a: float, limit_j: float) -> None:
         """An empty plan."""
-        self.base = axis * 43
+        self.base = axis * 48
         self.rows[self.base + 2] = 0.0
         self.count = 0
         self.end_t = 0.0
@@ -381,6 +428,15 @@ class Trajectories:
         self.end_d += time_t * (self.end_v + 0.5 * time_t * (start_a + time_t * jerk_j / 3.0))
         self.end_v += time_t * (start_a + 0.5 * time_t * jerk_j)
 
+    def fade(self, fading_j: float) -> float:
+        """Append the fading of the acceleration of the start, and go on behind it: its way."""
+        self.end_v = self.from_v
+        jerk = 0.0 - fading_j if self.from_a > 0.0 else fading_j
+        self.append(math.fabs(self.from_a) / fading_j, self.from_a, jerk)
+        self.from_v = max(self.end_v, 0.0)
+        self.from_a = 0.0
+        return self.end_d
+
     def append_both(self) -> None:
         """Append both changes that ``solve`` has found, and the constant speed between them."""
         self.change(
@@ -391,7 +447,7 @@ class Trajectories:
         self.from_v = self.middle_v
         self.from_a = self.middle_a
         self.brake(self.from_v, self.from_a, -1.0)
-        self.append_change(0.0)
+        self.append_change(self.goal_v)
 
     def append_change(self, end_v: float) -> None:
         """Append the three phases of a change that ends with exactly the speed ``end_v``."""

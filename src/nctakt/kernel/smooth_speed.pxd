@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# C types of smooth_speed.py.
+cimport cython
+from libc cimport math
+from nctakt.kernel.trajectory cimport Trajectories
+
+cdef class SmoothSpeed:
+    cdef Trajectories course
+    cdef double tick_t
+    cdef double acceleration_a
+    cdef double distance_d
+    cdef double speed_v
+    cdef double left_t
+    cdef double rest_d
+    cdef bint ends_in_time
+    cdef double own_j
+
+    @cython.locals(limit_a=double, limit_j=double, way=double, goal_v=double, stop_d=double, is_met=int)
+    cdef void plan(self, double[::1] row, Py_ssize_t head, Py_ssize_t tail, double rest_d, double speed_v, double limit_v, double factor, int is_single) noexcept nogil
+    @cython.locals(start_a=double, change_v=double, fading_j=double, is_met=int)
+    cdef int head_for(self, double distance_d, double goal_v, double speed_v, double limit_v, double limit_a, double limit_j) noexcept nogil
+    @cython.locals(end_t=double, begin_t=double)
+    cdef int advance(self, double now_t) noexcept nogil
+    @cython.locals(time_t=double, off_d=double, speed_v=double, _attempt=int)
+    cdef double time_at_end(self, double low_t, double high_t) noexcept nogil
+    cdef void settle(self) noexcept nogil

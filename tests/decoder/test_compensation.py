@@ -285,6 +285,13 @@ def test_d_and_g41_may_stand_in_one_block_and_d0_with_g40(monkeypatch: pytest.Mo
     assert [one.target[:2] for one in segments] == [(10, 5), (50, 5), (50, 20)]
 
 
+def test_a_motion_that_is_only_rounding_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    """0.1 + 0.2 is not 0.3: the way between both has no direction that a tool could go beside."""
+    text = "X0.1\nG41\nG91 X0.2\nG90 X0.3\nX50\nG91 Y10.1\nY10.2\nG90 Y20.3\nZ-95\nG40 X20\n"
+    found = ends(text, monkeypatch)
+    assert found == [(0.1, 0), (0.3, 5), (45, 5), (45, 10.1), (45, 20.3), (45, 20.3), (20, 20.3)]
+
+
 @pytest.mark.parametrize("corners", ["G25", "G26"])
 def test_the_way_around_a_corner_is_part_of_its_block(corners: str) -> None:
     """A BLOCK cycle runs until the last piece is over (RC-105), and with the next block no more."""

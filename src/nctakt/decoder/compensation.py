@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from typing import NoReturn
 
 from nctakt.decoder import contours
-from nctakt.decoder.arcs import PLANES, Arc
+from nctakt.decoder.arcs import PLANES, SAME_PLACE_MM, Arc
 from nctakt.decoder.commands import Answer, Command, ProgramEnd, Segment, pack, waits
 from nctakt.decoder.contours import Joint, Piece, Point
 from nctakt.decoder.motion import PathMotion
@@ -91,10 +91,13 @@ class Compensation:
         """A motion: in the plane part of the contour, else it keeps its place."""
         piece = self._piece(segment)
         if piece is None:
-            if self._held is None:
-                yield self._elsewhere(segment)
-            else:
-                self._hold(segment)
+            if self._held is None and self._at is None:
+                yield segment
+            elif self._moves_others(segment):
+                if self._held is None:
+                    yield self._elsewhere(segment)
+                else:
+                    self._hold(segment)
             return
         self._took_time(segment)
         wanted = self._state.compensation
@@ -134,7 +137,15 @@ class Compensation:
         if segment.arc is not None:
             _, _, x, y, angle = segment.arc
             return Piece(start, end, (x, y), angle)
-        return None if start == end else Piece(start, end)
+        if max(abs(start[0] - end[0]), abs(start[1] - end[1])) <= SAME_PLACE_MM:
+            return None
+        return Piece(start, end)
+
+    def _moves_others(self, segment: Segment) -> bool:
+        """Whether axes move that are not in the plane."""
+        plane = PLANES[self._state.plane]
+        places = range(len(segment.start))
+        return any(segment.start[one] != segment.target[one] for one in places if one not in plane)
 
     # --- joints ----------------------------------------------------------------------------------
 
@@ -202,14 +213,8 @@ class Compensation:
                 self._fail(held)
         else:
             own = Piece(held.start, end)
-        segment = held.segment
-        plane = PLANES[self._state.plane]
-        moves_others = any(
-            one != other
-            for place, (one, other) in enumerate(zip(segment.start, segment.target, strict=True))
-            if place not in plane
-        )
-        return [own] if own.start != own.end or own.angle or moves_others else []
+        moves = own.start != own.end or own.angle or self._moves_others(held.segment)
+        return [own] if moves else []
 
     def _fail(self, held: _Motion) -> NoReturn:
         """The contour cannot be passed with this tool (90019, 90038)."""

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from nc_trees import read, shape
 
 from nctakt.diagnostics import Span
+from nctakt.nc import syntax
 from nctakt.nc.operators import FUNCTIONS, INFIX
 from nctakt.nc.printer import format_expression, print_program
 from nctakt.nc.source import Source
@@ -45,6 +46,7 @@ from nctakt.nc.syntax import (
     Part,
     Program,
     RealtimeCycle,
+    RealtimeLoop,
     Repeat,
     StringLiteral,
     StringWord,
@@ -273,6 +275,7 @@ def structures(inner: st.SearchStrategy) -> st.SearchStrategy:  # type: ignore[t
         node(If, st.none(), word_values, body, st.just(()), otherwise, st.just(True)),
         node(For, targets, values, values, values, body),
         node(While, values, body),
+        node(RealtimeLoop, st.booleans(), body),
         node(Do, body, values),
         node(Repeat, body, values),
         node(Switch, values, cases),
@@ -356,3 +359,13 @@ def _check_places(lines: list[str]) -> None:
         assert found.render("de")
         assert found.render("en")
     print_program(program)
+
+
+def test_each_kind_of_node_is_among_the_trees() -> None:
+    """But for a line that could not be read, and a ``%`` line that is only a comment."""
+    kinds = [
+        name
+        for name, kind in vars(syntax).items()
+        if isinstance(kind, type) and issubclass(kind, syntax.Node) and not kind.__subclasses__()
+    ]
+    assert [name for name in kinds if name not in globals()] == ["ProgramStart", "Unreadable"]

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import pytest
 from decided import left, machine, numbers, perform, told
 
 from nctakt.controller import Controller, NcText
@@ -127,3 +128,17 @@ def test_the_decoder_waits_for_cycles_to_end() -> None:
     """However many definitions a program executes, those that have ended give their slots back."""
     text = "$FOR P1 = 1, 600, 1\n#RT CYCLE [SCOPE=BLOCK]\nV.E.COUNT += 1\n#RT CYCLE END\n"
     assert left(text + "#TIME 0.001\n$ENDFOR\nM30", "V.E.COUNT") == 600
+
+
+@pytest.mark.parametrize("command", ["#RT CYCLE [ID = {}]", "#RT CYCLE DELETE [ID = {}]"])
+def test_ids_end_at_2147483647(command: str) -> None:
+    """RC-103: one more is 50875, as a number and computed, however large it is."""
+    end = "" if "DELETE" in command else "#RT CYCLE END\n"
+    for text, errors in (
+        ("2147483647", []),
+        ("2147483648", [50875]),
+        ("P1", [50875]),
+        ("5" * 70, [50875]),
+    ):
+        run = perform(f"P1 = 1{'0' * 40}\n{command.format(text)}\n{end}M30")
+        assert [found.id for found in run.errors] == errors, text

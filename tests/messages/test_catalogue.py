@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from collections import Counter
 from pathlib import Path
@@ -141,3 +142,21 @@ def test_remedies_are_sentences(message: Message) -> None:
         assert not text[0].islower() or CODE.search(first), text
         is_prose = last.isalpha() and not last.isupper() and len(last) > 1
         assert not is_prose, text
+
+
+def test_each_report_gives_what_its_message_tells() -> None:
+    """Where number and values stand in one call, they fit: else a mistake would be a traceback."""
+    wrong = []
+    for path in sorted(SOURCES.rglob("*.py")):
+        if path.parent.name == "kernel":
+            continue  # what the realtime part fails with becomes a diagnostic elsewhere
+        for call in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(call, ast.Call) and call.args and isinstance(call.args[0], ast.Constant):
+                number = call.args[0].value
+                given = {one.arg for one in call.keywords}
+                called = getattr(call.func, "attr", getattr(call.func, "id", ""))
+                if called in ("report", "fail", "_fail", "_report", "diagnostic", "BlockError"):
+                    if number in CATALOGUE and None not in given:
+                        if given != CATALOGUE[number].parameters.keys():
+                            wrong.append(f"{path.name}:{call.lineno}: {number}")
+    assert wrong == []

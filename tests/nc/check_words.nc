@@ -83,7 +83,7 @@ H116
 M200
 H200
 G04 S10
-G04 S10 X1 ; error 900211
+G04 S10 X1 ; error 900211 "G04"
 M30
 ; --- nobody knows it
 Q5 ; error 900203 "Q5"

@@ -44,6 +44,7 @@ from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
 from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG
 from nctakt.nc import syntax
+from nctakt.nc.check_cycle import HIGHEST_ID
 from nctakt.nc.check_path import FORMS, command_name
 from nctakt.nc.outline import ProgramText, SectionReader, leads_to
 
@@ -324,10 +325,8 @@ class ProgramDecoder:
         identity = yield from self._identity(statement, number)
         scope_word = _keyword(statement.keywords, "SCOPE")
         scope = PROG if scope_word is None else SCOPES[_word(scope_word)]
-        if scope == GLOBAL and identity is not None and identity < 1:
-            self._values.fail(21983, statement.span, id=identity)
         if identity is not None and identity < 1:
-            self._values.fail(50875, statement.span, id=identity)
+            self._values.fail(21983 if scope == GLOBAL else 50875, statement.span, id=identity)
         serial, first_probe = self._next_cycle()
         builder = CycleBuilder(self._values, first_probe)
         built = builder.build(statement, serial, identity or 0, _SCOPE_NAMES[scope])
@@ -365,7 +364,7 @@ class ProgramDecoder:
         if keyword is None or keyword.value is None:
             return None
         value = yield from self._values.evaluate(keyword.value, number)
-        if arithmetic.floor(value) != value:
+        if arithmetic.floor(value) != value or value > HIGHEST_ID:
             self._values.fail(50875, keyword.value.span, id=value)
         return int(value)
 

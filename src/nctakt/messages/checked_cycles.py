@@ -241,8 +241,8 @@ _add(
     ERROR,
     "{id} is no ID of a realtime cycle",
     "{id} ist keine ID eines Echtzeit-Zyklus",
-    remedy_en="IDs are whole numbers from 1 on.",
-    remedy_de="IDs sind ganze Zahlen ab 1.",
+    remedy_en="IDs are whole numbers from 1 to 2147483647.",
+    remedy_de="IDs sind ganze Zahlen von 1 bis 2147483647.",
     cause_en="An ID is a whole number from 1 on; expressions in it are computed when the block is "
     "decoded.",
     cause_de="Eine ID ist eine ganze Zahl ab 1; Ausdrücke darin werden beim Dekodieren des Satzes "

@@ -49,6 +49,9 @@ END_ACTIONS = ("MOVE_ABORT", "MOVE_CONT")
 RESERVED_M = (0, 1, 2, 17, 29, 30)
 _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
 
+#: The highest ID of a realtime cycle.
+HIGHEST_ID = 2147483647
+
 
 class CycleChecker:
     """Checks definitions and management commands.
@@ -148,7 +151,7 @@ class CycleChecker:
             return
         if is_global and value.value <= 0:
             self._findings.report(21983, value.span, id=f"{value.value:g}")
-        elif value.value < 1 or not value.value.is_integer():
+        elif not 1 <= value.value <= HIGHEST_ID or not value.value.is_integer():
             self._findings.report(50875, value.span, id=f"{value.value:g}")
 
     # --- the body --------------------------------------------------------------------------------

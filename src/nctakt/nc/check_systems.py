@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nctakt.nc.check_values import ValueChecker
+from nctakt.nc.command_forms import forms_of
 from nctakt.nc.findings import Findings
 from nctakt.nc.syntax import Bracket, Expression, HashCommand
 
@@ -60,7 +61,8 @@ def check_system(command: HashCommand, values: ValueChecker, findings: Findings)
         return False
     found = system_command(command)
     if found is None:
-        findings.report(900233, command.span, command="#" + " ".join(words))
+        name = "#" + " ".join(words)
+        findings.report(900233, command.span, command=name, forms=forms_of("#CS"))
         return True
     for value in (found.identity, *(found.components or ())):
         if value is not None:

@@ -13,6 +13,13 @@ FORMS: dict[str, tuple[str, ...]] = {
         "#CONTOUR MODE ON",
         "#CONTOUR MODE OFF",
     ),
+    "#CS": (
+        "#CS DEF [1] [10, 0, 0, 0, 0, 30]",
+        "#CS ON [1]",
+        "#CS ON",
+        "#CS OFF",
+        "#CS OFF ALL",
+    ),
     "#DELETE": ("#DELETE V.P.NAME", "#DELETE V.P."),
     "#ERROR": ("#ERROR [ID=455]", "#ERROR [ID=455 RC=2 MID=1 PV1=P1 PM1=3]"),
     "#EXPL SYN": ("#EXPL SYN",),

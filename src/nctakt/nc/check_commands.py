@@ -46,7 +46,8 @@ class CommandChecker:
             self._channel(command)
         elif tuple(words) == ("BACKWARD", "STORAGE", "CLEAR"):
             if command.arguments:
-                self._findings.report(900233, command.span, command="#BACKWARD STORAGE CLEAR")
+                name = "#BACKWARD STORAGE CLEAR"
+                self._findings.report(900233, command.span, command=name, forms=forms_of(name))
         else:
             return False
         return True

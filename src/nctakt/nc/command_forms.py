@@ -7,6 +7,7 @@ from nctakt.diagnostics import NOTHING
 
 #: Command -> examples of its forms; each is a line that a program may have.
 FORMS: dict[str, tuple[str, ...]] = {
+    "#BACKWARD STORAGE CLEAR": ("#BACKWARD STORAGE CLEAR",),
     "#CHANNEL INIT": ("#CHANNEL INIT", "#CHANNEL INIT [CMDPOS]", "#CHANNEL INIT [ACTPOS]"),
     "#CONTOUR MODE": (
         "#CONTOUR MODE [DEV PATH_DEV=0.1]",

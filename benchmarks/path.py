@@ -4,7 +4,8 @@
 Preparation: straight blocks of three lengths along a winding line, put into the queue with limits,
 corner speeds and look-ahead; a queue of blocks that are always too short to stop in makes the
 look-ahead walk as far as it goes. Ticks: three axes over short blocks with two realtime cycles,
-without and with a trace of twelve signals. The best of several repetitions is taken.
+without and with a trace of twelve signals; with limited jerk blocks of 4 mm, twenty in a row. The
+best of several repetitions is taken.
 """
 
 from __future__ import annotations
@@ -36,7 +37,9 @@ def places(length: float, count: int, turn: float) -> list[tuple[float, ...]]:
     return found
 
 
-def blocks_per_second(length: float, turn: float, deviation: float) -> float:
+def blocks_per_second(
+    length: float, turn: float, deviation: float, limits_jerk: bool = False
+) -> float:
     """How many blocks a second are prepared."""
     corners = places(length, CHUNK, turn)
     best = 1e9
@@ -45,7 +48,7 @@ def blocks_per_second(length: float, turn: float, deviation: float) -> float:
         begin = time.perf_counter()
         for i in range(CHUNK):
             channel.put_segment(
-                0, i, corners[i], corners[i + 1], 200.0, False, deviation, False, None
+                0, i, corners[i], corners[i + 1], 200.0, False, deviation, limits_jerk, None
             )
         best = min(best, time.perf_counter() - begin)
     return CHUNK / best
@@ -77,6 +80,11 @@ def preparation() -> None:
         ("10 mm, bent by 60°, rounded", 10.0, 1.05, 0.1),
     ):
         print(f"{name:44} {blocks_per_second(length, turn, deviation):10,.0f}")
+    for name, length in (
+        ("0.01 mm in one line, limited jerk", 0.01),
+        ("1 mm in one line, limited jerk", 1.0),
+    ):
+        print(f"{name:44} {blocks_per_second(length, 0.0, 0.0, True):10,.0f}")
 
 
 def ticks() -> None:
@@ -89,7 +97,9 @@ def ticks() -> None:
     )
     arcs = "$WHILE 1\nG02 I20 Z1 F600\nG02 I20 Z0\n$ENDWHILE"
     print(f"\n{'3 axes, 2 cycles, look-ahead':44} {'ns/tick':>10}")
-    for name, motion in (("long lines", loop), ("helices", arcs)):
+    flow = "\n".join(["$WHILE 1", *["X4"] * 20, *["X-4"] * 20, "$ENDWHILE"])
+    flow = f"#SLOPE [TYPE=TRAPEZ]\nG91 G01 F6000\n{flow}"
+    for name, motion in (("long lines", loop), ("helices", arcs), ("limited jerk", flow)):
         text = program(LAWS[0], 2, motion)
         print(f"{name + ', without trace':44} {ns_per_tick(text, None, 400_000):10.1f}")
         print(f"{name + ', 12 signals recorded':44} {ns_per_tick(text, names, 400_000):10.1f}")

@@ -40,6 +40,17 @@ def test_passes_follow_each_other_without_a_stop() -> None:
     assert run.trace["LOOP.COUNT"][-1] == 3.0
 
 
+def test_passes_follow_each_other_with_the_jerk_limited_slope() -> None:
+    """The same circle: one motion without a stand between the passes (MO-3)."""
+    slope = "#SLOPE [TYPE=TRAPEZ]\nG01 F6000\n"
+    run = perform(f"{COUNTED.format(count=2)}{slope}{CIRCLE}M30", signals=SIGNALS)
+    assert run.state == "ended", run.diagnostics
+    assert run.trace is not None
+    moving = np.flatnonzero(np.asarray(run.trace["PATH.SPEED"]))
+    assert len(moving) == moving[-1] - moving[0] + 1
+    assert run.trace["LOOP.COUNT"][-1] == 3.0
+
+
 def test_a_loop_whose_condition_does_not_hold_is_passed_over() -> None:
     """FALSE where the loop is entered: not one pass."""
     run = perform(f"G01 F6000\n{CIRCLE}G00 X5\nM30", signals=SIGNALS)

@@ -33,7 +33,5 @@ cdef class CommandRing:
     cdef int needs_pass(self) noexcept nogil
     @cython.locals(speed=double, acceleration=double, way=double)
     cdef double brake_way_in(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(end=Py_ssize_t, i=Py_ssize_t, k=Py_ssize_t, base=Py_ssize_t, place=Py_ssize_t)
+    @cython.locals(end=Py_ssize_t, i=Py_ssize_t, k=Py_ssize_t, base=Py_ssize_t, place=Py_ssize_t, exact_stop=bint, deviation=double)
     cdef void repeat_body(self) noexcept nogil
-    @cython.locals(exact_stop=bint, limits_jerk=bint)
-    cdef void repeat_segment(self, Py_ssize_t base, double feed_v, double deviation) noexcept nogil

@@ -355,21 +355,14 @@ class CommandRing:
             place = k * self.body.stride
             for i in range(self.width):
                 self.queue[base + i] = self.body.rows[place + i]
-            self.tail += 1
             if self.queue[base] == 1.0:
                 place += self.width
-                self.repeat_segment(base, self.body.rows[place], self.body.rows[place + 1])
+                exact_stop = self.queue[base + 8] != 0.0
+                deviation = self.body.rows[place + 1]
+                self.end_segment(base, self.body.rows[place], exact_stop, deviation)
+            else:
+                self.tail += 1
         base = self.tail % self.capacity * self.width
         for i in range(self.width):
             self.queue[base + i] = self.end_row[i]
         self.tail += 1
-
-    def repeat_segment(self, base: int, feed_v: float, deviation: float) -> None:
-        """A segment of the body stands in its row again: it counts, and is prepared."""
-        exact_stop = self.queue[base + 8] != 0.0
-        limits_jerk = self.queue[base + 10] != 0.0
-        if limits_jerk:
-            self.latest = -1
-        self.timed_count += 1
-        self.prepare(base, feed_v, deviation)
-        self.latest = -1 if exact_stop or limits_jerk else self.tail - 1

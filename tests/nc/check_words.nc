@@ -44,6 +44,7 @@ G09 X1 ; error 900200 "G09"
 G41 G42 X1 ; error 900210 "G42"
 G25 G26 ; error 900210 "G26"
 G138 G139 ; error 900210 "G139"
+G107 G108 ; error 900210 "G108"
 G236 ; error 900200 "G236"
 G11 ; error 900200 "G11"
 G80 ; error 900200 "G80"
@@ -295,6 +296,7 @@ M30
 #ERROR [ID=455 RC 2] ; error 900208 "RC"
 M30
 ; --- coordinate systems (MO-8)
+#BACKWARD STORAGE CLEAR [1] ; error 900233 "BACKWARD"
 #CS DEF [1] [0, 0, 10, P1, 0, 45]
 #CS ON [,,10,,,45]
 #CS ON [V.E.NONE, 0] ; error 900213 "V.E.NONE"

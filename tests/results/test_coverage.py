@@ -227,7 +227,7 @@ def test_spoiled_json_is_told() -> None:
         entries = list(enumerate(node)) if isinstance(node, list) else entries
         for key, value in entries:
             assert isinstance(node, dict | list)
-            for wrong in (None, -1, [1], {"a": 1}):
+            for wrong in (None, -1, [1], {"a": 1}, 10**400):
                 node[key] = wrong  # type: ignore[index]
                 found.append(json.dumps(good))
             node[key] = value  # type: ignore[index]

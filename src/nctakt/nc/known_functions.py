@@ -137,8 +137,13 @@ G_FUNCTIONS = (
         ("G101", "R", "measuring offsets included", "Messversatz einrechnen"),
         ("G102", "R", "measuring offsets taken out", "Messversatz herausrechnen"),
         ("G106", "R", "measuring on the way to a target", "Messen auf dem Weg zum Ziel"),
+    ),
+    *_group(
+        "edge banding",
         ("G107", "S", "edge banding off", "Kantenanleimen aus"),
         ("G108", "S", "edge banding", "Kantenanleimen"),
+    ),
+    *known(
         ("G112", "R", "gear change", "Getriebeschaltung"),
         ("G115", "R", "influence on look-ahead", "Einfluss auf Look-ahead"),
         ("G116", "R", "influence on look-ahead", "Einfluss auf Look-ahead"),

@@ -62,7 +62,7 @@ def from_json(file: str, text: str) -> Coverage:
         if document[_FORM_KEY] != FORM:
             raise ValueError(_FORM_KEY)
         return Coverage(_each(document["cycles"], _cycle_in), _count(document["runs"]))
-    except (ValueError, KeyError, TypeError, IndexError, RecursionError) as error:
+    except (ValueError, ArithmeticError, LookupError, TypeError, RecursionError) as error:
         raise Failure(diagnostic(900801, file=file)) from error
 
 

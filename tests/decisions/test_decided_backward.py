@@ -12,6 +12,7 @@ from decided import numbers
 import nctakt
 from nctakt.controller import Controller, NcText
 from nctakt.failure import Failure
+from nctakt.interface import Interface
 from nctakt.kernel import shape
 from nctakt.lists.machine import load_machine
 from nctakt.lists.startup import LEAST_BACKWARD_MEMORY
@@ -215,3 +216,24 @@ def test_a_program_may_clear_the_history() -> None:
     assert told(run)[-1][1] == "retrace start"
     assert at(run, 149) == pytest.approx(13.75)  # N10 was passed without a stop
     assert at(run, 2999) == 10.0
+
+
+@pytest.mark.parametrize(
+    ("backward", "lines"),
+    [(False, [5, 6, 7, 8, 9]), (True, [6, 5, 4, 5, 6, 8, 9])],
+)
+def test_the_way_around_a_corner_is_no_block_of_its_own(backward: bool, lines: list[int]) -> None:
+    """MO-6, MO-9: single block stops behind the arc that belongs to a block, there and back."""
+    contour = "G01 F6000\nV.G.WZ_AKT.R = 5 G26\nG41 X20 Y20\nX20 Y60\nX60\nY20\nX20\nG40 X0 Y0\nM30"
+    contour = contour.replace("5 G26", "5\nG26")
+
+    class Operator:
+        def cycle(self, hli: Interface) -> None:
+            hli.backward_motion = backward and 1500 <= hli.tick < 5000
+            hli.single_block = not backward or hli.tick >= 1500
+            if hli.is_paused:
+                hli.start()
+
+    run = Controller().run(NcText("p.nc", contour), ticks=20_000, plc=Operator())
+    assert run.state == "ended"
+    assert [text for _, text in told(run, "paused")] == [f"paused line {line}" for line in lines]

@@ -72,6 +72,8 @@ cdef class Retrace:
     @cython.locals(now_t=double, over_t=double)
     cdef int advance(self, int is_stopping) noexcept nogil
     cdef void stop_between(self) noexcept nogil
+    @cython.locals(first=cython.longlong)
+    cdef int is_inside(self) noexcept nogil
     cdef double duration_t(self) noexcept nogil
     @cython.locals(way=double, covered_d=double, rest_d=double)
     cdef void follow(self, double now_t) noexcept nogil

@@ -412,9 +412,14 @@ class Retrace:
         """The walk has come to a stand between two segments: single block pauses there."""
         if self.path.is_away and not self.is_blocked:
             self.path.limit_v = -1.0
-            if self.path.is_single:
+            if self.path.is_single and not self.is_inside():
                 self.panel.is_paused = True
                 self.record.paused(int(self.path.ring[self.path.base + 1]))
+
+    def is_inside(self) -> int:
+        """Whether the walk, which has just come to a segment, is inside of a block with it."""
+        first = self.place - 1 if self.path.direction > 0 else self.place
+        return 1 if self.path.ring[self.path.row_of(first) + 8] < 0.0 else 0
 
     def duration_t(self) -> float:
         """How long the plan takes; for ever where it ends with a stop on the way."""

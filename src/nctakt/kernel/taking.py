@@ -104,6 +104,8 @@ class Commands(CommandRing):
         self.taken_source = source
         line = source >> 20  # file and line (``sources.py``)
         is_begun = self.head <= self.begun or self.path.speed_v > 0.0
+        if self.path.goes_on():
+            return 1
         if self.panel.lets_go(line, self.queue[base] <= 2.0, is_begun):
             return 1
         self.record.paused(source)

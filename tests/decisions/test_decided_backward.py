@@ -237,3 +237,17 @@ def test_the_way_around_a_corner_is_no_block_of_its_own(backward: bool, lines: l
     run = Controller().run(NcText("p.nc", contour), ticks=20_000, plc=Operator())
     assert run.state == "ended"
     assert [text for _, text in told(run, "paused")] == [f"paused line {line}" for line in lines]
+
+
+@pytest.mark.parametrize("ticks", [750, 1300])
+def test_a_reset_ends_a_block_with_all_its_pieces(ticks: int) -> None:
+    """MO-6: single block stops in the next program, whose first block goes on with nothing."""
+    controller = Controller()
+    contour = "G01 F6000\nV.G.WZ_AKT.R = 5\nG26\nG41 X20 Y20\nX20 Y60\nX60\nY20\nG40 X0\nM30"
+    controller.start(NcText("p.nc", contour))
+    controller.step(ticks)
+    controller.reset()
+    controller.hli.single_block = True
+    controller.start(NcText("p.nc", "M100\nM101\nG01 F6000 X30\nM30"))
+    controller.step(20)
+    assert controller.hli.is_paused

@@ -391,6 +391,7 @@ class Path:
         self.is_active = False
         self.is_away = False
         self.direction = 1
+        self.ring[self.front + 8] = 0.0  # the block is over, with all its pieces
         self.forget()
         self.speed_v = 0.0
         self.smooth.acceleration_a = 0.0

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import math
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -39,6 +40,15 @@ and its body ran. Without a program only the files of earlier runs count.
 """
 
 
+def _percent(
+    _context: click.Context, _option: click.Parameter, value: float | None
+) -> float | None:
+    """A share that can be missed: click's range lets through what is not a number."""
+    if value is not None and math.isnan(value):
+        raise click.BadParameter(f"{value} is not in the range 0<=x<=100.")
+    return value
+
+
 @click.command("coverage", epilog=_EPILOG, short_help="Tell which branches of cycles ran.")
 @run_options("--at", "report and diagnostics")
 @click.option(
@@ -54,6 +64,7 @@ and its body ran. Without a program only the files of earlier runs count.
     "--fail-under",
     "least",
     type=click.FloatRange(0, 100),
+    callback=_percent,
     metavar="PERCENT",
     help="Exit code 1 where a smaller share of the branches ran.",
 )

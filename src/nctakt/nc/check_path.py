@@ -72,6 +72,7 @@ _FIXED_STOP = Form(
 
 #: Commands for one axis of the path, by their first keyword.
 _AXIS_FORMS = {"OVERRIDE": _AXIS_OVERRIDE, "FIXED_STOP": _FIXED_STOP}
+_AXIS_EXAMPLES = {"OVERRIDE": "FEED_FACT=50", "FIXED_STOP": "ON"}
 
 
 def command_name(command: HashCommand) -> str:
@@ -96,8 +97,9 @@ def check_path_command(command: HashCommand, values: ValueChecker, findings: Fin
     form = FORMS.get(name)
     if form is None:
         return False
-    has_bracket = len(command.arguments) == 1 and isinstance(command.arguments[0], Bracket)
-    if not has_bracket and (form.needs_bracket or command.arguments):
+    bracket = command.arguments[0] if len(command.arguments) == 1 else None
+    says_something = isinstance(bracket, Bracket) and bool(bracket.items)
+    if not says_something and (form.needs_bracket or command.arguments):
         forms = forms_of(
             f"#{name.removesuffix(' ON').removesuffix(' OFF').removesuffix(' DEFAULT')}"
         )
@@ -116,6 +118,9 @@ def check_path_axis(command: BracketCommand, values: ValueChecker, findings: Fin
     if not isinstance(first, Keyword) or first.name not in _AXIS_FORMS:
         return False
     form, name = _AXIS_FORMS[first.name], f"{command.name}[{first.name}]"
+    if len(command.items) == 1 and first.value is None:
+        forms = f"{command.name}[{first.name} {_AXIS_EXAMPLES[first.name]}]"
+        findings.report(900233, first.span, command=name, forms=forms)
     for item in command.items:
         _check_item(form, name, item, values, findings)
     return True
@@ -129,7 +134,9 @@ def _check_item(
         return
     if item.name in form.words and item.value is None:
         return
-    if item.name in form.numbers and item.value is not None:
+    if item.value is None and item.name in (*form.numbers, *form.names):
+        findings.report(900208, item.span, word=item.name)
+    elif item.value is not None and item.name in form.numbers:
         values.value(item.value)
         _check_number(item, findings)
     elif item.name not in form.names or not isinstance(item.value, Name):

@@ -309,7 +309,6 @@ def test_coverage_of_a_session(tmp_path: Path, workers: int) -> None:
     """
     words = []
     if workers:
-        pytest.importorskip("xdist")
         words = ["-n", str(workers)]
     folder = project(tmp_path, part_nc=COVERED, test_more_py=TWO_MORE)
     for name in ("all.json", "all.info", "all.txt"):

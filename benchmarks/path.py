@@ -97,9 +97,14 @@ def ticks() -> None:
     )
     arcs = "$WHILE 1\nG02 I20 Z1 F600\nG02 I20 Z0\n$ENDWHILE"
     print(f"\n{'3 axes, 2 cycles, look-ahead':44} {'ns/tick':>10}")
-    flow = "\n".join(["$WHILE 1", *["X4"] * 20, *["X-4"] * 20, "$ENDWHILE"])
-    flow = f"#SLOPE [TYPE=TRAPEZ]\nG91 G01 F6000\n{flow}"
-    for name, motion in (("long lines", loop), ("helices", arcs), ("limited jerk", flow)):
+    flow = "\n".join(["G91 G01 F6000", "$WHILE 1", *["X4"] * 20, *["X-4"] * 20, "$ENDWHILE"])
+    for name, motion in (
+        ("long lines", loop),
+        ("helices", arcs),
+        ("long lines, limited jerk", f"#SLOPE [TYPE=TRAPEZ]\n{loop}"),
+        ("a line of 4 mm in 40 ticks", flow),
+        ("the same, limited jerk", f"#SLOPE [TYPE=TRAPEZ]\n{flow}"),
+    ):
         text = program(LAWS[0], 2, motion)
         print(f"{name + ', without trace':44} {ns_per_tick(text, None, 400_000):10.1f}")
         print(f"{name + ', 12 signals recorded':44} {ns_per_tick(text, names, 400_000):10.1f}")

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from nctakt.access import VariableAccess
 from nctakt.decoder.offsets import ActiveOffsets
 from nctakt.decoder.preparation import history_blocks, look_ahead, single_axes
-from nctakt.decoder.requests import living_cycles
 from nctakt.decoder.spindles import names_of
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.decoder.system import system_data
@@ -272,7 +271,7 @@ class Machine:
             skip_levels,
             tells_blocks,
             self.system[channel],
-            living_cycles(self.channels[channel].manager, self.registry.definition),
+            self.registry.left_in(self.channels[channel].manager),
             lambda: self._moving_axes(channel),
             self.channels[channel].path.history_size,
         )

@@ -7,8 +7,9 @@ from collections.abc import Callable, Sequence
 
 from nctakt.decoder.commands import UserMessage
 from nctakt.decoder.cycles import CycleDefinition
+from nctakt.decoder.requests import LivingCycle
 from nctakt.diagnostics import Span
-from nctakt.kernel.cycles import RealtimeCycle
+from nctakt.kernel.cycles import DEFINED, HELD, CycleManager, RealtimeCycle
 from nctakt.results.run import FrozenValue, Reaction
 from nctakt.sources import SourceFiles, begins_at
 
@@ -91,6 +92,16 @@ class Registry:
     def definition(self, serial: int) -> CycleDefinition:
         """The definition of a cycle that has not been forgotten."""
         return self._living[serial]
+
+    def left_in(self, manager: CycleManager) -> tuple[LivingCycle, ...]:
+        """The cycles that earlier programs have left in a channel, with the axes they name."""
+        found = []
+        for cycle in manager.loaded:
+            state = manager.state_of(cycle.slot)
+            if DEFINED <= state <= HELD:
+                known = self._living[cycle.serial]
+                found.append(LivingCycle(known.identity, known.axes, state != DEFINED))
+        return tuple(found)
 
     # --- what fills it --------------------------------------------------------------------------
 

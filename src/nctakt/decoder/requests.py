@@ -10,14 +10,8 @@ again after each block or wait in which the path does not move the axis.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
-
-from nctakt.kernel.cycles import DEFINED, HELD, CycleManager
-
-if TYPE_CHECKING:
-    from nctakt.decoder.cycles import CycleDefinition
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,19 +21,6 @@ class LivingCycle:
     identity: int
     axes: tuple[str, ...]
     is_started: bool
-
-
-def living_cycles(
-    manager: CycleManager, definition: Callable[[int], CycleDefinition]
-) -> tuple[LivingCycle, ...]:
-    """Those that a channel's manager holds; ``definition`` knows them by their serial numbers."""
-    found = []
-    for cycle in manager.loaded:
-        state = manager.state_of(cycle.slot)
-        if DEFINED <= state <= HELD:
-            known = definition(cycle.serial)
-            found.append(LivingCycle(known.identity, known.axes, state != DEFINED))
-    return tuple(found)
 
 
 @dataclass(frozen=True, slots=True)

@@ -371,3 +371,17 @@ def test_contexts_of_a_channel_need_their_threads(tmp_path: Path) -> None:
     assert load(write(tmp_path, {"kanal.lis": channel}))[1] == [900611]
     rtconf = RTCONF.replace("thread[0].cycle", "thread[0].context_info 1\nthread[0].cycle")
     assert load(write(tmp_path, {"rtconf.lis": rtconf}))[1] == []
+
+
+@pytest.mark.parametrize(("elements", "found"), [(3, []), (4, [900814])])
+def test_memory_of_external_variables(tmp_path: Path, elements: int, found: list[int]) -> None:
+    """P-STUP-00037: one block has room for three REAL64, not for four; all four are there."""
+    variables = (
+        "number_used_variables 1\nvar[0].name LIST\nvar[0].type REAL64\n"
+        f"var[0].array_elements {elements}\n"
+    )
+    startup = f"{STARTUP}ext_var_max 1\nve_var[0] var.lis\n"
+    machine, told = load(write(tmp_path, {"hochlauf.lis": startup, "var.lis": variables}))
+    assert told == found
+    (variable,) = machine.channels[0].external_variables
+    assert variable.node.array_elements == elements

@@ -126,6 +126,15 @@ def test_rights_per_context() -> None:
         ("once", "ONCE"),
         ("MVS_SVS", "MVS_SVS"),
         ("#RT CYCLE DELETE", "#RT CYCLE"),
+        ("P-CHAN-425", "P-CHAN-00425 rt_cycles.max_duration"),
+        ("chan-425", "P-CHAN-00425 rt_cycles.max_duration"),
+        ("00425", "P-CHAN-00425 rt_cycles.max_duration"),
+        ("vb_max", "P-AXIS-00212 getriebe[0..9].dynamik.vb_max"),
+        ("vb_max", "P-TOOL-00014 wz[0..200].vb_max"),
+        ("GETRIEBE.DYNAMIK.VB_MAX", "P-AXIS-00212 getriebe[0..9].dynamik.vb_max"),
+        ("m_synch", "P-CHAN-00041 m_synch[0..999]"),
+        ("array_size", "P-EXTV-00007 var[0..65534].array_elements"),
+        ("fb_storage_size", "P-STUP-00033 fb_storage_size[0..11]"),
     ],
 )
 def test_usual_spellings(word: str, name: str) -> None:

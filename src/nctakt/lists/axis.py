@@ -119,7 +119,10 @@ _CHARACTER = (
         "kenngr.achs_typ",
         ValueType.NAME,
         LINEAR_TYPE,
-        Text("Linear axis, rotary axis or spindle", "Linearachse, Rundachse oder Spindel"),
+        Text(
+            "Kind of axis: 1 linear, 2 rotary, 4 spindle",
+            "Art der Achse: 1 Linearachse, 2 Rundachse, 4 Spindel",
+        ),
         names={LINEAR_TYPE: 1, ROTARY_TYPE: 2, SPINDLE_TYPE: 4},
         restart=True,
     ),
@@ -281,7 +284,6 @@ _GEAR_STEP = (
         10_000,
         "Shortest ramp time of the acceleration",
         "Kürzeste Rampenzeit der Beschleunigung",
-        effect=Effect.CHECKED,
     ),
     _ramp(
         "P-AXIS-00199",

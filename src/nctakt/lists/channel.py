@@ -125,7 +125,6 @@ _SPINDLES = (
         0,
         "Logical number of the main spindle",
         "Logische Nummer der Hauptspindel",
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00053",
@@ -135,7 +134,6 @@ _SPINDLES = (
         "Name of the main spindle in NC programs; begins with S",
         "Name der Hauptspindel in NC-Programmen; beginnt mit S",
         high=NAME_LENGTH,
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00007",
@@ -145,7 +143,6 @@ _SPINDLES = (
         "Name of a spindle in NC programs; begins with S",
         "Name einer Spindel in NC-Programmen; beginnt mit S",
         high=NAME_LENGTH,
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00036",
@@ -154,7 +151,6 @@ _SPINDLES = (
         0,
         "Logical number of a spindle",
         "Logische Nummer einer Spindel",
-        effect=Effect.CHECKED,
     ),
     _channel(
         "P-CHAN-00069",
@@ -163,7 +159,6 @@ _SPINDLES = (
         False,
         "The PLC turns the spindle; no axis list is needed",
         "Die SPS dreht die Spindel; eine Achsliste ist nicht nötig",
-        effect=Effect.CHECKED,
     ),
 )
 

@@ -39,7 +39,7 @@ from nctakt.lists.schema import Values
 from nctakt.lists.startup import ChannelStartup, StartupConfiguration, startup_configuration
 from nctakt.lists.tools import TOOLS, Tool, tools_configuration
 from nctakt.lists.user_texts import user_texts
-from nctakt.lists.variable_layout import overlaps, pack_of, place
+from nctakt.lists.variable_checks import check_memory
 from nctakt.lists.variable_tree import (
     Variable,
     VariablesConfiguration,
@@ -178,7 +178,7 @@ class _Loader:
             check_time_limits(rtconf, parameters, self.collector)
         variables = tuple(self._variables(channel) for channel in startup.channels)
         shared, variables = self._share(variables)
-        self._overlapping(startup, variables)
+        check_memory(startup, variables, self.collector)
         channels = tuple(
             self._channel(startup, index, parameters[index], variables[index], axes)
             for index in range(len(startup.channels))
@@ -280,18 +280,6 @@ class _Loader:
                 external.append(known)
             settled.append(replace(variables, external=tuple(external)))
         return tuple(known for _, known in shared.values()), tuple(settled)
-
-    def _overlapping(
-        self, startup: StartupConfiguration, lists: tuple[VariablesConfiguration, ...]
-    ) -> None:
-        """P-EXTV-00011: tell variables of one scope that share bytes."""
-        pack = pack_of(startup.member_alignment)
-        for variables in lists:
-            for scope in VariableScope if variables.checks_overlapping else ():
-                placed = place([one for one in variables.external if one.scope is scope], pack)
-                for one, other in overlaps(placed):
-                    names = {"name": other.variable.name, "other": one.variable.name}
-                    self.collector.report(900087, None, **names, offset=other.offset)
 
     def _channel(
         self,

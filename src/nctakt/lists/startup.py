@@ -248,6 +248,7 @@ _CONTROLLER = (
         "",
         Text("File with the texts of user errors", "Datei mit den Texten der Anwenderfehler"),
         high=_PATH_LENGTH,
+        restart=True,
     ),
     Parameter(
         "P-STUP-00170",
@@ -256,6 +257,7 @@ _CONTROLLER = (
         "",
         Text("File to which errors are logged", "Datei, in die Fehler protokolliert werden"),
         high=_PATH_LENGTH,
+        restart=True,
         effect=Effect.CHECKED,
     ),
     Parameter(
@@ -265,6 +267,7 @@ _CONTROLLER = (
         "",
         Text("Folder of the diagnosis data", "Verzeichnis der Diagnosedaten"),
         high=_PATH_LENGTH,
+        restart=True,
         effect=Effect.CHECKED,
     ),
     Parameter(
@@ -274,6 +277,7 @@ _CONTROLLER = (
         "diag_data.txt",
         Text("File of the diagnosis data", "Datei der Diagnosedaten"),
         high=_PATH_LENGTH,
+        restart=True,
         effect=Effect.CHECKED,
     ),
 )

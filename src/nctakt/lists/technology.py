@@ -12,7 +12,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from nctakt.diagnostics import Text
-from nctakt.lists.parameter import Effect, Parameter, ValueType, with_indices
+from nctakt.lists.parameter import Parameter, ValueType, with_indices
 from nctakt.lists.schema import Values
 from nctakt.messages import Collector
 
@@ -67,9 +67,7 @@ class TechnologyFunction:
     axis_name: str
 
 
-def _synchronisation(
-    id_: str, path: str, default: str, en: str, de: str, effect: Effect = Effect.TAKEN
-) -> Parameter:
+def _synchronisation(id_: str, path: str, default: str, en: str, de: str) -> Parameter:
     return Parameter(
         id_,
         path,
@@ -79,14 +77,11 @@ def _synchronisation(
         names=_FLAGS,
         invalid=_REPLACEMENT,
         invalid_message=20965,
-        effect=effect,
     )
 
 
-def _process_time(
-    id_: str, path: str, en: str, de: str, effect: Effect = Effect.TAKEN
-) -> Parameter:
-    return Parameter(id_, path, ValueType.UNS32, 0, Text(en, de), unit="0.1 µs", effect=effect)
+def _process_time(id_: str, path: str, en: str, de: str) -> Parameter:
+    return Parameter(id_, path, ValueType.UNS32, 0, Text(en, de), unit="0.1 µs")
 
 
 def _axis_name(id_: str, path: str, en: str, de: str) -> Parameter:
@@ -157,14 +152,12 @@ def _spindle_function(name: str) -> tuple[Parameter, Parameter]:
             "NO_SYNCH",
             f"Synchronisation type of a spindle's {word}",
             f"Synchronisationsart von {word} einer Spindel",
-            Effect.CHECKED,
         ),
         _process_time(
             process_time,
             f"{prefix}_prozess_zeit",
             f"Time that a spindle's {word} takes, for simulations",
             f"Dauer von {word} einer Spindel, für Simulationen",
-            Effect.CHECKED,
         ),
     )
 

@@ -97,9 +97,10 @@ _GENERAL = (
 )
 
 
-def _name(id_: str, path: str) -> Parameter:
-    text = Text("Name of a variable", "Name einer Variablen")
-    return Parameter(id_, path, ValueType.STRING, "", text)
+def _name(
+    id_: str, path: str, en: str = "Name of a variable", de: str = "Name einer Variablen"
+) -> Parameter:
+    return Parameter(id_, path, ValueType.STRING, "", Text(en, de))
 
 
 def _type(id_: str, path: str) -> Parameter:
@@ -198,8 +199,18 @@ _CHANNEL = (
 )
 
 _STRUCTURES = (
-    _name("P-EXTV-00015", f"{_STRUCT}.name"),
-    _name("P-EXTV-00016", f"{_ELEMENT}.name"),
+    _name(
+        "P-EXTV-00015",
+        f"{_STRUCT}.name",
+        "Name of a structure, the type of variables",
+        "Name einer Struktur, des Typs von Variablen",
+    ),
+    _name(
+        "P-EXTV-00016",
+        f"{_ELEMENT}.name",
+        "Name of an element of a structure",
+        "Name eines Elements einer Struktur",
+    ),
     _type("P-EXTV-00017", f"{_ELEMENT}.type"),
     _synchronisation("P-EXTV-00018", f"{_ELEMENT}.synchronisation"),
     _rights("P-EXTV-00019", f"{_ELEMENT}.access_rights"),

@@ -219,6 +219,8 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "instructions so far": "Anweisungen bis dahin",
         "the limit": "die Grenze",
         "bytes of the cycle": "Byte des Zyklus",
+        "bytes of the variables": "Byte der Variablen",
+        "P-STUP-00037 in bytes": "P-STUP-00037 in Byte",
         "bytes that are left": "noch freie Byte",
         "the most cycles of a channel": "die meisten Zyklen eines Kanals",
         "operator or function": "Operator oder Funktion",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of the variables lists: V.E and V.CH (900080 … 900085, 900087 … 900099)."""
+"""Messages of the variables lists: V.E and V.CH (900080 … 900085, 900087 … 900099, 900814)."""
 
 from __future__ import annotations
 
@@ -156,5 +156,18 @@ _add(
         "key": "the entry's name",
         "value": "P-EXTV-00002 as written",
         "limit": "the last possible place",
+    },
+)
+_add(
+    900814,
+    WARNING,
+    "the V.E variables of channel {channel} take {needed} bytes, and ext_var_max gives {available}",
+    "die V.E-Variablen von Kanal {channel} belegen {needed} Byte, und ext_var_max gibt {available}",
+    remedy_en="Raise ext_var_max (P-STUP-00037): it counts blocks of 24 bytes.",
+    remedy_de="ext_var_max erhöhen (P-STUP-00037): es zählt Blöcke zu 24 Byte.",
+    parameters={
+        "channel": "the number of the channel",
+        "needed": "bytes of the variables",
+        "available": "P-STUP-00037 in bytes",
     },
 )

@@ -37,6 +37,7 @@ class Topic:
 
     ``word`` names it on the command line, ``articles`` gives all of them in order, ``find`` those
     of a word in any usual spelling, ``names`` the words that a misspelt one is compared with.
+    ``find_similar``: those that a word may mean if no topic knows it.
     """
 
     word: str
@@ -45,6 +46,7 @@ class Topic:
     articles: Callable[[], Iterator[Article]]
     find: Callable[[str], tuple[Article, ...]]
     names: Callable[[], Iterator[str]]
+    find_similar: Callable[[str], tuple[Article, ...]] = lambda word: ()
 
 
 def same(text: object) -> Text:

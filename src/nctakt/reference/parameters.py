@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from nctakt.diagnostics import Text
 from nctakt.lists.parameter import Effect, Parameter, Schema, ValueType, shown
-from nctakt.lists.parameters import SCHEMAS, find_parameters
+from nctakt.lists.parameters import SCHEMAS, DeclaredParameter, find_parameters, similar_parameters
 from nctakt.reference.article import Article, Fact, Topic, fact
 
 _NUMBERS = frozenset(
@@ -42,7 +42,7 @@ def _facts(parameter: Parameter) -> Iterator[Fact]:
     if allowed:
         yield fact("Range", "Bereich", allowed)
     if parameter.names:
-        names = list(parameter.names)
+        names = list(_values_of(parameter))
         more = " …" if len(names) > _MANY_NAMES else ""
         yield fact("Values", "Werte", ", ".join(names[:_MANY_NAMES]) + more)
     if parameter.unit:
@@ -57,6 +57,13 @@ def _facts(parameter: Parameter) -> Iterator[Fact]:
     for alias in parameter.aliases:
         yield fact("Old name", "Alter Name", alias.path)
     yield fact("In nctakt", "In nctakt", effect(parameter))
+
+
+def _values_of(parameter: Parameter) -> Iterator[str]:
+    """The names that a value may have, with the number that says the same."""
+    for name, number in parameter.names.items():
+        is_number = parameter.type is ValueType.NAME and number is not None
+        yield f"{name} ({number})" if is_number else name
 
 
 def range_of(parameter: Parameter) -> str:
@@ -95,9 +102,16 @@ def _all() -> Iterator[Article]:
             yield article(schema, parameter)
 
 
-def _find(word: str) -> tuple[Article, ...]:
-    found = find_parameters(word)
+def _articles(found: Iterable[DeclaredParameter]) -> tuple[Article, ...]:
     return tuple(article(one.schema, one.parameter) for one in found)
+
+
+def _find(word: str) -> tuple[Article, ...]:
+    return _articles(find_parameters(word))
+
+
+def _find_similar(word: str) -> tuple[Article, ...]:
+    return _articles(similar_parameters(word))
 
 
 def _names() -> Iterator[str]:
@@ -115,4 +129,5 @@ PARAMETERS = Topic(
     _all,
     _find,
     _names,
+    _find_similar,
 )

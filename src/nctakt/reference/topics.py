@@ -31,11 +31,12 @@ def topic(word: str) -> Topic | None:
 
 
 def explain(word: str) -> tuple[Article, ...]:
-    """All articles about a word, none for one that nobody knows."""
+    """All articles about a word, else those that it may mean; none for one that nobody knows."""
     word = word.strip()
     if not word:
         return ()
-    return tuple(article for one in TOPICS for article in one.find(word))
+    known = tuple(article for one in TOPICS for article in one.find(word))
+    return known or tuple(article for one in TOPICS for article in one.find_similar(word))
 
 
 def nearest_word(word: str) -> str:

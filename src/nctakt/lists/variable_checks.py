@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+"""The V.E variables of all channels as a whole: their places, and the memory that they take.
+
+In: the start-up list, the variables of each channel. Out: diagnostics only; no variable is left
+out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.lists.startup import StartupConfiguration
+from nctakt.lists.variable_layout import overlaps, pack_of, place, size_of
+from nctakt.lists.variable_tree import VariablesConfiguration, VariableScope
+from nctakt.messages import Collector
+
+
+def check_memory(
+    startup: StartupConfiguration, lists: Sequence[VariablesConfiguration], collector: Collector
+) -> None:
+    """Tell variables that overlap (P-EXTV-00011), and channels with too many (P-STUP-00037)."""
+    pack = pack_of(startup.member_alignment)
+    for variables in lists:
+        if variables.checks_overlapping:
+            _overlapping(variables, pack, collector)
+    available = startup.external_variables_bytes
+    for channel, variables in enumerate(lists if available else (), start=1):
+        needed = sum(size_of(one.node, pack) for one in variables.external)
+        if needed > available:
+            collector.report(900814, None, channel=channel, needed=needed, available=available)
+
+
+def _overlapping(variables: VariablesConfiguration, pack: int, collector: Collector) -> None:
+    """Tell variables of one scope that share bytes."""
+    for scope in VariableScope:
+        placed = place([one for one in variables.external if one.scope is scope], pack)
+        for one, other in overlaps(placed):
+            name, earlier = other.variable.name, one.variable.name
+            collector.report(900087, None, name=name, other=earlier, offset=other.offset)

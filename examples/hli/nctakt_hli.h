@@ -6,13 +6,13 @@
 #include <stdint.h>
 
 #define HLI_MAGIC "NCTAKT"
-#define HLI_VERSION 2
+#define HLI_VERSION 3
 #define HLI_UNITS 20
 
 /* the begin of the image: what there is, where it stands, and the clock */
 typedef struct hli_header {
     char magic[8]; /* NCTAKT and two zero bytes */
-    uint32_t version; /* 2; another one is another layout */
+    uint32_t version; /* 3; another one is another layout */
     uint32_t ready; /* 1 while the CNC is there; written last, taken away first */
     uint32_t size; /* the whole image (bytes) */
     uint32_t cycle_time_us; /* the length of a tick (µs) */
@@ -91,7 +91,7 @@ _Static_assert(sizeof(hli_unit) == 40, "hli_unit");
 /* the state of a channel */
 typedef struct hli_channel {
     uint8_t state; /* 0 ready, 1 a program runs, 2 error, 3 reset */
-    uint8_t paused; /* 1: single block waits for START */
+    uint8_t paused; /* 1: single block, M00 or M01 waits for START */
     uint8_t armed; /* 1: a selected program waits for START */
     uint32_t error; /* number of the error that has stopped the channel, else 0 */
     uint8_t retrace; /* 0: at its front, 1 backward over the history, 2 forward again */
@@ -189,6 +189,7 @@ typedef struct hli_command {
     uint8_t plc_present; /* 1: the PLC acknowledges functions, 0: the CNC itself */
     uint8_t backward_motion; /* 1: the path is walked back, 0: forward again */
     uint8_t probe; /* 1: the probe of the edge banding is on the edge */
+    uint8_t optional_stop; /* 1: M01 stops as M00 does */
     uint32_t ack_program[20]; /* acknowledges program[i] of the channel: its serial */
     uint32_t ack_realtime[20]; /* acknowledges realtime[i] of the channel: its serial */
 } hli_command;
@@ -200,6 +201,7 @@ _Static_assert(offsetof(hli_command, reset) == 11, "reset");
 _Static_assert(offsetof(hli_command, plc_present) == 12, "plc_present");
 _Static_assert(offsetof(hli_command, backward_motion) == 13, "backward_motion");
 _Static_assert(offsetof(hli_command, probe) == 14, "probe");
+_Static_assert(offsetof(hli_command, optional_stop) == 15, "optional_stop");
 _Static_assert(offsetof(hli_command, ack_program) == 16, "ack_program");
 _Static_assert(offsetof(hli_command, ack_realtime) == 96, "ack_realtime");
 _Static_assert(sizeof(hli_command) == 176, "hli_command");

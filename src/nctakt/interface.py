@@ -288,6 +288,15 @@ class Interface:
         self._machine.write("HLI.SINGLE_BLOCK", value)
 
     @property
+    def optional_stop(self) -> bool:
+        """Whether M01 stops the program as M00 does."""
+        return bool(self._machine.read("HLI.OPTIONAL_STOP"))
+
+    @optional_stop.setter
+    def optional_stop(self, value: bool) -> None:
+        self._machine.write("HLI.OPTIONAL_STOP", value)
+
+    @property
     def backward_motion(self) -> bool:
         """Whether backward motion on the path is commanded (MO-7)."""
         return bool(self._machine.read("HLI.BACKWARD_MOTION"))
@@ -312,7 +321,7 @@ class Interface:
         return int(self._machine.read("HLI.HISTORY_SIZE"))
 
     def start(self) -> None:
-        """Press START: the selected program begins, or single block lets the next block go."""
+        """Press START: the selected program begins, or goes on behind M00 or single block."""
         self._machine.write("HLI.START", 1.0)
 
     def reset(self) -> None:
@@ -326,7 +335,7 @@ class Interface:
 
     @property
     def is_paused(self) -> bool:
-        """Whether single block waits for START."""
+        """Whether single block, M00 or M01 waits for START."""
         return bool(self._machine.read("HLI.PAUSED"))
 
     @property

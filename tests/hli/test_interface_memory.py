@@ -143,7 +143,7 @@ def test_the_header_says_what_there_is() -> None:
     """Magic, version, sizes, places; ``ready`` is taken away when the image is closed."""
     memory = Memory(Controller())
     assert bytes(memory.image.memory[:8]) == MAGIC
-    assert (memory.header["version"], memory.header["ready"]) == (2, 1)
+    assert (memory.header["version"], memory.header["ready"]) == (3, 1)
     assert memory.header["size"] == memory.layout.size == len(memory.image.memory)
     assert memory.header["cycle_time_us"] == 1000
     assert memory.header["ve_offset"] == memory.layout.ve_offset

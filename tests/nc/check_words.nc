@@ -34,8 +34,6 @@ G17 G164 X2
 G94
 G97 ; note 900201 "G97"
 G165 ; note 900201 "G165"
-M01 ; note 900201 "M01"
-M01
 M02
 ; --- refused by name
 G33 Z1 ; error 900200 "G33 (thread cutting)"
@@ -67,7 +65,6 @@ M5 M19 ; error 900901 "M5, M19"
 M3=4 S100 ; error 900282 "M3=4"
 M3 S=V.E.NONE ; error 900213 "V.E.NONE"
 M19
-M0 ; error 900200 "M00"
 T1 D2 ; note 900201 "T (tool"
 D ; error 900208 "D"
 E100 ; error 900200 "E100"

@@ -270,6 +270,13 @@ class ProgramEnd(Command):
 
 
 @dataclass(frozen=True, slots=True)
+class ProgramStop(Command):
+    """M00, or with ``is_optional`` M01: waits for START."""
+
+    is_optional: bool
+
+
+@dataclass(frozen=True, slots=True)
 class GiveUp(Command):
     """Behind what was prepared the channel stops with an error of the decoder."""
 
@@ -437,6 +444,8 @@ def pack(command: Command, place: int = 0) -> list[float]:
             return [ring.LOOP_END, *head, 0, 0, True]
         case ProgramEnd():
             return [ring.PROGRAM_END, *head, place]
+        case ProgramStop():
+            return [ring.PROGRAM_STOP, *head, command.is_optional]
         case GiveUp():
             return [ring.GIVE_UP, *head, command.message]
     raise AssertionError(command)

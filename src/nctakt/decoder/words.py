@@ -21,6 +21,7 @@ from nctakt.decoder.commands import (
     Measure,
     MeasureEnd,
     PositionRequest,
+    ProgramStop,
     Segment,
     TechnologyOutput,
 )
@@ -53,8 +54,9 @@ COMPENSATIONS = frozenset((41, 42))
 #: Edge banding off and on.
 EDGE_BANDING = (107, 108)
 
-#: M functions that end the main program.
+#: M functions that end the main program, and those that stop it until START.
 PROGRAM_ENDS = (2, 30)
+PROGRAM_STOPS = (0, 1)
 
 
 @dataclass(slots=True)
@@ -69,6 +71,7 @@ class _Content:
     is_reference: bool = False
     turns_tool: bool = False
     stops: list[tuple[syntax.BracketCommand, FixedStop]] = field(default_factory=list)
+    program_stops: list[ProgramStop] = field(default_factory=list)
     ends_program: bool = False
 
 
@@ -128,6 +131,7 @@ class Words:
         if content.dwell_s is not None:
             yield from self.dwell(content.dwell_s, block.span, number)
         yield from self.technology.behind(content.functions)
+        yield from content.program_stops
         return content.ends_program
 
     def _sort(self, block: syntax.Block, number: int) -> Generator[Command, Answer, _Content]:
@@ -259,6 +263,9 @@ class Words:
         if word.name == "M" and number in PROGRAM_ENDS:
             content.ends_program = True
             return
+        if word.name == "M" and number in PROGRAM_STOPS:
+            source = self._surroundings.place(word.span)
+            content.program_stops.append(ProgramStop(source, block, number == 1))
         parameters = self._surroundings.parameters
         table = parameters.m_functions if word.name == "M" else parameters.h_functions
         if number in table:

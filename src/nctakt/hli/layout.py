@@ -22,7 +22,7 @@ PREFIX = "HLI."
 MAGIC = b"NCTAKT\0\0"
 
 #: Changed whenever a value changes its place or meaning.
-VERSION = 2
+VERSION = 3
 
 #: Bytes of each number; names are characters, so many in all.
 TYPE_BYTES = {"BOOLEAN": 1, "UNS08": 1, "UNS32": 4, "UNS64": 8, "REAL64": 8, "STRING": 1}
@@ -68,12 +68,13 @@ PANEL = (
     Entry("plc_present", "BOOLEAN", "", "1: the PLC acknowledges functions, 0: the CNC itself"),
     Entry("backward_motion", "BOOLEAN", "", "1: the path is walked back, 0: forward again"),
     Entry("probe", "BOOLEAN", "", "1: the probe of the edge banding is on the edge"),
+    Entry("optional_stop", "BOOLEAN", "", "1: M01 stops as M00 does"),
 )
 
 #: What the channel shows; the CNC writes it.
 LAMPS = (
     Entry("state", "UNS08", "", "0 ready, 1 a program runs, 2 error, 3 reset"),
-    Entry("paused", "BOOLEAN", "", "1: single block waits for START"),
+    Entry("paused", "BOOLEAN", "", "1: single block, M00 or M01 waits for START"),
     Entry("armed", "BOOLEAN", "", "1: a selected program waits for START"),
     Entry("error", "UNS32", "", "number of the error that has stopped the channel, else 0"),
     Entry("retrace", "UNS08", "", "0: at its front, 1 backward over the history, 2 forward again"),

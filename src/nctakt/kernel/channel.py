@@ -119,6 +119,7 @@ class Channel(Commands):
         """Tell from when to when the path has nothing to do because the decoder is late."""
         is_empty = self.head == self.tail and self.decoder_open and not self.wants_slot
         can_go = not (self.path.is_active or self.is_stopped or self.is_resetting)
+        can_go = can_go and not self.panel.is_paused
         if is_empty and can_go:
             if self.starved_since < 0:
                 self.starved_since = tick

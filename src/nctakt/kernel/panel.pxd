@@ -18,6 +18,7 @@ cdef class Panel:
     cdef readonly bint backward_motion
     cdef bint turns_back
     cdef readonly bint probe
+    cdef bint optional_stop
     cdef long long block_line
     cdef bint block_moves
     cdef readonly bint start_taken
@@ -27,6 +28,7 @@ cdef class Panel:
     cdef void latch(self) noexcept nogil
     cdef void take_start(self, int can_start) noexcept nogil
     cdef int lets_go(self, long long line, bint moves, bint is_begun) noexcept nogil
+    cdef int stop_for_program(self, bint is_optional) noexcept nogil
     @cython.locals(base=Py_ssize_t)
     cdef void publish(self, int state, int message) noexcept nogil
     cdef void show_loop(self, bint is_inside) noexcept nogil

@@ -20,15 +20,16 @@ RESET = 4
 PLC_PRESENT = 5
 BACKWARD_MOTION = 6
 PROBE = 7
+OPTIONAL_STOP = 8
 
 
 class Panel:
     """Override, feed hold, single block, START, RESET, backward motion of a channel, and its lamps.
 
     ``is_armed``: a program is selected and waits for START. ``is_running``: a program runs.
-    ``is_paused``: single block has stopped the channel in front of a block. ``start_taken`` and
-    ``reset_taken`` tell Python what it has to do. ``turns_back``: backward motion is commanded, and
-    was not in the tick before.
+    ``is_paused``: single block has stopped the channel in front of a block, or the program has
+    (M00). ``start_taken`` and ``reset_taken`` tell Python what it has to do. ``turns_back``:
+    backward motion is commanded, and was not in the tick before.
     """
 
     def __init__(self, memory: bytearray, first_cell: int) -> None:
@@ -50,17 +51,17 @@ class Panel:
 
     def put(self, row: int, value: float) -> None:
         """Write the command in this row of the table."""
-        assert OVERRIDE <= row <= PROBE
+        assert OVERRIDE <= row <= OPTIONAL_STOP
         self.cells[self.first_cell + row] = value
 
     def arm(self, is_armed: bool) -> None:
         """A program is selected and waits for START, or no longer."""
         self.is_armed = is_armed
-        self.cells[self.first_cell + 10] = is_armed
+        self.cells[self.first_cell + 11] = is_armed
 
     def show_size(self, blocks: int) -> None:
         """So many blocks fit into the history of the path."""
-        self.cells[self.first_cell + 15] = blocks
+        self.cells[self.first_cell + 16] = blocks
 
     def begin_program(self) -> None:
         """A program has begun: its first block needs no START of its own."""
@@ -94,6 +95,7 @@ class Panel:
         self.turns_back = self.cells[base + 6] != 0.0 and not self.backward_motion
         self.backward_motion = self.cells[base + 6] != 0.0
         self.probe = self.cells[base + 7] != 0.0
+        self.optional_stop = self.cells[base + 8] != 0.0
         if self.start_pressed:
             self.cells[base + 3] = 0.0
         if self.reset_pressed:
@@ -101,7 +103,7 @@ class Panel:
             self.reset_taken = True
 
     def take_start(self, can_start: int) -> None:
-        """START: the block that single block holds back, else the program that is selected."""
+        """START: on from where the channel has stopped, else the program that is selected."""
         if self.is_paused:
             self.is_paused = False
             self.is_released = True
@@ -129,21 +131,27 @@ class Panel:
         self.block_moves = moves
         return 1
 
+    def stop_for_program(self, is_optional: bool) -> int:
+        """M00, or M01 where the operator asks for it: whether the channel waits for START."""
+        if not is_optional or self.optional_stop:
+            self.is_paused = True
+        return self.is_paused
+
     def publish(self, state: int, message: int) -> None:
         """End of a tick: the lamps. ``state`` 2 error, 3 reset, else 0; ID of the error."""
         base = self.first_cell
         if state == 0 and self.is_running:
             state = 1
-        self.cells[base + 8] = state
-        self.cells[base + 9] = self.is_paused
-        self.cells[base + 10] = self.is_armed
-        self.cells[base + 11] = message
+        self.cells[base + 9] = state
+        self.cells[base + 10] = self.is_paused
+        self.cells[base + 11] = self.is_armed
+        self.cells[base + 12] = message
 
     def show_loop(self, is_inside: bool) -> None:
         """The path is in a realtime loop, or no longer."""
-        self.cells[self.first_cell + 14] = is_inside
+        self.cells[self.first_cell + 15] = is_inside
 
     def show_history(self, retrace: int, blocks: int) -> None:
         """How the path walks over its history (0 not at all), and the blocks that are in it."""
-        self.cells[self.first_cell + 12] = retrace
-        self.cells[self.first_cell + 13] = blocks
+        self.cells[self.first_cell + 13] = retrace
+        self.cells[self.first_cell + 14] = blocks

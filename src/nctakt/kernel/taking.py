@@ -75,9 +75,11 @@ class Commands(CommandRing):
     def take_commands(self, tick: int) -> None:
         """Take commands in order until one takes time or has to wait (RC-003, RC-004)."""
         self.manager.leave_blocks(self.path.block_serial())
-        if self.is_stopped or self.is_resetting or self.panel.is_paused or self.goes_back():
+        if self.is_stopped or self.is_resetting or self.goes_back():
             return
         while self.head < self.tail and self.waiting == 0 and not self.is_stopped:
+            if self.panel.is_paused:
+                return
             if self.path.is_active and self.begun < self.head:
                 return
             base = self.head % self.capacity * self.width
@@ -162,6 +164,11 @@ class Commands(CommandRing):
             return 1
         if kind == 72:
             self.cells[self.first_cell + 5] += 1.0
+            return 1
+        if kind == 53:
+            self.timed_count -= 1
+            if self.panel.stop_for_program(self.queue[base + 3] != 0.0):
+                self.record.paused(int(self.queue[base + 1]))
             return 1
         if kind == 12:
             self.timed_count -= 1

@@ -227,8 +227,8 @@ G_FUNCTIONS = (
 
 #: M functions of the controller itself. All others are those of the channel list.
 M_FUNCTIONS = known(
-    ("M00", "R", "programmed stop", "programmierter Halt"),
-    ("M01", "A", "optional stop; nobody has asked for it", "wahlweiser Halt; ist nicht angewählt"),
+    ("M00", "S", "programmed stop, until START", "programmierter Halt, bis START"),
+    ("M01", "S", "optional stop, with HLI.OPTIONAL_STOP", "wahlweiser Halt, mit HLI.OPTIONAL_STOP"),
     ("M02", "S", "program end", "Programmende"),
     ("M03", "S", "spindle clockwise", "Spindel im Uhrzeigersinn"),
     ("M04", "S", "spindle counter-clockwise", "Spindel gegen den Uhrzeigersinn"),

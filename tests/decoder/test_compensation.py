@@ -7,7 +7,8 @@ each one ends, for an arc its centre and angle.
 
 from __future__ import annotations
 
-from math import asin, degrees
+from itertools import pairwise
+from math import asin, degrees, pi
 
 import pytest
 from compensated import decoded, distance, way
@@ -332,3 +333,56 @@ def test_a_compensated_contour_is_walked_back_on_its_curve(
     assert max(min(distance(place, one) for one in ways) for place in places) < 1e-9
     assert places[-1] == (120, 0)
     assert min(x for x, _ in places[600:900]) < 60
+
+
+@pytest.mark.parametrize(
+    ("block", "number"),
+    [("G03 X50 Y8 J4", 900871), ("G03 X50 Y10 J5", 900871), ("G40 G02 X60 Y10 I10", 900870)],
+)
+def test_before_a_block_that_cannot_be_compensated_all_is_run(block: str, number: int) -> None:
+    """The program ends with the error where the contour before it ends, as with any other."""
+    run = Controller().run(
+        NcText("p.nc", f"{START}G41 X10 Y0\nX50\n{block}\nM30\n"),
+        signals=["X.ACS.ACT_POS", "Y.ACS.ACT_POS"],
+    )
+    assert [one.id for one in run.errors] == [number]
+    assert run.trace is not None
+    assert (run.trace["X.ACS.ACT_POS"][-1], run.trace["Y.ACS.ACT_POS"][-1]) == (50, 5)
+
+
+@pytest.mark.parametrize(
+    ("corners", "ways"),
+    [("G26", (40 + 2.5 * pi, 40 + 2.5 * pi, 40)), ("G25", (45, 50, 45))],
+)
+def test_the_time_of_g93_is_that_of_the_block_with_its_corner(
+    corners: str, ways: tuple[float, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """G93: the tool's centre takes 2 s for all pieces of a block, whatever their way is."""
+    text = f"D1 G01 {corners} G93 F2\nG41 X10 Y0\nX50\nY-40\nX10\nG40 X0\n"
+    segments, errors = decoded(text, monkeypatch)
+    assert errors == []
+    for line, expected in enumerate(ways, start=3):
+        pieces = [one for one in segments if one.source >> 20 & 0xFFFF == line]
+        assert sorted({one.feed for one in pieces}) == [pytest.approx(expected / 2)]
+
+
+@pytest.mark.parametrize("slope", ["", "#SLOPE [TYPE=STEP]\n", "#SLOPE [TYPE=TRAPEZ]\n"])
+def test_single_block_stops_behind_the_way_around_the_corner(slope: str) -> None:
+    """MO-6: a block ends with its last piece; at 50 mm/s the path goes on into the arc.
+
+    X from 10 to 50 beside Y 0, then the arc of 5 mm; N30 has one as well, since N40 leaves the
+    contour around a corner. The only stands are those of the blocks.
+    """
+    text = f"{START}F3000 G26\n{slope}N10 G41 X10 Y0\nN20 X50\nN30 Y-40\nN40 G40 X20\nM30\n"
+    single = [Stimulus(0, "HLI.SINGLE_BLOCK", 1)]
+    single += [Stimulus(time, "HLI.START", 1) for time in range(1_000_000, 9_000_000, 1_000_000)]
+    signals = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS", "HLI.PAUSED"]
+    run = Controller().run(NcText("p.nc", text), signals=signals, stimuli=single)
+    assert run.errors == ()
+    assert run.trace is not None
+    rows = list(zip(*(run.trace[name].tolist() for name in signals), strict=True))
+    stands = {one[:2] for before, one in pairwise(rows) if before[:2] == one[:2]}
+    assert stands == {(0, 0), (10, 5), (55, 0), (50, -45), (20, -40)}
+    paused = {one[:2] for one in rows if one[2]}
+    assert (55, 0) in paused
+    assert (50, 5) not in paused

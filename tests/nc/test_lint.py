@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import random
 import shutil
+from dataclasses import replace
 from itertools import chain
 from pathlib import Path
 
@@ -16,6 +17,7 @@ from nctakt import machines
 from nctakt.checking.program import check_program
 from nctakt.controller import Controller, NcText
 from nctakt.diagnostics import Diagnostic
+from nctakt.lists.tools import NO_TOOL
 from nctakt.messages import Collector
 from nctakt.messages import lints as lint_messages
 from nctakt.nc.lint import never_deleted
@@ -33,7 +35,12 @@ def lints(*programs: tuple[str, ...], budget: Budget = BUDGET) -> list[Diagnosti
     channel = demo_channel()
     uses = [
         check_program(
-            Source(f"{number}.nc", lines), channel.names, channel.parameters, budget, collector
+            Source(f"{number}.nc", lines),
+            channel.names,
+            channel.parameters,
+            budget,
+            collector,
+            tools={},
         ).global_cycles
         for number, lines in enumerate(programs, start=1)
     ]
@@ -106,7 +113,7 @@ def test_statement_by_statement_finds_what_the_whole_tree_tells(chunk: Chunk) ->
     collector = Collector()
     channel = demo_channel()
     source = Source("p.nc", chunk.lines)
-    check_program(source, channel.names, channel.parameters, BUDGET, collector)
+    check_program(source, channel.names, channel.parameters, BUDGET, collector, tools={})
     found = [one.headline() for one in collector.diagnostics if one.id not in (*LINTS, 900131)]
     expected = findings(chunk.lines, role="either")
     assert sorted(found) == sorted(one.headline() for one in expected)
@@ -127,7 +134,7 @@ def test_blocks_of_a_shape_that_was_seen_are_checked_all_the_same(seed: int) -> 
     collector = Collector()
     channel = demo_channel()
     source = Source("p.nc", lines)
-    check_program(source, channel.names, channel.parameters, BUDGET, collector)
+    check_program(source, channel.names, channel.parameters, BUDGET, collector, tools={})
     found = [one.headline() for one in collector.diagnostics if one.id not in LINTS]
     assert sorted(found) == sorted(one.headline() for one in findings(lines, role="either"))
 
@@ -169,3 +176,25 @@ def test_any_program_is_looked_at_without_a_fault(seed: int) -> None:
     lines = list(chain.from_iterable(chunk.lines for chunk in read_chunks("*.nc")))
     for _ in range(20):
         lints(tuple(line.split("; ")[0] for line in chance.choices(lines, k=60)))
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("D1", []),
+        ("D0", []),
+        ("D7", [900865]),
+        ("D2", [900866]),
+        ("D[3 + 4]", []),
+        ("D1\n$IF V.E.VALUE\nD8\n$ENDIF\nD9", [900865, 900865]),
+    ],
+)
+def test_a_number_of_a_tool_is_looked_up_in_the_list(text: str, found: list[int]) -> None:
+    """Each D that is a number, wherever it stands; without a list nothing can be told."""
+    channel = demo_channel()
+    source = Source("p.nc", tuple(f"{text}\nM30".splitlines()))
+    tool = replace(NO_TOOL, valid=True, number=1)
+    for tools, expected in (({1: tool, 2: NO_TOOL}, found), ({}, [])):
+        collector = Collector()
+        check_program(source, channel.names, channel.parameters, BUDGET, collector, tools=tools)
+        assert [one.id for one in collector.diagnostics] == expected

@@ -237,6 +237,7 @@ class _Checker:
             target.budget,
             collector,
             target.folder,
+            tools=target.tools,
             role=role,
         )
         self._global_cycles.append(checked.global_cycles)

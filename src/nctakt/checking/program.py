@@ -8,11 +8,13 @@ time, so a program of any length can be checked.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from nctakt.diagnostics import Diagnostic, Span
 from nctakt.lists.channel_configuration import ChannelParameters
+from nctakt.lists.tools import Tool
 from nctakt.loading import find_program, missing, search_folders
 from nctakt.messages import Collector
 from nctakt.nc.check_words import Role
@@ -40,15 +42,16 @@ def check_program(
     collector: Collector,
     machine_folder: Path = Path(),
     *,
+    tools: Mapping[int, Tool],
     role: Role = "either",
 ) -> Checked:
     """Check a program with its local subprograms, each up to its end.
 
-    ``role``: ``called`` where only others begin it. The files that it calls have to be there, and
-    those that the channel list lets run with each main program.
+    ``tools``: those of the channel. ``role``: ``called`` where only others begin it. The files that
+    it calls have to be there, and those that the channel list lets run with each main program.
     """
     found = Collector()
-    linter = Linter(source, names, budget, found)
+    linter = Linter(source, names, budget, found, tools)
     program = inspect(source, names, channel, found, role=role, watcher=linter)
     wanted: list[tuple[str, Span]] = []
     for call in program.calls:

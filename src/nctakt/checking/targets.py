@@ -28,6 +28,7 @@ class Target:
         context = machine.channels[channel].context
         self.names: NameTable = one.names
         self.parameters: ChannelParameters = one.parameters
+        self.tools = one.configuration.tools
         self.budget = Budget(context.max_steps, context.budget_steps)
         self.folder = machine.configuration.folder
 

@@ -22,6 +22,7 @@ from nctakt.decoder.motion import PathMotion
 from nctakt.decoder.surroundings import DecodeError
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
+from nctakt.kernel import arithmetic
 from nctakt.kernel.ring import TIMED_KINDS
 
 #: Commands that may stand between two motions in the plane.
@@ -32,7 +33,8 @@ MOST_BETWEEN = 1000
 class _Motion:
     """A motion in the plane; ``distance`` to the left of it goes the tool, 0: to and from it.
 
-    ``beside``: the whole way at this distance. ``start``: where the tool begins it.
+    ``beside``: the whole way at this distance. ``start``: where the tool begins it. ``time_s``: how
+    long its block lasts under G93, 0 without.
     """
 
     segment: Segment
@@ -41,6 +43,7 @@ class _Motion:
     distance: float
     beside: Piece
     start: Point = (0.0, 0.0)
+    time_s: float = 0.0
 
 
 class Compensation:
@@ -71,21 +74,25 @@ class Compensation:
                 except DecodeError:
                     yield from self._finish()
                     raise
-                answer = None
-                if isinstance(command, Segment):
-                    if self._state.compensation.is_active:
-                        yield from self._segment(command)
-                    else:
-                        yield command
-                elif self._held is None:
-                    answer = yield command
-                elif waits(command) or isinstance(command, ProgramEnd):
+                try:
+                    answer = yield from self._take(command)
+                except DecodeError:
                     yield from self._finish()
-                    answer = yield command
-                else:
-                    self._hold(command)
+                    raise
         finally:
             commands.close()
+
+    def _take(self, command: Command) -> Generator[Command, Answer, Answer]:
+        """One command of the program; what its taker answers."""
+        if isinstance(command, Segment) and self._state.compensation.is_active:
+            yield from self._segment(command)
+            return None
+        if self._held is not None and not isinstance(command, Segment):
+            if not waits(command) and not isinstance(command, ProgramEnd):
+                self._hold(command)
+                return None
+            yield from self._finish()
+        return (yield command)
 
     def _segment(self, segment: Segment) -> Iterator[Command]:
         """A motion: in the plane part of the contour, else it keeps its place."""
@@ -110,6 +117,7 @@ class Compensation:
             self._values.fail(900871, self._path.span, radius=abs(distance))
         own_distance = 0.0 if is_free else distance
         motion = _Motion(segment, self._path.span, piece, own_distance, beside)
+        motion.time_s = self._values.state.pace.block_time_s
         self._distance = distance
         wanted.is_on_way = True
         if self._held is None:
@@ -225,6 +233,9 @@ class Compensation:
         """The pieces of a motion; only the last one stops exactly."""
         first, second = PLANES[self._state.plane]
         segment = held.segment
+        if held.time_s > 0.0 and segment.feed > 0.0:
+            feed = self._whole_way(segment, pieces) / held.time_s
+            segment = replace(segment, feed=feed)
         for number, piece in enumerate(pieces):
             is_last = number == len(pieces) - 1
             start = list(segment.start if number == 0 else segment.target)
@@ -244,6 +255,17 @@ class Compensation:
                 arc=row,
                 goes_on=not is_last,
             )
+
+    def _whole_way(self, segment: Segment, pieces: list[Piece]) -> float:
+        """The way of a block with all its pieces; other axes move on the first of them."""
+        plane = PLANES[self._state.plane]
+        ways = [contours.length(piece) for piece in pieces]
+        first2 = ways[0] * ways[0]
+        for place, axis in enumerate(self._values.surroundings.axes):
+            if axis.is_linear and place not in plane:
+                rise = segment.target[place] - segment.start[place]
+                first2 += rise * rise
+        return arithmetic.square_root(first2) + sum(ways[1:])
 
     def _elsewhere(self, segment: Segment) -> Segment:
         """A motion of other axes, with those of the plane where the tool is."""

@@ -60,6 +60,13 @@ class Joint:
     start: Point
 
 
+def length(piece: Piece) -> float:
+    """The way from its start to its end."""
+    if piece.centre is None:
+        return _length(_less(piece.end, piece.start))
+    return _length(_less(piece.start, piece.centre)) * abs(piece.angle) * DEGREE
+
+
 def shifted(piece: Piece, distance: float) -> Piece | None:
     """The piece at ``distance`` to its left; ``None``: an arc whose radius is not greater."""
     if piece.centre is None:

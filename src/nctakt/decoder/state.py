@@ -91,6 +91,11 @@ class PaceState:
     path_override: tuple[float, float] = (1.0, 1.0)
     axis_overrides: dict[int, tuple[float, float]] = field(default_factory=dict)
 
+    @property
+    def block_time_s(self) -> float:
+        """How long a feed block lasts, 0 where F is no time."""
+        return self.time_s if self.feed_mode == 93 else 0.0
+
 
 @dataclass(slots=True)
 class ModalState:

@@ -252,6 +252,8 @@ class Channel(Commands):
                     stops = 1
                 self.begun = position
                 self.path.begin(base, self.queue, self.path.left_t)
+                if self.path.goes_on():
+                    self.path.leave_rest(self.rest_of_block(position))
                 if self.path.left_t > 0.0:
                     self.publish_block()
                 if not self.path.step_carried(self.override(), stops):

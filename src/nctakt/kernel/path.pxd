@@ -68,6 +68,7 @@ cdef class Path:
     @cython.locals(k=Py_ssize_t, axis=Py_ssize_t)
     cdef void rest(self) noexcept nogil
     cdef bint goes_on(self) noexcept nogil
+    cdef void leave_rest(self, double rest) noexcept nogil
     cdef long long block_serial(self) noexcept nogil
     @cython.locals(way=double)
     cdef int next_stage(self) noexcept nogil
@@ -84,8 +85,10 @@ cdef class Path:
     cdef void replan(self, double limit_v) noexcept nogil
     @cython.locals(end_v=double, limit_v=double, feed_v=double, least2=double)
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
-    @cython.locals(end_v=double, stop_v=double, brake2=double, free_v=double)
+    @cython.locals(end_v=double, rest_v=double, stop_v=double, brake2=double, free_v=double)
     cdef double block_end_speed(self, double rest_d, double limit_a) noexcept nogil
+    @cython.locals(rest_d=double, tail=Py_ssize_t, speed_v=double, need_d=double)
+    cdef int stands_smoothly(self, double limit_v) noexcept nogil
     @cython.locals(now_t=double, is_over=int)
     cdef int advance_smoothly(self) noexcept nogil
     @cython.locals(now_t=double, over_t=double)

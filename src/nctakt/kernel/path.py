@@ -139,6 +139,13 @@ class Path:
         """Whether the block of the segment that was taken last goes on with the next one."""
         return self.ring[self.front + 8] < 0.0
 
+    def leave_rest(self, rest: float) -> None:
+        """What is left of the block behind the segment that was taken last.
+
+        With a limit of the jerk its way, else the highest speed that ends in a stand at its end.
+        """
+        self.ring[self.front + 8] = -1.0 - rest
+
     def block_serial(self) -> int:
         """The running number of the current block, 0 between two blocks."""
         return self.serial if self.is_active or self.goes_on() else 0
@@ -282,7 +289,7 @@ class Path:
                 self.speed_v,
                 limit_v,
                 self.factor,
-                self.is_single,
+                self.is_single and self.stands_smoothly(limit_v),
             )
             return
         rest_d = self.stage_end_d - self.covered_d
@@ -322,20 +329,41 @@ class Path:
     def block_end_speed(self, rest_d: float, limit_a: float) -> float:
         """The highest speed at the segment's end: a stand in single block, if it can still be had.
 
+        Where the block goes on with the next segment it is a speed from which its end is a stand.
         What was prepared counts with an override of 100 %. With less the next segment begins with
         its own lower speed, as far as braking at the limit comes; with more the prepared speed
         grows, as far as the axes allow.
         """
         end_v = self.ring[self.base + 7]
-        if self.is_single:
-            stop_v = shape.entry_speed(self.ring, self.base, self.count, self.stage + 1, 0.0, 1e300)
-            brake2 = self.speed_v * self.speed_v - stop_v * stop_v
-            if brake2 <= 2.0 * limit_a * rest_d * 1.000001:
-                return 0.0
         if self.factor > 1.0:
             free_v = self.ring[self.base + 25 + 2 * self.count]
             end_v = max(end_v, min(end_v * self.factor, free_v))
+        if self.is_single:
+            rest_v = 0.0
+            if self.ring[self.base + 8] < 0.0:
+                rest_v = -1.0 - self.ring[self.base + 8]
+            stop_v = shape.entry_speed(
+                self.ring, self.base, self.count, self.stage + 1, rest_v, 1e300
+            )
+            brake2 = self.speed_v * self.speed_v - stop_v * stop_v
+            if brake2 <= 2.0 * limit_a * rest_d * 1.000001:
+                end_v = min(end_v, rest_v)
         return end_v
+
+    def stands_smoothly(self, limit_v: float) -> int:
+        """Whether single block lets the path stand at the segment's end, with a limited jerk.
+
+        Where the block goes on it does so only if it could not stand at the block's end.
+        """
+        rest_d = -1.0 - self.ring[self.base + 8]
+        if rest_d < 0.0:
+            return 1
+        tail = self.base + 12 + 2 * self.count
+        speed_v = max(limit_v, self.speed_v)
+        need_d = self.smooth.course.stopping_d(
+            speed_v, 0.0, self.ring[tail + 19], self.ring[tail + 20]
+        )
+        return 1 if rest_d < need_d else 0
 
     def advance(self) -> int:
         """Go to where the plan is at the end of this tick; 1 when the segment ended before."""

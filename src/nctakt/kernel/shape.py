@@ -8,7 +8,8 @@ A segment is a row of float64 over ``count`` axes, in the channel's queue and in
 ====== =============================================================================
 0 … 3  kind, source ID, block number, way from start to target
 4 … 6  programmed speed, highest speed, acceleration
-7, 8   end speed, exact stop: 1, or -1: the block goes on with the next segment
+7, 8   end speed, exact stop: 1, or below 0: the block goes on with the next segment (in the path's
+       ring -1 less what ``Path.leave_rest`` tells)
 9      shape: 0 line, 1 arc
 10     jerk, 0: speed is a trapezoid
 11     the highest speed at which its end may be passed

@@ -10,6 +10,7 @@ The channel's cells stand from ``first_cell`` on in the order of ``nc/names.py``
 
 from __future__ import annotations
 
+from nctakt.kernel import shape
 from nctakt.kernel.cycles import CycleManager
 from nctakt.kernel.edge_probe import EdgeProbe
 from nctakt.kernel.fixed_stops import FixedStops
@@ -195,8 +196,28 @@ class Commands(CommandRing):
                 self.report(int(self.queue[base + 1]), message, self.path.refused_axis)
                 return 1
         self.path.begin(base, self.queue, 0.0)
+        if self.path.goes_on():
+            self.path.leave_rest(self.rest_of_block(self.head))
         self.manager.enter_block(self.path.serial)
         return 1
+
+    def rest_of_block(self, position: int) -> float:
+        """What ``Path.leave_rest`` wants of a segment whose block goes on; 0: it is not known."""
+        last = position
+        while self.queue[last % self.capacity * self.width + 8] < 0.0:
+            last += 1
+            if last >= self.tail:
+                return 0.0
+        rest = 0.0
+        while last > position:
+            base = last % self.capacity * self.width
+            if self.queue[base + 10] > 0.0:
+                rest += shape.whole_way(self.queue, base, self.path.count)
+            else:
+                limit_v = self.queue[base + 5]
+                rest = shape.entry_speed(self.queue, base, self.path.count, 0, rest, limit_v)
+            last -= 1
+        return rest
 
     def take_cycle(self, tick: int, base: int, kind: int) -> int:
         """A definition or a management command; DELETE and HOLD may have to wait (RC-004)."""

@@ -3,8 +3,9 @@
 
 In: the statements of a program, the variables of its channel, what fits into a tick. Out: warnings
 and notes, and what the program does with GLOBAL realtime cycles, since only a set of programs tells
-whether one of them ends a cycle. ``nctakt check`` asks for this, a run does not. One finding is an
-error: what empties the channel between G41 and G40 (``lint_channel.py``).
+whether one of them ends a cycle. ``nctakt check`` asks for this, a run does not. Two findings are
+errors: what empties the channel between G41 and G40 (``lint_channel.py``), and a D that no tool of
+the channel answers to.
 
 Nothing is guessed: a finding that depends on the way through the program is given only where every
 way leads to it.
@@ -12,11 +13,12 @@ way leads to it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 
 from nctakt.diagnostics import Span
+from nctakt.lists.tools import Tool
 from nctakt.messages import Collector
 from nctakt.nc.check_motion import check_feed, has_radius, lacks_centre
 from nctakt.nc.findings import Findings
@@ -121,13 +123,20 @@ class Linter:
     """Goes through one program as it would run, each statement once.
 
     Whoever drives it says where a section (main program, local subprogram) begins and gives the
-    statements up to its end, one by one: the program need not be in memory.
+    statements up to its end, one by one: the program need not be in memory. ``tools``: those of
+    the channel's list, empty where it has none.
     """
 
     def __init__(
-        self, source: Source, names: NameTable, budget: Budget, collector: Collector
+        self,
+        source: Source,
+        names: NameTable,
+        budget: Budget,
+        collector: Collector,
+        tools: Mapping[int, Tool],
     ) -> None:
         self._source = source
+        self._tools = tools
         self._findings = Findings(source, collector)
         self._cycles = CycleLinter(names, self._findings, budget)
         self._channel = ChannelUse(names, self._findings)
@@ -294,3 +303,15 @@ class Linter:
                     self._state.compensation = f"G{word.value.value:g}"
                 elif word.value.value == 40:
                     self._state.compensation = ""
+            elif isinstance(word, Word) and word.name == "D" and self._tools:
+                self._tool(word)
+
+    def _tool(self, word: Word) -> None:
+        """A number behind D has to be that of a valid tool; D0 selects none."""
+        if not isinstance(word.value, Number) or not word.value.value.is_integer():
+            return
+        number = int(word.value.value)
+        if number > 0 and number not in self._tools:
+            self._findings.report(900865, word.span, tool=number)
+        elif number > 0 and not self._tools[number].valid:
+            self._findings.report(900866, word.span, tool=number)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import io
+import json
 import os
 import re
 import shutil
@@ -255,10 +256,19 @@ def test_a_list_alone_tells_its_kind(check: Check, name: str, content: str, kind
 
 def test_a_start_up_list_alone_names_lists_that_exist(check: Check) -> None:
     """Its references are looked for; other formats than ASCII are refused."""
-    write("hochlauf.lis", "listen ASCII\nkanal_anzahl 1\nsda_mds[0] ./gone.lis\nEnde\n")
-    assert check("hochlauf.lis").ids == [900583, 900062]
-    write("hochlauf.lis", "listen BINARY\nEnde\n")
-    assert 900064 in check("hochlauf.lis").ids
+    write("start.lis", "listen ASCII\nkanal_anzahl 1\nsda_mds[0] ./gone.lis\nEnde\n")
+    assert check("start.lis").ids == [900583, 900062]
+    write("start.lis", "listen BINARY\nEnde\n")
+    assert 900064 in check("start.lis").ids
+
+
+def test_the_start_up_list_of_a_folder_stands_for_its_machine(check: Check) -> None:
+    """All lists that it names are checked, as if the folder had been named."""
+    shutil.copytree(DEMO, "mine")
+    assert check("mine/hochlauf.lis").lines == ["15 files: 0 errors, 0 warnings, 0 notes"]
+    Path("mine/achs_mds2.lis").unlink()
+    assert 900062 in check("mine").ids
+    assert check("mine/hochlauf.lis").ids == check("mine").ids
 
 
 def test_a_list_of_no_known_kind_is_told(check: Check) -> None:
@@ -562,7 +572,57 @@ def test_a_folder_of_two_channels_is_checked_for_both(check: Check) -> None:
     """What one of them cannot run is told; what both cannot, once."""
     two_channels({1: "path[0].dir ./nc", 2: "path[0].dir ./nc"})
     write("mine/nc/a.nc", "G00 A10\nG33\nM30\n")
-    assert of_programs(check("mine")) == [("mine/nc/a.nc", 1, 900203), ("mine/nc/a.nc", 2, 900200)]
+    checked = check("mine", "--select", "900203,900200")
+    assert checked.found == [("mine/nc/a.nc", 1, 900203), ("mine/nc/a.nc", 2, 900200)]
+    told = [number for number, line in enumerate(checked.lines) if line == "  channel: 2"]
+    assert told == [4]
+    assert "  Kanal: 2" in check("mine", "--lang", "de").lines
+
+
+def test_formats_name_the_channels(check: Check) -> None:
+    """JSON, SARIF and GitHub tell which channels cannot run a block."""
+    two_channels({1: "path[0].dir ./nc", 2: "path[0].dir ./nc"})
+    write("mine/nc/a.nc", "G00 A10\nG33\nM30\n")
+    words = ("mine/nc/a.nc", "--select", "900203,900200", "--format")
+    found = json.loads(check(*words, "json").out)["diagnostics"]
+    assert [(one["id"], one["channels"]) for one in found] == [(900203, [2]), (900200, [])]
+    for format_ in ("github", "sarif"):
+        assert check(*words, format_).out.count("channel: 2") == 1
+
+
+@pytest.mark.parametrize("named", ["mine/nc/a.nc", "mine/nc"])
+def test_the_machine_around_a_program_is_found(check: Check, named: str) -> None:
+    """A program is checked for the machine in whose folder it lies, and a note names it."""
+    shutil.copytree(DEMO, "mine")
+    channel = Path("mine/sda_mds1.lis")
+    channel.write_text(channel.read_text("utf-8").replace(" Z\n", " W\n"), "utf-8")
+    write("mine/nc/a.nc", "G00 W10\nM30\n")
+    checked = check(named)
+    assert checked.code == 0
+    assert [number for _, _, number in checked.found] == [900815]
+    assert "for the machine of mine/hochlauf.lis" in checked.out
+    assert of_programs(check(named, "--machine", str(DEMO))) == [("mine/nc/a.nc", 1, 900203)]
+    assert 900815 not in [number for _, _, number in check("mine").found]
+
+
+def test_the_nearest_machine_counts_and_its_errors_are_told(check: Check) -> None:
+    """A machine within another one's folder; a list that is missing is told with the program."""
+    shutil.copytree(TWO_CHANNELS, "mine")
+    shutil.copytree(DEMO, "mine/inner")
+    Path("mine/inner/achs_mds4.lis").unlink()
+    write("mine/inner/a.nc", "G00 C10\nM30\n")
+    assert check("mine/inner/a.nc").ids == [900203, 900066, 900062, 900815]
+
+
+def test_a_broken_machine_around_a_program(check: Check) -> None:
+    """Its start-up list names no channel list: that is told, and the demo machine takes over."""
+    write("mine/hochlauf.lis", "kanal_anzahl 1\n")
+    write("mine/a.nc", "G00 A10\nM30\n")
+    checked = check("mine/a.nc")
+    assert checked.code == 1
+    numbers = [number for _, _, number in checked.found]
+    assert 900077 in numbers
+    assert numbers[-1] == 900585
 
 
 def test_a_named_machine_counts_for_all_programs(check: Check) -> None:

@@ -76,6 +76,7 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
         "text": CATALOGUE[22009].text.en.format(name="V.E.ASYNC"),
         "remedy": CATALOGUE[22009].remedy.en,
         "source_line": "    V.E.ASYNC = 1",
+        "channels": [],
     }
 
 

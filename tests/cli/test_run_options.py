@@ -396,3 +396,21 @@ def test_help_names_all_options(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--help"]) == 0
     assert "run" in capsys.readouterr().out
     assert main(["--version"]) == 0
+
+
+@pytest.mark.usefixtures("part")
+def test_a_machine_around_the_program_is_told(
+    asked: Asked, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The demo machine runs a program in a machine's folder, and a note says so (900816)."""
+    (tmp_path / "hochlauf.lis").write_text("kanal_anzahl 1\n", encoding="utf-8")
+    assert main("run part.nc".split()) == 0
+    assert asked.machine is None
+    told = capsys.readouterr().err
+    assert "note 900816: " in told
+    assert "not the machine of hochlauf.lis" in told
+    assert main("run part.nc --machine .".split()) == 0
+    assert main("run part.nc --machine hochlauf.lis".split()) == 0
+    assert asked.machine == "hochlauf.lis"
+    assert main("run part.nc --quiet".split()) == 0
+    assert "900816" not in capsys.readouterr().err

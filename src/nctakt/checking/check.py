@@ -8,8 +8,8 @@ what is likely meant otherwise is found (``nc/lint``).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from nctakt.assembly import Machine
@@ -17,7 +17,7 @@ from nctakt.checking.inputs import Found, gather
 from nctakt.checking.program import check_program
 from nctakt.checking.targets import Target, Targets
 from nctakt.diagnostics import Diagnostic, Severity, Span
-from nctakt.lists.files import find_file
+from nctakt.lists.files import find_file, startup_list_around
 from nctakt.lists.kinds import check_list_alone, kind_of, references
 from nctakt.lists.machine import MachineError, load_machine
 from nctakt.lists.parameters import SCHEMAS
@@ -38,6 +38,9 @@ _ENCRYPTED_SUFFIX = ".ecy"
 _LOOKED_AT_BYTES = 8192
 
 
+_Key = tuple[str, int, int, int, str]
+
+
 @dataclass(frozen=True, slots=True)
 class CheckedFile:
     """A file that was checked, and as what."""
@@ -51,13 +54,15 @@ class CheckResult:
     """All files that were checked, by name; all that was found, by file, line, column, number.
 
     ``machines``: the folders with a start-up list. ``takes_default``: some program was checked for
-    the machine that was given, since it belongs to none of these.
+    the machine that was given, since it belongs to none of these. ``around``: the start-up lists
+    of the machines in whose folders programs lie that were named without the machine.
     """
 
     files: tuple[CheckedFile, ...]
     found: tuple[Found, ...]
     machines: tuple[str, ...] = ()
     takes_default: bool = False
+    around: tuple[str, ...] = ()
 
     def count(self, severity: Severity) -> int:
         """How many findings of one severity there are."""
@@ -95,8 +100,11 @@ class _Checker:
     def __init__(self, machine: Machine, verbose: bool, for_all: bool) -> None:
         self._targets = Targets(machine, for_all)
         self._verbose = verbose
+        self._for_all = for_all
         self._files: dict[str, str] = {}
         self._found: list[Found] = []
+        self._around: dict[Path, None] = {}
+        self._channels: dict[str, set[int]] = {}
         self._covered: dict[Path, None] = {}
         self._waiting: list[_Waiting] = []
         self._known: dict[tuple[Path, Target], None] = {}
@@ -113,6 +121,8 @@ class _Checker:
             if path.resolve() not in self._covered:
                 self._list(path)
         self._names = {path.resolve(): path for path in gathered.programs}
+        for path in gathered.programs if not self._for_all else ():
+            self._machine_around(path)
         for path in gathered.programs:
             self._want(path, self._targets.of(path), "either")
         for text in texts:
@@ -124,11 +134,16 @@ class _Checker:
         self._keep("", collector.diagnostics)
         files = tuple(CheckedFile(file, kind) for file, kind in sorted(self._files.items()))
         machines = tuple(startup.parent.as_posix() for startup in gathered.machines)
-        return CheckResult(files, _ordered(self._found), machines, self._targets.took_default)
+        taken = self._targets.taken
+        around = tuple(one.as_posix() for one in self._around if one.parent in taken)
+        found = _ordered(self._found, self._channels)
+        return CheckResult(files, found, machines, self._targets.took_default, around)
 
-    def _keep(self, file: str, diagnostics: Sequence[Diagnostic]) -> None:
+    def _keep(
+        self, file: str, diagnostics: Sequence[Diagnostic], channels: tuple[int, ...] = ()
+    ) -> None:
         for one in diagnostics:
-            self._found.append(Found(file if one.span is None else one.span.file, one))
+            self._found.append(Found(file if one.span is None else one.span.file, one, channels))
 
     def _read(self, path: Path) -> bytes | None:
         """The bytes of a file of text; ``None`` where there are none, which is reported."""
@@ -183,6 +198,21 @@ class _Checker:
         self._keep(startup.as_posix(), machine.diagnostics)
         self._targets.add(machine)
 
+    def _machine_around(self, program: Path) -> None:
+        """The machine in whose folder a program lies; only errors of its lists are told."""
+        startup = startup_list_around(program)
+        if startup is None or startup.resolve() in self._covered or startup in self._around:
+            return
+        self._around[startup] = None
+        try:
+            machine = load_machine(startup)
+        except MachineError as error:
+            self._keep(startup.as_posix(), error.diagnostics)
+            return
+        errors = [one for one in machine.diagnostics if one.severity is Severity.ERROR]
+        self._keep(startup.as_posix(), errors)
+        self._targets.add(machine)
+
     def _list(self, path: Path) -> None:
         """A list by itself: its kind is that of most of its entries."""
         data = self._read(path)
@@ -229,6 +259,7 @@ class _Checker:
 
     def _program(self, name: str, lines: Sequence[str], target: Target, role: Role) -> None:
         self._files[name] = PROGRAM
+        self._channels.setdefault(name, set()).add(target.channel)
         collector = Collector()
         checked = check_program(
             Source(name, lines),
@@ -241,19 +272,33 @@ class _Checker:
             role=role,
         )
         self._global_cycles.append(checked.global_cycles)
-        self._keep(name, collector.diagnostics)
+        self._keep(name, collector.diagnostics, (target.channel,))
         for path in checked.called:
             named = path.resolve() in self._names
             self._want(path, (target,), "either" if named else "called")
 
 
-def _ordered(found: Sequence[Found]) -> tuple[Found, ...]:
-    """Each finding once, in the order of file, line, column, number."""
-    keyed = {_key(one): one for one in found}
-    return tuple(keyed[key] for key in sorted(keyed))
+def _ordered(found: Sequence[Found], channels: Mapping[str, set[int]]) -> tuple[Found, ...]:
+    """Each finding once, in the order of file, line, column, number.
+
+    ``channels``: file -> the channels for which it was checked. What all of them share names none.
+    """
+    first: dict[_Key, Found] = {}
+    concerned: dict[_Key, set[int]] = {}
+    for one in found:
+        first.setdefault(_key(one), one)
+        concerned.setdefault(_key(one), set()).update(one.channels)
+    return tuple(
+        replace(first[key], channels=_named(concerned[key], channels.get(first[key].file, set())))
+        for key in sorted(first)
+    )
 
 
-def _key(found: Found) -> tuple[str, int, int, int, str]:
+def _named(concerned: set[int], checked: set[int]) -> tuple[int, ...]:
+    return () if concerned == checked else tuple(sorted(concerned))
+
+
+def _key(found: Found) -> _Key:
     one = found.diagnostic
     line, column = (0, 0) if one.span is None else (one.span.line, one.span.column)
     return found.file, line, column, one.id, one.text()

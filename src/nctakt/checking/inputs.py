@@ -2,8 +2,9 @@
 """Files and folders as a user names them -> what there is to check.
 
 In: paths. Out: start-up lists of machines, lists, programs, each file once; what cannot be found is
-reported. A file that is named is a list if it ends with ``.lis``, else a program. A folder is
-searched with all its folders but hidden ones; where a start-up list lies is a machine.
+reported. A file that is named is a list if it ends with ``.lis``, else a program; the start-up list
+of a folder stands for its machine. A folder is searched with all its folders but hidden ones; where
+a start-up list lies is a machine.
 """
 
 from __future__ import annotations
@@ -14,8 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from nctakt.diagnostics import Diagnostic
-from nctakt.lists.files import find_entry
-from nctakt.lists.machine import STARTUP_NAMES
+from nctakt.lists.files import STARTUP_NAMES, find_entry
 from nctakt.messages import diagnostic
 
 #: How names of programs end, for those that are found in folders.
@@ -25,10 +25,14 @@ LIST_SUFFIX = ".lis"
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """A diagnostic and the file that it is about, whether it has a place there or not."""
+    """A diagnostic and the file that it is about, whether it has a place there or not.
+
+    ``channels``: the channels that it concerns, where several run the program, and not all of them.
+    """
 
     file: str
     diagnostic: Diagnostic
+    channels: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +52,8 @@ def gather(paths: Sequence[Path], found: list[Found]) -> Inputs:
     for path in paths:
         if not path.exists():
             found.append(Found(path.as_posix(), diagnostic(900500, file=str(path))))
+        elif path.is_file() and path.name.casefold() in STARTUP_NAMES:
+            machines.setdefault(path.resolve(), path)
         elif not path.is_dir():
             group = lists if path.suffix.casefold() == LIST_SUFFIX else programs
             group.setdefault(path.resolve(), path)

@@ -21,10 +21,11 @@ from nctakt.nc.names import NameTable
 
 
 class Target:
-    """One channel as a check needs it; ``folder`` is that of its machine."""
+    """One channel, by its number, as a check needs it; ``folder`` is that of its machine."""
 
     def __init__(self, machine: Machine, channel: int) -> None:
         one = machine.assembled[channel]
+        self.channel = channel + 1
         context = machine.channels[channel].context
         self.names: NameTable = one.names
         self.parameters: ChannelParameters = one.parameters
@@ -41,7 +42,8 @@ class Target:
 class Targets:
     """The channels of ``default``, and of the machines that are found on the way.
 
-    ``for_all``: programs are for ``default`` wherever they lie.
+    ``for_all``: programs are for ``default`` wherever they lie. ``taken``: the folders of the other
+    machines that programs were for.
     """
 
     def __init__(self, default: Machine, for_all: bool) -> None:
@@ -49,6 +51,7 @@ class Targets:
         self._for_all = for_all
         self._found: list[Sequence[Target]] = []
         self.took_default = False
+        self.taken: dict[Path, None] = {}
 
     def add(self, configuration: MachineConfiguration) -> None:
         """A machine whose folder is checked."""
@@ -61,6 +64,8 @@ class Targets:
         channels = self._default if folder is None else self._machine_of(folder)
         if channels is self._default:
             self.took_default = True
+        else:
+            self.taken[channels[0].folder] = None
         named = [one for one in channels if folder is not None and one.searches(folder)]
         return named or channels[:1]
 

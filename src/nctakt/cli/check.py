@@ -158,13 +158,12 @@ def _closing(result: CheckResult, selection: Selection, options: Options) -> str
     """For which machine, where the user has named none; how many files and findings."""
     if options.quiet:
         return ""
-    closing = f"{closing_line(result, options.language)}\n"
-    demo = options.machine is None and result.takes_default
-    if demo and selection.takes(900585):
+    remarks = [diagnostic(900815, file=file) for file in result.around]
+    if options.machine is None and result.takes_default:
         folder = result.machines[0] if len(result.machines) == 1 else "DIR"
-        remark = diagnostic(900585, folder=folder)
-        return f"{remark.render(options.language)}\n{closing}"
-    return closing
+        remarks.append(diagnostic(900585, folder=folder))
+    lines = [one.render(options.language) for one in remarks if selection.takes(one.id)]
+    return "".join(f"{line}\n" for line in (*lines, closing_line(result, options.language)))
 
 
 def _show(text: str) -> None:

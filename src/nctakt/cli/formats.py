@@ -19,11 +19,12 @@ from nctakt import __version__
 from nctakt.checking.check import CheckResult
 from nctakt.checking.inputs import Found
 from nctakt.cli.selection import RULE_PREFIX
-from nctakt.diagnostics import Diagnostic, Language, Severity, Text
+from nctakt.diagnostics import Language, Severity, Text
 
 COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.NOTE: None}
 _GITHUB = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "notice"}
 _REMEDY = Text("remedy", "Abhilfe")
+_CHANNEL = (Text("channel", "Kanal"), Text("channels", "Kanäle"))
 #: What is counted: for one of it, for any other number.
 _COUNTS = {
     Severity.ERROR: (Text("error", "Fehler"), Text("errors", "Fehler")),
@@ -38,11 +39,21 @@ def rule_of(number: int) -> str:
     return f"{RULE_PREFIX}{number}"
 
 
-def text_with_remedy(one: Diagnostic, language: Language) -> str:
-    """The text and, on a line of its own, the remedy."""
+def text_with_remedy(found: Found, language: Language) -> str:
+    """The text and, on lines of their own, the remedy and the channels that it concerns."""
+    one = found.diagnostic
     remedy = one.remedy(language)
     label = _REMEDY.get(language)
-    return one.text(language) + (f"\n{label}: {remedy}" if remedy else "")
+    lines = [one.text(language), *([f"{label}: {remedy}"] if remedy else [])]
+    return "\n".join([*lines, *_channels(found, language)])
+
+
+def _channels(found: Found, language: Language) -> list[str]:
+    """``channel: 2``; nothing where all channels are concerned, or a list."""
+    if not found.channels:
+        return []
+    label = _CHANNEL[len(found.channels) > 1].get(language)
+    return [f"{label}: {', '.join(map(str, found.channels))}"]
 
 
 def relative(file: str, root: Path) -> Path:
@@ -60,6 +71,7 @@ def as_text(result: CheckResult, language: Language) -> str:
     for found in result.found:
         headline, *rest = found.diagnostic.render(language).split("\n")
         lines += [click.style(headline, fg=COLOURS[found.diagnostic.severity]), *rest]
+        lines += [f"  {line}" for line in _channels(found, language)]
     return "".join(f"{line}\n" for line in lines)
 
 
@@ -109,6 +121,7 @@ def _json_of(found: Found, language: Language, root: Path) -> dict[str, object]:
         "text": one.text(language),
         "remedy": one.remedy(language),
         "source_line": one.source_line,
+        "channels": list(found.channels),
     }
 
 
@@ -130,7 +143,7 @@ def _github_lines(result: CheckResult, language: Language, root: Path) -> Iterat
             properties["endColumn"] = str(span.end_column)
         properties["title"] = rule_of(one.id)
         words = ",".join(f"{name}={_property(value)}" for name, value in properties.items())
-        message = _escaped(text_with_remedy(one, language))
+        message = _escaped(text_with_remedy(found, language))
         yield f"::{_GITHUB[one.severity]} {words}::{message}"
 
 

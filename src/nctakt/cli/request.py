@@ -109,7 +109,7 @@ def read_request(options: Options) -> Request:
         reader.read(_check_program, program)
     numbers = [reader.read(_channel_number, number) for number, _ in options.others]
     if options.machine is not None:
-        reader.read(_check_folder, options.machine)
+        reader.read(_check_machine, options.machine)
     assignments = [reader.read(parse_assignment, text) for text in options.assignments]
     stimuli = [reader.read(parse_stimulus, *pair) for pair in options.stimuli]
     until = () if options.until is None else reader.read(parse_time, options.until)
@@ -165,11 +165,13 @@ def _check_program(program: str) -> None:
         raise Failure(diagnostic(900503, file=program, reason=reason))
 
 
-def _check_folder(folder: str) -> None:
-    if not Path(folder).exists():
-        raise Failure(diagnostic(900500, file=folder))
-    if not Path(folder).is_dir():
-        raise Failure(diagnostic(900502, folder=folder))
+def _check_machine(machine: str) -> None:
+    """A folder, or the start-up list in it."""
+    path = Path(machine)
+    if not path.exists():
+        raise Failure(diagnostic(900500, file=machine))
+    if not path.is_dir() and path.suffix.casefold() != ".lis":
+        raise Failure(diagnostic(900502, folder=machine))
 
 
 def _program(program: str) -> Path | NcText:

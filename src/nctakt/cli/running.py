@@ -8,14 +8,17 @@ chooses the mode before anything of the realtime part is imported, and runs.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from nctakt.cli.request import Options, Request
 from nctakt.cli.terminal import InterruptRequest, ProgressBar, print_diagnostics
+from nctakt.diagnostics import Diagnostic
 from nctakt.failure import Failure
+from nctakt.lists.files import startup_list_around
 from nctakt.messages import diagnostic
 
 if TYPE_CHECKING:
@@ -123,10 +126,21 @@ def choose_mode(options: Options) -> None:
 
 
 def start_controller(options: Options) -> Controller:
-    """A controller of the machine that was asked for."""
+    """A controller of the machine that was asked for; a note where another one may be meant."""
     from nctakt.controller import Controller  # noqa: PLC0415 - the mode is chosen before
 
+    if options.machine is None and not options.quiet:
+        print_diagnostics(_machines_around(options), options.language)
     return Controller(options.machine, _schedule(options))
+
+
+def _machines_around(options: Options) -> Iterator[Diagnostic]:
+    """One for each machine in whose folder a program lies that the demo machine shall run."""
+    programs = (*options.programs, *(program for _, program in options.others))
+    startups = {startup_list_around(Path(name)): None for name in programs if name != "-"}
+    for startup in startups:
+        if startup is not None:
+            yield diagnostic(900816, file=startup.as_posix(), folder=startup.parent.as_posix())
 
 
 def _schedule(options: Options) -> RunSchedule | None:

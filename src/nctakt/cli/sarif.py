@@ -91,7 +91,7 @@ def _result(
         "ruleId": rule_of(one.id),
         "ruleIndex": index[one.id],
         "level": _LEVELS[one.severity],
-        "message": {"text": text_with_remedy(one, language)},
+        "message": {"text": text_with_remedy(found, language)},
         "locations": [{"physicalLocation": place}],
         "partialFingerprints": {"primaryLocationLineHash": _fingerprint(found, root, seen)},
     }

@@ -13,6 +13,9 @@ from pathlib import Path
 from nctakt.lists.startup import ListReference
 from nctakt.messages import Collector
 
+#: How the start-up list of a machine's folder is called.
+STARTUP_NAMES = ("hochlauf.lis", "startup.lis")
+
 
 def find_list(reference: ListReference, folder: Path, collector: Collector) -> Path | None:
     """The file that ``reference`` in a list of ``folder`` means; reported if there is none."""
@@ -78,6 +81,25 @@ def find_entry(folder: Path, name: str) -> str | None:
         return name
     wanted = name.casefold()
     return next((found for found in names if found.casefold() == wanted), None)
+
+
+def startup_list(folder: Path) -> Path | None:
+    """The start-up list that lies in ``folder``, if there is one."""
+    for wanted in STARTUP_NAMES:
+        name = find_entry(folder, wanted)
+        if name is not None and (folder / name).is_file():
+            return folder / name
+    return None
+
+
+def startup_list_around(file: Path) -> Path | None:
+    """The start-up list of the machine in whose folder ``file`` lies: the nearest one above it."""
+    for folder in file.resolve().parents:
+        found = startup_list(folder)
+        if found is not None:
+            here = Path.cwd()
+            return found.relative_to(here) if found.is_relative_to(here) else found
+    return None
 
 
 def read_file(path: Path, collector: Collector) -> bytes | None:

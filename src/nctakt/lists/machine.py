@@ -22,7 +22,7 @@ from nctakt.lists.channel_configuration import (
     Spindle,
     channel_parameters,
 )
-from nctakt.lists.files import find_entry
+from nctakt.lists.files import STARTUP_NAMES, startup_list
 from nctakt.lists.linked import LinkedLists
 from nctakt.lists.offsets import (
     CLAMP_OFFSETS,
@@ -51,7 +51,6 @@ from nctakt.lists.variables import VARIABLES
 from nctakt.messages import Collector
 
 #: Names of a start-up list in a machine folder, the first that exists counts.
-STARTUP_NAMES = ("hochlauf.lis", "startup.lis")
 #: NC cycle without rtconf.lis, in µs.
 DEFAULT_CYCLE_TIME_US = 1000
 _DEMO = Path(__file__).parent.parent / "machines" / "demo"
@@ -150,10 +149,9 @@ def _startup_file(folder: Path, collector: Collector) -> Path:
     if not folder.is_dir():
         collector.report(900060, None, path=folder.as_posix())
         raise MachineError(tuple(collector.diagnostics))
-    for wanted in STARTUP_NAMES:
-        name = find_entry(folder, wanted)
-        if name is not None and (folder / name).is_file():
-            return folder / name
+    found = startup_list(folder)
+    if found is not None:
+        return found
     collector.report(900061, None, path=folder.as_posix(), names=", ".join(STARTUP_NAMES))
     raise MachineError(tuple(collector.diagnostics))
 

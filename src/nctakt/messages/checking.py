@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of the command ``nctakt check`` about what it is asked to check (900580 … 900599)."""
+"""Messages of ``nctakt check`` about what it is asked to check (900580 … 900599, 900815)."""
 
 from __future__ import annotations
 
@@ -76,4 +76,13 @@ _add(
     "commas.",
     remedy_de="Nummern (22009), Anfänge (9002) oder Bereiche (22000-22099) mit Kommas schreiben.",
     parameters={"text": "what was given"},
+)
+_add(
+    900815,
+    NOTE,
+    "programs are checked for the machine of {file}",
+    "Programme werden für die Maschine von {file} geprüft",
+    remedy_en="--machine DIR checks them for another one.",
+    remedy_de="--machine DIR prüft sie für eine andere.",
+    parameters={"file": "the start-up list that lies in their folder, or above it"},
 )

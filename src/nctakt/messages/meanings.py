@@ -232,6 +232,9 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
             "Anweisungen, für die der Anteil am Takt reicht"
         ),
         "places of the realtime section": "Plätze des Echtzeit-Bereichs",
+        "the start-up list around it": "die Hochlaufliste, in deren Ordner es liegt",
+        "the start-up list that lies in their folder, or above it": "die Hochlaufliste in ihrem "
+        "Ordner oder darüber",
         "the path as it was given": "der Pfad, wie angegeben",
         "what the system says": "was das System sagt",
         "the suffixes that are known": "die bekannten Endungen",

@@ -29,10 +29,10 @@ _add(
 _add(
     900502,
     ERROR,
-    "{folder} is no folder",
-    "{folder} ist kein Ordner",
-    remedy_en="Name the folder that holds the machine's lists.",
-    remedy_de="Den Ordner mit den Listen der Maschine nennen.",
+    "{folder} is neither a folder nor a list",
+    "{folder} ist weder ein Ordner noch eine Liste",
+    remedy_en="Name the folder that holds the machine's lists, or its start-up list.",
+    remedy_de="Den Ordner mit den Listen der Maschine nennen, oder ihre Hochlaufliste.",
     parameters={"folder": "the path as it was given"},
 )
 _add(
@@ -163,6 +163,15 @@ _add(
     "der Echtzeit-Teil ist hier nicht übersetzt; die Ergebnisse sind gleich, es dauert länger",
     remedy_en="Install nctakt where a C compiler is present.",
     remedy_de="nctakt mit einem C-Compiler installieren.",
+)
+_add(
+    900816,
+    NOTE,
+    "the demo machine runs the program, not the machine of {file}",
+    "das Programm läuft auf der Demo-Maschine, nicht auf der Maschine von {file}",
+    remedy_en="--machine {folder} runs it on that one.",
+    remedy_de="--machine {folder} lässt es auf jener laufen.",
+    parameters={"file": "the start-up list around it", "folder": "a machine's folder"},
 )
 _add(
     900540,

@@ -92,6 +92,7 @@ class Path:
         self.offset_t = offset_t
         self.ticks = 0
         if not self.is_dwell:
+            self.smooth.begin()
             self.stage = -1
             self.stage_end_d = 0.0
             self.next_stage()
@@ -125,6 +126,7 @@ class Path:
         if self.is_dwell:
             return
         self.covered_d = covered_d
+        self.smooth.begin()
         self.stage = -1
         self.stage_end_d = 0.0
         while self.next_stage() and self.stage_end_d <= covered_d:

@@ -31,7 +31,12 @@ class SmoothSpeed:
         self.left_t = 0.0
         self.rest_d = 0.0
         self.ends_in_time = False
+        self.stands_at_end = False
         self.own_j = 0.0
+
+    def begin(self) -> None:
+        """Another segment is current."""
+        self.stands_at_end = False
 
     def plan(
         self,
@@ -47,7 +52,9 @@ class SmoothSpeed:
         """Plan what is left of a segment, and up to its goal; to a stand where ``limit_v`` is 0.
 
         ``head``, ``tail``: where the two parts of the segment's row begin (``shape.py``). In single
-        block the segment's end is the goal if the path can still stop there.
+        block the segment's end is the goal if the path can still stop there; it brakes with the
+        segment's own limits, and so may come too fast to the goal ahead, which asks for less, when
+        single block is taken away: then it stands at the end nevertheless.
         """
         limit_a = row[tail + 19]
         limit_j = row[tail + 20]
@@ -57,22 +64,28 @@ class SmoothSpeed:
         if limit_v <= 0.0:
             self.head_for(0.0, 0.0, speed_v, 0.0, limit_a, limit_j)
             return
+        if is_single:
+            stop_d = self.course.stopping_d(speed_v, self.acceleration_a, limit_a, limit_j)
+            self.stands_at_end = stop_d <= rest_d + 1e-10
+            if self.stands_at_end:
+                self.stand_at_end(speed_v, limit_v, limit_a, limit_j)
+                return
         way = row[tail + 15]
         goal_v = row[tail + 16]
         if row[tail + 21] > 0.0 and factor < 1.0:
             goal_v *= factor
-        stop_d = 0.0
-        if is_single:
-            stop_d = self.course.stopping_d(speed_v, self.acceleration_a, limit_a, limit_j)
-        if is_single and stop_d <= rest_d:
-            way = 0.0
-            goal_v = 0.0
-        else:
-            limit_a = min(limit_a, row[tail + 17])
-            limit_j = min(limit_j, row[tail + 18])
         goal_v = min(goal_v, limit_v)
-        is_met = self.head_for(rest_d + way, goal_v, speed_v, limit_v, limit_a, limit_j)
+        goal_a = min(limit_a, row[tail + 17])
+        goal_j = min(limit_j, row[tail + 18])
+        is_met = self.head_for(rest_d + way, goal_v, speed_v, limit_v, goal_a, goal_j)
         self.ends_in_time = is_met > 0 and way == 0.0
+        if self.stands_at_end and not is_met:
+            self.stand_at_end(speed_v, limit_v, limit_a, limit_j)
+
+    def stand_at_end(self, speed_v: float, limit_v: float, limit_a: float, limit_j: float) -> None:
+        """Plan to stand at the segment's end."""
+        is_met = self.head_for(self.rest_d, 0.0, speed_v, limit_v, limit_a, limit_j)
+        self.ends_in_time = is_met > 0
 
     def head_for(
         self,

@@ -76,6 +76,7 @@ typedef struct hli_unit {
     uint32_t number; /* of the function: 100 for M100 */
     uint32_t sequence; /* its number among those of its tick and section, from 1 */
     uint32_t axis; /* logical of the axis or spindle that it is for, 0: channel */
+    int32_t value; /* what the program gives it, as in M110=130; 0 for none */
     uint64_t time_us; /* the begin of the tick that has commanded it (µs) */
     uint64_t duration_us; /* the time that the channel list gives it (µs) */
 } hli_unit;
@@ -84,6 +85,7 @@ _Static_assert(offsetof(hli_unit, letter) == 4, "letter");
 _Static_assert(offsetof(hli_unit, number) == 8, "number");
 _Static_assert(offsetof(hli_unit, sequence) == 12, "sequence");
 _Static_assert(offsetof(hli_unit, axis) == 16, "axis");
+_Static_assert(offsetof(hli_unit, value) == 20, "value");
 _Static_assert(offsetof(hli_unit, time_us) == 24, "time_us");
 _Static_assert(offsetof(hli_unit, duration_us) == 32, "duration_us");
 _Static_assert(sizeof(hli_unit) == 40, "hli_unit");

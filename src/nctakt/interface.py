@@ -32,6 +32,7 @@ class TechnologyEntry:
     ``time_us`` the stamp, ``is_realtime`` tells that a realtime cycle has commanded it (POS_RT),
     ``process_time_us`` is the time that the channel list gives it (P-CHAN-00040, P-CHAN-00026),
     ``axis`` the axis or spindle that it is for (P-CHAN-00039, P-CHAN-00025), empty: the channel.
+    ``value`` is what the program gives it, as in ``M110=130``, 0 for none.
     """
 
     letter: str
@@ -42,6 +43,7 @@ class TechnologyEntry:
     process_time_us: float
     axis: str
     slot: int
+    value: int = 0
 
     @property
     def name(self) -> str:
@@ -213,6 +215,7 @@ class Interface:
                 known.process_time_us,
                 known.axis_name,
                 slot,
+                section.value_of(slot),
             )
 
     def acknowledge(self, entry: TechnologyEntry) -> None:

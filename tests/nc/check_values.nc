@@ -187,7 +187,10 @@ $ENDWHILE
 #MSG ["%f", V.E.NONE] ; error 900213 "V.E.NONE"
 #MSG ["%s", V.E.TEXT]
 #MSG ["%d", V.E.TEXT] ; error 900232 "%d"
-#MSG [V.E.TEXT] ; error 900200 "(format of a message in a variable)"
+#MSG [V.E.TEXT]
+#MSG [V.P.T + "%d", P1]
+#MSG [P1] ; error 900342 "P1"
+#MSG [V.E.TEXT, V.E.NONE] ; error 900213 "V.E.NONE"
 #MSG SAFE ["x"] ; error 900234 "SAFE"
 #MSG SAVE SAVE ["x"] ; error 900224 "SAVE"
 #MSG SAVE CONTINUE ["x"]

@@ -106,10 +106,16 @@ class Calls:
             elif isinstance(word, syntax.Word) and word.name == "N":
                 assert isinstance(word.value, syntax.Number)
                 label = number_label(f"{word.value.value:.0f}")
-            elif not _is_return(word):
+            elif not _is_return(word) or self._is_put_out(word):
                 others.append(word)
         rest = replace(block, words=tuple(others))
         return rest, Return(calls, label, block.span)
+
+    def _is_put_out(self, word: syntax.BlockWord) -> bool:
+        """Whether M17 or M29 stands in the channel list (P-CHAN-00041): then the PLC gets it."""
+        assert isinstance(word, syntax.Word)
+        assert isinstance(word.value, syntax.Number)
+        return int(word.value.value) in self._surroundings.parameters.m_functions
 
     def _options(
         self, command: syntax.BracketCommand, number: int

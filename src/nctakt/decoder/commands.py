@@ -99,10 +99,14 @@ class CycleControl(Command):
 
 @dataclass(frozen=True, slots=True)
 class TechnologyOutput(Command):
-    """An M function, or as -number - 1 an H function, for the PLC; ``ticks``: how long it takes."""
+    """An M function, or as -number - 1 an H function, for the PLC; ``ticks``: how long it takes.
+
+    ``value``: what the program gives it (M110 = 130), ``None`` for nothing.
+    """
 
     function: int
     ticks: int
+    value: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -352,6 +356,7 @@ class Measure(Command):
     function: int
     ticks: int
     residual: float
+    value: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -380,7 +385,8 @@ def pack(command: Command, place: int = 0) -> list[float]:
         case CycleControl():
             return [ring.CONTROL_CYCLE, *head, command.action, command.identity]
         case TechnologyOutput():
-            return [ring.TECHNOLOGY, *head, command.function, command.ticks]
+            row = [ring.TECHNOLOGY, *head, command.function, command.ticks]
+            return [*row, command.value is not None, command.value or 0]
         case AwaitAcknowledge():
             return [ring.AWAIT_ACKNOWLEDGE, *head, command.function]
         case SpindleJob():
@@ -429,7 +435,8 @@ def pack(command: Command, place: int = 0) -> list[float]:
             row = [ring.FIXED_STOP, *head, command.axis, command.is_on, command.limit]
             return [*row, command.ticks, command.begin, command.end, command.needed]
         case Measure():
-            return [ring.MEASURE, *head, command.function, command.ticks, command.residual]
+            row = [ring.MEASURE, *head, command.function, command.ticks, command.residual]
+            return [*row, command.value is not None, command.value or 0]
         case ClearHistory():
             return [ring.CLEAR_HISTORY, *head]
         case MeasureEnd():

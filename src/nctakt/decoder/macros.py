@@ -12,14 +12,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import NoReturn
 
+from nctakt.decoder.rewriting import check
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.diagnostics import Span
-from nctakt.messages import Collector
 from nctakt.nc import syntax
-from nctakt.nc.check import Checker
 from nctakt.nc.lexer import BlockError, BlockText, Piece
 from nctakt.nc.printer import format_word
-from nctakt.nc.source import Source
 from nctakt.nc.words import parse_content
 from nctakt.text import nearest
 
@@ -42,20 +40,11 @@ class Macros:
             return None
         content = " ".join(self._text(word, block.span) for word in block.words)
         text = BlockText(block.span.file, content, [Piece(0, block.span.line, content)])
-        collector = Collector()
         try:
             statements = parse_content(text, replace(block.head, skip=None, label=None))
         except BlockError as error:
             self._fail(error.number, block.span, **error.values)
-        source = Source(block.span.file, ())
-        surroundings = self._surroundings
-        checker = Checker(source, surroundings.names, surroundings.parameters, collector)
-        checker.begin("either")
-        for statement in statements:
-            checker.statement(statement)
-        errors = [one for one in collector.diagnostics if one.severity.name == "ERROR"]
-        if errors:
-            self._fail(errors[0].id, block.span, **errors[0].values)
+        check(self._surroundings, self._fail, statements, block.span)
         return statements
 
     def _text(self, word: syntax.BlockWord, span: Span) -> str:

@@ -34,6 +34,7 @@ from nctakt.decoder.macros import Macros
 from nctakt.decoder.offsets import ALL, left_over
 from nctakt.decoder.plain_blocks import PlainBlocks
 from nctakt.decoder.requests import MovedAxes
+from nctakt.decoder.rewriting import is_as_written, with_numbers
 from nctakt.decoder.state import ModalState
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.decoder.texts import FormatError, format_text
@@ -236,7 +237,9 @@ class ProgramDecoder:
             case syntax.SubprogramCall():
                 if statement.words:
                     words = syntax.Block(statement.span, syntax.NO_HEAD, statement.words)
-                    yield from self._words.block(words, number)
+                    signal = yield from self._block(words, number)
+                    if signal:
+                        return signal
                 level = yield from self._calls.call(statement, number)
                 return (yield from self._call(level, statement.span))
             case (
@@ -259,9 +262,11 @@ class ProgramDecoder:
 
         ``kinds``: which offsets the block's positions have.
         """
-        meant = self._macros.expand(block)
-        if meant is not None:
-            return (yield from self._statements(meant))
+        if not is_as_written(block):
+            meant = self._macros.expand(block)
+            if meant is not None:
+                return (yield from self._statements(meant))
+            block = yield from with_numbers(self._values, block, number)
         block, returning = yield from self._calls.returning(block, number)
         block, called = yield from self._calls.implied(block, number)
         ends = yield from self._words.block(block, number, kinds)
@@ -371,12 +376,14 @@ class ProgramDecoder:
     def _message(
         self, statement: syntax.UserMessage, source: int, number: int
     ) -> Generator[Command, Answer]:
-        assert isinstance(statement.format, syntax.StringLiteral)
+        layout = yield from self._values.evaluate_any(statement.format, number)
+        if not isinstance(layout, str):
+            self._values.fail(900342, statement.format.span, value=layout)
         values: list[float | str] = []
         for argument in statement.arguments:
             values.append((yield from self._values.evaluate_any(argument, number)))
         try:
-            text = format_text(statement.format.value, values)
+            text = format_text(layout, values)
         except FormatError as error:
             self._values.fail(900304, statement.format.span, found=str(error))
         options = [option.name for option in statement.options]

@@ -39,6 +39,7 @@ from nctakt.kernel import arithmetic
 from nctakt.lists.offsets import MOST_GROUPS
 from nctakt.lists.technology import TechnologyFunction
 from nctakt.nc import syntax
+from nctakt.nc.check_words import LEAST_VALUE, MOST_VALUE
 from nctakt.nc.spindle_commands import split
 
 #: The G functions that set a reference point offset, and select a zero offset by its number.
@@ -177,7 +178,10 @@ class Words:
                 continue
             assert word.value is not None, word
             value = yield from self._values.evaluate(word.value, number)
-            self._word(word, value, number, content)
+            extra = None
+            if word.additional is not None:
+                extra = yield from self._values.evaluate(word.additional, number)
+            self._word(word, value, extra, number, content)
         for function in COMPENSATIONS.intersection(numbers):
             self.path.compensate(function, numbers[function])
         for command in commands:
@@ -245,7 +249,14 @@ class Words:
             self._values.fail(900884, span)
         self._state.measures = function == EDGE_BANDING[1]
 
-    def _word(self, word: syntax.Word, value: float, block: int, content: _Content) -> None:
+    def _word(
+        self,
+        word: syntax.Word,
+        value: float,
+        extra: float | None,
+        block: int,
+        content: _Content,
+    ) -> None:
         if word.name == "F":
             self.path.pace.feed_word(value)
             return
@@ -262,22 +273,37 @@ class Words:
         number = int(arithmetic.round_half_even(value))
         if word.name == "M" and number in PROGRAM_ENDS:
             content.ends_program = True
-            return
         if word.name == "M" and number in PROGRAM_STOPS:
             source = self._surroundings.place(word.span)
             content.program_stops.append(ProgramStop(source, block, number == 1))
         parameters = self._surroundings.parameters
         table = parameters.m_functions if word.name == "M" else parameters.h_functions
         if number in table:
-            content.functions.append(self._issued(word, number, table[number], block))
+            given = None if extra is None else self._given(word, number, extra)
+            content.functions.append(self._issued(word, number, table[number], given, block))
+
+    def _given(self, word: syntax.Word, function: int, value: float) -> int:
+        """The value that the PLC finds beside a function: a whole number of 32 bits."""
+        whole = int(arithmetic.round_half_even(value))
+        if not LEAST_VALUE <= whole <= MOST_VALUE:
+            name = f"{word.name}{function}"
+            self._values.fail(
+                900847, word.span, word=name, value=whole, least=LEAST_VALUE, most=MOST_VALUE
+            )
+        return whole
 
     def _issued(
-        self, word: syntax.Word, number: int, function: TechnologyFunction, block: int
+        self,
+        word: syntax.Word,
+        number: int,
+        function: TechnologyFunction,
+        given: int | None,
+        block: int,
     ) -> Issued:
         source = self._surroundings.place(word.span)
         code = number if word.name == "M" else -number - 1
         ticks = process_ticks(function, self._surroundings.cycle_time_us)
-        output = TechnologyOutput(source, block, code, ticks)
+        output = TechnologyOutput(source, block, code, ticks, given)
         return Issued(function.synchronisation, output, AwaitAcknowledge(source, block, code))
 
     def _motion(self, content: _Content, span: Span, number: int) -> Generator[Command, Answer]:
@@ -304,7 +330,8 @@ class Words:
         output = measured.output
         assert isinstance(output, TechnologyOutput)
         residual = self._surroundings.parameters.residual_path_mm
-        yield Measure(source, number, output.function, output.ticks, residual)
+        function, ticks, value = output.function, output.ticks, output.value
+        yield Measure(source, number, function, ticks, residual, value)
         yield from self._motion(content, span, number)
         yield MeasureEnd(source, number)
 

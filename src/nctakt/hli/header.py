@@ -17,6 +17,7 @@ _TYPES = {
     "BOOLEAN": "uint8_t",
     "UNS08": "uint8_t",
     "UNS32": "uint32_t",
+    "SGN32": "int32_t",
     "UNS64": "uint64_t",
     "REAL64": "double",
     "STRING": "char",

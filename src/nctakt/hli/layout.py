@@ -25,7 +25,15 @@ MAGIC = b"NCTAKT\0\0"
 VERSION = 3
 
 #: Bytes of each number; names are characters, so many in all.
-TYPE_BYTES = {"BOOLEAN": 1, "UNS08": 1, "UNS32": 4, "UNS64": 8, "REAL64": 8, "STRING": 1}
+TYPE_BYTES = {
+    "BOOLEAN": 1,
+    "UNS08": 1,
+    "UNS32": 4,
+    "SGN32": 4,
+    "UNS64": 8,
+    "REAL64": 8,
+    "STRING": 1,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +134,7 @@ UNIT = Structure(
         Entry("number", "UNS32", "", "of the function: 100 for M100"),
         Entry("sequence", "UNS32", "", "its number among those of its tick and section, from 1"),
         Entry("axis", "UNS32", "", "`logical` of the axis or spindle that it is for, 0: channel"),
+        Entry("value", "SGN32", "", "what the program gives it, as in M110=130; 0 for none"),
         Entry("time_us", "UNS64", "µs", "the begin of the tick that has commanded it"),
         Entry("duration_us", "UNS64", "µs", "the time that the channel list gives it"),
     ),

@@ -14,6 +14,8 @@ cdef class EdgeProbe:
     cdef long long source
     cdef long long function
     cdef long long ticks
+    cdef bint has_value
+    cdef long long value
     cdef double residual_d
     cdef double joint_d
 

@@ -33,6 +33,8 @@ class EdgeProbe:
         self.source = 0
         self.function = 0
         self.ticks = 0
+        self.has_value = False
+        self.value = 0
         self.residual_d = 0.0
         self.joint_d = 0.0
 
@@ -66,7 +68,8 @@ class EdgeProbe:
     def put_out(self, tick: int) -> None:
         """The function goes to the PLC, as soon as there is room."""
         if self.hli.program.issue(self.function, tick, self.ticks) > 0:
-            self.record.technology(self.source, self.function)
+            self.hli.program.give_value(self.value)
+            self.record.technology(self.source, self.function, self.has_value, self.value)
             self.phase = 4
 
     def finish(self, tick: int) -> int:

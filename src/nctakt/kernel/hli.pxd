@@ -10,6 +10,8 @@ cdef class Section:
     cdef long long[::1] sequence
     cdef long long[::1] tick
     cdef long long[::1] serial
+    cdef long long[::1] value
+    cdef Py_ssize_t latest
     cdef long long[::1] done
     cdef readonly long long issued_in_tick
     cdef readonly long long taken_count
@@ -20,6 +22,7 @@ cdef class Section:
     cdef void latch(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef long long issue(self, long long function, long long tick, long long ticks) noexcept nogil
+    cdef void give_value(self, long long value) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef int is_waiting(self, long long function) noexcept nogil
     @cython.locals(i=Py_ssize_t)

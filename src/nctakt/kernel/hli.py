@@ -26,9 +26,9 @@ ACKNOWLEDGED = 2
 class Section:
     """Slots for technology functions.
 
-    Each function has a running number (``serial``); ``version`` changes with the slots. A function
-    is named by its number; an H function by its negative number - 1, so that one number
-    holds both and M0 differs from H0.
+    Each function has a running number (``serial``) and a value for the PLC, 0 unless it is given
+    one (``give_value``); ``version`` changes with the slots. A function is named by its number; an
+    H function by its negative number - 1, so that one number holds both and M0 differs from H0.
     """
 
     def __init__(self, slot_count: int) -> None:
@@ -39,6 +39,8 @@ class Section:
         self.tick = memoryview(bytearray(8 * slot_count)).cast("q")
         self.done = memoryview(bytearray(8 * slot_count)).cast("q")
         self.serial = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.value = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.latest = 0
         self.issued_in_tick = 0
         self.taken_count = 0
         self.issued = 0
@@ -74,8 +76,14 @@ class Section:
                 self.sequence[i] = self.issued_in_tick
                 self.tick[i] = tick
                 self.done[i] = tick + ticks
+                self.value[i] = 0
+                self.latest = i
                 return self.issued_in_tick
         return -1
+
+    def give_value(self, value: int) -> None:
+        """The function that was put in last has this value (M110 = 130)."""
+        self.value[self.latest] = value
 
     def is_waiting(self, function: int) -> int:
         """Whether the PLC still has to acknowledge this function."""
@@ -100,6 +108,10 @@ class Section:
             self.state[i] = 0
         self.taken_count = 0
         self.version += 1
+
+    def value_of(self, slot: int) -> int:
+        """The value of the function in this slot."""
+        return self.value[slot]
 
     def entries(self) -> list[tuple[int, int, int, int]]:
         """What waits, oldest first: (slot, function, number in its tick, tick)."""

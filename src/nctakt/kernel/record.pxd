@@ -33,7 +33,7 @@ cdef class Record:
     cdef void fired(self, long long source, long long serial) noexcept nogil
     cdef void written(self, long long source, long long serial, Py_ssize_t cell, double value) noexcept nogil
     cdef void technology_rt(self, long long source, long long serial, long long function, long long sequence) noexcept nogil
-    cdef void technology(self, long long source, long long function) noexcept nogil
+    cdef void technology(self, long long source, long long function, bint has_value, long long value) noexcept nogil
     cdef void message(self, long long source, long long number) noexcept nogil
     cdef void error(self, long long source, long long serial, int message, double detail) noexcept nogil
     cdef void program_end(self, long long source, long long program) noexcept nogil

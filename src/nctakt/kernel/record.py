@@ -176,9 +176,9 @@ class Record:
         """A function of a realtime cycle went to the HLI."""
         self.event(9, source, serial, function, sequence)
 
-    def technology(self, source: int, function: int) -> None:
-        """A function of the main program went to the HLI."""
-        self.event(10, source, 0, function, 0.0)
+    def technology(self, source: int, function: int, has_value: bool, value: int) -> None:
+        """A function of the main program went to the HLI, perhaps with a value."""
+        self.event(10, source, has_value, function, value)
 
     def message(self, source: int, number: int) -> None:
         """A ``#MSG`` of the main program is due."""

@@ -62,7 +62,7 @@ cdef class Commands(CommandRing):
     cdef double rest_of_block(self, long long position) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int, detail=double)
     cdef int take_cycle(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
-    @cython.locals(function=cython.longlong)
+    @cython.locals(function=cython.longlong, value=cython.longlong, has_value=cython.bint)
     cdef int take_technology(self, long long tick, Py_ssize_t base) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, ticks=cython.longlong)
     cdef int take_spindle(self, long long tick, Py_ssize_t base) noexcept nogil

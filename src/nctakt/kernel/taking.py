@@ -244,7 +244,10 @@ class Commands(CommandRing):
         function = int(self.queue[base + 3])
         if self.hli.program.issue(function, tick, int(self.queue[base + 4])) <= 0:
             return 0
-        self.record.technology(int(self.queue[base + 1]), function)
+        value = int(self.queue[base + 6])
+        self.hli.program.give_value(value)
+        has_value = self.queue[base + 5] != 0.0
+        self.record.technology(int(self.queue[base + 1]), function, has_value, value)
         return 1
 
     def take_spindle(self, tick: int, base: int) -> int:
@@ -346,6 +349,8 @@ class Commands(CommandRing):
             function = int(self.queue[base + 3])
             ticks = int(self.queue[base + 4])
             self.edge.arm(source, function, ticks, self.queue[base + 5])
+            self.edge.has_value = self.queue[base + 6] != 0.0
+            self.edge.value = int(self.queue[base + 7])
             return 1
         found = self.edge.finish(tick)
         if found == 0:

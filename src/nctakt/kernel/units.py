@@ -88,6 +88,7 @@ class SectionUnits(Units):
         self.halves[first + 2] = number
         self.halves[first + 4] = self.m_axes[number] if function >= 0 else self.h_axes[number]
         self.halves[first + 3] = self.section.sequence[slot]
+        self.halves[first + 5] = self.section.value[slot]
         self.words[word] = self.section.tick[slot] * self.cycle_time_us
         ticks = self.section.done[slot] - self.section.tick[slot]
         self.words[word + 1] = ticks * self.cycle_time_us

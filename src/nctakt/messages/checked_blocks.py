@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of checked program: words and commands (900200 … 900212, 900229 … 900249)."""
+"""Messages of checked program: words and commands (900200 … 900212, 900229 … 900249, 900847)."""
 
 from __future__ import annotations
 
@@ -198,6 +198,22 @@ _add(
     "G60 in einem Satz ohne Bewegung",
     remedy_en="Write it into the block at whose end the axes shall stand.",
     remedy_de="In den Satz schreiben, an dessen Ende die Achsen stehen sollen.",
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900847,
+    ERROR,
+    "{word}: {value} is not between {least} and {most}",
+    "{word}: {value} liegt nicht zwischen {least} und {most}",
+    remedy_en="The PLC gets a whole number of 32 bits with an M or H function.",
+    remedy_de="Die SPS erhält mit einer M- oder H-Funktion eine ganze Zahl von 32 Bit.",
+    parameters={
+        **_WORD,
+        "value": "the value, rounded",
+        "least": "lower limit",
+        "most": "upper limit",
+    },
     reaction=2,
     clearing=3,
 )

@@ -233,9 +233,11 @@ class Checker:
         self._message_text(message)
 
     def _message_text(self, message: UserMessage) -> None:
-        self._values.line(*message.arguments)
+        self._values.line(message.format, *message.arguments)
         if not isinstance(message.format, StringLiteral):
-            self._findings.answer(support.form("#MSG [V.E.TEXT]"), message.format.span)
+            self._values.text(message.format)
+            for argument in message.arguments:
+                self._values.any_value(argument)
             return
         found = list(places(message.format.value))
         wrong = next((place for place in found if not place.known), None)

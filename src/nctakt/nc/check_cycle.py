@@ -271,7 +271,7 @@ class CycleChecker:
             )
         elif word.additional is not None or word.arguments:
             written = self._findings.written(word.span)
-            self._findings.answer(support.form("M110=130"), word.span, written)
+            self._findings.answer(support.form("M110=130, in cycles"), word.span, written)
 
 
 def _moves_an_axis(word: BlockWord) -> bool:

@@ -42,6 +42,8 @@ _FURTHER_ZERO = 159
 #: The kinds of offsets that a command can name (RC-407).
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")
 _NUMBERED = ("G", "M", "H")
+#: What an M or H function may have as its value: 32 bits with a sign.
+LEAST_VALUE, MOST_VALUE = -(2**31), 2**31 - 1
 #: M functions that end a subprogram.
 _SUBPROGRAM_ENDS = (17, 29)
 #: Commands with options that end a subprogram.
@@ -177,7 +179,7 @@ class WordChecker:
             self._needs_value(word)
         elif not isinstance(value, Number):
             written = self._findings.written(word.span)
-            self._findings.answer(support.form("M[P1]"), word.span, written)
+            self._findings.answer(support.form("M[P1], in cycles"), word.span, written)
         elif not value.value.is_integer() or value.value < 0:
             self._findings.report(900204, word.span, word=f"{word.name}{value.value:g}")
         else:
@@ -185,6 +187,10 @@ class WordChecker:
         return None
 
     def _numbered(self, word: Word, state: _Block) -> None:
+        if word.value is not None and not isinstance(word.value, Number):
+            self._values.value(word.value)
+            self._given(word)
+            return
         number = self.number(word)
         if number is None:
             return
@@ -193,6 +199,7 @@ class WordChecker:
         elif word.name == "M" and number in _SUBPROGRAM_ENDS:
             if state.role == "main":
                 self._findings.report(900123, word.span, word=f"M{number}")
+            self._given(word)
         else:
             if word.name == "M" and number in _PROGRAM_ENDS and state.role == "called":
                 self._findings.report(900124, word.span, word=f"M{number:02}")
@@ -225,11 +232,26 @@ class WordChecker:
         if entry is None:
             key = f"{word.name.lower()}_synch[{number}]"
             self._findings.report(900205, word.span, word=name, key=key)
-        elif word.additional is not None or word.arguments:
-            written = self._findings.written(word.span)
-            self._findings.answer(support.form("M110=130"), word.span, written)
         else:
             self._findings.answer(entry, word.span, name)
+            self._given(word)
+
+    def _given(self, word: Word) -> None:
+        """The value that the PLC gets with a function: ``M110=130``."""
+        value = word.additional
+        if value is None:
+            return
+        self._values.value(value)
+        if isinstance(value, Number) and not LEAST_VALUE <= round(value.value) <= MOST_VALUE:
+            name = self._findings.written(word.span)
+            self._findings.report(
+                900847,
+                value.span,
+                word=name,
+                value=round(value.value),
+                least=LEAST_VALUE,
+                most=MOST_VALUE,
+            )
 
     def _technology_entry(self, letter: str, number: int) -> Entry | None:
         if letter == "H":
@@ -271,8 +293,6 @@ class WordChecker:
         elif name in RETURN_COMMANDS:
             self._return(command, state)
             return True
-        elif name == "M":
-            form, shown = "M[P1]", f"{name}[…]"
         else:
             return False
         self._findings.answer(support.form(form), command.span, shown)

@@ -60,6 +60,8 @@ from nctakt.text import nearest
 AXIS_LETTERS = frozenset("ABCQUVWXYZ")
 #: Letters whose number may be followed by a further value: ``M110=130``, ``G129=50``.
 _NUMBERED = frozenset("DGHMT")
+#: Letters of functions of the PLC.
+_FUNCTIONS = frozenset("HM")
 
 # L calls, N numbers, P is a parameter: they are never plain.
 _PLAIN_WORD = re.compile(r"\s*([A-KMOQ-Za-kmoq-z])\s*([+-]?(?:\d+\.?\d*|\.\d+))", re.ASCII)
@@ -251,7 +253,7 @@ def _word(text: BlockText) -> BlockWord:
     start, end = letters.span(1)
     if _GLUED.match(text.text, start + 1) is not None:
         text.pos = start + 1
-        return _make(text, letters[1][0], start, parse_expression(text, names=False))
+        return _computed(text, letters[1][0], start, parse_expression(text, names=False))
     text.pos = start
     command = text.match(_NAMED_COMMAND)
     if command is not None:
@@ -266,6 +268,14 @@ def _word(text: BlockText) -> BlockWord:
     value = _optional_value(text, equals=False)
     if name.upper() == "G" and isinstance(value, Number) and value.value.is_integer():
         return _with_bare_value(text, start, value)
+    return _computed(text, name, start, value)
+
+
+def _computed(text: BlockText, name: str, start: int, value: Expression | None) -> BlockWord:
+    """``XP1``; ``M[P1]=5``, a function whose number is computed, with its own value."""
+    if name.upper() in _FUNCTIONS and value is not None and text.match(EQUALS) is not None:
+        given = parse_expression(text, names=False)
+        return Word(text.span(start, text.pos), name.upper(), value, given)
     return _make(text, name, start, value)
 
 
@@ -286,6 +296,10 @@ def _optional_value(text: BlockText, *, equals: bool) -> Expression | None:
 def _named_word(text: BlockText, named: re.Match[str]) -> BlockWord:
     """``X1=10``, ``F=100``, ``M110=130``."""
     letters, digits = named[1].upper(), named[2]
+    if digits and letters[1:] == "P" and letters[0] in _FUNCTIONS:
+        text.pos = named.start(1) + 1
+        number = parse_expression(text, names=False)
+        return _computed(text, letters[0], named.start(1), number)
     value = parse_expression(text, names=False)
     if digits and letters in _NUMBERED:
         span = text.span(named.start(1), text.pos)

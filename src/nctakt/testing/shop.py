@@ -319,7 +319,7 @@ def _line(event: Event) -> int | None:
 def _text(event: Event) -> str:
     """What has happened, in a word or two: ``M100`` for functions."""
     if event.kind == "output":
-        return event.text.replace(" ", "").upper()
+        return "".join(event.text.split()[:2]).upper()
     if event.kind in _CYCLE_KINDS:
         return f"{event.kind.upper()}{event.text.split()[0]}"
     return f"cycle {event.cycle}" if event.kind == "fired" else event.text

@@ -207,9 +207,11 @@ class EventDecoder:
         letter, value = _function(number)
         return letter, f"{value} {int(sequence)} {time_us}"
 
-    def _technology(self, _kind: int, _serial: int, number: float, _b: float) -> tuple[str, str]:
-        letter, value = _function(number)
-        return "output", f"{letter} {value}"
+    def _technology(
+        self, _kind: int, has_value: int, function: float, value: float
+    ) -> tuple[str, str]:
+        letter, number = _function(function)
+        return "output", f"{letter} {number}" + (f" = {int(value)}" if has_value else "")
 
     def _message(self, _kind: int, number: int, _a: float, _b: float) -> tuple[str, str]:
         return "message", self._names.message(number)

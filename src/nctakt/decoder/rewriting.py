@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""Blocks that only the run shows: numbers of functions that are computed, texts of macros.
+
+In: a block. Out: the block with its numbers, and statements checked as any others are. ``M[P1]``
+counts as the function whose number P1 gives in this moment.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Sequence
+from dataclasses import replace
+from typing import NoReturn
+
+from nctakt.decoder.commands import Answer, Command
+from nctakt.decoder.surroundings import Surroundings
+from nctakt.decoder.values import Values
+from nctakt.diagnostics import Span
+from nctakt.kernel import arithmetic
+from nctakt.messages import Collector
+from nctakt.nc import syntax
+from nctakt.nc.check import Checker, Role
+from nctakt.nc.source import Source
+
+#: Words whose number tells what they do.
+NUMBERED = ("G", "H", "M")
+
+
+def is_as_written(block: syntax.Block) -> bool:
+    """Whether a block has neither computed numbers nor macros."""
+    for word in block.words:
+        if isinstance(word, syntax.StringWord):
+            return False
+        if isinstance(word, syntax.Word) and word.name in NUMBERED:
+            if not isinstance(word.value, syntax.Number):
+                return False
+    return True
+
+
+def check(
+    surroundings: Surroundings,
+    fail: Callable[..., NoReturn],
+    statements: Sequence[syntax.Statement],
+    span: Span,
+    role: Role = "either",
+) -> None:
+    """Check statements that stand at ``span``; the first mistake gives the program up."""
+    collector = Collector()
+    source = Source(span.file, ())
+    checker = Checker(source, surroundings.names, surroundings.parameters, collector)
+    checker.begin(role)
+    for statement in statements:
+        checker.statement(statement)
+    errors = [one for one in collector.diagnostics if one.severity.name == "ERROR"]
+    if errors:
+        fail(errors[0].id, span, **errors[0].values)
+
+
+def with_numbers(
+    values: Values, block: syntax.Block, number: int
+) -> Generator[Command, Answer, syntax.Block]:
+    """The block with the numbers that its functions have now."""
+    words: list[syntax.BlockWord] = []
+    for word in block.words:
+        if isinstance(word, syntax.Word) and word.name in NUMBERED and word.value is not None:
+            value = yield from values.evaluate(word.value, number)
+            whole = arithmetic.round_half_even(value)
+            if whole < 0.0:
+                values.fail(900204, word.span, word=f"{word.name}{whole:.0f}")
+            words.append(replace(word, value=syntax.Number(word.value.span, whole)))
+        else:
+            words.append(word)
+    meant = replace(block, words=tuple(words))
+    is_main = len(values.state.levels.stack) == 1
+    role: Role = "main" if is_main else "either"
+    check(values.surroundings, values.fail, [meant], block.span, role)
+    return meant

@@ -46,7 +46,8 @@ class Calls:
             for keyword in call.keywords:
                 assert isinstance(keyword, syntax.Keyword)
                 index = parameter_number(keyword)
-                assert index is not None
+                if index is None:
+                    continue  # MODAL_MOVE, MODAL_BLOCK
                 assert keyword.value is not None
                 arguments[index] = yield from self._values.evaluate_any(keyword.value, number)
         text = self._values.state.levels.top.text

@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from nctakt.decoder.own_variables import Scopes
+from nctakt.diagnostics import Span
 from nctakt.nc.outline import ProgramText, Section
 
 #: Programs inside each other, the main program included.
@@ -18,6 +19,20 @@ MOST_LEVELS = 20
 
 #: Structures and calls inside each other, over all levels.
 MOST_NESTED = 120
+
+
+@dataclass(slots=True)
+class ModalCall:
+    """A call that is repeated behind blocks: ``behind_each``, or behind those with a motion.
+
+    ``level`` is what it calls, ``span`` where it stands. ``is_due``: a block has come, in ``line``.
+    """
+
+    level: Level
+    span: Span
+    behind_each: bool
+    is_due: bool = False
+    line: int = 0
 
 
 @dataclass(slots=True)
@@ -30,13 +45,18 @@ class Level:
     text: ProgramText
     section: Section
     arguments: dict[int, float | str] | None = None
+    modal: ModalCall | None = None
 
 
 @dataclass(slots=True)
 class Levels:
-    """The levels from the main program on; ``scopes``: their variables."""
+    """The levels from the main program on; ``scopes``: their variables.
+
+    ``modal_count``: how many of them have a modal call.
+    """
 
     stack: list[Level] = field(default_factory=list)
+    modal_count: int = 0
     scopes: Scopes = field(default_factory=lambda: Scopes({}))
 
     def enter(self, level: Level) -> None:
@@ -48,10 +68,16 @@ class Levels:
 
     def leave(self) -> None:
         """The innermost program has ended."""
+        self.set_modal(None)
         level = self.stack.pop()
         self.scopes.locals_.pop()
         if level.arguments is not None:
             self.scopes.cycles.pop()
+
+    def set_modal(self, call: ModalCall | None) -> None:
+        """The modal call of the program that decodes is this one from now on."""
+        self.modal_count += (call is not None) - (self.top.modal is not None)
+        self.top.modal = call
 
     @property
     def top(self) -> Level:

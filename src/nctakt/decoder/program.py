@@ -31,6 +31,7 @@ from nctakt.decoder.hashes import Hashes
 from nctakt.decoder.levels import MOST_LEVELS, MOST_NESTED, Level
 from nctakt.decoder.loops import RealtimeLoops
 from nctakt.decoder.macros import Macros
+from nctakt.decoder.modal import ModalCalls
 from nctakt.decoder.offsets import ALL, left_over
 from nctakt.decoder.plain_blocks import PlainBlocks
 from nctakt.decoder.requests import MovedAxes
@@ -54,6 +55,8 @@ MOST_BLOCKS_WITHOUT_TIME = 100_000
 
 #: The words of the command that waits for functions of the type MVS_SLP.
 EXPLICIT = ["EXPL", "SYN"]
+#: The words of the command that ends a modal call.
+NO_MODAL = ["DISABLE", "MODAL", "CYCLE"]
 
 _SCOPE_NAMES = {BLOCK: "BLOCK", PROG: "PROG", GLOBAL: "GLOBAL"}
 
@@ -86,6 +89,7 @@ class ProgramDecoder:
         self._loops = RealtimeLoops(self._values, self._words, self._statements)
         self._flow = Flow(self._values, self._statements, self._round)
         self._levels = state.levels
+        self._modal = ModalCalls(state.levels)
         self._next_cycle = next_cycle
         self._keep_cycle = keep_cycle
         self._plain = PlainBlocks(
@@ -167,14 +171,26 @@ class ProgramDecoder:
     # --- statements -----------------------------------------------------------------------------
 
     def _statements(
-        self, statements: Iterable[syntax.Statement], label: str | None = None
+        self,
+        statements: Iterable[syntax.Statement],
+        label: str | None = None,
+        *,
+        is_part: bool = False,
     ) -> Decoded:
-        """Statement by statement; from the one on that a label stands at or in."""
+        """Statement by statement; from the one on that a label stands at or in.
+
+        ``is_part``: they are one block of the program.
+        """
         self._nested += 1
         reader = None
         if self._takes_runs and isinstance(statements, SectionReader):
             reader = statements
         for statement in statements:
+            if self._levels.modal_count:
+                signal = yield from self._repeated(statement.span.line)
+                if signal:
+                    self._nested -= 1
+                    return signal
             if label is None:
                 signal = yield from self._statement(statement)
             elif not leads_to(statement, label):
@@ -189,10 +205,22 @@ class ProgramDecoder:
             if signal:
                 self._nested -= 1
                 return signal
-            if reader is not None and label is None:
+            if self._levels.modal_count:
+                self._modal.behind(statement)
+            elif reader is not None and label is None:
                 self._blocks = yield from self._plain.decode(reader, self._blocks)
         self._nested -= 1
+        if self._levels.modal_count and not is_part:
+            return (yield from self._repeated())
         return ""
+
+    def _repeated(self, line: int | None = None) -> Decoded:
+        """The modal call that is due before the block in this line, or at the end."""
+        due = self._modal.due(line)
+        if due is None:
+            return ""
+        level, modal = due
+        return (yield from self._call(level, modal.span))
 
     def _round(self, span: Span) -> None:
         """A pass of the loop at this place, or a jump from it; the outermost one comes first."""
@@ -241,6 +269,7 @@ class ProgramDecoder:
                     if signal:
                         return signal
                 level = yield from self._calls.call(statement, number)
+                self._modal.begin(statement, level)
                 return (yield from self._call(level, statement.span))
             case (
                 syntax.If()
@@ -265,7 +294,7 @@ class ProgramDecoder:
         if not is_as_written(block):
             meant = self._macros.expand(block)
             if meant is not None:
-                return (yield from self._statements(meant))
+                return (yield from self._statements(meant, is_part=True))
             block = yield from with_numbers(self._values, block, number)
         block, returning = yield from self._calls.returning(block, number)
         block, called = yield from self._calls.implied(block, number)
@@ -276,7 +305,11 @@ class ProgramDecoder:
                 return signal
         if ends:
             return "end"
-        return "" if returning is None else returning
+        if returning is not None:
+            return returning
+        if self._levels.modal_count and called is None:
+            self._modal.behind_words(block.span.line, self._words.has_motion)
+        return ""
 
     def _number(self, head: syntax.Head) -> Generator[Command, Answer, int]:
         if head.number is None:
@@ -317,6 +350,8 @@ class ProgramDecoder:
                 self._macros.define(statement)
             case syntax.Timer():
                 yield from self._hashes.timer(statement, number)
+            case syntax.HashCommand() if [word.name for word in statement.words] == NO_MODAL:
+                self._modal.end()
             case syntax.HashCommand():
                 yield from self._hashes.command(statement, number)
             case syntax.ProgramStart():

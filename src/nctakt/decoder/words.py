@@ -77,7 +77,7 @@ class _Content:
 
 
 class Words:
-    """Decodes the blocks of one program."""
+    """Decodes the blocks of one program; ``has_motion``: the latest one had a motion command."""
 
     def __init__(self, values: Values, moved: MovedAxes) -> None:
         self._moved = moved
@@ -87,6 +87,7 @@ class Words:
         self._spindles = SpindleWords(values)
         self.path = PathMotion(values, PathPace(values, self._spindles))
         self.technology = TechnologyOutputs()
+        self.has_motion = False
         self._spindle_names = names_of(self._surroundings.parameters.spindles)
 
     def presets(self, command: syntax.OffsetCommand, number: int) -> Generator[Command, Answer]:
@@ -115,6 +116,7 @@ class Words:
 
         ``kinds``: which offsets its absolute positions have.
         """
+        self.has_motion = False
         content = yield from self._sort(block, number)
         content.path.offset_kinds = kinds
         source = self._surroundings.place(block.span)
@@ -310,6 +312,7 @@ class Words:
         """The path to the programmed position; a centre without a target is a full circle."""
         if not content.axes and not (content.path.centre and self._state.motion > 1):
             return
+        self.has_motion = True
         yield from self.request(self._programmed(content), span, number)
         start = self._state.positions
         target = self._target(content, span)

@@ -10,7 +10,6 @@ from __future__ import annotations
 import re
 from difflib import get_close_matches
 
-from nctakt.nc import support
 from nctakt.nc.check_values import ValueChecker
 from nctakt.nc.check_words import WordChecker
 from nctakt.nc.findings import Findings
@@ -20,7 +19,10 @@ from nctakt.nc.syntax import Block, Expression, Keyword, StringLiteral, Subprogr
 CALL_PARAMETERS = 200
 
 _PARAMETER = re.compile(r"@P(\d+)")
-_MODAL = ("MODAL", "MODAL_MOVE", "MODAL_BLOCK")
+#: Keywords of modal calls: behind each block with a motion, behind each block.
+MODAL_MOVE = ("MODAL_MOVE", "MODAL")
+MODAL_BLOCK = "MODAL_BLOCK"
+_MODAL = (*MODAL_MOVE, MODAL_BLOCK)
 
 
 def parameter_number(keyword: Keyword) -> int | None:
@@ -61,8 +63,10 @@ class CallChecker:
                 self._unknown(item)
 
     def _keyword(self, keyword: Keyword, seen: dict[str, None]) -> None:
-        if keyword.name in _MODAL:
-            self._findings.answer(support.form("L CYCLE [MODAL_MOVE]"), keyword.span, keyword.name)
+        if keyword.name in _MODAL and keyword.value is None and not keyword.arguments:
+            if _MODAL[0] in seen:
+                self._findings.report(900224, keyword.span, word=keyword.name)
+            seen[_MODAL[0]] = None
         elif parameter_number(keyword) is None:
             self._unknown(keyword)
         elif keyword.name in seen:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """``#`` commands of the main program that the decoder carries out: their forms.
 
-In: ``#TIMER``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``. Out: diagnostics.
+In: ``#TIMER``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``,
+``#DISABLE MODAL CYCLE``. Out: diagnostics.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from nctakt.nc.syntax import Bracket, Expression, HashCommand, Keyword, Name, Ti
 
 _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
 _POSITIONS = ("CMDPOS", "ACTPOS")
+_WITHOUT_ARGUMENTS = (("BACKWARD", "STORAGE", "CLEAR"), ("DISABLE", "MODAL", "CYCLE"))
 
 
 class CommandChecker:
@@ -44,9 +46,9 @@ class CommandChecker:
             self._file(command)
         elif tuple(words) == ("CHANNEL", "INIT"):
             self._channel(command)
-        elif tuple(words) == ("BACKWARD", "STORAGE", "CLEAR"):
+        elif tuple(words) in _WITHOUT_ARGUMENTS:
             if command.arguments:
-                name = "#BACKWARD STORAGE CLEAR"
+                name = "#" + " ".join(words)
                 self._findings.report(900233, command.span, command=name, forms=forms_of(name))
         else:
             return False

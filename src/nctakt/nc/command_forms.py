@@ -21,6 +21,7 @@ FORMS: dict[str, tuple[str, ...]] = {
         "#CS OFF",
         "#CS OFF ALL",
     ),
+    "#DISABLE MODAL CYCLE": ("#DISABLE MODAL CYCLE",),
     "#DELETE": ("#DELETE V.P.NAME", "#DELETE V.P."),
     "#ERROR": ("#ERROR [ID=455]", "#ERROR [ID=455 RC=2 MID=1 PV1=P1 PM1=3]"),
     "#EXPL SYN": ("#EXPL SYN",),

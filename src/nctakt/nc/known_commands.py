@@ -73,7 +73,7 @@ COMMANDS = known(
     ("#DELETE", "S", "delete variables", "Variablen löschen"),
     ("#DIAGNOSIS", "R", "diagnosis data", "Diagnosedaten"),
     ("#DISABLE AX LINK", "R", "coupling of axes off", "Achskopplung aus"),
-    ("#DISABLE MODAL CYCLE", "R", "modal canned cycle off", "modaler Zyklus aus"),
+    ("#DISABLE MODAL CYCLE", "S", "end of a modal call", "Ende eines modalen Aufrufs"),
     ("#DISTANCE PROG START", "R", "distance since program start", "Weg seit Programmstart"),
     ("#DRIVE", "R", "data of drives", "Daten der Antriebe"),
     ("#DYN_WEIGHT", "R", "weight of dynamics", "Gewichtung der Dynamik"),
@@ -196,7 +196,12 @@ FORMS = known(
     ("X[…]", "R", "command for one axis", "Befehl für eine Achse"),
     ("S2[…]", "S", "command for a spindle", "Befehl für eine Spindel"),
     ("M17[…]", "S", "return with a jump", "Rücksprung mit Ziel"),
-    ("L CYCLE [MODAL_MOVE]", "R", "call behind every block", "Aufruf hinter jedem Satz"),
+    (
+        "L CYCLE [MODAL_MOVE]",
+        "S",
+        "call behind each block with a motion; MODAL_BLOCK: behind each",
+        "Aufruf hinter jedem Satz mit Bewegung; MODAL_BLOCK: hinter jedem",
+    ),
     ("M110=130", "S", "M or H function with a value", "M- oder H-Funktion mit Wert"),
     ("M[P1]", "S", "function with a computed number", "Funktion mit berechneter Nummer"),
     (

@@ -11,17 +11,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from nctakt.decoder.actions import ActionBuilder
-from nctakt.decoder.expressions import Built, ExpressionBuilder, constant, load
+from nctakt.decoder.expressions import ExpressionBuilder
+from nctakt.decoder.fusing import Built, constant, load
 from nctakt.decoder.memory import memory_bytes
 from nctakt.decoder.spindles import cycle_statement, names_of
 from nctakt.decoder.technology import process_ticks
 from nctakt.decoder.user_errors import parts
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
-from nctakt.kernel import expressions, instructions, user_errors
+from nctakt.kernel import expressions, fused, instructions, reactions, user_errors
 from nctakt.kernel.conditions import Combination, Condition
 from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
-from nctakt.kernel.instructions import Branch, Reaction, Statement
+from nctakt.kernel.instructions import Statement
+from nctakt.kernel.reactions import Branch, Reaction
 from nctakt.lists.variables import SCALARS
 from nctakt.nc import syntax
 from nctakt.nc.cost import command_steps, condition_steps, most_steps
@@ -39,9 +41,9 @@ TIMER_ACTIONS = {"START": 1, "STOP": 2, "READ": 3, "CLEAR": 4}
 _OWN_EVENTS = 3
 
 _REACTIONS = {
-    "ONCE": instructions.IfOnce,
-    "EDGE": instructions.IfEdge,
-    "ALWAYS": instructions.IfAlways,
+    "ONCE": reactions.IfOnce,
+    "EDGE": reactions.IfEdge,
+    "ALWAYS": reactions.IfAlways,
 }
 
 
@@ -79,6 +81,16 @@ class CycleDefinition:
     reactions: list[BuiltReaction] = field(default_factory=list)
     frozen: tuple[Frozen, ...] = ()
     axes: tuple[str, ...] = ()
+
+
+def _kind_of(location: Location) -> type[instructions.Assignment]:
+    """The assignment to a variable of this name and type."""
+    scalar = SCALARS[location.type]
+    if location.name.startswith(("V.RTG.OVERRIDE", "V.RTA.OVERRIDE")):
+        return instructions.AssignOverride
+    if scalar.name == "BOOLEAN":
+        return instructions.AssignBoolean
+    return instructions.AssignInteger if scalar.is_integer else instructions.AssignReal
 
 
 #: Probe rows that a condition can record in a tick: a change, and the begins of two series.
@@ -230,7 +242,7 @@ class CycleBuilder:
             alternatives.append(self._branch(elseif.span, elseif.condition, elseif.body))
         if statement.else_body is not None:
             alternatives.append(self._otherwise(statement))
-        return instructions.branches(alternatives)
+        return reactions.branches(alternatives)
 
     def _branch(
         self, span: Span, condition: syntax.Expression, body: Sequence[syntax.Statement]
@@ -265,10 +277,16 @@ class CycleBuilder:
         assert isinstance(statement.target, syntax.Variable)
         location = self._values.locate(statement.target)
         value = self._builder.build(statement.value)
+        source, cost = self._place(statement.span), self._cost(statement)
         if statement.operator != "=":
             target = self._builder.build(statement.target)
+            if (
+                statement.operator == "+="
+                and target.cell is not None
+                and _kind_of(location) is instructions.AssignReal
+            ):
+                return instructions.AddToReal(target.cell, value.node, source, cost)
             value = self._builder.combine(statement.operator[0], target, value)
-        source, cost = self._place(statement.span), self._cost(statement)
         return self._store(statement.target, location, value, source, cost)
 
     def _store(
@@ -276,16 +294,12 @@ class CycleBuilder:
     ) -> Statement:
         scalar = SCALARS[location.type]
         cell, index = self._index(target, location)
-        kind: type[instructions.Assignment]
-        if location.name.startswith(("V.RTG.OVERRIDE", "V.RTA.OVERRIDE")):
-            kind = instructions.AssignOverride
-        elif scalar.name == "BOOLEAN":
-            kind = instructions.AssignBoolean
-        elif scalar.is_integer:
-            kind = instructions.AssignInteger
+        kind = _kind_of(location)
+        made: instructions.Assignment
+        if issubclass(kind, instructions.BoundedAssignment):
+            made = kind(cell, value.node, scalar.low, scalar.high, source, cost)
         else:
-            kind = instructions.AssignReal
-        made = kind(cell, value.node, scalar.low, scalar.high, source, cost)
+            made = kind(cell, value.node, source, cost)
         if index is None:
             return made
         return instructions.AssignElement(index, made, source, cost)
@@ -306,7 +320,7 @@ class CycleBuilder:
             built = Built(expressions.LoadElement(cell, index))
         unit = self._values.state.length_unit_mm
         if location.is_length and unit != 1.0:
-            return Built(expressions.DivideExpressionConstant(built.node, unit))
+            return Built(fused.DivideExpressionConstant(built.node, unit))
         return built
 
     def _freeze(self, node: syntax.Variable | syntax.Parameter) -> Built:

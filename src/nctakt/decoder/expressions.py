@@ -3,14 +3,14 @@
 
 The one meaning of operators and functions for decoder and cycles: in a cycle a variable becomes a
 load, in the decoder the value that it has now, and the tree is evaluated at once. Nodes with simple
-operands are fused; what they cost is counted on the tree (``nc/cost.py``) and does not change.
+operands are fused (``fusing.py``).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
+from nctakt.decoder.fusing import Built, constant, fuse
 from nctakt.kernel import conditions, expressions
 from nctakt.kernel.conditions import Condition
 from nctakt.kernel.expressions import Expression
@@ -82,58 +82,7 @@ COMBINATIONS: dict[str, type[conditions.Combination]] = {
     "||": conditions.Either,
 }
 
-_FUSED: dict[
-    str,
-    tuple[
-        type[expressions.CellConstant],
-        type[expressions.CellCell],
-        type[expressions.ExpressionConstant],
-        type[expressions.ExpressionCell],
-    ],
-] = {
-    "+": (
-        expressions.AddCellConstant,
-        expressions.AddCellCell,
-        expressions.AddExpressionConstant,
-        expressions.AddExpressionCell,
-    ),
-    "-": (
-        expressions.SubtractCellConstant,
-        expressions.SubtractCellCell,
-        expressions.SubtractExpressionConstant,
-        expressions.SubtractExpressionCell,
-    ),
-    "*": (
-        expressions.MultiplyCellConstant,
-        expressions.MultiplyCellCell,
-        expressions.MultiplyExpressionConstant,
-        expressions.MultiplyExpressionCell,
-    ),
-}
-
 _CONSTANTS = {"TRUE": 1.0, "FALSE": 0.0, "PI": 3.141592653589793}
-
-
-@dataclass(frozen=True, slots=True)
-class Built:
-    """A node.
-
-    ``constant`` is its value where that is known, ``cell`` the variable that it only loads.
-    """
-
-    node: Expression
-    constant: float | None = None
-    cell: int | None = None
-
-
-def constant(value: float) -> Built:
-    """A known number."""
-    return Built(expressions.Constant(value), value)
-
-
-def load(cell: int) -> Built:
-    """A variable of the memory."""
-    return Built(expressions.Load(cell), cell=cell)
 
 
 class ExpressionBuilder:
@@ -205,29 +154,7 @@ class ExpressionBuilder:
         """``left operator right``."""
         if left.constant is not None and right.constant is not None:
             return self._folded(_BINARY[operator](left.node, right.node))
-        if operator in _FUSED:
-            fused = self._fused(operator, left, right)
-            if fused is not None:
-                return Built(fused)
-        if operator == "/" and right.constant:
-            return Built(expressions.DivideExpressionConstant(left.node, right.constant))
-        return Built(_BINARY[operator](left.node, right.node))
-
-    def _fused(self, operator: str, left: Built, right: Built) -> Expression | None:
-        cell_constant, cell_cell, expression_constant, expression_cell = _FUSED[operator]
-        if operator != "-" and right.cell is None and right.constant is None:
-            left, right = right, left
-        if left.cell is not None and right.constant is not None:
-            return cell_constant(left.cell, right.constant)
-        if operator != "-" and left.constant is not None and right.cell is not None:
-            return cell_constant(right.cell, left.constant)
-        if left.cell is not None and right.cell is not None:
-            return cell_cell(left.cell, right.cell)
-        if right.constant is not None:
-            return expression_constant(left.node, right.constant)
-        if right.cell is not None and left.constant is None:
-            return expression_cell(left.node, right.cell)
-        return None
+        return fuse(operator, left, right) or Built(_BINARY[operator](left.node, right.node))
 
     def _unary(self, operator: str, operand: syntax.Expression) -> Built:
         built = self.build(operand)

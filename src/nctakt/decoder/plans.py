@@ -11,7 +11,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from nctakt.decoder.expressions import Built, ExpressionBuilder, load
+from nctakt.decoder.expressions import ExpressionBuilder
+from nctakt.decoder.fusing import Built, load
 from nctakt.kernel.expressions import Expression
 from nctakt.kernel.memory import context_of
 from nctakt.nc import syntax

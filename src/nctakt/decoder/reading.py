@@ -15,7 +15,8 @@ from nctakt.decoder.commands import (
     Command,
     ReadRealtime,
 )
-from nctakt.decoder.expressions import Built, ExpressionBuilder, constant
+from nctakt.decoder.expressions import ExpressionBuilder
+from nctakt.decoder.fusing import Built, constant
 from nctakt.decoder.own_values import OwnValues
 from nctakt.decoder.plans import Leaf, Plan, Plans
 from nctakt.decoder.state import ModalState

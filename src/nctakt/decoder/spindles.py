@@ -13,7 +13,8 @@ from collections.abc import Generator, Sequence
 from dataclasses import dataclass, field
 
 from nctakt.decoder.commands import Answer, AwaitSpindle, Command, SpindleJob
-from nctakt.decoder.expressions import Built, ExpressionBuilder, constant
+from nctakt.decoder.expressions import ExpressionBuilder
+from nctakt.decoder.fusing import Built, constant
 from nctakt.decoder.technology import Issued, process_ticks
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span

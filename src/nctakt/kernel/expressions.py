@@ -5,8 +5,7 @@
 
 RC-206, RC-207. ``value(context)`` answers a float64. An operation that is not defined for its
 operands notes fault 50879 with its operation number in the context and answers 0; the statement
-above sees the fault and stores nothing. The classes behind "Fused" do the work of several nodes
-in one call; they count as the nodes that they stand for.
+above sees the fault and stores nothing. ``fused.py`` has nodes that stand for several of these.
 """
 
 from __future__ import annotations
@@ -507,132 +506,6 @@ class ArcTangent2(Binary):
             context.fail(50879, 0, 19.0, 0.0)
             return 0.0
         return result
-
-
-# --- Fused -------------------------------------------------------------------------------------
-
-
-class CellConstant(Expression):
-    """Base: a variable and a number."""
-
-    def __init__(self, cell: int, number: float) -> None:
-        self.cell = cell
-        self.number = number
-
-
-class CellCell(Expression):
-    """Base: two variables."""
-
-    def __init__(self, cell: int, other: int) -> None:
-        self.cell = cell
-        self.other = other
-
-
-class ExpressionConstant(Expression):
-    """Base: an expression and a number."""
-
-    def __init__(self, operand: Expression, number: float) -> None:
-        self.operand = operand
-        self.number = number
-
-
-class ExpressionCell(Expression):
-    """Base: an expression and a variable."""
-
-    def __init__(self, operand: Expression, cell: int) -> None:
-        self.operand = operand
-        self.cell = cell
-
-
-class AddCellConstant(CellConstant):
-    """Variable ``+`` number."""
-
-    def value(self, context: Context) -> float:
-        return context.cells[self.cell] + self.number
-
-
-class AddCellCell(CellCell):
-    """Variable ``+`` variable."""
-
-    def value(self, context: Context) -> float:
-        return context.cells[self.cell] + context.cells[self.other]
-
-
-class AddExpressionConstant(ExpressionConstant):
-    """Expression ``+`` number."""
-
-    def value(self, context: Context) -> float:
-        return self.operand.value(context) + self.number
-
-
-class AddExpressionCell(ExpressionCell):
-    """Expression ``+`` variable."""
-
-    def value(self, context: Context) -> float:
-        return self.operand.value(context) + context.cells[self.cell]
-
-
-class SubtractCellConstant(CellConstant):
-    """Variable ``-`` number."""
-
-    def value(self, context: Context) -> float:
-        return context.cells[self.cell] - self.number
-
-
-class SubtractCellCell(CellCell):
-    """Variable ``-`` variable."""
-
-    def value(self, context: Context) -> float:
-        return context.cells[self.cell] - context.cells[self.other]
-
-
-class SubtractExpressionConstant(ExpressionConstant):
-    """Expression ``-`` number."""
-
-    def value(self, context: Context) -> float:
-        return self.operand.value(context) - self.number
-
-
-class SubtractExpressionCell(ExpressionCell):
-    """Expression ``-`` variable."""
-
-    def value(self, context: Context) -> float:
-        return self.operand.value(context) - context.cells[self.cell]
-
-
-class MultiplyCellConstant(CellConstant):
-    """Variable ``*`` number."""
-
-    def value(self, context: Context) -> float:
-        return context.cells[self.cell] * self.number
-
-
-class MultiplyCellCell(CellCell):
-    """Variable ``*`` variable."""
-
-    def value(self, context: Context) -> float:
-        return context.cells[self.cell] * context.cells[self.other]
-
-
-class MultiplyExpressionConstant(ExpressionConstant):
-    """Expression ``*`` number."""
-
-    def value(self, context: Context) -> float:
-        return self.operand.value(context) * self.number
-
-
-class MultiplyExpressionCell(ExpressionCell):
-    """Expression ``*`` variable."""
-
-    def value(self, context: Context) -> float:
-        return self.operand.value(context) * context.cells[self.cell]
-
-
-class DivideExpressionConstant(ExpressionConstant):
-    """Expression ``/`` number that is not zero."""
-
-    def value(self, context: Context) -> float:
-        return self.operand.value(context) / self.number
 
 
 #: Names of the operations that can fail, by the number in detail ``a`` of fault 50879.

@@ -3,16 +3,16 @@
 # cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Statements of realtime cycles: trees of small objects, each of which runs itself.
 
-RC-201 … RC-208, RC-307, RC-403, RC-501. ``run(context)`` answers 0 when the run-through goes on and
-not 0 when the cycle must stop: a fault or a limit, noted in the context. The cost of a statement in
-elementary instructions is known when it is built and added before it runs. Statements stand in
-a tree of blocks of four, so that a cycle of any length needs little recursion.
+RC-207, RC-307, RC-403, RC-501; ``$IF`` stands in ``reactions.py``. ``run(context)`` answers 0 when
+the run-through goes on and not 0 when the cycle must stop: a fault or a limit, noted in the
+context. The cost of a statement in elementary instructions is known when it is built and added
+before it runs. Statements stand in a tree of blocks of four, so that a cycle of any length needs
+little recursion.
 """
 
 from __future__ import annotations
 
 from nctakt.kernel import arithmetic
-from nctakt.kernel.conditions import Condition
 from nctakt.kernel.expressions import Expression
 from nctakt.kernel.memory import Context
 
@@ -111,6 +111,13 @@ def stop(statement: Counted, context: Context) -> int:
     return 1
 
 
+def reject(statement: Counted, context: Context, value: float) -> int:
+    """The value is of no use: its expression has failed, or it is not finite (50879, RC-207)."""
+    if context.fault == 0:
+        context.fail(50879, statement.source, 0.0, value)
+    return stop(statement, context)
+
+
 def write(statement: Counted, context: Context, cell: int, value: float) -> None:
     """Store a value; one that differs from the old one is an event."""
     if value != context.cells[cell]:
@@ -120,22 +127,71 @@ def write(statement: Counted, context: Context, cell: int, value: float) -> None
 
 
 def evaluate(statement: Counted, expression: Expression, context: Context) -> float:
-    """Count the statement and compute what it assigns; a fault is in the context.
-
-    A result that is not finite is 50879 (RC-207).
-    """
+    """Count the statement and compute what it assigns; a fault is in the context."""
     if begin(statement, context):
         return 0.0
     value = expression.value(context)
-    if context.fault:
-        stop(statement, context)
-    elif value - value != 0.0:
-        context.fail(50879, statement.source, 0.0, value)
+    if context.fault != 0 or value - value != 0.0:
+        reject(statement, context, value)
     return value
 
 
 class Assignment(Counted):
-    """Base of ``v = e``; ``lowest`` and ``highest`` bound what an integer variable takes."""
+    """Base of ``v = e``."""
+
+    def __init__(self, cell: int, expression: Expression, source: int, cost: int) -> None:
+        super().__init__(source, cost)
+        self.cell = cell
+        self.expression = expression
+
+    def store(self, context: Context, cell: int, value: float) -> int:
+        """Convert to the variable's type and store; 1 when the value does not fit."""
+        return 0
+
+
+class AssignReal(Assignment):
+    """Into a REAL64 variable.
+
+    This is what most cycles mostly do: so it is written out instead of composed as the others are.
+    """
+
+    def run(self, context: Context) -> int:
+        context.steps += self.cost
+        if context.steps > context.check_at and context.over_limit(self.source):
+            return 1
+        value = self.expression.value(context)
+        if context.fault != 0 or value - value != 0.0:
+            return reject(self, context, value)
+        if value != context.cells[self.cell]:
+            context.cells[self.cell] = value
+            if context.record.records_writes:
+                context.record.written(self.source, context.serial, self.cell, value)
+        return 0
+
+    def store(self, context: Context, cell: int, value: float) -> int:
+        write(self, context, cell, value)
+        return 0
+
+
+class AddToReal(Assignment):
+    """``v += e`` of a REAL64 variable (fused)."""
+
+    def run(self, context: Context) -> int:
+        context.steps += self.cost
+        if context.steps > context.check_at and context.over_limit(self.source):
+            return 1
+        value = self.expression.value(context) + context.cells[self.cell]
+        if context.fault != 0 or value - value != 0.0:
+            return reject(self, context, value)
+        if value != context.cells[self.cell]:
+            context.cells[self.cell] = value
+            if context.record.records_writes:
+                context.record.written(self.source, context.serial, self.cell, value)
+        return 0
+
+
+class BoundedAssignment(Assignment):
+    """Base of what rounds; ``lowest`` and ``highest`` bound what the variable takes."""
 
     def __init__(
         self,
@@ -146,18 +202,14 @@ class Assignment(Counted):
         source: int,
         cost: int,
     ) -> None:
-        super().__init__(source, cost)
-        self.cell = cell
-        self.expression = expression
+        super().__init__(cell, expression, source, cost)
         self.lowest = lowest
         self.highest = highest
 
-    def store(self, context: Context, cell: int, value: float) -> int:
-        """Convert to the variable's type and store; 1 when the value does not fit."""
-        return 0
 
-
-def round_into_range(statement: Assignment, context: Context, cell: int, value: float) -> float:
+def round_into_range(
+    statement: BoundedAssignment, context: Context, cell: int, value: float
+) -> float:
     """The value as an integer variable takes it; 50892 outside its range (RC-307)."""
     value = arithmetic.round_half_even(value)
     if not statement.lowest <= value <= statement.highest:
@@ -165,22 +217,7 @@ def round_into_range(statement: Assignment, context: Context, cell: int, value: 
     return value
 
 
-class AssignReal(Assignment):
-    """Into a REAL64 variable."""
-
-    def run(self, context: Context) -> int:
-        value = evaluate(self, self.expression, context)
-        if context.fault:
-            return 1
-        write(self, context, self.cell, value)
-        return 0
-
-    def store(self, context: Context, cell: int, value: float) -> int:
-        write(self, context, cell, value)
-        return 0
-
-
-class AssignInteger(Assignment):
+class AssignInteger(BoundedAssignment):
     """Into an integer variable: rounded half to even (RC-307)."""
 
     def run(self, context: Context) -> int:
@@ -211,7 +248,7 @@ class AssignBoolean(Assignment):
         return 0
 
 
-class AssignOverride(Assignment):
+class AssignOverride(BoundedAssignment):
     """Into an override: no event, since it is written anew in every tick (RC-305).
 
     Its changes show in the trace rows.
@@ -303,186 +340,3 @@ class CommandTimer(Counted):
             return 1
         context.timers.command(self.action, int(value), context.tick)
         return 0
-
-
-class Reaction(Counted):
-    """Base of what runs a body under a condition.
-
-    Counts the body's run-throughs and tells the first of each series of consecutive ones.
-    ``next_tick`` is the tick behind the last of them, -1 before the first.
-    """
-
-    def __init__(self, condition: Condition, body: Statement, source: int, cost: int) -> None:
-        super().__init__(source, cost)
-        self.condition = condition
-        self.body = body
-        self.count = 0
-        self.first_tick = -1
-        self.next_tick = -1
-        self.last_run = -2
-
-    def restart(self) -> None:
-        self.last_run = -2
-        self.condition.forget()
-        self.body.restart()
-
-
-def judge(reaction: Reaction, context: Context) -> int:
-    """Evaluate the condition: 0 false, 1 true, 2 the cycle must stop."""
-    if begin(reaction, context):
-        return 2
-    truth = reaction.condition.decide(context)
-    if context.fault:
-        stop(reaction, context)
-        return 2
-    return truth
-
-
-def react(reaction: Reaction, context: Context) -> int:
-    """Run the body."""
-    if reaction.last_run != context.run - 1:
-        if reaction.count == 0:
-            reaction.first_tick = context.tick
-        context.record.fired(reaction.source, context.serial)
-    if reaction.next_tick != context.tick:
-        context.record.series(reaction.condition.probe, 1, reaction.next_tick)
-    reaction.next_tick = context.tick + 1
-    reaction.count += 1
-    reaction.last_run = context.run
-    return reaction.body.run(context)
-
-
-class Branch(Reaction):
-    """One branch of a plain ``$IF``; ``attempt``: 0 not taken, 1 taken, 2 the cycle must stop."""
-
-    def attempt(self, context: Context) -> int:
-        """Evaluate the condition and, where it holds, run the body."""
-        result = judge(self, context)
-        if result == 1 and react(self, context):
-            return 2
-        return result
-
-    def run(self, context: Context) -> int:
-        """A plain ``$IF`` with one branch."""
-        truth = judge(self, context)
-        return react(self, context) if truth == 1 else truth
-
-
-class Branches(Branch):
-    """Up to four branches, of which at most one is taken; more of them nest (RC-201)."""
-
-    def __init__(self, first: Branch, second: Branch, third: Branch, fourth: Branch) -> None:
-        super().__init__(Condition(), Statement(), 0, 0)
-        self.first = first
-        self.second = second
-        self.third = third
-        self.fourth = fourth
-
-    def run(self, context: Context) -> int:
-        return 1 if self.attempt(context) == 2 else 0
-
-    def attempt(self, context: Context) -> int:
-        result = self.first.attempt(context)
-        if result:
-            return result
-        result = self.second.attempt(context)
-        if result:
-            return result
-        result = self.third.attempt(context)
-        if result:
-            return result
-        return self.fourth.attempt(context)
-
-    def restart(self) -> None:
-        self.first.restart()
-        self.second.restart()
-        self.third.restart()
-        self.fourth.restart()
-
-
-class NoBranch(Branch):
-    """The null object among branches: never taken."""
-
-    def __init__(self) -> None:
-        super().__init__(Condition(), Statement(), 0, 0)
-
-    def attempt(self, context: Context) -> int:
-        return 0
-
-
-def branches(alternatives: list[Branch]) -> Branch:
-    """A plain ``$IF`` of these branches, nested no deeper than their number's logarithm."""
-    count = len(alternatives)
-    if count == 1:
-        return alternatives[0]
-    if count <= 4:
-        return Branches(*alternatives, *[NoBranch() for _ in range(4 - count)])
-    cuts = [count * i // 4 for i in range(5)]
-    return Branches(*[branches(alternatives[cuts[i] : cuts[i + 1]]) for i in range(4)])
-
-
-class IfOnce(Reaction):
-    """``$IF ONCE``: the body runs once, at the first true evaluation (RC-203)."""
-
-    def __init__(self, condition: Condition, body: Statement, source: int, cost: int) -> None:
-        super().__init__(condition, body, source, cost)
-        self.is_done = False
-
-    def run(self, context: Context) -> int:
-        if self.is_done:
-            return 0
-        truth = judge(self, context)
-        if truth != 1:
-            return truth
-        self.is_done = True
-        return react(self, context)
-
-    def restart(self) -> None:
-        self.is_done = False
-        self.last_run = -2
-        self.condition.forget()
-        self.body.restart()
-
-
-class IfEdge(Reaction):
-    """``$IF EDGE``: the body runs at each change from false to true (RC-203)."""
-
-    def __init__(self, condition: Condition, body: Statement, source: int, cost: int) -> None:
-        super().__init__(condition, body, source, cost)
-        self.was_true = 0
-
-    def run(self, context: Context) -> int:
-        truth = judge(self, context)
-        if truth == 2:
-            return 1
-        rises = truth == 1 and self.was_true == 0
-        self.was_true = truth
-        return react(self, context) if rises else 0
-
-    def restart(self) -> None:
-        self.was_true = 0
-        self.last_run = -2
-        self.condition.forget()
-        self.body.restart()
-
-
-class IfAlways(Reaction):
-    """``$IF ALWAYS``: after the first true evaluation no longer evaluated (RC-203)."""
-
-    def __init__(self, condition: Condition, body: Statement, source: int, cost: int) -> None:
-        super().__init__(condition, body, source, cost)
-        self.is_latched = False
-
-    def run(self, context: Context) -> int:
-        if not self.is_latched:
-            truth = judge(self, context)
-            if truth != 1:
-                return truth
-            self.is_latched = True
-        return react(self, context)
-
-    def restart(self) -> None:
-        self.is_latched = False
-        self.last_run = -2
-        self.condition.forget()
-        self.body.restart()

@@ -107,13 +107,11 @@ class Pace:
             one.channel.hli.acknowledges_itself = not has_plc and share.plc_calls > 0
 
     def findings(self) -> list[Diagnostic]:
-        """What went wrong in the schedule up to here, each finding once.
-
-        Overflows are those of the ticks that were; the schedule itself is two ticks ahead.
-        """
+        """What went wrong in the schedule in the ticks that were, each finding once."""
+        schedule = self._ticks.simulation(self._machine.kernel.tick)
         found = [
             *self._overflow_errors(),
-            *(one for one in simulation_findings(self._ticks.simulation()) if one.id != 900630),
+            *(one for one in simulation_findings(schedule) if one.id != 900630),
         ]
         new = [one for one in found if one.text("en") not in self._told]
         self._told.update(one.text("en") for one in new)

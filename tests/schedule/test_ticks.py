@@ -7,6 +7,8 @@ k + 1; its share is what the decoder had between the call before and this one.
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from nctakt.lists.rtconf_effective import load_rtconf
@@ -34,23 +36,27 @@ thread[1].function[0].name task_rnd
 EXTERNAL = "external_thread[0].semaphore_name plc\nexternal_thread[0].cycle 1000\n"
 
 
-def shares(
-    count: int,
+def scheduled(
     *lines: str,
     task_rnd: object = 600,
     further: str = "",
     system: str = "rtx",
     every: int = 1,
     plc: int | None = None,
-) -> list[Share]:
-    """The first shares of a list with further lines and a load."""
+) -> TickSchedule:
+    """The schedule of a list with further lines and a load."""
     load = f"[functions]\ntask_int = 100\ntask_rnd = {task_rnd}\ntask_com = 200\n{further}"
     text = LIST + "\n".join(lines) + "\nEnd\n"
     collector = Collector()
     options = RtconfOptions(PROFILES[system])
     configuration = load_rtconf("rtconf.lis", text.encode(), collector, options)
     model = assemble(configuration, read_load("l", load, collector), options.profile, collector)
-    schedule = TickSchedule(model, Duties(every, (0,), (((1,), (0,)),), plc))
+    return TickSchedule(model, Duties(every, (0,), (((1,), (0,)),), plc))
+
+
+def shares(count: int, *lines: str, **load: Any) -> list[Share]:
+    """Its first shares."""
+    schedule = scheduled(*lines, **load)
     return [schedule.next_share() for _ in range(count)]
 
 
@@ -151,3 +157,23 @@ def test_a_lost_tick() -> None:
     load = '"thread[0].function[0]" = [100, 1600]\n'
     found = shares(6, task_rnd=10, further=load)
     assert [share.is_lost for share in found] == [False, True, False, False, True, False]
+
+
+@pytest.mark.parametrize("every", [1, 2])
+@pytest.mark.parametrize("prepared", [0, 1])
+def test_windows_is_counted_over_the_ticks_that_were(every: int, prepared: int) -> None:
+    """GEO takes 100 and 900 µs in turn: every second cycle leaves Windows 100 of its 250 µs.
+
+    Cycle 0 lies before tick 0; the ticks begin with cycle 1, of 900 µs. One more tick may be
+    prepared than was run. With two NC cycles a tick the call is only in every second cycle.
+    """
+    lines = () if every == 1 else ("thread[0].cycle 2000",)
+    schedule = scheduled(
+        *lines, task_rnd=10, every=every, further='"thread[0].function[0]" = [100, 900]\n'
+    )
+    for _ in range(5 + prepared):
+        schedule.next_share()
+    numbers = schedule.simulation(5)
+    assert numbers.cycles == 5 * every
+    assert [one.violated for one in numbers.windows] == [3, 3]
+    assert numbers.windows[0].culprits == (3, 0)

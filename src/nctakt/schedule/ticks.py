@@ -11,15 +11,18 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from nctakt.schedule.model import Model
 from nctakt.schedule.recorder import Recorder
-from nctakt.schedule.results import Event, EventKind, Simulation
+from nctakt.schedule.results import Event, EventKind, Simulation, WindowsNumbers
 from nctakt.schedule.simulate import SchedulerState
 
 #: The function that decodes (SDA, P-RTCF-00012).
 DECODER_FUNCTION = "task_rnd"
+
+#: The schedule of a tick needs that of the one behind it, and another one has begun by then.
+_TICKS_AHEAD = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +66,9 @@ class TickSchedule:
         self._model = model
         self._cycle = 0
         self._begin = self._start = self._state.interrupt(0)
+        self._marks: deque[_Mark] = deque(maxlen=_TICKS_AHEAD + 2)
         first = self._period()
+        self._first_mark = self._mark()
         self._late = first.late
         self._now = self._period()
 
@@ -78,9 +83,27 @@ class TickSchedule:
         self._late, self._now = now.late, following
         return Share(decoding, now.is_lost, now.overflows, plc_calls)
 
-    def simulation(self) -> Simulation:
-        """The numbers of the schedule up to here; it is two ticks ahead of the controller."""
-        return self._state.result(self._cycle, self._start, self._begin, None)
+    def simulation(self, ticks: int) -> Simulation:
+        """The numbers of the schedule in the first so many ticks.
+
+        What is there of Windows and of missed suspensions is that of these ticks exactly; greatest
+        responses are those up to here, two ticks ahead of the controller.
+        """
+        whole = self._state.result(self._cycle, self._start, self._begin, None)
+        cycles = ticks * self._duties.every
+        mark = next((one for one in self._marks if one.ticks == ticks), None)
+        if mark is None:
+            return replace(whole, cycles=cycles)
+        first = self._first_mark
+        windows = (_since(*both) for both in zip(first.windows, mark.windows, strict=True))
+        missed = mark.missed - first.missed
+        return replace(whole, cycles=cycles, windows=tuple(windows), missed_suspensions=missed)
+
+    def _mark(self) -> _Mark:
+        """What Windows got up to here, where it has a guaranteed time: after so many ticks."""
+        counters = self._state.counters
+        ticks = self._cycle // self._duties.every - 1
+        return _Mark(ticks, counters.windows_numbers(), counters.missed)
 
     def _period(self) -> _Period:
         """The NC cycles from one activation of the interpolation to the next."""
@@ -91,7 +114,28 @@ class TickSchedule:
             self._state.run_cycle(self._cycle, self._begin, end)
             self._begin = end
             self._cycle += 1
+        if self._model.windows:
+            self._marks.append(self._mark())
         return self._watcher.period(begin)
+
+
+@dataclass(frozen=True, slots=True)
+class _Mark:
+    """How the schedule stood when so many ticks were over."""
+
+    ticks: int
+    windows: tuple[WindowsNumbers, ...]
+    missed: int
+
+
+def _since(first: WindowsNumbers, last: WindowsNumbers) -> WindowsNumbers:
+    """What was violated behind ``first``."""
+    return replace(
+        last,
+        violated=last.violated - first.violated,
+        culprits=tuple(b - a for a, b in zip(first.culprits, last.culprits, strict=True)),
+        late=last.late - first.late,
+    )
 
 
 @dataclass(frozen=True, slots=True)

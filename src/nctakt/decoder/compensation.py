@@ -2,48 +2,58 @@
 """Tool radius compensation: contours of the program -> ways of the tool's centre (MO-9).
 
 A stage behind the decoder: commands in, commands out. Between G41 or G42 and the motion that G40
-leaves the contour with, a motion in the plane is held until the next one shows where it ends; what
-comes in between keeps its place behind it. So there is never more than one motion in the plane and
-``MOST_BETWEEN`` other commands under way. The first motion in the plane approaches the contour, the
-one behind G40 leaves it: straight lines, that are not shifted themselves.
+leaves the contour with, a motion in the plane is held until the next one shows where it ends
+(``tool_path.py``); what comes in between keeps its place behind it. With contour masking (G141),
+and where its algorithms only look for damages (P-CHAN-00219), so many motions are held as a loop of
+the way may have. Never more than that and ``MOST_BETWEEN`` other commands are under way.
+
+The first motion in the plane approaches the contour, the one behind G40 leaves it: straight lines
+that are not shifted themselves (G138, G139); or both is done by ways of their own (G237), or the
+contour ends where the tool is (G239).
 """
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Generator, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import NoReturn
 
-from nctakt.decoder import contours
 from nctakt.decoder.arcs import PLANES, SAME_PLACE_MM, Arc
 from nctakt.decoder.commands import Answer, Command, ProgramEnd, Segment, pack, waits
-from nctakt.decoder.contours import Joint, Piece, Point
 from nctakt.decoder.motion import PathMotion
+from nctakt.decoder.state import ENDS_WITHOUT_WAY, PERPENDICULAR
 from nctakt.decoder.surroundings import DecodeError
+from nctakt.decoder.tool_path import ARC, GAP, REACH, ToolPath
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
 from nctakt.kernel.ring import TIMED_KINDS
+from nctakt.messages import diagnostic
 
-#: Commands that may stand between two motions in the plane.
+#: Commands that may stand between the motions in the plane that are held.
 MOST_BETWEEN = 1000
+
+#: A piece of the way: start, end, kind, centre, angle (``ToolPath.taken``).
+_Piece = tuple[float, ...]
 
 
 @dataclass(slots=True)
 class _Motion:
-    """A motion in the plane; ``distance`` to the left of it goes the tool, 0: to and from it.
+    """A motion in the plane, and what comes behind it.
 
-    ``beside``: the whole way at this distance. ``start``: where the tool begins it. ``time_s``: how
-    long its block lasts under G93, 0 without.
+    ``radius``: of the tool; ``misfit``: the message where there is no room for it. ``time_s``: how
+    long its block lasts under G93, 0 without. ``adapts``: F counts at the contour (G11).
     """
 
+    number: int
     segment: Segment
     span: Span
-    piece: Piece
-    distance: float
-    beside: Piece
-    start: Point = (0.0, 0.0)
-    time_s: float = 0.0
+    radius: float
+    misfit: int
+    time_s: float
+    adapts: bool
+    between: list[Command] = field(default_factory=list)
 
 
 class Compensation:
@@ -53,13 +63,16 @@ class Compensation:
         self, values: Values, path: PathMotion, took_time: Callable[[Command], None]
     ) -> None:
         self._values = values
+        self._surroundings = values.surroundings
         self._path = path
         self._state = values.state.path
         self._took_time = took_time
-        self._held: _Motion | None = None
-        self._between: list[Command] = []
+        self._tool = ToolPath()
+        self._motions: deque[_Motion] = deque()
+        self._spans: deque[tuple[int, Span]] = deque(maxlen=REACH + 2)
+        self._between = 0
         self._distance = 0.0
-        self._at: Point | None = None
+        self._at: tuple[float, float] | None = None
         self.releases = False
 
     def through(self, commands: Generator[Command, Answer]) -> Generator[Command, Answer]:
@@ -87,7 +100,7 @@ class Compensation:
         if isinstance(command, Segment) and self._state.compensation.is_active:
             yield from self._segment(command)
             return None
-        if self._held is not None and not isinstance(command, Segment):
+        if self._motions and not isinstance(command, Segment):
             if not waits(command) and not isinstance(command, ProgramEnd):
                 self._hold(command)
                 return None
@@ -96,58 +109,105 @@ class Compensation:
 
     def _segment(self, segment: Segment) -> Iterator[Command]:
         """A motion: in the plane part of the contour, else it keeps its place."""
-        piece = self._piece(segment)
-        if piece is None:
-            if self._held is None and self._at is None:
-                yield segment
-            elif self._moves_others(segment):
-                if self._held is None:
-                    yield self._elsewhere(segment)
-                else:
-                    self._hold(segment)
+        first, second = PLANES[self._state.plane]
+        x, y = segment.start[first], segment.start[second]
+        x_2, y_2 = segment.target[first], segment.target[second]
+        if segment.arc is None and max(abs(x - x_2), abs(y - y_2)) <= SAME_PLACE_MM:
+            yield from self._beside_plane(segment)
             return
-        self._took_time(segment)
         wanted = self._state.compensation
         distance = wanted.side * wanted.radius
-        is_free = distance != self._distance
-        if is_free and not piece.is_line:
-            self._values.fail(900870, self._path.span)
-        beside = piece if is_free else contours.shifted(piece, distance)
-        if beside is None:
-            self._values.fail(900871, self._path.span, radius=abs(distance))
-        own_distance = 0.0 if is_free else distance
-        motion = _Motion(segment, self._path.span, piece, own_distance, beside)
-        motion.time_s = self._values.state.pace.block_time_s
-        self._distance = distance
+        if distance != self._distance and wanted.mode in (PERPENDICULAR, ENDS_WITHOUT_WAY):
+            yield from self._leave(distance)
+            if distance == 0.0:
+                yield segment
+                return
+        self._took_time(segment)
+        self._enter(segment, (x, y, x_2, y_2), distance)
         wanted.is_on_way = True
-        if self._held is None:
-            motion.start = piece.start if self._at is None else self._at
-        else:
-            yield from self._join(self._held, motion)
-        self._held = motion
+        tool = self._tool
+        tool.set_corners(wanted.by_arc, wanted.is_direct)
+        if not tool.is_open:
+            at = (x, y) if self._at is None else self._at
+            self._at = at
+            tool.begin(*at, self._distance == 0.0 and wanted.mode == PERPENDICULAR)
+        elif not tool.add():
+            self._fail(self._motions.pop())
+        self._distance = distance
+        self._keep(segment)
+        if tool.crossed:
+            self._tell_crossing()
+        yield from self._release(REACH if self._waits_for_loops else 0)
+        if wanted.mode == ENDS_WITHOUT_WAY:
+            wanted.end = tool.beside_end()
         if distance == 0.0:
             yield from self._finish()
-            wanted.is_on_way = False
-            self._at = None
+            self._left()
+
+    def _beside_plane(self, segment: Segment) -> Iterator[Command]:
+        """A motion of other axes."""
+        if not self._motions and self._at is None:
+            yield segment
+        elif self._moves_others(segment):
+            self._tool.parts = True
+            if self._motions:
+                self._hold(segment)
+            else:
+                yield self._elsewhere(segment)
+
+    def _enter(self, segment: Segment, ends: tuple[float, float, float, float], d: float) -> None:
+        """Let the tool's path know the motion: its line or arc, and its distance ``d``."""
+        tool, before = self._tool, self._distance
+        wanted = self._state.compensation
+        tool.side = 1.0 if (d or before) > 0.0 else -1.0
+        tool.masks = wanted.masks
+        if segment.arc is None:
+            if d == before:
+                tool.line(*ends, d, d, segment.feed > 0.0)
+            elif d * before > 0.0:
+                tool.line(*ends, before, d, segment.feed > 0.0)
+            elif wanted.mode == PERPENDICULAR:
+                tool.line(*ends, d, d, segment.feed > 0.0)
+            else:
+                tool.line(*ends, 0.0, 0.0, False)
+            return
+        if d * before > 0.0 and d != before:
+            self._values.fail(900952, self._path.span)
+        if d != before and wanted.mode != PERPENDICULAR:
+            self._values.fail(900870, self._path.span)
+        if not tool.arc(*ends, d, *segment.arc[2:]) and not tool.masks:
+            self._values.fail(900871, self._path.span, radius=abs(d))
+
+    def _keep(self, segment: Segment) -> None:
+        """The motion is held until the next one is there."""
+        number, wanted = self._tool.number, self._state.compensation
+        misfit = 90019 if segment.arc is None else 90038
+        if segment.arc is not None and not self._tool.latest_fits():
+            misfit = 900871
+        motion = _Motion(
+            number,
+            segment,
+            self._path.span,
+            wanted.radius,
+            misfit,
+            self._values.state.pace.block_time_s,
+            wanted.adapts_feed,
+        )
+        self._motions.append(motion)
+        self._spans.append((number, self._path.span))
+
+    @property
+    def _waits_for_loops(self) -> bool:
+        """Whether motions are held as far as a loop of the way may reach."""
+        return self._state.compensation.masks or self._surroundings.parameters.looks_for_damage
 
     def _hold(self, command: Command) -> None:
-        if len(self._between) >= MOST_BETWEEN:
+        if self._between >= MOST_BETWEEN:
             self._values.fail(900872, self._path.span, count=MOST_BETWEEN)
-        self._between.append(command)
+        self._between += 1
+        self._motions[-1].between.append(command)
         if isinstance(command, Segment) or pack(command)[0] in TIMED_KINDS:
             self._took_time(command)
-
-    def _piece(self, segment: Segment) -> Piece | None:
-        """The motion in the plane, ``None`` where there is none."""
-        first, second = PLANES[self._state.plane]
-        start = (segment.start[first], segment.start[second])
-        end = (segment.target[first], segment.target[second])
-        if segment.arc is not None:
-            _, _, x, y, angle = segment.arc
-            return Piece(start, end, (x, y), angle)
-        if max(abs(start[0] - end[0]), abs(start[1] - end[1])) <= SAME_PLACE_MM:
-            return None
-        return Piece(start, end)
 
     def _moves_others(self, segment: Segment) -> bool:
         """Whether axes move that are not in the plane."""
@@ -155,117 +215,140 @@ class Compensation:
         places = range(len(segment.start))
         return any(segment.start[one] != segment.target[one] for one in places if one not in plane)
 
-    # --- joints ----------------------------------------------------------------------------------
+    # --- the contour ends ------------------------------------------------------------------------
 
-    def _join(self, held: _Motion, motion: _Motion) -> Iterator[Command]:
-        """The held motion up to where the next one begins, and what came between them."""
-        if held.distance and motion.distance:
-            by_arc = self._state.compensation.by_arc
-            ways = (held.beside, motion.beside)
-            joint = contours.join(held.piece, motion.piece, ways, held.distance, by_arc)
-        else:
-            joint = self._free_joint(held, motion)
-        if joint is None:
-            self._fail(held)
-        motion.start = joint.start
-        yield from self._release(held, joint)
+    def _leave(self, distance: float) -> Iterator[Command]:
+        """The contour is left without a motion of the program, if the tool is on one."""
+        is_perpendicular = self._state.compensation.mode == PERPENDICULAR
+        if self._distance == 0.0 or (distance != 0.0 and not is_perpendicular):
+            return
+        if distance * self._distance > 0.0:
+            return
+        yield from self._finish()
+        self._left()
 
-    def _free_joint(self, held: _Motion, motion: _Motion) -> Joint:
-        """Where a motion to or from the contour meets it: beside its end, or around its corner."""
-        distance = held.distance or motion.distance
-        corner = held.piece.end
-        if distance == 0.0:
-            return Joint(corner, (), corner)
-        before = held.piece.direction_at(corner)
-        behind = motion.piece.direction_at(corner)
-        mode = self._state.compensation
-        turn = contours.turn_between(before, behind)
-        if contours.is_outer(turn, distance) and not mode.is_direct:
-            ways = contours.around(corner, (before, behind), distance, mode.by_arc)
-            return contours.extended(
-                ways,
-                first=held.piece.is_line and held.distance != 0.0,
-                second=motion.piece.is_line and motion.distance != 0.0,
-            )
-        direction = before if held.distance else behind
-        place = contours.beside(corner, direction, distance)
-        return Joint(place, (), place)
+    def _left(self) -> None:
+        """The tool is on the programmed way again."""
+        self._state.compensation.is_on_way = False
+        self._distance = 0.0
+        self._at = None
 
     def _finish(self) -> Iterator[Command]:
-        """The held motion up to its end: nothing follows that it could be joined with."""
-        held = self._held
-        if held is None:
-            return
-        end = held.piece.end
-        if held.distance:
-            end = contours.beside(end, held.piece.direction_at(end), held.distance)
-        yield from self._release(held, Joint(end, (), end))
+        """The latest motion up to its end: nothing follows that it could be joined with."""
+        tool, wanted = self._tool, self._state.compensation
+        side = 1.0 if self._distance > 0.0 else -1.0
+        is_left = wanted.side * wanted.radius * side <= 0.0
+        failed = None
+        if tool.is_open and not tool.close(
+            self._distance != 0.0 and is_left and wanted.mode == PERPENDICULAR
+        ):
+            failed = self._motions.pop()
+        if tool.crossed and failed is None:
+            self._tell_crossing()
+        yield from self._release(0)
+        if failed is not None:
+            self._fail(failed)
+
+    def _fail(self, motion: _Motion) -> NoReturn:
+        """The contour cannot be passed with this tool (90019, 90038, 900871)."""
+        self._values.fail(motion.misfit, motion.span, radius=abs(motion.radius))
+
+    def _tell_crossing(self) -> None:
+        """The tool would cut the contour: a warning, or the error that P-CHAN-00219 wants."""
+        tool, spans = self._tool, dict(self._spans)
+        span = spans[tool.crossing]
+        crossed, tool.crossed = tool.crossed, 0
+        line = spans[crossed].line
+        if self._surroundings.parameters.looks_for_damage:
+            while self._motions and self._motions[-1].number >= crossed:
+                self._motions.pop()
+            tool.give_up()
+            self._values.fail(900951, span, line=line)
+        text = self._surroundings.line(span)
+        self._surroundings.notice(diagnostic(900950, span, text, line=line))
 
     # --- commands out ----------------------------------------------------------------------------
 
-    def _release(self, held: _Motion, joint: Joint) -> Iterator[Command]:
-        between, self._between, self._held = self._between, [], None
-        pieces = [*self._own(held, joint.end), *joint.between]
-        commands: list[Command] = list(self._segments(held, pieces))
-        self._at = joint.start
-        commands += [self._elsewhere(one) if isinstance(one, Segment) else one for one in between]
-        self.releases = True
-        yield from commands
-        self.releases = False
+    def _release(self, kept: int) -> Iterator[Command]:
+        """The motions that are known up to their end, but for so many."""
+        last = self._tool.number - self._tool.is_open - kept
+        while self._motions and self._motions[0].number <= last:
+            motion = self._motions.popleft()
+            self._between -= len(motion.between)
+            try:
+                commands = self._commands(motion)
+                if self._tool.crossed:
+                    self._tell_crossing()
+            except DecodeError:
+                self._motions.clear()  # what comes behind a mistake is not run
+                self._tool.give_up()
+                raise
+            self.releases = True
+            yield from commands
+            self.releases = False
 
-    def _own(self, held: _Motion, end: Point) -> list[Piece]:
-        """The way beside the motion itself; empty where nothing is left of it."""
-        if held.distance:
-            own = contours.trimmed(held.beside, held.start, end)
-            if own is None:
-                self._fail(held)
-        else:
-            own = Piece(held.start, end)
-        moves = own.start != own.end or own.angle or self._moves_others(held.segment)
-        return [own] if moves else []
+    def _commands(self, motion: _Motion) -> list[Command]:
+        """The pieces of a motion, and what comes behind it."""
+        commands: list[Command] = list(self._segments(motion, self._pieces(motion)))
+        commands += [
+            self._elsewhere(one) if isinstance(one, Segment) else one for one in motion.between
+        ]
+        return commands
 
-    def _fail(self, held: _Motion) -> NoReturn:
-        """The contour cannot be passed with this tool (90019, 90038)."""
-        radius = abs(held.distance)
-        self._values.fail(90019 if held.piece.is_line else 90038, held.span, radius=radius)
+    def _pieces(self, motion: _Motion) -> list[tuple[_Piece, float]]:
+        """The pieces of a motion with their ways; none where it is swallowed."""
+        found = []
+        while kind := self._tool.take(motion.number):
+            if kind == GAP:
+                self._fail(motion)
+            piece = self._tool.taken()
+            found.append((piece, self._tool.taken_way()))
+            self._at = (piece[2], piece[3])
+        if not found and self._moves_others(motion.segment):
+            assert self._at is not None
+            found.append(((*self._at, *self._at, 0.0), 0.0))
+        return found
 
-    def _segments(self, held: _Motion, pieces: list[Piece]) -> Iterator[Segment]:
+    def _segments(self, motion: _Motion, pieces: list[tuple[_Piece, float]]) -> Iterator[Segment]:
         """The pieces of a motion; only the last one stops exactly."""
         first, second = PLANES[self._state.plane]
-        segment = held.segment
-        if held.time_s > 0.0 and segment.feed > 0.0:
-            feed = self._whole_way(segment, pieces) / held.time_s
-            segment = replace(segment, feed=feed)
-        for number, piece in enumerate(pieces):
+        segment = motion.segment
+        if motion.time_s > 0.0 and segment.feed > 0.0 and pieces:
+            segment = replace(segment, feed=self._whole_way(segment, pieces) / motion.time_s)
+        for number, (piece, _) in enumerate(pieces):
             is_last = number == len(pieces) - 1
             start = list(segment.start if number == 0 else segment.target)
             target = list(segment.target)
-            start[first], start[second] = piece.start
-            target[first], target[second] = piece.end
+            start[first], start[second] = piece[:2]
+            target[first], target[second] = piece[2:4]
             row = None
-            if piece.centre is not None:
-                row = (first, second, *piece.centre, piece.angle)
-                self._path.check_extremes(Arc(*row), start, held.span)
-            self._path.check_limits(target, (first, second), held.span)
+            feed = segment.feed
+            if piece[4] == ARC - 1:
+                arc = Arc(first, second, *piece[5:8])
+                row = arc.row
+                self._path.check_extremes(arc, start, motion.span)
+                if motion.adapts and feed > 0.0 and motion.time_s == 0.0:
+                    feed *= _share_of_contour(segment, row, start)
+            self._path.check_limits(target, (first, second), motion.span)
             yield replace(
                 segment,
                 start=tuple(start),
                 target=tuple(target),
+                feed=feed,
                 exact_stop=segment.exact_stop and is_last,
                 arc=row,
                 goes_on=not is_last,
             )
 
-    def _whole_way(self, segment: Segment, pieces: list[Piece]) -> float:
+    def _whole_way(self, segment: Segment, pieces: list[tuple[_Piece, float]]) -> float:
         """The way of a block with all its pieces; other axes move on the first of them."""
         plane = PLANES[self._state.plane]
-        ways = [contours.length(piece) for piece in pieces]
-        first2 = ways[0] * ways[0]
-        for place, axis in enumerate(self._values.surroundings.axes):
+        first2 = pieces[0][1] * pieces[0][1]
+        for place, axis in enumerate(self._surroundings.axes):
             if axis.is_linear and place not in plane:
                 rise = segment.target[place] - segment.start[place]
                 first2 += rise * rise
-        return arithmetic.square_root(first2) + sum(ways[1:])
+        return arithmetic.square_root(first2) + sum(way for _, way in pieces[1:])
 
     def _elsewhere(self, segment: Segment) -> Segment:
         """A motion of other axes, with those of the plane where the tool is."""
@@ -275,3 +358,18 @@ class Compensation:
         for place, value in zip(PLANES[self._state.plane], self._at, strict=True):
             start[place] = target[place] = value
         return replace(segment, start=tuple(start), target=tuple(target))
+
+
+def _share_of_contour(segment: Segment, arc: tuple[float, ...], start: list[float]) -> float:
+    """How much faster the tool's centre goes on an arc than the contour beside it (G11).
+
+    On an arc that the program does not have it goes as it does on lines.
+    """
+    if segment.arc is None or segment.arc[2:4] != arc[2:4]:
+        return 1.0
+    first, second = int(arc[0]), int(arc[1])
+    radii = []
+    for place in (start, segment.start):
+        x, y = place[first] - arc[2], place[second] - arc[3]
+        radii.append(arithmetic.square_root(x * x + y * y))
+    return radii[0] / radii[1]

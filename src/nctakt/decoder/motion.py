@@ -14,6 +14,7 @@ from nctakt.decoder.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius,
 from nctakt.decoder.commands import Answer, Command, Segment
 from nctakt.decoder.offsets import ALL
 from nctakt.decoder.pace import FEEDS, NO_OVERRIDE, PathPace
+from nctakt.decoder.state import DIRECT, ENDS_WITHOUT_WAY, INDIRECT, PERPENDICULAR
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
 from nctakt.nc import syntax
@@ -67,11 +68,23 @@ class PathMotion:
         elif function in (359, 360):
             path.exact_stop = function == 360
         elif function == 40:
-            path.compensation.side = 0
+            self._end_compensation()
         elif function in (25, 26):
             path.compensation.by_arc = function == 26
-        elif function in (138, 139):
-            path.compensation.is_direct = function == 138
+        elif function in (DIRECT, INDIRECT, PERPENDICULAR, ENDS_WITHOUT_WAY):
+            path.compensation.mode = function
+        elif function in (140, 141):
+            path.compensation.masks = function == 141
+        elif function in (10, 11):
+            path.compensation.adapts_feed = function == 11
+
+    def _end_compensation(self) -> None:
+        """G40; with G239 the program goes on from where the tool is."""
+        compensation = self._state.path.compensation
+        compensation.side = 0
+        if compensation.is_on_way and compensation.mode == ENDS_WITHOUT_WAY:
+            for place, value in zip(PLANES[self._state.path.plane], compensation.end, strict=True):
+                self._state.positions[place] = value
 
     def keep_plane(self, function: int, span: Span) -> None:
         """While compensation is active there is no other plane."""

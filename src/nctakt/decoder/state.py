@@ -25,20 +25,34 @@ MOST_MOTION = 3
 DEVIATION_MM = 1.0
 
 
+#: How the tool comes to a contour and from it: by motions of the program without a way around
+#: corners, with one, by ways of their own across the contour; by a motion, and not from it.
+DIRECT, INDIRECT, PERPENDICULAR, ENDS_WITHOUT_WAY = 138, 139, 237, 239
+
+
 @dataclass(slots=True)
 class CompensationState:
     """Tool radius compensation as the program wants it (MO-9).
 
     ``side``: 1 left of the contour (G41), -1 right of it (G42), 0 off; ``radius`` in mm. Around
-    outer corners in an arc (``by_arc``, G26), to the contour and from it without a way around a
-    corner (``is_direct``, G138). ``is_on_way``: the tool has left the programmed path.
+    outer corners in an arc (``by_arc``, G26). ``masks``: what the tool does not fit into is left
+    out (G141). ``adapts_feed``: F counts at the contour (G11). ``is_on_way``: the tool has left the
+    programmed path. ``end``: where the tool ends the contour (G239), in the plane.
     """
 
     side: int = 0
     radius: float = 0.0
     by_arc: bool = False
-    is_direct: bool = False
+    mode: int = INDIRECT
+    masks: bool = False
+    adapts_feed: bool = False
     is_on_way: bool = False
+    end: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def is_direct(self) -> bool:
+        """Whether the tool comes to a contour and from it without a way around a corner."""
+        return self.mode in (DIRECT, ENDS_WITHOUT_WAY)
 
     @property
     def is_active(self) -> bool:

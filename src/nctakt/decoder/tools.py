@@ -50,20 +50,23 @@ class ActiveTool:
         if word.name == "T":
             state.number = number
             return
-        self._keep_radius(f"D{number}", word.span)
         tool = NO_TOOL if number == 0 else self._surroundings.tools.get(number)
         if tool is None:
             self._fail(900865, word.span, tool=number)
         if tool is not NO_TOOL and not tool.valid:
             self._fail(900866, word.span, tool=number)
+        self._change_radius(tool.radius, f"D{number}", word.span)
         state.record = number
         state.tool = tool
 
-    def _keep_radius(self, command: str, span: Span) -> None:
-        """Between G41 or G42 and G40 there is no other tool."""
+    def _change_radius(self, radius: float, command: str, span: Span) -> None:
+        """Between G41 or G42 and G40 the next motion goes over to another radius."""
         compensation = self._state.path.compensation
-        if compensation.side:
+        if not compensation.side:
+            return
+        if radius == 0.0:
             self._fail(900874, span, command=command, word=compensation.word)
+        compensation.radius = radius
 
     def offsets(self, span: Span, number: int) -> Iterator[SetOffset]:
         """The offsets of the tool as they are in the present plane."""
@@ -150,7 +153,7 @@ class ActiveTool:
         state = self._state.tool
         length = value * self._state.length_unit_mm
         if found.subject == "R":
-            self._keep_radius("V.G.WZ_AKT.R", span)
+            self._change_radius(length, "V.G.WZ_AKT.R", span)
             state.tool = replace(state.tool, radius=length)
         else:
             state.tool = replace(state.tool, length=length)

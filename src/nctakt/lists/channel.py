@@ -314,6 +314,14 @@ _DEFAULTS = (
         "Jeder Eilgangsatz endet mit einem Genauhalt",
     ),
     _channel(
+        "P-CHAN-00219",
+        "implicit_contour_masking",
+        ValueType.BOOLEAN,
+        False,
+        "Damages of compensated contours farther apart than three blocks are errors",
+        "Verletzungen korrigierter Konturen über mehr als drei Sätze sind Fehler",
+    ),
+    _channel(
         "P-CHAN-00030",
         "kasto_residual_path",
         ValueType.SGN32,

@@ -155,6 +155,7 @@ class ChannelParameters:
     channel_variables_bytes: int
     residual_path_mm: float
     edge_across_blocks: bool
+    looks_for_damage: bool
     context_geo: int
     context_sda: int
     context_com: int
@@ -180,6 +181,7 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         values.integer("configuration.decoder.v_ch_memory"),
         values.integer("kasto_residual_path") / 10_000,
         values.flag("kasto_multi_block"),
+        values.flag("implicit_contour_masking"),
         values.integer("schedule.context.geo"),
         values.integer("schedule.context.sda"),
         values.integer("schedule.context.com"),

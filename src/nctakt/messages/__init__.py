@@ -30,7 +30,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``folders``           how lists name each other, tools, offsets (900740 … 900769)
 ``offsets``           offsets between programmed and axis positions (900770 … 900799)
 ``systems``           coordinate systems of programs (900840 … 900846)
-``tools``             tools in programs, tool radius compensation (900865 … 900879)
+``tools``             tools in programs, compensation (900865 … 900879, 900950 … 900969)
 ``backward``          backward motion and what works with its history (900880 … 900899)
 ``fixed_stops``       moving to a fixed stop
 ``diagnosis``         the lines of the cycles' diagnosis data (900456 … 900458, 900550 … 900569)

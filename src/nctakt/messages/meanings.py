@@ -288,6 +288,7 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the ID of the cycle": "die ID des Zyklus",
         "the variable or command": "die Variable oder der Befehl",
         "G41 or G42": "G41 oder G42",
+        "the line of the earlier motion": "die Zeile der früheren Bewegung",
         "the suffixes of programs": "die Endungen von Programmen",
         "the kind of list": "die Art der Liste",
         "the kinds of lists": "die Arten von Listen",

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Messages of tools in programs and of tool radius compensation (900865 … 900879)."""
+"""Messages of tools in programs, of tool radius compensation (900865 … 900879, 900950 … 900969)."""
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import ERROR, Catalogue
+from nctakt.messages.catalogue import ERROR, WARNING, Catalogue
 
 MESSAGES = Catalogue()
 _add = MESSAGES.add
@@ -101,10 +101,10 @@ _add(
 _add(
     900874,
     ERROR,
-    "{command} changes the radius of the tool while {word} is active",
-    "{command} ändert den Radius des Werkzeugs, während {word} aktiv ist",
-    remedy_en="Write it before {word}, or behind G40.",
-    remedy_de="Vor {word} oder hinter G40 schreiben.",
+    "{command} leaves the tool no radius while {word} is active",
+    "{command} lässt dem Werkzeug keinen Radius, während {word} aktiv ist",
+    remedy_en="Write it before {word} or behind G40, or call a tool with a radius.",
+    remedy_de="Vor {word} oder hinter G40 schreiben oder ein Werkzeug mit Radius anwählen.",
     parameters={"command": "the word or command", "word": "G41 or G42"},
 )
 _add(
@@ -138,4 +138,47 @@ _add(
     parameters={"radius": "the radius in mm"},
     reaction=2,
     clearing=6,
+)
+_CAUSE_EN = (
+    "Each motion fits by itself, but the way beside it crosses the way beside an earlier one: the "
+    "place between both is narrower than the tool, or a closed contour begins in an inner corner."
+)
+_CAUSE_DE = (
+    "Jede Bewegung passt für sich, aber der Weg neben ihr kreuzt den Weg neben einer früheren: die "
+    "Stelle zwischen beiden ist enger als das Werkzeug, oder eine geschlossene Kontur beginnt in "
+    "einer Innenecke."
+)
+_add(
+    900950,
+    WARNING,
+    "the tool cuts into the contour: its way crosses the one beside line {line}",
+    "das Werkzeug verletzt die Kontur: sein Weg kreuzt den neben Zeile {line}",
+    remedy_en="Use a smaller tool, or leave out with G141 what it does not fit into.",
+    remedy_de="Ein kleineres Werkzeug verwenden oder mit G141 ausblenden, wohin es nicht passt.",
+    cause_en=_CAUSE_EN,
+    cause_de=_CAUSE_DE,
+    parameters={"line": "the line of the earlier motion"},
+)
+_add(
+    900951,
+    ERROR,
+    "the tool would cut into the contour: its way crosses the one beside line {line}",
+    "das Werkzeug würde die Kontur verletzen: sein Weg kreuzt den neben Zeile {line}",
+    remedy_en="Use a smaller tool, or leave out with G141 what it does not fit into.",
+    remedy_de="Ein kleineres Werkzeug verwenden oder mit G141 ausblenden, wohin es nicht passt.",
+    cause_en=f"{_CAUSE_EN} It is an error since P-CHAN-00219 is set.",
+    cause_de=f"{_CAUSE_DE} Ein Fehler ist es, weil P-CHAN-00219 gesetzt ist.",
+    parameters={"line": "the line of the earlier motion"},
+)
+_add(
+    900952,
+    ERROR,
+    "the radius of the tool changes in an arc",
+    "der Radius des Werkzeugs ändert sich in einem Kreisbogen",
+    remedy_en="Change it in front of a motion with G00 or G01.",
+    remedy_de="Ihn vor einer Bewegung mit G00 oder G01 ändern.",
+    cause_en="The motion behind the change leads from the old distance to the new one, which only "
+    "a straight line can.",
+    cause_de="Die Bewegung hinter der Änderung führt vom alten Abstand zum neuen, was nur eine "
+    "Gerade kann.",
 )

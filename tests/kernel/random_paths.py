@@ -76,6 +76,28 @@ def flowing(seed: int, slope: str = "") -> str:
     return "\n".join([*lines, "M30"])
 
 
+def cornered(seed: int, slope: str = "") -> str:
+    """A program of lines whose corners of any angle are to be rounded."""
+    chance = random.Random(seed)
+    lines = [slope, "G91 G01 F6000 G261"]
+    heading = chance.uniform(-math.pi, math.pi)
+    size = chance.choice((0.3, 3.0, 20.0, 60.0))
+    deviation = chance.choice((0.01, 0.1, 1.0, 5.0))
+    lines.append(f"#CONTOUR MODE [DEV PATH_DEV={deviation}]")
+    for _ in range(chance.randint(5, 30)):
+        if chance.random() < 0.1:
+            size = chance.choice((0.3, 3.0, 20.0, 60.0))
+        if chance.random() < 0.2:
+            lines.append(_setting(chance))
+        heading += chance.choice((0.01, 0.3, 1.6)) * chance.gauss(0.0, 1.0)
+        length = size * chance.uniform(0.2, 2.0)
+        rise = f" Z{length * chance.uniform(-0.5, 0.5):.6f}" if chance.random() < 0.2 else ""
+        turn = f" A{length * chance.uniform(-0.5, 0.5):.6f}" if chance.random() < 0.1 else ""
+        ends = f"X{length * math.cos(heading):.9f} Y{length * math.sin(heading):.9f}"
+        lines.append(f"G0{chance.choice((1, 1, 1, 1, 1, 0))} {ends}{rise}{turn}")
+    return "\n".join([*lines, "M30"])
+
+
 def _setting(chance: random.Random) -> str:
     return chance.choice(
         (

@@ -16,7 +16,9 @@ What holds at each place: the speed that would be left once the acceleration has
 that of the goal at this place, or the goal ahead can still be reached. A goal's speed is therefore
 one from which the next goal can be reached even where the path comes with all its acceleration
 (``slowing_way``). Acceleration and jerk of a segment are at most those of the next one, and of
-those behind it where that is short, since the acceleration may not have faded before.
+those behind it where that is short, since the acceleration may not have faded before. Both ends of
+a bend (``bends.py``) are goals; the line in front of it keeps what it has, since it ends with no
+acceleration, whatever is commanded.
 """
 
 from __future__ import annotations
@@ -31,8 +33,10 @@ class JerkAhead(SegmentLimits):
     # --- corners --------------------------------------------------------------------------------
 
     def leave_smoothly(self, row: memoryview[float], base: int) -> None:
-        """Keep the curvature at the end of a segment."""
+        """Keep the curvature at the end of a segment, and how the path has come into it."""
         shape.curve(row, base, self.count, 1, self.leaving_curve)
+        self.last_corner_v = self.corner_v
+        self.last_is_bent = self.is_bent
 
     def join_smoothly(self, row: memoryview[float], before: int, base: int) -> None:
         """The highest speed at the corner between two segments; what it uses is theirs no more.
@@ -48,11 +52,14 @@ class JerkAhead(SegmentLimits):
             turn = turn if turn >= 0.0 else 0.0 - turn
             self.turns[i] = turn
             speed = min(speed, self.corner_speed(i, shortest, turn))
+        if self.last_is_bent:
+            speed = min(speed, row[before + 3] / (3.0 * self.tick_t))
         if speed < 4.0 * self.least_jerk(row, before, base) * self.tick_t * self.tick_t:
             row[before + 11] = 0.0
             return
         row[before + 11] = speed
         speed = min(speed, self.speed_of(row, before), self.speed_of(row, base))
+        self.corner_v = speed
         passed = speed * self.tick_t / shortest
         most_a = 0.0
         most_j = 0.0
@@ -155,7 +162,7 @@ class JerkAhead(SegmentLimits):
             if self.keep(row, here) == 0 and lent == 0 and passed > 0:
                 return 1
             base = before
-            passed += 1
+            passed += 0 if row[base + 9] == 2.0 else 1
         return 1
 
     def is_far(self, row: memoryview[float], here: int, speed: float) -> int:
@@ -186,7 +193,9 @@ class JerkAhead(SegmentLimits):
         if row[base + 4] < row[before + 4] and row[base + 4] < top_v:
             top_v = row[base + 4]
             is_feed = 1.0
-        if top_v > 1e299 or self.way <= self.reach(top_v):
+        if row[before + 9] == 2.0 or row[base + 9] == 2.0:
+            top_v = min(top_v, self.speed_of(row, before), self.speed_of(row, base))
+        elif top_v > 1e299 or self.way <= self.reach(top_v):
             return
         self.goal_v = self.safe_speed(top_v)
         self.way = 0.0
@@ -251,6 +260,9 @@ class JerkAhead(SegmentLimits):
         if row[base + 3] * self.lent_j < self.speed_of(row, base) * self.lent_a:
             self.lent_a = min(self.lent_a, row[here + 19])
             self.lent_j = min(self.lent_j, row[here + 20])
+            if row[here + 5] > 0.0:
+                self.lent_a = min(self.lent_a, row[here + 6])
+                self.lent_j = min(self.lent_j, row[here + 7])
         if row[before + 11] == 0.0:
             self.lent_a = 1e300
             self.lent_j = 1e300
@@ -260,6 +272,8 @@ class JerkAhead(SegmentLimits):
         self.lent_a = min(self.lent_a, row[before + 6])
         self.lent_j = min(self.lent_j, row[before + 10])
         here = before + 12 + 2 * self.count
+        if row[here + 5] > 0.0:
+            return 0
         old_a = row[here + 19]
         old_j = row[here + 20]
         row[here + 19] = self.lent_a

@@ -3,9 +3,9 @@
 cimport cython
 from nctakt.kernel cimport arithmetic
 from nctakt.kernel cimport shape
-from nctakt.kernel.jerk_ahead cimport JerkAhead
+from nctakt.kernel.bends cimport Bends
 
-cdef class LookAhead(JerkAhead):
+cdef class LookAhead(Bends):
     cdef void leave(self, double[::1] row, Py_ssize_t base, double length, double deviation) noexcept nogil
     @cython.locals(tail=Py_ssize_t, i=Py_ssize_t)
     cdef void join(self, double[::1] row, Py_ssize_t before, Py_ssize_t base) noexcept nogil

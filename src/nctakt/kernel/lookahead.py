@@ -15,16 +15,17 @@ because a program may have very many short blocks. ``shape.py`` says what is in 
 * ``spread``: the speeds at the ends of the segments before, from the last one backwards, so that
   each next one can still be kept and the last one stops.
 
-This is for the trapezoid; with a limit of the jerk ``jerk_ahead.py`` does both.
+This is for the trapezoid; with a limit of the jerk ``jerk_ahead.py`` does both, and ``bends.py``
+rounds corners.
 """
 
 from __future__ import annotations
 
 from nctakt.kernel import arithmetic, shape
-from nctakt.kernel.jerk_ahead import JerkAhead
+from nctakt.kernel.bends import Bends
 
 
-class LookAhead(JerkAhead):
+class LookAhead(Bends):
     """The preparation of one channel: how its segments go on into each other."""
 
     # --- from one segment to the next -----------------------------------------------------------

@@ -87,7 +87,7 @@ cdef class Path:
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
     @cython.locals(end_v=double, rest_v=double, stop_v=double, brake2=double, free_v=double)
     cdef double block_end_speed(self, double rest_d, double limit_a) noexcept nogil
-    @cython.locals(rest_d=double, tail=Py_ssize_t, speed_v=double, need_d=double)
+    @cython.locals(rest_d=double, tail=Py_ssize_t, speed_v=double, limit_a=double, limit_j=double, need_d=double)
     cdef int stands_smoothly(self, double limit_v) noexcept nogil
     @cython.locals(now_t=double, is_over=int)
     cdef int advance_smoothly(self) noexcept nogil

@@ -362,9 +362,12 @@ class Path:
             return 1
         tail = self.base + 12 + 2 * self.count
         speed_v = max(limit_v, self.speed_v)
-        need_d = self.smooth.course.stopping_d(
-            speed_v, 0.0, self.ring[tail + 19], self.ring[tail + 20]
-        )
+        limit_a = self.ring[tail + 19]
+        limit_j = self.ring[tail + 20]
+        if self.ring[tail + 5] > 0.0:
+            speed_v = min(speed_v, self.ring[tail + 16])
+            limit_a, limit_j = self.ring[tail + 6], self.ring[tail + 7]
+        need_d = self.smooth.course.stopping_d(speed_v, 0.0, limit_a, limit_j)
         return 1 if rest_d < need_d else 0
 
     def advance(self) -> int:
@@ -447,7 +450,7 @@ class Path:
             return 0.0
         if self.direction < 0:
             return self.covered_d
-        return shape.whole_way(self.ring, self.base, self.count) - self.covered_d
+        return shape.way_with_bend(self.ring, self.base, self.count) - self.covered_d
 
     def promised_speed(self, place: int) -> float:
         """The end speed at ``place`` of the latest segment's row; 0: a dwell, or it is over."""

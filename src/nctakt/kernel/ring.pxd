@@ -19,8 +19,14 @@ cdef class CommandRing:
     cdef readonly LoopBody body
     cdef double[::1] end_row
 
-    @cython.locals(length=double, oldest=Py_ssize_t, promised_v=double, promised_free_v=double)
+    @cython.locals(length=double, oldest=Py_ssize_t, before=Py_ssize_t, back=Py_ssize_t)
     cdef void prepare(self, Py_ssize_t base, double feed_v, double deviation) noexcept nogil
+    @cython.locals(promised_v=double, promised_free_v=double)
+    cdef void connect(self, Py_ssize_t back, Py_ssize_t oldest) noexcept nogil
+    @cython.locals(number=Py_ssize_t, bend=Py_ssize_t, base=Py_ssize_t, i=Py_ssize_t, before=Py_ssize_t)
+    cdef Py_ssize_t insert_bend(self, Py_ssize_t oldest) noexcept nogil
+    @cython.locals(base=Py_ssize_t, target=Py_ssize_t, i=Py_ssize_t)
+    cdef void copy_row(self, Py_ssize_t number, Py_ssize_t to) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void begin_segment(self, Py_ssize_t base, double source, double number, int exact_stop, int limits_jerk) noexcept nogil
     cdef void end_segment(self, Py_ssize_t base, double feed_v, int exact_stop, double deviation) noexcept nogil

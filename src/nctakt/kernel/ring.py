@@ -5,7 +5,8 @@
 
 A command (``decoder/commands.py`` packs it) is a row: kind, source ID, block number, then what the
 kind needs; ``shape.py`` has that of a segment. A segment is prepared as it comes, so that those
-before it may go faster. Commands that take time are counted (``timed_count``).
+before it may go faster. Commands that take time are counted (``timed_count``); a bend, which
+belongs to the segment in front of it, is not.
 """
 
 from __future__ import annotations
@@ -123,7 +124,7 @@ class CommandRing:
         self.body.end(self.path.count, latest < 0)
         self.put(row)
         self.latest = latest
-        while self.capacity < 4 * (self.body.count + 2) + self.ahead.blocks:
+        while self.capacity < 8 * (self.body.count + 2) + self.ahead.blocks:
             self.grow()
 
     def put_segment(
@@ -225,20 +226,54 @@ class CommandRing:
         length = self.queue[base + 3]
         oldest = max(self.head, self.begun + 1)
         if self.latest >= oldest and self.is_like(self.latest, base):
-            promised_v = -1.0
-            promised_free_v = -1.0
-            if self.path.is_active:
-                promised_v = self.path.promised_speed(7)
-                promised_free_v = self.path.promised_speed(25 + 2 * self.path.count)
-            self.ahead.connect(
-                self.queue,
-                self.tail - 1,
-                self.tail - 1 - self.latest,
-                oldest,
-                promised_v,
-                promised_free_v,
-            )
+            before = self.latest % self.capacity * self.width
+            back = self.tail - 1 - self.latest
+            if self.ahead.round_smoothly(self.queue, before, base, back):
+                base = self.insert_bend(oldest)
+            else:
+                self.connect(back, oldest)
         self.ahead.leave(self.queue, base, length, deviation)
+
+    def connect(self, back: int, oldest: int) -> None:
+        """Let the path go on into the latest segment from the one ``back`` commands before it."""
+        promised_v = -1.0
+        promised_free_v = -1.0
+        if self.path.is_active:
+            promised_v = self.path.promised_speed(7)
+            promised_free_v = self.path.promised_speed(25 + 2 * self.path.count)
+        self.ahead.connect(self.queue, self.tail - 1, back, oldest, promised_v, promised_free_v)
+
+    def insert_bend(self, oldest: int) -> int:
+        """Put the bend that was made behind ``latest``: where the latest segment begins then.
+
+        If it would break the promise to the current segment, the path stops at the corner.
+        """
+        for number in range(self.tail - 1, self.latest, -1):
+            self.copy_row(number, number + 1)
+        self.tail += 1
+        bend = (self.latest + 1) % self.capacity * self.width
+        base = (self.tail - 1) % self.capacity * self.width
+        for i in range(self.width):
+            self.queue[bend + i] = self.ahead.bend_row[i]
+        if self.ahead.spread_smoothly(self.queue, self.tail - 1, oldest, self.path.is_active):
+            return base
+        for number in range(self.latest + 1, self.tail - 1):
+            self.copy_row(number + 1, number)
+        self.tail -= 1
+        before = self.latest % self.capacity * self.width
+        base = (self.tail - 1) % self.capacity * self.width
+        for i in range(self.width):
+            self.queue[base + i] = self.ahead.spare[i]
+            self.queue[before + i] = self.ahead.spare[self.width + i]
+        self.ahead.spread_smoothly(self.queue, self.tail - 1, oldest, 0)
+        return base
+
+    def copy_row(self, number: int, to: int) -> None:
+        """Copy a command to another place of the queue."""
+        base = number % self.capacity * self.width
+        target = to % self.capacity * self.width
+        for i in range(self.width):
+            self.queue[target + i] = self.queue[base + i]
 
     def is_like(self, number: int, base: int) -> int:
         """Whether two segments have one kind of slope: the path stops between different ones."""
@@ -247,14 +282,14 @@ class CommandRing:
         return 1 if limits_jerk == (self.queue[before + 10] > 0.0) else 0
 
     def next_row(self) -> int:
-        """Where the next command of the queue begins."""
-        if self.tail - self.head >= self.capacity:
+        """Where the next command of the queue begins; there is room for a bend in front of it."""
+        if self.tail - self.head + 1 >= self.capacity:
             self.grow()
         return self.tail % self.capacity * self.width
 
     def reserve(self, count: int) -> None:
-        """Room for so many commands in all, and one more."""
-        while self.capacity <= count + self.tail - self.head - self.timed_count:
+        """Room for so many commands that take time in all, each with a bend, and one more."""
+        while self.capacity <= 2 * count + self.tail - self.head - self.timed_count:
             self.grow()
 
     def grow(self) -> None:
@@ -335,7 +370,7 @@ class CommandRing:
                 if count > 1 and way >= need:
                     return 0
             position += 1
-        return 1 if self.tail - self.head + self.body.count < self.capacity else 0
+        return 1 if self.tail - self.head + 2 * self.body.count < self.capacity else 0
 
     def brake_way_in(self, base: int) -> float:
         """How far the path brakes from a segment's highest speed, with three ticks more."""

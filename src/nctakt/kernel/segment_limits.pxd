@@ -32,6 +32,11 @@ cdef class SegmentLimits:
     cdef double last_bend
     cdef double last_length
     cdef double last_deviation
+    cdef double corner_v
+    cdef double last_corner_v
+    cdef bint is_bent
+    cdef bint last_is_bent
+    cdef double[::1] bend_row
     cdef double way
     cdef double goal_v
     cdef double goal_a

@@ -53,6 +53,11 @@ class SegmentLimits:
         self.last_bend = 0.0
         self.last_length = 0.0
         self.last_deviation = 0.0
+        self.corner_v = 0.0
+        self.last_corner_v = 0.0
+        self.is_bent = False
+        self.last_is_bent = False
+        self.bend_row = memoryview(bytearray(8 * self.width)).cast("d")
         self.way = 0.0
         self.goal_v = 0.0
         self.goal_a = 0.0
@@ -85,6 +90,8 @@ class SegmentLimits:
     def measure(self, row: memoryview[float], base: int, feed_v: float) -> None:
         """Way, speeds and acceleration of the segment in ``row``; ``feed_v`` below 0: rapid."""
         self.bend = 0.0
+        self.corner_v = 0.0
+        self.is_bent = False
         row[base + 3] = self.straight_way(row, base)
         if row[base + 9] == 1.0:
             self.measure_arc(row, base, feed_v)

@@ -10,14 +10,15 @@ A segment is a row of float64 over ``count`` axes, in the channel's queue and in
 4 … 6  programmed speed, highest speed, acceleration
 7, 8   end speed, exact stop: 1, or below 0: the block goes on with the next segment (in the path's
        ring -1 less what ``Path.leave_rest`` tells)
-9      shape: 0 line, 1 arc
+9      shape: 0 line, 1 arc, 2 bend: a curve that rounds a corner with a limit of the jerk
 10     jerk, 0: speed is a trapezoid
 11     the highest speed at which its end may be passed
 12 …   start of each axis, then target of each axis, then from ``t = 12 + 2 * count`` on:
 t      way of the entry zone, of the exit zone
 t + 2  acceleration in the entry zone, in the exit zone
 t + 4  half the way of the curve that rounds the corner at the target (0: none)
-t + 5  highest speed and acceleration on this curve
+t + 5  highest speed and acceleration on this curve; with a jerk, where a bend follows: its way, and
+       acceleration and jerk on it (t + 5 … 7)
 t + 7  arc: the plane's first and second axis, centre in them, angle in degrees
 t + 12 programmed speed of the next segment (0: none), end speed without regard to feeds
 t + 14 how many commands before it the segment stands that it continues (0: none)
@@ -25,7 +26,7 @@ t + 15 with a jerk: way from its end to the place that the path has to slow down
        there, acceleration and jerk on this way (``jerk_ahead.py``)
 t + 19 with a jerk: acceleration and jerk that the segments behind it allow on it, and whether the
        speed at t + 16 is a feed
-t + 22 with a curve: where it ends, each axis
+t + 22 with a curve: where it ends, each axis; bend: the corner that it rounds
 last 4 pace, all 0 without one: programmed override as a factor, whether the operator's has no
        effect, spindle whose speed its feed follows, counted from 1, and that speed in degrees/s
 ====== =============================================================================
@@ -34,6 +35,10 @@ The stages of the way, each with its own limits: 0 entry zone, 1 middle, 2 exit 
 the zones the path keeps acceleration in reserve for the step in speed at the corner. The curve is
 a parabola, so that an axis changes its speed evenly on it; its way counts at the speed that the
 path has at its two ends.
+
+A bend is a segment of its own between two lines with a limit of the jerk: its direction changes as
+a parabola up to the middle, then as its mirror image, so that an axis changes its acceleration
+evenly and has none but the path's at either end. Its way counts as that of the curve.
 """
 
 from __future__ import annotations
@@ -55,6 +60,12 @@ def whole_way(row: memoryview[float], base: int, count: int) -> float:
     return row[base + 3] + row[base + 12 + 2 * count + 4]
 
 
+def way_with_bend(row: memoryview[float], base: int, count: int) -> float:
+    """``whole_way``, with that of the bend that follows."""
+    way = whole_way(row, base, count)
+    return way + row[base + 17 + 2 * count] if row[base + 10] > 0.0 else way
+
+
 def end_place(row: memoryview[float], base: int, count: int) -> int:
     """Where the positions at the end of all stages stand: the targets, or the curve's end."""
     place = base + 12 + count
@@ -69,7 +80,8 @@ def moves(row: memoryview[float], base: int, count: int, i: int) -> int:
         return 1
     if row[base + 9] == 1.0 and (row[tail + 7] == i or row[tail + 8] == i):
         return 1
-    return 1 if row[tail + 4] > 0.0 and row[tail + 22 + i] != target else 0
+    has_curve = row[tail + 4] > 0.0 or row[base + 9] == 2.0
+    return 1 if has_curve and row[tail + 22 + i] != target else 0
 
 
 def stage_way(row: memoryview[float], base: int, count: int, stage: int) -> float:
@@ -123,6 +135,9 @@ def locate(
     if row[tail + 4] > 0.0 and way > row[base + 3] - row[tail + 4]:
         locate_on_curve(row, base, count, way, places)
         return
+    if row[base + 9] == 2.0:
+        locate_on_bend(row, base, count, way, places)
+        return
     part = way / row[base + 3]
     for i in range(count):
         start = row[base + 12 + i]
@@ -152,6 +167,25 @@ def locate_on_curve(
         before = (row[base + 12 + i] - corner) * half / length
         behind = row[tail + 22 + i] - corner
         places[i] = corner + (1.0 - part) * (1.0 - part) * before + part * part * behind
+
+
+def locate_on_bend(
+    row: memoryview[float], base: int, count: int, way: float, places: memoryview[float]
+) -> None:
+    """``locate`` on a bend: from its nearer end along the line there, and off it as way³."""
+    part = way / row[base + 3]
+    is_behind = part > 0.5
+    if is_behind:
+        part = 1.0 - part
+    off = part * part * part * 1.3333333333333333
+    for i in range(count):
+        near = row[base + 12 + i]
+        far = row[base + 12 + count + i]
+        if is_behind:
+            far = near
+            near = row[base + 12 + count + i]
+        corner = row[base + 34 + 2 * count + i]
+        places[i] = near + 2.0 * part * (corner - near) + off * (near + far - 2.0 * corner)
 
 
 def direct(

@@ -61,8 +61,13 @@ class SmoothSpeed:
         self.own_j = row[head + 10]
         self.rest_d = rest_d
         self.ends_in_time = False
+        settles = row[tail + 5] > 0.0
         if limit_v <= 0.0:
-            self.head_for(0.0, 0.0, speed_v, 0.0, limit_a, limit_j)
+            stop_d = self.course.stopping_d(speed_v, self.acceleration_a, limit_a, limit_j)
+            if settles and stop_d > rest_d:
+                self.fade_by_end(0.0, speed_v, limit_a, limit_j)
+            else:
+                self.head_for(0.0, 0.0, speed_v, 0.0, limit_a, limit_j)
             return
         if is_single:
             stop_d = self.course.stopping_d(speed_v, self.acceleration_a, limit_a, limit_j)
@@ -81,11 +86,39 @@ class SmoothSpeed:
         self.ends_in_time = is_met > 0 and way == 0.0
         if self.stands_at_end and not is_met:
             self.stand_at_end(speed_v, limit_v, limit_a, limit_j)
+        elif settles and not is_met:
+            self.fade_by_end(goal_v, speed_v, limit_a, limit_j)
 
     def stand_at_end(self, speed_v: float, limit_v: float, limit_a: float, limit_j: float) -> None:
         """Plan to stand at the segment's end."""
         is_met = self.head_for(self.rest_d, 0.0, speed_v, limit_v, limit_a, limit_j)
         self.ends_in_time = is_met > 0
+
+    def fade_by_end(self, goal_v: float, speed_v: float, limit_a: float, limit_j: float) -> None:
+        """Plan to come to the segment's end with no acceleration, since a bend follows.
+
+        The way is too short to change the speed to ``goal_v``: it is changed as far as it can be.
+        """
+        self.course.begin(0, 0.0, limit_a, limit_j)
+        self.course.side = 1.0
+        self.course.from_v = speed_v
+        self.course.from_a = self.acceleration_a
+        low_v = max(self.course.settled(), 0.0)
+        sign = 1.0 if low_v < goal_v else -1.0
+        self.course.goal_v = low_v
+        if self.course.brake(speed_v, self.acceleration_a, sign) < self.rest_d:
+            self.ends_in_time = True
+            high_v = goal_v
+            for _attempt in range(60):
+                self.course.goal_v = 0.5 * (low_v + high_v)
+                if self.course.brake(speed_v, self.acceleration_a, sign) <= self.rest_d:
+                    low_v = self.course.goal_v
+                else:
+                    high_v = self.course.goal_v
+            self.course.goal_v = low_v
+            self.course.brake(speed_v, self.acceleration_a, sign)
+        self.course.append_change(self.course.goal_v)
+        self.course.finish()
 
     def head_for(
         self,

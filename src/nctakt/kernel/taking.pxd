@@ -58,6 +58,8 @@ cdef class Commands(CommandRing):
     cdef int take(self, long long tick, Py_ssize_t base) noexcept nogil
     @cython.locals(is_current=bint, message=int)
     cdef int take_block(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(kind=double)
+    cdef int counts_of(self, Py_ssize_t base) noexcept nogil
     @cython.locals(last=cython.longlong, base=Py_ssize_t, rest=double, limit_v=double)
     cdef double rest_of_block(self, long long position) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int, detail=double)

@@ -88,7 +88,7 @@ class Commands(CommandRing):
                 self.repeat_body()
                 continue
             if self.is_skipping and self.queue[base] != 71.0:
-                self.timed_count -= 1 if self.queue[base] == 1.0 else 0
+                self.timed_count -= self.counts_of(base)
             elif not self.enter_block(base) or not self.take(tick, base):
                 return
             self.head += 1
@@ -183,7 +183,7 @@ class Commands(CommandRing):
 
         BLOCK cycles that stood before it run with it, or once where it is over by now (RC-105).
         """
-        self.timed_count -= 1
+        self.timed_count -= self.counts_of(base)
         if self.head <= self.begun:
             is_current = self.head == self.begun and self.path.is_active
             self.manager.enter_block(self.path.serial if is_current else -1)
@@ -200,6 +200,13 @@ class Commands(CommandRing):
             self.path.leave_rest(self.rest_of_block(self.head))
         self.manager.enter_block(self.path.serial)
         return 1
+
+    def counts_of(self, base: int) -> int:
+        """How much a segment or dwell counts among the commands that take time."""
+        kind = self.queue[base]
+        if kind > 2.0:
+            return 0
+        return 0 if kind == 1.0 and self.queue[base + 9] == 2.0 else 1
 
     def rest_of_block(self, position: int) -> float:
         """What ``Path.leave_rest`` wants of a segment whose block goes on; 0: it is not known."""

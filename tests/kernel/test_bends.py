@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT
+"""Corners that are rounded with a limit of the jerk: G61, G261 (MO-1, MO-3).
+
+``NCTAKT_SEEDS=100000`` runs as many random programs of each kind, else 40 run compiled, 6 plain.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import random
+
+import numpy as np
+import pytest
+from kernel_rig import DEMO
+from random_paths import AXES, cornered, violations
+
+from nctakt.controller import Controller, NcText
+from nctakt.interface import Interface
+from nctakt.mode import is_compiled
+from nctakt.results.run import Run
+
+MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("40" if is_compiled() else "6"))
+#: Programs of one test.
+CHUNK = 20
+#: The operator lets go behind so many ticks.
+PLAY_TICKS = 4000
+
+SIGNALS = [f"{name}.ACS.ACT_POS" for name in AXES]
+SLOPE = "#SLOPE [TYPE=TRAPEZ]"
+MOST_JERK_MM = 8e-5
+
+
+class Operator:
+    """Turns the override, holds the feed, switches single block, goes back: what is asked for."""
+
+    def __init__(self, seed: int, ways: str) -> None:
+        self.chance = random.Random(seed)
+        self.ways = ways
+        self.next_tick = 1
+
+    def cycle(self, hli: Interface) -> None:
+        hli.acknowledge_all()
+        plays = hli.tick < PLAY_TICKS
+        if not plays:
+            hli.single_block = False
+        if hli.tick < self.next_tick:
+            return
+        self.next_tick = hli.tick + self.chance.choice((1, 5, 40, 150))
+        if "override" in self.ways:
+            hli.override_pct = self.chance.choice((0.0, 3.0, 50.0, 80.0, 100.0)) if plays else 100.0
+        if "hold" in self.ways:
+            hli.feed_hold = plays and self.chance.random() < 0.2
+        if "back" in self.ways:
+            hli.backward_motion = plays and self.chance.random() < 0.5
+        if "single" in self.ways:
+            hli.single_block = plays and self.chance.random() < 0.4
+        if self.chance.random() < 0.7 or not plays:
+            hli.start()
+
+
+def performed(text: str, plc: Operator | None = None) -> tuple[Run, np.ndarray]:
+    """A run within the limits, and where the axes were."""
+    run = Controller(DEMO).run(NcText("p.nc", text), signals=SIGNALS, ticks=400_000, plc=plc)
+    assert run.state == "ended", run.diagnostics
+    assert run.trace is not None
+    for name, signal in zip(AXES, SIGNALS, strict=True):
+        assert violations(run.trace[signal], name, MOST_JERK_MM) == [], text
+    places = np.array([np.asarray(run.trace[signal]) for signal in SIGNALS]).T
+    return run, places
+
+
+def farthest(way: np.ndarray, curve: np.ndarray) -> float:
+    """How far the farthest of some places is from a polyline."""
+    starts, steps = curve[:-1], np.diff(curve, axis=0)
+    sizes = np.maximum((steps * steps).sum(axis=1), 1e-300)
+    worst = 0.0
+    for place in way:
+        part = np.clip(((place - starts) * steps).sum(axis=1) / sizes, 0.0, 1.0)
+        off = place - (starts + part[:, None] * steps)
+        worst = max(worst, float(np.sqrt((off * off).sum(axis=1).min())))
+    return worst
+
+
+@pytest.mark.parametrize("turn", [0.2, 0.8, 1.57])
+@pytest.mark.parametrize("deviation", [1.0, 2.0, 4.0])
+def test_a_bend_keeps_the_deviation_and_saves_time(deviation: float, turn: float) -> None:
+    """Two lines of 60 mm at 200 mm/s: the corner is no farther away than it may, and no stop."""
+    end = (60 + 60 * math.cos(turn), 60 * math.sin(turn))
+    lines = f"G01 X60 F12000\nX{end[0]:.6f} Y{end[1]:.6f}\nM30"
+    contour = f"#CONTOUR MODE [DEV PATH_DEV={deviation}]\nG261"
+    run, places = performed(f"{SLOPE}\n{contour}\n{lines}")
+    sharp, _ = performed(f"{SLOPE}\n{lines}")
+    assert run.ticks < sharp.ticks
+    nearest = np.hypot(places[:, 0] - 60, places[:, 1]).min()
+    widest = 0.49 * 60 * 2 * math.sin(turn / 2) / 6
+    assert min(deviation, widest) - 1e-6 <= nearest <= min(deviation, widest) + 0.02
+    corners = np.array([[0, 0, 0, 0], [60, 0, 0, 0], [*end, 0, 0]], dtype=float)
+    assert farthest(places[::7], corners) <= deviation + 1e-9
+    assert places[-1][:2].tolist() == [round(end[0], 6), round(end[1], 6)]
+
+
+def test_a_corner_that_is_as_fast_without_a_bend_stays() -> None:
+    """0.01 mm away the bend would be passed at 4.8 mm/s: a stand at the corner is faster."""
+    lines = "G01 X50 F12000\nY50\nM30"
+    run, places = performed(f"{SLOPE}\n#CONTOUR MODE [DEV PATH_DEV=0.01]\nG261\n{lines}")
+    assert run.ticks == performed(f"{SLOPE}\n{lines}")[0].ticks
+    assert np.hypot(places[:, 0] - 50, places[:, 1]).min() == 0.0
+
+
+def test_what_stands_between_the_blocks_comes_behind_the_bend() -> None:
+    """The bend belongs to its first block; M100, which does not stop the path, comes behind it."""
+    lines = "G01 X50 F12000\nM100\nY50\nM30"
+    run, places = performed(f"{SLOPE}\nG261\n{lines}")
+    told = [event.tick for event in run.events if event.kind == "output"]
+    assert len(told) == 1
+    half = 6.0 / math.sqrt(2.0)
+    assert places[told[0] - 2][1] < half <= places[told[0]][1]
+    assert places[told[0]][1] < half + 0.5
+
+
+def test_single_block_stands_behind_the_bend() -> None:
+    """MO-6: where the block ends, and nowhere before."""
+
+    class Pressed:
+        def cycle(self, hli: Interface) -> None:
+            hli.single_block = True
+            if hli.is_paused:
+                stands.append(hli.tick)
+                hli.start()
+
+    stands: list[int] = []
+    text = NcText("p.nc", f"{SLOPE}\nG261\nG01 X50 F12000\nY50\nX0\nM30")
+    run = Controller(DEMO).run(text, signals=SIGNALS[:2], ticks=20_000, plc=Pressed())
+    assert run.state == "ended"
+    assert run.trace is not None
+    half = 6.0 / math.sqrt(2.0)
+    x, y = (run.trace[signal] for signal in SIGNALS[:2])
+    places = sorted({(round(x[tick], 6), round(y[tick], 6)) for tick in stands if x[tick] > 1})
+    assert places == sorted([(50.0, round(half, 6)), (round(50 - half, 6), 50.0)])
+    for name, signal in zip(AXES, SIGNALS[:2], strict=False):
+        assert violations(run.trace[signal], name, MOST_JERK_MM) == []
+
+
+@pytest.mark.parametrize("ways", ["override", "override hold", "single", "back", "back override"])
+@pytest.mark.parametrize("first", range(0, MANY, CHUNK))
+def test_bends_keep_the_limits_and_the_path(first: int, ways: str) -> None:
+    """Whatever is commanded: the limits of each tick, the same curve, the same end to the bit."""
+    for seed in range(first, min(first + CHUNK, MANY)):
+        text = cornered(seed, SLOPE)
+        _, plain = performed(text)
+        _, found = performed(text, Operator(seed, ways))
+        assert found[-1].tolist() == plain[-1].tolist(), seed
+        if seed % CHUNK == 0:
+            for way in (plain, found):
+                way[:, 3] = np.unwrap(way[:, 3], period=360.0)
+            assert farthest(found[::97], np.concatenate([np.zeros((1, 4)), plain])) < 0.05

@@ -14,13 +14,10 @@ from collections.abc import Generator
 from pathlib import Path
 
 import pytest
+from decoded_rows import rows
 
-from nctakt import loading
 from nctakt.controller import Controller, NcText
 from nctakt.decoder import plain_blocks, program
-from nctakt.diagnostics import Diagnostic
-from nctakt.failure import Failure
-from nctakt.feed import Feed
 from nctakt.kernel.ring import CommandRing
 from nctakt.messages import Collector
 from nctakt.nc import outline
@@ -161,25 +158,6 @@ def by_tree(monkeypatch: pytest.MonkeyPatch) -> None:
         yield
 
     monkeypatch.setattr(plain_blocks.PlainBlocks, "decode", decode)
-
-
-Rows = tuple[list[bytes], list[Diagnostic]]
-
-
-def rows(content: str, high_water: int = 100_000) -> Rows:
-    """The queue of a program that is decoded up to its end or to where it waits."""
-    controller = Controller()
-    found = controller.diagnostics
-    try:
-        loaded = loading.load(NcText("p.nc", content), controller._machine, found)
-    except Failure as failure:
-        return [], failure.diagnostics
-    feed = Feed(controller._machine, loaded, found.append)
-    feed._high_water = high_water
-    channel = controller._machine.channels[0]
-    feed.refill()
-    queued = [channel.row(index) for index in range(channel.queued())]
-    return [struct.pack(f"{len(row)}d", *row) for row in queued], found
 
 
 @pytest.mark.parametrize("seed", range(150))

@@ -86,7 +86,7 @@ _CONSTANTS = {"TRUE": 1.0, "FALSE": 0.0, "PI": 3.141592653589793}
 
 
 class ExpressionBuilder:
-    """``leaf`` says what a variable or parameter becomes.
+    """``leaf`` says what a variable or parameter becomes, ``number`` what a number does.
 
     ``compare_texts`` gives the value of ``==`` and ``!=`` between texts, ``None`` between numbers;
     ``ask`` that of a function of names or texts, ``None`` of one of numbers.
@@ -97,17 +97,19 @@ class ExpressionBuilder:
         leaf: Callable[[syntax.Variable | syntax.Parameter], Built],
         compare_texts: Callable[[syntax.Binary], Built | None] = lambda _: None,
         ask: Callable[[syntax.Call], Built | None] = lambda _: None,
+        number: Callable[[syntax.Number], Built] = lambda one: constant(one.value),
     ) -> None:
         self._leaf = leaf
         self._compare_texts = compare_texts
         self._ask = ask
+        self._number = number
         self._context = empty_context()
 
     def build(self, expression: syntax.Expression) -> Built:
         """The node of an expression that the checker has let pass."""
         match expression:
             case syntax.Number():
-                return constant(expression.value)
+                return self._number(expression)
             case syntax.Constant():
                 return constant(_CONSTANTS[expression.name])
             case syntax.Variable() | syntax.Parameter():

@@ -61,18 +61,14 @@ class Levels:
 
     def enter(self, level: Level) -> None:
         """A program begins: variables of its own, as a cycle also V.CYC."""
-        self.scopes.locals_.append({})
-        if level.arguments is not None or not self.stack:
-            self.scopes.cycles.append({})
+        self.scopes.enter(is_cycle=level.arguments is not None or not self.stack)
         self.stack.append(level)
 
     def leave(self) -> None:
         """The innermost program has ended."""
         self.set_modal(None)
         level = self.stack.pop()
-        self.scopes.locals_.pop()
-        if level.arguments is not None:
-            self.scopes.cycles.pop()
+        self.scopes.leave(is_cycle=level.arguments is not None)
 
     def set_modal(self, call: ModalCall | None) -> None:
         """The modal call of the program that decodes is this one from now on."""

@@ -106,14 +106,30 @@ Variables = dict[str, OwnVariable]
 class Scopes:
     """Where the variables of each family are looked for, the innermost place first.
 
-    ``kept`` are those of V.S, ``locals_`` those of V.L level by level, ``cycles`` those of V.CYC.
+    ``kept`` are those of V.S; those of V.L and V.CYC come and go with the levels. ``changes``: how
+    often any came or went.
     """
 
     def __init__(self, kept: Variables) -> None:
         self._program: Variables = {}
         self._kept = kept
-        self.locals_: list[Variables] = []
-        self.cycles: list[Variables] = []
+        self._locals: list[Variables] = []
+        self._cycles: list[Variables] = []
+        self.changes = 0
+
+    def enter(self, *, is_cycle: bool) -> None:
+        """A program begins with variables of its own; ``is_cycle``: with V.CYC, too."""
+        self.changes += 1
+        self._locals.append({})
+        if is_cycle:
+            self._cycles.append({})
+
+    def leave(self, *, is_cycle: bool) -> None:
+        """The innermost program has ended."""
+        self.changes += 1
+        self._locals.pop()
+        if is_cycle:
+            self._cycles.pop()
 
     def _places(self, family: str) -> Sequence[Variables]:
         match family:
@@ -122,8 +138,8 @@ class Scopes:
             case "S":
                 return (self._kept,)
             case "L":
-                return self.locals_[::-1]
-        return self.cycles[-1:]
+                return self._locals[::-1]
+        return self._cycles[-1:]
 
     def find(self, family: str, path: str) -> OwnVariable | None:
         """A variable by its path without indices, ``None`` where there is none."""
@@ -154,10 +170,12 @@ class Scopes:
 
     def declare(self, family: str, path: str, variable: OwnVariable) -> None:
         """A new variable of the innermost place; it replaces one of its name there."""
+        self.changes += 1
         self._places(family)[0][path] = variable
 
     def delete(self, family: str, path: str) -> None:
         """Forget a variable, or with an empty path all of the family; nothing if it is unknown."""
+        self.changes += 1
         for place in self._places(family):
             if not path:
                 place.clear()

@@ -4,7 +4,8 @@
 In: an expression. Out: its ``Plan``: the variables that it reads, and the same nodes as in realtime
 cycles, with a cell for each variable and parameter. Whoever evaluates puts the values of this
 moment into the cells. Only expressions of numbers have nodes; what depends on texts or on the
-parameters of a call has none.
+parameters of a call has none. A form is an expression that came again and again in the text; its
+numbers have cells, too (``forms.py``).
 """
 
 from __future__ import annotations
@@ -12,12 +13,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nctakt.decoder.expressions import ExpressionBuilder
-from nctakt.decoder.fusing import Built, load
+from nctakt.decoder.forms import MOST_CELLS, FormPlan
+from nctakt.decoder.fusing import Built, constant, load
 from nctakt.kernel.expressions import Expression
 from nctakt.kernel.memory import context_of
 from nctakt.nc import syntax
 from nctakt.nc.operators import FUNCTIONS
-from nctakt.nc.resolution import variables_in
+from nctakt.nc.recipes import Value
+from nctakt.nc.resolution import own_path, variables_in
+from nctakt.nc.templates import Form
 
 #: Expressions that are remembered; then all are forgotten, so that no program is too long.
 MOST_PLANS = 4096
@@ -46,10 +50,11 @@ class Plans:
     """The plans of one program; ``cells`` are those that their nodes read, by ``context``."""
 
     def __init__(self) -> None:
-        memory = bytearray(8 * MOST_LEAVES)
-        self.context = context_of(memory)
-        self.cells = memoryview(memory).cast("d")
+        self.memory = bytearray(8 * max(MOST_LEAVES, MOST_CELLS))
+        self.context = context_of(self.memory)
+        self.cells = memoryview(self.memory).cast("d")
         self._plans: dict[int, Plan | syntax.Expression] = {}
+        self._forms: dict[Form, FormPlan] = {}
         self._leaves: list[Leaf] = []
         self._builder = ExpressionBuilder(self._leaf)
 
@@ -78,9 +83,54 @@ class Plans:
         leaves = tuple(self._leaves)
         return Plan(expression, variables, leaves, node if len(leaves) <= MOST_LEAVES else None)
 
+    def of_form(self, form: Form) -> FormPlan:
+        """The plan of a form."""
+        known = self._forms.get(form)
+        if known is None:
+            if len(self._forms) == MOST_PLANS:
+                self._forms.clear()
+            known = self._forms[form] = plan_of_form(form)
+        return known
+
     def _leaf(self, leaf: Leaf) -> Built:
         self._leaves.append(leaf)
         return load(len(self._leaves) - 1)
+
+
+def plan_of_form(form: Form) -> FormPlan:
+    """The plan of a form whose cells hold first its numbers, then variables, then parameters."""
+    numbers: dict[Value, None] = {}
+    names: dict[tuple[str, str], None] = {}
+    parameters: dict[int, None] = {}
+
+    def number(node: syntax.Number) -> Built:
+        place = form.numbers.get(node.span)
+        if place is None:
+            return constant(node.value)
+        numbers[place] = None
+        return load(list(numbers).index(place))
+
+    def leaf(node: Leaf) -> Built:
+        if isinstance(node, syntax.Variable):
+            name = (node.family, own_path(node))
+            names[name] = None
+            return load(len(numbers) + list(names).index(name))
+        assert isinstance(node.index, syntax.Number)
+        parameter = int(node.index.value)
+        parameters[parameter] = None
+        return load(len(numbers) + len(names) + list(parameters).index(parameter))
+
+    builder = ExpressionBuilder(leaf, number=number)
+    builder.build(form.tree)  # finds out what there is
+    node = builder.build(form.tree).node
+    count = len(numbers) + len(names) + len(parameters)
+    return FormPlan(
+        node if count <= MOST_CELLS else None,
+        [one.place for one in numbers],
+        [one.sign for one in numbers],
+        list(names),
+        list(parameters),
+    )
 
 
 def _is_numeric(expression: syntax.Expression) -> bool:

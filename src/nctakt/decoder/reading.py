@@ -16,6 +16,7 @@ from nctakt.decoder.commands import (
     ReadRealtime,
 )
 from nctakt.decoder.expressions import ExpressionBuilder
+from nctakt.decoder.forms import FormComputer
 from nctakt.decoder.fusing import Built, constant
 from nctakt.decoder.own_values import OwnValues
 from nctakt.decoder.plans import Leaf, Plan, Plans
@@ -45,6 +46,7 @@ from nctakt.nc.system_variables import (
     is_decoder_data,
     system_variable,
 )
+from nctakt.nc.templates import Formed, unformed
 
 Decoding = Generator[Command, Answer, float]
 
@@ -65,17 +67,28 @@ class Reading:
         self.own = OwnValues(state.levels, self._index, self.fail)
         self._context = empty_context()
         self._plans = Plans()
+        self._forms = FormComputer(
+            self._plans.context, self._plans.memory, state.levels.scopes, state.parameters
+        )
         self.tool = ActiveTool(surroundings, state, self.fail)
 
     # --- reading --------------------------------------------------------------------------------
+
+    def known(self, expression: syntax.Expression) -> float | None:
+        """The value of an expression that needs nothing else; ``None``: it has to be evaluated."""
+        if isinstance(expression, Formed):
+            return self._forms.value(self._plans.of_form(expression.form), expression.at)
+        return expression.value if isinstance(expression, syntax.Number) else None
 
     def evaluate(self, expression: syntax.Expression, number: int) -> Decoding:
         """The value of an expression; synchronous variables in it empty the channel first.
 
         ``number`` is the N word of the block. Raises ``DecodeError`` where there is no value.
         """
-        if isinstance(expression, syntax.Number):
-            return expression.value
+        value = self.known(expression)
+        if value is not None:
+            return value
+        expression = unformed(expression)
         plan = self._plans.of(expression)
         yield from self._fetch(expression, number, plan)
         value = self._computed(expression, plan)
@@ -86,6 +99,10 @@ class Reading:
         self, expression: syntax.Expression, number: int
     ) -> Generator[Command, Answer, float | str]:
         """As ``evaluate``; the value may be a text."""
+        value = self.known(expression)
+        if value is not None:
+            return value
+        expression = unformed(expression)
         if not self._is_text(expression):
             return (yield from self.evaluate(expression, number))
         yield from self._fetch(expression, number)

@@ -33,6 +33,7 @@ from nctakt.nc.resolution import (
     resolve_whole,
 )
 from nctakt.nc.system_variables import SYSTEM_FAMILIES, system_variable
+from nctakt.nc.templates import Formed, unformed
 
 Decoding = Generator[Command, Answer, float]
 
@@ -48,6 +49,11 @@ class Values(Reading):
     def assign(self, statement: syntax.Assignment, number: int) -> Generator[Command, Answer]:
         """``target operator value``; structures and arrays as wholes (RC-310)."""
         value = statement.value
+        if isinstance(value, Formed) and statement.operator == "=":
+            result = yield from self.evaluate_any(value, number)
+            yield from self.store(statement.target, result, number)
+            return
+        value = unformed(value)
         if isinstance(value, syntax.ArrayLiteral):
             assert isinstance(statement.target, syntax.Variable)
             items = yield from self.own.items(value, number, self.evaluate_any)
@@ -59,9 +65,8 @@ class Values(Reading):
                 yield from self._copy(statement.target, value, found, number)
                 return
         if statement.operator != "=":
-            value = syntax.Binary(
-                statement.span, statement.operator[0], statement.target, statement.value
-            )
+            read = unformed(statement.target)
+            value = syntax.Binary(statement.span, statement.operator[0], read, value)
         result = yield from self.evaluate_any(value, number)
         yield from self.store(statement.target, result, number)
 
@@ -69,6 +74,10 @@ class Values(Reading):
         self, target: syntax.Variable | syntax.Parameter, value: float | str, number: int
     ) -> Generator[Command, Answer]:
         """Give a variable a value, at once or through the queue."""
+        if isinstance(target, Formed):
+            if self._put_formed(target, value):
+                return
+            target = unformed(target)
         if isinstance(target, syntax.Parameter):
             yield from self._fetch(target.index, number)
             if target.call:
@@ -99,6 +108,12 @@ class Values(Reading):
             yield from self._send(cell, stored, source, number, is_realtime)
         else:
             self._put(cell, stored)
+
+    def _put_formed(self, target: Formed, value: float | str) -> bool:
+        """Give a variable of the program's own a number; false where more has to be seen to."""
+        if isinstance(value, str):
+            return False
+        return bool(self._forms.write(self._plans.of_form(target.form), value))
 
     def _write_system(
         self, target: syntax.Variable, value: float | str, number: int

@@ -6,7 +6,8 @@ text. No more than one statement is in memory at a time, so a program of any len
 
 Long programs come from CAM systems: blocks of letters and numbers, few shapes of them. What is
 checked of such a block depends on its letters and on the numbers of its functions, never on how far
-its axes go; so a shape that was found in order is not checked again.
+its axes go; so a shape that was found in order is not checked again. Nor is a statement of a shape
+whose check depends on nothing else (``silence.py``).
 """
 
 from __future__ import annotations
@@ -124,6 +125,8 @@ class _Sequel:
         self._in_order: dict[Shape, None] = {}
         self._plain_in_order: set[int] = set()
         self._local_calls: list[SubprogramCall] = []
+        #: A statement that comes next: its line, its shape, what was found before it.
+        self._new: tuple[int, bytes, int] | None = None
 
     def take(self, line: int, number: int, statement: Statement) -> None:
         """The next statement of the text, in the section of this number."""
@@ -137,20 +140,38 @@ class _Sequel:
             self._begin_check()
         self._empty = False
         self._section.add(line, statement)
+        if not self._is_checked(statement):
+            return
         if isinstance(statement, Block):
             self._block(statement)
-        elif self._is_checked(statement):
+        else:
             self._check(statement)
+        self._remember(line)
 
     def pass_over(self, statements: StatementReader) -> None:
         """Take the plain lines that come next, where their statements are neither kept nor new."""
+        self._new = None
         if self._section is None or self._section.kept is not None:
             return
         lines = statements.lines
+        templates = self._program.templates
         while lines is not None and lines.more():
             lines.index = self._scanner.pass_over(lines.group, lines.index, self._plain_in_order)
-            if lines.index < len(lines.group):
+            if self._watcher is not None and lines.index < len(lines.group):
                 return
+            first = lines.index
+            lines.index = templates.pass_over(lines.group, first)
+            if lines.index == first < len(lines.group):
+                self._new = (lines.number, templates.scanner.key, len(self._found))
+                return
+
+    def _remember(self, line: int) -> None:
+        """A statement was checked: if it was in order, its shape may always be."""
+        if self._new is None:
+            return
+        begin, key, found = self._new
+        if begin == line and found == len(self._found):
+            self._program.templates.was_in_order(key)
 
     def _begin(self, line: int, number: int, start: ProgramStart) -> None:
         self._end_section()
@@ -176,8 +197,6 @@ class _Sequel:
     # --- statements ------------------------------------------------------------------------------
 
     def _block(self, block: Block) -> None:
-        if not self._is_checked(block):
-            return
         shape = _shape(block)
         if shape in self._in_order:
             return

@@ -28,6 +28,7 @@ from nctakt.nc.syntax import (
     Switch,
     While,
 )
+from nctakt.nc.templates import Templates
 
 #: Statements of a section that are kept; a longer section is read from its text each time.
 KEPT_STATEMENTS = 1000
@@ -105,7 +106,7 @@ class ProgramText:
     """A checked program file: ``main`` and the local subprograms by name.
 
     ``cycles``: the definitions of realtime cycles in it; ``calls``: the calls of other files by a
-    constant name.
+    constant name; ``templates``: shapes of its statements that came before.
     """
 
     source: Source
@@ -113,31 +114,36 @@ class ProgramText:
     subprograms: dict[str, Section] = field(default_factory=dict)
     cycles: list[RealtimeCycle] = field(default_factory=list)
     calls: list[SubprogramCall] = field(default_factory=list)
+    templates: Templates = field(default_factory=Templates)
 
     def statements(self, section: Section, label: str | None = None) -> Iterator[Statement]:
         """The statements of a section; from the one on that a label stands at or in."""
         line = section.first_line if label is None else section.labels[label]
         if section.kept is not None:
             return (statement for begin, statement in section.kept if begin >= line)
-        return SectionReader(self.source, section, line)
+        return SectionReader(self.source, section, line, self.templates)
 
 
 class SectionReader:
     """The statements of a section from a line on, read from the text.
 
-    What was found when the text was checked is not told again. Between two statements others may
-    take lines (``lines``).
+    What was found when the text was checked is not told again. Statements of shapes that came
+    before are made from their templates. Between two statements others may take lines (``lines``).
     """
 
-    def __init__(self, source: Source, section: Section, line: int) -> None:
+    def __init__(self, source: Source, section: Section, line: int, templates: Templates) -> None:
         self.source = source
         self._section = section
+        self._templates = templates
         self._statements = StatementReader(source, Collector(), line)
 
     def __iter__(self) -> Iterator[Statement]:
         return self
 
     def __next__(self) -> Statement:
+        known = self._templates.next(self._statements.lines, self.source.file)
+        if known is not None:
+            return known
         for begin, statement in self._statements:
             if not isinstance(statement, ProgramStart):
                 return statement

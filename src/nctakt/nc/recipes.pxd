@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+# C types of recipes.py.
+cimport cython
+from nctakt.nc cimport slots
+from nctakt.nc.shapes cimport ShapeScanner
+
+cdef class Occurrence:
+    cdef readonly str file
+    cdef readonly long long line
+    cdef readonly list numbers
+    cdef readonly list ends
+
+    @cython.locals(i=Py_ssize_t)
+    cpdef double number(self, Py_ssize_t place)
+
+cdef class Recipe:
+    cpdef object make(self, Occurrence at)
+
+cdef class Same(Recipe):
+    cdef object value
+    cpdef object make(self, Occurrence at)
+
+cdef class Place(Recipe):
+    cdef Py_ssize_t line
+    cdef Py_ssize_t begin
+    cdef Py_ssize_t column
+    cdef Py_ssize_t end
+    cdef Py_ssize_t end_column
+    @cython.locals(column=Py_ssize_t, end_column=Py_ssize_t)
+    cpdef object make(self, Occurrence at)
+
+cdef class Value(Recipe):
+    cdef readonly Py_ssize_t place
+    cdef readonly double sign
+    cpdef object make(self, Occurrence at)
+
+cdef class Items(Recipe):
+    cdef list parts
+    @cython.locals(part=Recipe)
+    cpdef object make(self, Occurrence at)
+
+cdef class Filled(Recipe):
+    cdef type cls
+    cdef list fields
+    cdef list parts
+    @cython.locals(i=Py_ssize_t, part=Recipe)
+    cpdef object make(self, Occurrence at)
+
+cdef class Expressed(Recipe):
+    cdef type cls
+    cdef object form
+    cdef object form_slot
+    cdef object at_slot
+    cpdef object make(self, Occurrence at)

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""How the tree of a statement is made anew for another occurrence of its shape.
+
+In: an ``Occurrence``: what differs between two statements of one shape, their numbers and places.
+Out: nodes, equal to those that the parser makes. ``templates.py`` writes the recipes. A compound
+expression of numbers is not made but stands there as a ``Formed``: whoever evaluates it needs its
+form and the numbers, and its tree only where something goes wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from nctakt.diagnostics import Span
+from nctakt.nc import slots
+from nctakt.nc.shapes import ShapeScanner
+
+_FILE = Span.__dict__["file"]
+_LINE = Span.__dict__["line"]
+_COLUMN = Span.__dict__["column"]
+_END_COLUMN = Span.__dict__["end_column"]
+
+
+class Occurrence:
+    """A statement of a shape: its file, its first line, ``numbers`` and ``ends`` of the shape."""
+
+    def __init__(self, file: str, line: int, scanner: ShapeScanner) -> None:
+        self.file = file
+        self.line = line
+        self.numbers = [scanner.numbers[i] for i in range(scanner.count)]
+        self.ends = [scanner.ends[i] for i in range(scanner.count)]
+
+    def number(self, place: int) -> float:
+        """The number at a place of the shape."""
+        return self.numbers[place]
+
+
+class Recipe:
+    """Makes one value of a tree: a node, its span, a tuple, or what is the same each time."""
+
+    def make(self, at: Occurrence) -> Any:
+        """The value in this occurrence."""
+        raise AssertionError(self)
+
+
+class Same(Recipe):
+    """What does not depend on the occurrence."""
+
+    def __init__(self, value: object) -> None:
+        self.value = value
+
+    def make(self, at: Occurrence) -> Any:
+        return self.value
+
+
+class Place(Recipe):
+    """A span: so many lines below the first, columns counted from the ends of shape's places.
+
+    ``begin`` and ``end``: the places that the two columns are counted from, -1: the line's begin.
+    """
+
+    def __init__(self, line: int, begin: int, column: int, end: int, end_column: int) -> None:
+        self.line = line
+        self.begin = begin
+        self.column = column
+        self.end = end
+        self.end_column = end_column
+
+    def make(self, at: Occurrence) -> Any:
+        span = slots.fresh(Span, 0)
+        column = self.column
+        end_column = self.end_column
+        if self.begin >= 0:
+            column += at.ends[self.begin]
+        if self.end >= 0:
+            end_column += at.ends[self.end]
+        slots.put(_FILE, span, at.file)
+        slots.put(_LINE, span, at.line + self.line)
+        slots.put(_COLUMN, span, column)
+        slots.put(_END_COLUMN, span, end_column)
+        return span
+
+
+class Value(Recipe):
+    """A number of the shape, or that number with another sign."""
+
+    def __init__(self, place: int, sign: float) -> None:
+        self.place = place
+        self.sign = sign
+
+    def make(self, at: Occurrence) -> Any:
+        return at.numbers[self.place] * self.sign
+
+
+class Items(Recipe):
+    """A tuple."""
+
+    def __init__(self, parts: Sequence[Recipe]) -> None:
+        self.parts = list(parts)
+
+    def make(self, at: Occurrence) -> Any:
+        return tuple([part.make(at) for part in self.parts])
+
+
+class Filled(Recipe):
+    """A node: its class, its slots, and what stands in them."""
+
+    def __init__(self, cls: type[Any], fields: Sequence[tuple[Any, Recipe]]) -> None:
+        self.cls = cls
+        self.fields = [slot for slot, _ in fields]
+        self.parts = [part for _, part in fields]
+
+    def make(self, at: Occurrence) -> Any:
+        node = slots.fresh(self.cls, 0)
+        for i in range(len(self.parts)):
+            part = self.parts[i]
+            slots.put(self.fields[i], node, part.make(at))
+        return node
+
+
+class Expressed(Recipe):
+    """An expression as its form: ``cls`` has the slots ``form`` and ``at``."""
+
+    def __init__(self, cls: type[Any], form: object) -> None:
+        self.cls = cls
+        self.form = form
+        self.form_slot = cls.__dict__["form"]
+        self.at_slot = cls.__dict__["at"]
+
+    def make(self, at: Occurrence) -> Any:
+        node = slots.fresh(self.cls, 0)
+        slots.put(self.form_slot, node, self.form)
+        slots.put(self.at_slot, node, at)
+        return node

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+# C types of shapes.py.
+cimport cython
+
+cdef class ShapeScanner:
+    cdef bytearray room
+    cdef unsigned char[::1] text
+    cdef readonly double[::1] numbers
+    cdef readonly long long[::1] ends
+    cdef readonly bytes key
+    cdef readonly Py_ssize_t lines
+    cdef readonly Py_ssize_t count
+    cdef Py_ssize_t length
+    cdef int opens
+    cdef double value
+    cdef bint is_name
+
+    @cython.locals(end=Py_ssize_t)
+    cpdef Py_ssize_t pass_over(self, list lines, Py_ssize_t index, set keys) except -1
+    @cython.locals(depth=int, first=Py_ssize_t, end=Py_ssize_t, before=Py_ssize_t)
+    cpdef int read(self, list lines, Py_ssize_t index) except -1
+    @cython.locals(end=Py_ssize_t, start=Py_ssize_t, places=Py_ssize_t, i=Py_ssize_t, stop=Py_ssize_t, is_empty=bint, is_head=bint, before=Py_UCS4, last=Py_UCS4, c=Py_UCS4, depth=int, element_depth=int, behind_element=bint)
+    cdef int line(self, str line)
+    cdef void put(self, Py_UCS4 c)
+    cdef int is_sign(self, Py_UCS4 c)
+    cdef void place(self, unsigned char mark, Py_ssize_t end)
+    @cython.locals(depth=int, c=Py_UCS4)
+    cdef Py_ssize_t comment(self, str line, Py_ssize_t i, Py_ssize_t end)
+    cdef Py_ssize_t digits(self, str line, Py_ssize_t i, Py_ssize_t end)
+    @cython.locals(first=Py_ssize_t, mantissa=cython.longlong, count=int, scale=double, has_point=bint, c=Py_UCS4)
+    cdef Py_ssize_t number(self, str line, Py_ssize_t i, Py_ssize_t end, bint is_whole)
+    @cython.locals(first=Py_ssize_t, stop=Py_ssize_t, c=Py_UCS4, is_one=bint, is_value=bint)
+    cdef Py_ssize_t word(self, str line, Py_ssize_t i, Py_ssize_t end)
+    cdef int takes_number(self, Py_UCS4 c)
+    @cython.locals(c=Py_UCS4)
+    cdef Py_ssize_t name(self, str line, Py_ssize_t i, Py_ssize_t end)
+    cdef int is_letter_or_digit(self, Py_UCS4 c)
+    @cython.locals(first=Py_UCS4, second=Py_UCS4)
+    cdef void control(self, str line, Py_ssize_t i, Py_ssize_t end)

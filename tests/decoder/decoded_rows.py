@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+"""Programs decoded into the queue, for tests that compare two ways of decoding."""
+
+from __future__ import annotations
+
+import struct
+
+from nctakt import loading
+from nctakt.controller import Controller, NcText
+from nctakt.diagnostics import Diagnostic
+from nctakt.failure import Failure
+from nctakt.feed import Feed
+
+Rows = tuple[list[bytes], list[Diagnostic]]
+
+
+def rows(content: str, high_water: int = 100_000) -> Rows:
+    """The queue of a program that is decoded up to its end or to where it waits."""
+    controller = Controller()
+    found = controller.diagnostics
+    try:
+        loaded = loading.load(NcText("p.nc", content), controller._machine, found)
+    except Failure as failure:
+        return [], failure.diagnostics
+    feed = Feed(controller._machine, loaded, found.append)
+    feed._high_water = high_water
+    channel = controller._machine.channels[0]
+    feed.refill()
+    queued = [channel.row(index) for index in range(channel.queued())]
+    return [struct.pack(f"{len(row)}d", *row) for row in queued], found

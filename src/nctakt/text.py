@@ -26,6 +26,12 @@ WINDOWS_1252 = {
 }
 
 
+#: So many bytes at the start of a file tell whether it is a text.
+_LOOKED_AT_BYTES = 8192
+#: As many control characters are an accident in a text.
+_FEW_CONTROLS = 4
+
+
 @dataclass(frozen=True, slots=True)
 class DecodedText:
     """A file's text (without byte order mark) and how it was read.
@@ -49,6 +55,18 @@ def decode_text(data: bytes) -> DecodedText:
     except UnicodeDecodeError:
         return DecodedText(body.decode("latin-1").translate(WINDOWS_1252), "cp1252", guessed=True)
     return DecodedText(text, "utf-8" if len(body) == len(data) else "utf-8-sig")
+
+
+def is_binary(data: bytes) -> bool:
+    """Whether a file is no text: it has NULs and more control characters than any text would.
+
+    A text with a few NULs, such as one that is filled up with them at its end, is one.
+    """
+    begin = data[:_LOOKED_AT_BYTES].rstrip(b"\0")
+    if b"\0" not in begin or data.startswith(_UTF16_MARKS):
+        return False
+    controls = sum(byte < 32 and byte not in b"\t\n\r\f\v\x1a" for byte in begin)
+    return controls > _FEW_CONTROLS and controls * 50 > len(begin)
 
 
 def split_lines(text: str) -> list[str]:

@@ -611,7 +611,7 @@ def test_the_nearest_machine_counts_and_its_errors_are_told(check: Check) -> Non
     shutil.copytree(DEMO, "mine/inner")
     Path("mine/inner/achs_mds4.lis").unlink()
     write("mine/inner/a.nc", "G00 C10\nM30\n")
-    assert check("mine/inner/a.nc").ids == [900203, 900066, 900062, 900815]
+    assert check("mine/inner/a.nc").ids == [900203, 900062, 900066, 900815]
 
 
 def test_a_broken_machine_around_a_program(check: Check) -> None:

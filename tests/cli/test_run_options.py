@@ -106,7 +106,7 @@ def test_words_become_a_request(asked: Asked, tmp_path: Path) -> None:
     (tmp_path / "machine").mkdir()
     words = "run part.nc part.nc --machine machine --set V.E.A=5 --set V.E.B=TRUE"
     words += " --at 1.5ms V.E.A=-1 --at 2 V.E.B=0 --ticks 7 --until 3s --after 10ms"
-    words += " --signals X.ACS.ACT_POS,V.E.M[1,2],"
+    words += " --trace out.csv --signals X.ACS.ACT_POS,V.E.M[1,2],"
     assert main(words.split()) == 0
     assert asked.machine == "machine"
     assert asked.programs == (Path("part.nc"), Path("part.nc"))
@@ -308,6 +308,7 @@ def test_ctrl_c_ends_a_run_between_two_ticks(asked: Asked) -> None:
         ("run part.nc --machine part.nc", [900502]),
         ("run part.nc --trace out.txt", [900506]),
         ("run part.nc --trace no/out.csv", [900507]),
+        ("run part.nc --blocks --signals BLOCK", [900817, 900817]),
         ("run part.nc --messages no/said.txt", [900507]),
         ("run part.nc --diagnosis no/diag.txt", [900507]),
         ("run part.nc --set V.E.X", [900511]),

@@ -264,7 +264,7 @@ def test_several_channels_share_global_variables(tmp_path: Path) -> None:
         "v.lis": SHARED,
     }
     machine, found = load(write(tmp_path, files))
-    assert found == []
+    assert found == [900818]  # the second channel has no axis
     assert [one.name for one in machine.global_variables] == ["A"]
     for channel in machine.channels:
         assert [one.name for one in channel.external_variables] == ["A", "OWN"]
@@ -281,7 +281,7 @@ def test_global_variables_that_differ(tmp_path: Path) -> None:
         "w.lis": f"{SHARED}var[0].type REAL64\n",
     }
     machine, found = load(write(tmp_path, files))
-    assert found == [900078]
+    assert found == [900078, 900818]
     assert machine.channels[1].external_variables[0].node.type == "UNS32"
 
 
@@ -385,3 +385,40 @@ def test_memory_of_external_variables(tmp_path: Path, elements: int, found: list
     assert told == found
     (variable,) = machine.channels[0].external_variables
     assert variable.node.array_elements == elements
+
+
+@pytest.mark.parametrize("name", ["kanal.lis", "x.lis", "rtconf.lis"])
+def test_a_list_that_is_no_text(tmp_path: Path, name: str) -> None:
+    """A binary file is told once, where it is named, and is left out."""
+    write(tmp_path, {})
+    (tmp_path / name).write_bytes(bytes(range(256)) * 4)
+    try:
+        machine = load_machine(tmp_path)
+    except MachineError as error:
+        found = error.diagnostics
+    else:
+        found = machine.diagnostics
+    told = [one for one in found if one.id == 900581]
+    assert [one.span.file for one in told if one.span] == [(tmp_path / "hochlauf.lis").as_posix()]
+    assert {one.id for one in found} <= {900581, 900066, 900068, 900077}
+
+
+def test_a_start_up_list_that_is_no_text(tmp_path: Path) -> None:
+    """There is no machine then."""
+    write(tmp_path, {})
+    (tmp_path / "hochlauf.lis").write_bytes(bytes(range(256)))
+    assert failure(tmp_path) == [900581]
+
+
+@pytest.mark.parametrize("text", ["\0" * 20, "# a\0b\n", "Ende\n" + "\0" * 500])
+def test_a_text_with_nuls_is_no_binary_file(tmp_path: Path, text: str) -> None:
+    """Vendors fill lists up with NULs."""
+    found = load(write(tmp_path, {"x.lis": f"kopf.achs_nr 1\n{text}"}))[1]
+    assert 900581 not in found
+
+
+def test_an_empty_channel_list(tmp_path: Path) -> None:
+    """A channel without an axis is told at its list."""
+    machine = load_machine(write(tmp_path, {"kanal.lis": ""}))
+    (told,) = machine.diagnostics
+    assert (told.id, told.span and Path(told.span.file).name) == (900818, "kanal.lis")

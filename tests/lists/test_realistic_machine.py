@@ -18,9 +18,7 @@ FOLDER = Path(__file__).parent.parent / "machines" / "centre"
 
 #: Each finding: the list, the line (0: no place), the number of the message.
 EXPECTED = (
-    ("", 0, 900078),  # SHARED_3 is GLOBAL, UNS32 in channel 2
     ("", 0, 900611),  # schedule.context.geo 3 of channel 2 has no thread
-    ("", 0, 900750),  # axis 5 belongs to channel 1 already
     ("achs_mds2.lis", 4, 900075),  # software limits swapped
     ("achs_mds3.lis", 4, 900019),  # a_max -1
     ("achs_mds3.lis", 5, 900014),  # 20Om, with a letter
@@ -41,11 +39,13 @@ EXPECTED = (
     ("rtconf.lis", 18, 900009),  # hsc_time
     ("sda_mds1.lis", 27, 900021),  # G72 at program start
     ("sda_mds1.lis", 28, 900014),  # 1000,5
+    ("sda_mds2.lis", 10, 900750),  # axis 5 belongs to channel 1 already
     ("sda_mds2.lis", 12, 900024),  # v_ch_memory
     ("ve_var1.lis", 1, 900000),  # Latin-1
     ("ve_var1.lis", 627, 900080),  # Zähler
     ("ve_var1.lis", 631, 21196),  # scope MACHINE
     ("ve_var1.lis", 631, 900023),  # var[30].scope twice
+    ("ve_var2.lis", 19, 900078),  # SHARED_3 is GLOBAL, UNS32 in channel 2
     ("ve_var2.lis", 209, 900082),  # UNS64
     ("werkz_d1.lis", 1, 900010),  # holder_id
     ("werkz_d1.lis", 302, 900740),  # tool 0

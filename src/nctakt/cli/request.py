@@ -119,6 +119,9 @@ def read_request(options: Options) -> Request:
     if options.plc is not None and options.hli is not None:
         reader.found.append(diagnostic(900653))
     signals = None if options.signals is None else split_names(options.signals)
+    for option, given in (("--signals", signals is not None), ("--blocks", options.blocks)):
+        if given and options.trace is None:
+            reader.found.append(diagnostic(900817, option=option))
     if reader.found:
         raise Failure(*reader.found)
     programs: dict[int, list[Path | NcText]] = {1: [_program(one) for one in options.programs]}

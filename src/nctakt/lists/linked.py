@@ -17,6 +17,7 @@ from nctakt.lists.parameter import Schema
 from nctakt.lists.schema import Values, load_list
 from nctakt.lists.startup import STARTUP, ListReference, startup_configuration
 from nctakt.messages import Collector
+from nctakt.text import is_binary
 
 
 class LinkedLists:
@@ -31,7 +32,9 @@ class LinkedLists:
         """The values of the start-up list itself; ``None`` if it cannot be read."""
         path = self._startup_file
         data = read_file(path, self._collector)
-        return None if data is None else self._values(STARTUP, path, data, None)
+        if data is None or self._is_binary(path, data, None):
+            return None
+        return self._values(STARTUP, path, data, None)
 
     def values(
         self, schema: Schema, reference: ListReference | None, base: Values | None = None
@@ -46,9 +49,17 @@ class LinkedLists:
             return None
         path = find_list(reference, self._startup_file.parent, self._collector)
         data = None if path is None else read_file(path, self._collector)
-        if path is None or data is None or self._is_misplaced(schema, reference, path, data):
+        if path is None or data is None or self._is_binary(path, data, reference):
             return None
-        return path, data
+        return None if self._is_misplaced(schema, reference, path, data) else (path, data)
+
+    def _is_binary(self, path: Path, data: bytes, reference: ListReference | None) -> bool:
+        """Report a list that is no text."""
+        if not is_binary(data):
+            return False
+        place, line = (None, "") if reference is None else (reference.span, reference.line)
+        self._collector.report(900581, place, line, file=path.as_posix())
+        return True
 
     def _values(self, schema: Schema, path: Path, data: bytes, base: Values | None) -> Values:
         name = path.as_posix()

@@ -17,13 +17,10 @@ from nctakt.diagnostics import Diagnostic
 from nctakt.lists.axis import AXIS
 from nctakt.lists.axis_configuration import AxisConfiguration, axis_configuration
 from nctakt.lists.channel import CHANNEL
-from nctakt.lists.channel_configuration import (
-    ChannelParameters,
-    Spindle,
-    channel_parameters,
-)
+from nctakt.lists.channel_configuration import ChannelParameters, channel_parameters
 from nctakt.lists.files import STARTUP_NAMES, startup_list
 from nctakt.lists.linked import LinkedLists
+from nctakt.lists.members import ChannelAxis, ChannelSpindle, channel_axes, channel_spindles
 from nctakt.lists.offsets import (
     CLAMP_OFFSETS,
     ZERO_OFFSETS,
@@ -36,7 +33,12 @@ from nctakt.lists.rtconf import RTCONF, RtconfConfiguration
 from nctakt.lists.rtconf_checks import check_contexts, check_time_limits
 from nctakt.lists.rtconf_effective import load_rtconf
 from nctakt.lists.schema import Values
-from nctakt.lists.startup import ChannelStartup, StartupConfiguration, startup_configuration
+from nctakt.lists.startup import (
+    STARTUP,
+    ChannelStartup,
+    StartupConfiguration,
+    startup_configuration,
+)
 from nctakt.lists.tools import TOOLS, Tool, tools_configuration
 from nctakt.lists.user_texts import user_texts
 from nctakt.lists.variable_checks import check_memory
@@ -50,7 +52,6 @@ from nctakt.lists.variable_tree import (
 from nctakt.lists.variables import VARIABLES
 from nctakt.messages import Collector
 
-#: Names of a start-up list in a machine folder, the first that exists counts.
 #: NC cycle without rtconf.lis, in µs.
 DEFAULT_CYCLE_TIME_US = 1000
 _DEMO = Path(__file__).parent.parent / "machines" / "demo"
@@ -62,28 +63,6 @@ class MachineError(Exception):
     def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
         super().__init__(diagnostics[-1].headline())
         self.diagnostics = diagnostics
-
-
-@dataclass(frozen=True, slots=True)
-class ChannelAxis:
-    """An axis of a channel; ``index`` into the machine's ``axes``."""
-
-    name: str
-    logical_number: int
-    index: int
-
-
-@dataclass(frozen=True, slots=True)
-class ChannelSpindle:
-    """A spindle of a channel; ``index`` into the machine's ``axes``, ``None`` for the PLC's."""
-
-    spindle: Spindle
-    index: int | None
-
-    @property
-    def name(self) -> str:
-        """The name in programs."""
-        return self.spindle.name
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,6 +143,9 @@ class _Loader:
         self.folder = startup_file.parent
         self.collector = collector
         self.owners: dict[int, int] = {}
+        self.startup_values = Values(STARTUP, startup_file.as_posix())
+        self.channel_values: list[Values] = []
+        self.variable_values: list[Values] = []
         self.lists = LinkedLists(startup_file, collector, verbose=verbose)
 
     def machine(self) -> MachineConfiguration:
@@ -176,7 +158,7 @@ class _Loader:
             check_time_limits(rtconf, parameters, self.collector)
         variables = tuple(self._variables(channel) for channel in startup.channels)
         shared, variables = self._share(variables)
-        check_memory(startup, variables, self.collector)
+        check_memory(startup, variables, self.startup_values, self.collector)
         channels = tuple(
             self._channel(startup, index, parameters[index], variables[index], axes)
             for index in range(len(startup.channels))
@@ -202,6 +184,7 @@ class _Loader:
         values = self.lists.startup()
         if values is None:
             raise self._fail()
+        self.startup_values = values
         format_ = values.text("listen")
         if format_ != "ASCII":
             values.report(self.collector, 900064, ("listen",), format=format_)
@@ -216,15 +199,16 @@ class _Loader:
         path, data = found
         return load_rtconf(path.as_posix(), data, self.collector)
 
-    def _missing(self, key: str) -> None:
-        self.collector.report(900065, None, key=key)
+    def _missing(self, key: str, count: str) -> None:
+        """Tell that ``key`` is missing, of which ``count`` says how many there are."""
+        self.startup_values.report(self.collector, 900065, (count,), key=key)
 
     def _axes(self, startup: StartupConfiguration) -> tuple[AxisConfiguration, ...]:
         base = self.lists.values(AXIS, startup.axis_defaults)
         axes: list[AxisConfiguration] = []
         for index, reference in enumerate(startup.axes):
             if reference is None:
-                self._missing(f"achs_mds[{index}]")
+                self._missing(f"achs_mds[{index}]", "zahl_mds")
             values = self.lists.values(AXIS, reference, base)
             if values is None:
                 continue
@@ -242,11 +226,12 @@ class _Loader:
         parameters: list[ChannelParameters] = []
         for channel in startup.channels:
             if channel.parameters is None and base is None:
-                self._missing(f"sda_mds[{channel.index}]")
+                self._missing(f"sda_mds[{channel.index}]", "kanal_anzahl")
             values = self.lists.values(CHANNEL, channel.parameters, base)
             any_list = any_list or values is not None
             values = values or base or Values(CHANNEL, self.startup_file.as_posix())
             parameters.append(channel_parameters(values, self.collector))
+            self.channel_values.append(values)
         if not any_list:
             self.collector.report(900077, None)
             raise self._fail()
@@ -254,6 +239,7 @@ class _Loader:
 
     def _variables(self, channel: ChannelStartup) -> VariablesConfiguration:
         values = self.lists.values(VARIABLES, channel.variables)
+        self.variable_values.append(values or Values(VARIABLES, self.startup_file.as_posix()))
         if values is None:
             return VariablesConfiguration((), ())
         return variables_configuration(values, self.collector)
@@ -272,8 +258,10 @@ class _Loader:
                     continue
                 first, known = shared.setdefault(variable.name, (number, variable))
                 if known != variable:
+                    values = self.variable_values[number - 1]
+                    span, line = values.where(("var[].name",), variable.name)
                     self.collector.report(
-                        900078, None, name=variable.name, channel=number, first=first
+                        900078, span, line, name=variable.name, channel=number, first=first
                     )
                 external.append(known)
             settled.append(replace(variables, external=tuple(external)))
@@ -288,16 +276,17 @@ class _Loader:
         axes: tuple[AxisConfiguration, ...],
     ) -> ChannelConfiguration:
         channel = startup.channels[index]
-        members = self._channel_axes(parameters, axes, index + 1)
+        values = self.channel_values[index]
+        members = channel_axes(parameters, values, axes, index + 1, self.owners, self.collector)
         linear = tuple(axes[one.index].is_linear for one in members)
         return ChannelConfiguration(
             index + 1,
             channel,
             parameters,
             members,
-            self._channel_spindles(parameters, axes),
+            channel_spindles(parameters, values, axes, self.collector),
             variables.external,
-            self._channel_variables(parameters, variables),
+            self._channel_variables(parameters, values, variables),
             self._tools(channel, linear),
             self._zero_offsets(channel, len(linear)),
             self._clamp_offsets(channel, len(linear)),
@@ -319,51 +308,13 @@ class _Loader:
             return ClampOffsets()
         return clamp_offsets_configuration(values, axis_count, self.collector)
 
-    def _axis_index(
-        self, name: str, number: int, axes: tuple[AxisConfiguration, ...]
-    ) -> int | None:
-        for index, axis in enumerate(axes):
-            if axis.logical_number == number:
-                return index
-        self.collector.report(900066, None, logical=number, name=name)
-        return None
-
-    def _channel_axes(
-        self, parameters: ChannelParameters, axes: tuple[AxisConfiguration, ...], channel: int
-    ) -> tuple[ChannelAxis, ...]:
-        """The axes of a channel, without those that an earlier channel has."""
-        found: list[ChannelAxis] = []
-        for axis in parameters.axes:
-            index = self._axis_index(axis.name, axis.logical_number, axes)
-            if index is None:
-                continue
-            owner = self.owners.setdefault(index, channel)
-            if owner != channel:
-                number = axis.logical_number
-                self.collector.report(900750, None, axis=number, first=owner, second=channel)
-            else:
-                found.append(ChannelAxis(axis.name, axis.logical_number, index))
-        return tuple(found)
-
-    def _channel_spindles(
-        self, parameters: ChannelParameters, axes: tuple[AxisConfiguration, ...]
-    ) -> tuple[ChannelSpindle, ...]:
-        found: list[ChannelSpindle] = []
-        for spindle in parameters.spindles:
-            if spindle.plc_controlled:
-                found.append(ChannelSpindle(spindle, None))
-                continue
-            index = self._axis_index(spindle.name, spindle.logical_number, axes)
-            if index is not None:
-                found.append(ChannelSpindle(spindle, index))
-        return tuple(found)
-
     def _channel_variables(
-        self, parameters: ChannelParameters, variables: VariablesConfiguration
+        self, parameters: ChannelParameters, values: Values, variables: VariablesConfiguration
     ) -> tuple[Variable, ...]:
         needed = channel_memory_bytes(variables.channel)
         available = parameters.channel_variables_bytes
         if needed > available:
-            self.collector.report(21992, None, needed=needed, available=available)
+            key = "configuration.decoder.v_ch_memory"
+            values.report(self.collector, 21992, (key,), needed=needed, available=available)
             return ()
         return variables.channel

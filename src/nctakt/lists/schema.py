@@ -10,7 +10,7 @@ two entries for one parameter the last counts.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass, field
 
 from nctakt.diagnostics import Diagnostic, Span
@@ -102,6 +102,13 @@ class Values:
         if taken is None:
             return Span(self.file, 1, 1, 2), ""
         return taken.entry.key_span, taken.entry.line
+
+    def where(self, patterns: Container[str], value: Value) -> tuple[Span, str]:
+        """As ``place``, of the first entry of these names with this value."""
+        for (pattern, indices), taken in self.taken.items():
+            if pattern in patterns and taken.value == value:
+                return self.place(pattern, *indices)
+        return Span(self.file, 1, 1, 2), ""
 
     def report(
         self,

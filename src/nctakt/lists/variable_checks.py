@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nctakt.lists.schema import Values
 from nctakt.lists.startup import StartupConfiguration
 from nctakt.lists.variable_layout import overlaps, pack_of, place, size_of
 from nctakt.lists.variable_tree import VariablesConfiguration, VariableScope
@@ -16,9 +17,15 @@ from nctakt.messages import Collector
 
 
 def check_memory(
-    startup: StartupConfiguration, lists: Sequence[VariablesConfiguration], collector: Collector
+    startup: StartupConfiguration,
+    lists: Sequence[VariablesConfiguration],
+    values: Values,
+    collector: Collector,
 ) -> None:
-    """Tell variables that overlap (P-EXTV-00011), and channels with too many (P-STUP-00037)."""
+    """Tell variables that overlap (P-EXTV-00011), and channels with too many (P-STUP-00037).
+
+    ``values``: those of the start-up list.
+    """
     pack = pack_of(startup.member_alignment)
     for variables in lists:
         if variables.checks_overlapping:
@@ -27,7 +34,8 @@ def check_memory(
     for channel, variables in enumerate(lists if available else (), start=1):
         needed = sum(size_of(one.node, pack) for one in variables.external)
         if needed > available:
-            collector.report(900814, None, channel=channel, needed=needed, available=available)
+            numbers = {"channel": channel, "needed": needed, "available": available}
+            values.report(collector, 900814, ("ext_var_max",), **numbers)
 
 
 def _overlapping(variables: VariablesConfiguration, pack: int, collector: Collector) -> None:

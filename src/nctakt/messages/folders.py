@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of machine folders: how lists name each other, tools, offsets (900740 … 900769)."""
+"""Messages of machine folders: lists that name each other, tools, offsets (900740 …, 900818)."""
 
 from __future__ import annotations
 
@@ -138,4 +138,13 @@ _add(
         "folder": "the folder as the user gave it",
         "count": "how many lists were written",
     },
+)
+_add(
+    900818,
+    WARNING,
+    "channel {channel} has no axis: nothing of it can move",
+    "Kanal {channel} hat keine Achse: nichts in ihm kann sich bewegen",
+    remedy_en="Name its axes in the channel list: gruppe[0].achse[i].",
+    remedy_de="In der Kanalliste seine Achsen nennen: gruppe[0].achse[i].",
+    parameters={"channel": "the number of the channel"},
 )

@@ -165,6 +165,15 @@ _add(
     remedy_de="nctakt mit einem C-Compiler installieren.",
 )
 _add(
+    900817,
+    ERROR,
+    "{option} says what is recorded, and there is no trace",
+    "{option} sagt, was aufgezeichnet wird, und es gibt keine Aufzeichnung",
+    remedy_en="Name a file for it: --trace out.csv",
+    remedy_de="Eine Datei dafür angeben: --trace out.csv",
+    parameters={"option": "the option"},
+)
+_add(
     900816,
     NOTE,
     "the demo machine runs the program, not the machine of {file}",

@@ -387,8 +387,8 @@ _add(
     ERROR,
     "{library} is missing, which {what} needs",
     "{library} fehlt, das {what} braucht",
-    remedy_en="Install it: pip install 'nctakt[plot]'.",
-    remedy_de="Installieren: pip install 'nctakt[plot]'.",
+    remedy_en="Install what pictures need, in the checkout: pip install '.[plot]'",
+    remedy_de="Installieren, was Bilder brauchen, im Checkout: pip install '.[plot]'",
     parameters={
         "library": "the library",
         "what": "the option",

@@ -171,4 +171,5 @@ class PathPace:
         if arc is not None:
             turn = arc.length(start)
             return arithmetic.square_root(linear2 + turn * turn)
-        return arithmetic.square_root(linear2 if linear2 > 0.0 else rotary2)
+        is_rotary = linear2 < 1e-12 and rotary2 > 0.0
+        return arithmetic.square_root(rotary2 if is_rotary else linear2)

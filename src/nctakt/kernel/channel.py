@@ -221,6 +221,8 @@ class Channel(Commands):
             self.retrace.leave()
             self.publish_block()
         goes_on = self.retrace.step(factor, stops)
+        if self.retrace.entered >= 0.0:
+            self.cells[self.first_cell + 7] = self.retrace.entered
         if self.retrace.fault != 0:
             self.report(self.retrace.fault_source, self.retrace.fault, self.path.refused_axis)
             self.retrace.fault = 0

@@ -7,14 +7,14 @@ from nctakt.kernel.segment_limits cimport SegmentLimits
 
 cdef class JerkAhead(SegmentLimits):
     cdef void leave_smoothly(self, double[::1] row, Py_ssize_t base) noexcept nogil
-    @cython.locals(shortest=double, speed=double, i=Py_ssize_t, turn=double, passed=double, most_a=double, most_j=double, step=double)
+    @cython.locals(shortest=double, speed=double, i=Py_ssize_t, turn=double, passed=double, most_j=double, step=double)
     cdef void join_smoothly(self, double[::1] row, Py_ssize_t before, Py_ssize_t base) noexcept nogil
     @cython.locals(step=double, most_a=double, speed=double, more=double, root=double, slower=double, density=double)
     cdef double corner_speed(self, Py_ssize_t i, double shortest, double turn) noexcept nogil
     cdef double axis_jerk(self, Py_ssize_t index) noexcept nogil
     cdef double least_jerk(self, double[::1] row, Py_ssize_t before, Py_ssize_t base) noexcept nogil
     @cython.locals(i=Py_ssize_t, part=double, least_a=double)
-    cdef void use(self, double[::1] row, Py_ssize_t base, double[::1] parts, double used_a, double used_j) noexcept nogil
+    cdef void use(self, double[::1] row, Py_ssize_t base, double[::1] parts) noexcept nogil
     cdef double speed_of(self, double[::1] row, Py_ssize_t base) noexcept nogil
     @cython.locals(tail=Py_ssize_t, base=Py_ssize_t, here=Py_ssize_t, before=Py_ssize_t, is_less=int, passed=Py_ssize_t, lent=int, back=Py_ssize_t)
     cdef int spread_smoothly(self, double[::1] row, Py_ssize_t number, Py_ssize_t oldest, int is_promised) noexcept nogil

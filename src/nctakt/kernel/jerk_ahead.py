@@ -61,18 +61,16 @@ class JerkAhead(SegmentLimits):
         speed = min(speed, self.speed_of(row, before), self.speed_of(row, base))
         self.corner_v = speed
         passed = speed * self.tick_t / shortest
-        most_a = 0.0
         most_j = 0.0
         for i in range(self.count):
             step = self.steps[i] * speed * (1.0 + 1.5 * passed) / self.tick_t
             turn = self.turns[i] * speed * speed * (0.75 + passed)
             self.shares[i] = step
             self.turns[i] = (step / self.tick_t) + turn / self.tick_t
-            most_a = max(most_a, step)
             most_j = max(most_j, self.turns[i])
         if most_j > 0.0:
-            self.use(row, before, self.leaving, most_a, most_j)
-            self.use(row, base, self.entering, most_a, most_j)
+            self.use(row, before, self.leaving)
+            self.use(row, base, self.entering)
 
     def corner_speed(self, i: int, shortest: float, turn: float) -> float:
         """The highest speed at a corner for one axis: at most 0.7 of its jerk is used."""
@@ -101,17 +99,10 @@ class JerkAhead(SegmentLimits):
         """The lesser jerk along the path."""
         return min(row[before + 10], row[base + 10])
 
-    def use(
-        self,
-        row: memoryview[float],
-        base: int,
-        parts: memoryview[float],
-        used_a: float,
-        used_j: float,
-    ) -> None:
+    def use(self, row: memoryview[float], base: int, parts: memoryview[float]) -> None:
         """A corner uses acceleration and jerk of the axes: less is left along a segment."""
         if row[base + 9] == 1.0:
-            self.smooth_arc(row, base, used_a, used_j)
+            self.smooth_arc(row, base, 1)
         for i in range(self.count):
             part = parts[i] if parts[i] >= 0.0 else 0.0 - parts[i]
             if part > 0.0 and not self.in_plane(row, base, i):

@@ -29,6 +29,7 @@ cdef class Retrace:
     cdef bint was_released
     cdef int fault
     cdef long long fault_source
+    cdef double entered
 
     cdef int takes_over(self) noexcept nogil
     cdef int way(self) noexcept nogil
@@ -67,6 +68,7 @@ cdef class Retrace:
     cdef double length(self) noexcept nogil
     @cython.locals(other=cython.longlong)
     cdef int cross(self) noexcept nogil
+    cdef int goes_on(self) noexcept nogil
     @cython.locals(source=cython.longlong, base=Py_ssize_t, end=Py_ssize_t, i=Py_ssize_t, is_open=int)
     cdef int may_enter(self, long long place) noexcept nogil
     @cython.locals(now_t=double, over_t=double)

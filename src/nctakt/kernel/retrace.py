@@ -29,6 +29,7 @@ class Retrace:
     ``fault`` is the number of the message that stops the channel, because something else has moved
     an axis while the path was away (MO-13); ``Path.refused_axis`` is the axis, ``fault_source`` the
     block. ``is_blocked``: the walk has come to the start of the history, or to such a block.
+    ``entered``: the N number of the block that the walk has come to within this tick, else -1.
     """
 
     def __init__(self, path: Path, panel: Panel, record: Record) -> None:
@@ -51,6 +52,7 @@ class Retrace:
         self.was_released = False
         self.fault = 0
         self.fault_source = 0
+        self.entered = -1.0
 
     def takes_over(self) -> int:
         """Whether the path, which backward motion stops, stands and has a way behind it."""
@@ -76,9 +78,12 @@ class Retrace:
 
         As ``Path.step``; the path is away.
         """
+        self.entered = -1.0
         wanted = -1 if self.panel.backward_motion else 1
         if self.path.direction != wanted and self.path.speed_v == 0.0:
             self.turn(wanted)
+            if self.path.is_active:
+                self.entered = self.path.block_number()
             if not self.path.is_away:
                 return self.path.step(factor, is_stopping)
         if self.is_blocked:
@@ -346,14 +351,22 @@ class Retrace:
         self.place = other
         if other == self.front_place:
             self.return_to_front(0.0)
-            return 1 if self.path.is_active and self.path.speed_v > 0.0 else 0
+            return self.goes_on()
         self.path.release()
         self.path.rest()
         self.path.base = self.path.row_of(other)
         self.path.claim_again()
         self.path.covered_d = 0.0 if self.path.direction > 0 else self.length()
         self.enter_stage()
-        return 1 if self.path.speed_v > 0.0 else 0
+        return self.goes_on()
+
+    def goes_on(self) -> int:
+        """Whether the path, which has passed a border, moves on in this tick or the next one."""
+        if not self.path.is_active or self.path.speed_v == 0.0:
+            return 0
+        if self.path.left_t > 0.0:
+            self.entered = self.path.block_number()
+        return 1
 
     def may_enter(self, place: int) -> int:
         """Whether the walk may go on into a segment; backward the history starts behind it."""

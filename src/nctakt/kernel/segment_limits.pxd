@@ -48,8 +48,8 @@ cdef class SegmentLimits:
     cdef void measure(self, double[::1] row, Py_ssize_t base, double feed_v) noexcept nogil
     @cython.locals(limit_a=double, limit_j=double, i=Py_ssize_t, way=double, part=double, slope_a=double, slope_j=double)
     cdef void smooth(self, double[::1] row, Py_ssize_t base, double feed_v) noexcept nogil
-    @cython.locals(tail=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, turn=double, way=double, part=double, plane_a=double, plane_j=double, most_v=double, outer_a=double, outer_j=double, best_t=double, speed=double, centre_a=double, turned_j=double, free_a=double, ramp_a=double, crossing_j=double, jerk=double, time=double, _=int)
-    cdef void smooth_arc(self, double[::1] row, Py_ssize_t base, double used_a, double used_j) noexcept nogil
+    @cython.locals(tail=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, turn=double, way=double, part=double, first_a=double, second_a=double, left_j=double, plane_a=double, plane_j=double, most_v=double, outer_a=double, outer_j=double, best_t=double, speed=double, centre_a=double, turned_j=double, free_a=double, ramp_a=double, crossing_j=double, jerk=double, time=double, _=int)
+    cdef void smooth_arc(self, double[::1] row, Py_ssize_t base, int at_corner) noexcept nogil
     @cython.locals(ramp=double, half=double, peak=double)
     cdef double smooth_time(self, double way, double speed, double limit_a, double limit_j) noexcept nogil
     @cython.locals(here=Py_ssize_t)

@@ -118,11 +118,14 @@ class SegmentLimits:
         row[base + 6] = min(row[base + 6], limit_a)
         row[base + 10] = limit_j
         if row[base + 9] == 1.0:
-            self.smooth_arc(row, base, 0.0, 0.0)
+            self.smooth_arc(row, base, 0)
         self.stand_at_end(row, base)
 
-    def smooth_arc(self, row: memoryview[float], base: int, used_a: float, used_j: float) -> None:
-        """Speed, acceleration and jerk on an arc, where corners use some of the axes' limits."""
+    def smooth_arc(self, row: memoryview[float], base: int, at_corner: int) -> None:
+        """Speed, acceleration and jerk on an arc.
+
+        ``at_corner``: a corner uses ``shares`` of accelerations, ``turns`` of jerks.
+        """
         tail = base + 12 + 2 * self.count
         first = int(row[tail + 7])
         second = int(row[tail + 8])
@@ -132,9 +135,14 @@ class SegmentLimits:
         turn = row[tail + 11] * 0.017453292519943295
         way = radius * (turn if turn > 0.0 else 0.0 - turn)
         part = way / row[base + 3]
-        plane_a = min(self.feed_a[first], self.feed_a[second])
-        plane_a = min(plane_a, self.feed_slope_a[first], self.feed_slope_a[second]) - used_a
-        plane_j = min(self.feed_j[first], self.feed_j[second]) - used_j
+        first_a = min(self.feed_a[first], self.feed_slope_a[first])
+        second_a = min(self.feed_a[second], self.feed_slope_a[second])
+        plane_a = min(first_a, second_a)
+        plane_j = min(self.feed_j[first], self.feed_j[second])
+        if at_corner:
+            plane_a = min(first_a - self.shares[first], second_a - self.shares[second])
+            left_j = self.feed_j[first] - self.turns[first]
+            plane_j = min(left_j, self.feed_j[second] - self.turns[second])
         most_v = min(row[base + 4] * self.most_factor, row[base + 5]) * part
         most_v = min(most_v, arithmetic.square_root(0.97 * plane_a * radius))
         most_v = min(most_v, arithmetic.power(0.97 * plane_j * radius * radius, 1.0 / 3.0))
@@ -190,7 +198,10 @@ class SegmentLimits:
         row[here + 21] = 0.0
 
     def straight_way(self, row: memoryview[float], base: int) -> float:
-        """The way in the linear axes, or in the rotary ones where no linear axis moves."""
+        """The way in the linear axes, or in the rotary ones where no linear axis moves.
+
+        What rounding leaves of a linear way, less than a nanometre, is none.
+        """
         linear2 = 0.0
         rotary2 = 0.0
         for i in range(self.count):
@@ -199,7 +210,9 @@ class SegmentLimits:
                 linear2 += way * way
             else:
                 rotary2 += way * way
-        return arithmetic.square_root(linear2 if linear2 > 0.0 else rotary2)
+        if linear2 < 1e-12 and rotary2 > 0.0:
+            return arithmetic.square_root(rotary2)
+        return arithmetic.square_root(linear2)
 
     def bound(self, row: memoryview[float], base: int, feed_v: float) -> None:
         """Speeds and acceleration on a line, or of the axes outside of an arc's plane."""

@@ -16,7 +16,7 @@ cdef double stage_way(double[::1] row, Py_ssize_t base, Py_ssize_t count, int st
 cdef double stage_acceleration(double[::1] row, Py_ssize_t base, Py_ssize_t count, int stage) noexcept nogil
 @cython.locals(tail=Py_ssize_t, speed2=double, curve_v=double, way=double)
 cdef double entry_speed(double[::1] row, Py_ssize_t base, Py_ssize_t count, int stage, double end_v, double limit_v) noexcept nogil
-@cython.locals(tail=Py_ssize_t, part=double, i=Py_ssize_t, start=double, first=Py_ssize_t, second=Py_ssize_t, angle=double, cosine=double, sine=double, x=double, y=double)
+@cython.locals(tail=Py_ssize_t, part=double, i=Py_ssize_t, start=double, end=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, angle=double, cosine=double, sine=double, x=double, y=double)
 cdef void locate(double[::1] row, Py_ssize_t base, Py_ssize_t count, double way, double[::1] places) noexcept nogil
 @cython.locals(tail=Py_ssize_t, half=double, length=double, part=double, i=Py_ssize_t, corner=double, before=double, behind=double)
 cdef void locate_on_curve(double[::1] row, Py_ssize_t base, Py_ssize_t count, double way, double[::1] places) noexcept nogil

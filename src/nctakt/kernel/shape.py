@@ -130,8 +130,13 @@ def entry_speed(
 def locate(
     row: memoryview[float], base: int, count: int, way: float, places: memoryview[float]
 ) -> None:
-    """Put where each axis is after ``way`` into ``places``."""
+    """Put where each axis is after ``way`` into ``places``; at both ends bit by bit."""
     tail = base + 12 + 2 * count
+    if way <= 0.0 or way >= whole_way(row, base, count):
+        end = base + 12 if way <= 0.0 else end_place(row, base, count)
+        for i in range(count):
+            places[i] = row[end + i]
+        return
     if row[tail + 4] > 0.0 and way > row[base + 3] - row[tail + 4]:
         locate_on_curve(row, base, count, way, places)
         return

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: MIT
+"""What MO-1 demands of a run of a random program, tick by tick: limits, places, ends of blocks."""
+
+from __future__ import annotations
+
+import numpy as np
+from motion_machines import AXES, Machine
+from motion_programs import MotionProgram
+
+from nctakt.results.run import Run
+
+SIGNALS = [*(f"{name}.ACS.ACT_POS" for name in AXES), "BLOCK"]
+#: The deviation of a rounded corner is one in the linear axes.
+LINEAR = 3
+#: What rounding may add to a position, mm.
+FUZZ_MM = 1e-9
+#: How far a place may be from the programmed way, whose numbers have nine decimals, mm.
+OFF_MM = 1e-6
+
+
+def positions(run: Run) -> np.ndarray:
+    """The axes' positions behind each tick; the modulo axis as it runs on."""
+    assert run.trace is not None
+    places = np.array([run.trace[name] for name in SIGNALS[:4]]).T
+    places[:, 3] = np.unwrap(np.concatenate([[0.0], places[:, 3]]), period=360.0)[1:]
+    return places
+
+
+def blocks(run: Run) -> np.ndarray:
+    """The block of each tick; where there is none, the one before."""
+    assert run.trace is not None
+    found = np.asarray(run.trace["BLOCK"]).astype(int)
+    latest = np.maximum.accumulate(np.where(found > 0, np.arange(len(found)), 0))
+    return found[latest]
+
+
+def broken_limits(
+    places: np.ndarray, machine: Machine, limits_jerk: np.ndarray, *, stands: bool = True
+) -> list[str]:
+    """Where an axis is faster, or changes its speed or acceleration more, than it may in a tick.
+
+    ``limits_jerk``: whether the slope of each tick has a limit of the jerk. ``stands``: behind the
+    last tick the axes stand.
+    """
+    behind = [places[-1:]] * 3 if stands else []
+    path = np.concatenate([np.zeros((3, 4)), places, *behind])
+    smooth = np.concatenate(
+        [[limits_jerk[0]] * 3, limits_jerk, *([limits_jerk[-1:]] * len(behind))]
+    )
+    speed = np.diff(path, axis=0)
+    change = np.diff(speed, axis=0)
+    jerk = np.diff(change, axis=0)
+    jerk[~(smooth[3:] & smooth[2:-1] & smooth[1:-2] & smooth[:-3])] = 0.0
+    found = []
+    for what, values, most, skipped in (
+        ("speed", speed, machine.speed, 2),
+        ("acceleration", change, machine.acceleration, 1),
+        ("jerk", jerk, machine.jerk, 0),
+    ):
+        for axis, name in enumerate(AXES):
+            sizes = np.abs(values[:, axis])
+            if (worst := sizes.max()) > most[axis] * (1 + 1e-6) + FUZZ_MM:
+                tick = int(sizes.argmax()) - skipped
+                found.append(f"{name}: {what} {worst / most[axis]:.4f} of its limit, tick {tick}")
+    return found
+
+
+def off_the_way(program: MotionProgram, places: np.ndarray, numbers: np.ndarray) -> list[str]:
+    """The blocks in which the axes are not where the program has them."""
+    found = []
+    order = [number for number, way in program.ways.items() if way.moves]
+    borders = np.flatnonzero(np.diff(numbers)) + 1
+    for begin, end in zip([0, *borders], [*borders, len(numbers)], strict=True):
+        number = int(numbers[begin])
+        way = program.ways.get(number)
+        if way is None or not way.moves or way.is_compensated:
+            continue
+        off = way.distance(places[begin:end])
+        if off.max() <= OFF_MM:
+            continue
+        if way.rounding and order[-1] != number:
+            following = program.ways[order[order.index(number) + 1]]
+            if following.is_compensated:
+                continue
+            off = np.minimum(
+                way.distance(places[begin:end], LINEAR),
+                following.distance(places[begin:end], LINEAR),
+            )
+        if (worst := off.max()) > way.rounding + OFF_MM:
+            found.append(f"N{number}: {worst:.3g} mm off its way, tick {begin + int(off.argmax())}")
+    return found
+
+
+def ends_missed(program: MotionProgram, places: np.ndarray, numbers: np.ndarray) -> list[str]:
+    """The blocks with an exact stop whose last position is not the programmed one."""
+    found = []
+    last = dict(zip(numbers.tolist(), range(len(numbers)), strict=True))
+    for number, way in program.ways.items():
+        if not way.exact or way.is_compensated or not way.moves or number not in last:
+            continue
+        off = np.abs(places[last[number]] - way.target)
+        # A turned axis is shown within its range; one that does not move stays where it was.
+        off[(off < 1e-9) & (np.abs(way.target - way.start) < 1e-9)] = 0.0
+        off[3] = 0.0 if off[3] < 1e-9 else off[3]
+        if off.max() > (0.0 if way.plain else 1e-9):
+            found.append(f"N{number}: its end is missed by {off.max():.3g} mm")
+    return found
+
+
+def violations(program: MotionProgram, run: Run, machine: Machine) -> list[str]:
+    """Everything that is wrong with a run."""
+    places, numbers = positions(run), blocks(run)
+    smooth = np.array([False] * (max(program.ways, default=0) + 1))
+    for number, way in program.ways.items():
+        smooth[number] = way.limits_jerk
+    is_over = run.state != "limit"
+    if not is_over and (places[-2000:] == places[-1]).all():
+        return ["it stands and does not end"]
+    begun = numbers > 0
+    mask = np.where(begun, smooth[numbers], smooth[10] if len(smooth) > 10 else False)
+    return [
+        *broken_limits(places, machine, mask, stands=is_over),
+        *off_the_way(program, places, numbers),
+        *(ends_missed(program, places, numbers) if run.state == "ended" else []),
+    ]

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+"""Random programs of all that the path can do keep limits, way and ends (MO-1 … MO-7).
+
+``NCTAKT_SEEDS=100000`` runs as many programs, else 1000 run compiled and 20 plain;
+``NCTAKT_FIRST_SEED`` is the first of them.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+
+import pytest
+from motion_checks import SIGNALS, violations
+from motion_machines import machine
+from motion_programs import MotionProgram
+
+from nctakt.controller import Controller, NcText
+from nctakt.mode import is_compiled
+from nctakt.stimuli import Stimulus
+
+FIRST = int(os.environ.get("NCTAKT_FIRST_SEED", "0"))
+MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("1000" if is_compiled() else "20"))
+#: Programs of one test.
+CHUNK = 20
+#: The operator lets go behind this time.
+PLAY_US = 3_000_000
+
+#: A slow program is looked at as far as it comes in so many ticks.
+MOST_TICKS = 25_000
+
+SLOPES = (("STEP",), ("TRAPEZ",), ("STEP", "TRAPEZ"))
+#: What ends a program otherwise: contours that the tool's radius does not fit into.
+CONTOUR_ERRORS = {900870, 900871, 900872}
+
+
+def disturbances(seed: int) -> list[Stimulus]:
+    """What the operator does: override through 0 and above 100 %, hold, single block, backward."""
+    chance = random.Random(seed)
+    kinds = [name for name in ("override", "hold", "single", "backward") if chance.random() < 0.3]
+    made: list[Stimulus] = []
+    for kind in kinds:
+        time_us = 0
+        while (time_us := time_us + chance.choice((1, 5, 40, 150, 400)) * 1000) < PLAY_US:
+            if kind == "override":
+                value = chance.choice((0.0, 3.0, 50.0, 100.0, 120.0))
+                made.append(Stimulus(time_us, "HLI.OVERRIDE", value))
+            elif kind == "hold":
+                made.append(Stimulus(time_us, "HLI.FEED_HOLD", float(chance.random() < 0.2)))
+            elif kind == "single":
+                made.append(Stimulus(time_us, "HLI.SINGLE_BLOCK", float(chance.random() < 0.3)))
+                made.append(Stimulus(time_us + 30_000, "HLI.START", 1.0))
+            else:
+                made.append(Stimulus(time_us, "HLI.BACKWARD_MOTION", float(chance.random() < 0.4)))
+    ends = (
+        ("OVERRIDE", 100.0),
+        ("FEED_HOLD", 0.0),
+        ("SINGLE_BLOCK", 0.0),
+        ("BACKWARD_MOTION", 0.0),
+    )
+    made += [Stimulus(PLAY_US, f"HLI.{name}", value) for name, value in ends]
+    for wait_us in (500_000, 2_000_000, 5_000_000, 10_000_000):
+        made.append(Stimulus(PLAY_US + wait_us, "HLI.START", 1.0))
+    return made if kinds else []
+
+
+def wrong_with(seed: int) -> list[str]:
+    """What is wrong with the run of a seed's program."""
+    program = MotionProgram(seed, SLOPES[seed // 4 % 3])
+    chosen = machine(seed % 4)
+    run = Controller(chosen.configuration).run(
+        NcText("p.nc", program.text),
+        signals=SIGNALS,
+        ticks=MOST_TICKS,
+        stimuli=disturbances(seed),
+        record_writes=False,
+    )
+    ids = {error.id for error in run.errors}
+    if run.state == "error" and not (program.has_compensation and ids <= CONTOUR_ERRORS):
+        return [f"{[error.text for error in run.errors]}"]
+    return violations(program, run, chosen)
+
+
+@pytest.mark.parametrize("first", range(FIRST, FIRST + MANY, CHUNK))
+def test_programs_of_all_motions_keep_limits_way_and_ends(first: int) -> None:
+    """MO-1: in each tick, with all that an operator may do in any tick."""
+    for seed in range(first, min(first + CHUNK, FIRST + MANY)):
+        assert wrong_with(seed) == [], seed

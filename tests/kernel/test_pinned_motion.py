@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+"""Programs that have once broken a limit, found by random ones and cut down (MO-1)."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from motion_checks import SIGNALS, blocks, broken_limits, positions
+from motion_machines import machine
+
+from nctakt.controller import Controller, NcText
+from nctakt.results.run import Run
+from nctakt.stimuli import Stimulus
+
+
+def run_of(number: int, text: str, stimuli: list[Stimulus] | None = None) -> Run:
+    """The run of a program on a machine, to its end."""
+    controller = Controller(machine(number).configuration)
+    run = controller.run(NcText("p.nc", text), signals=SIGNALS, stimuli=stimuli or [])
+    assert run.state == "ended", run.diagnostics
+    return run
+
+
+def assert_smooth(number: int, run: Run) -> None:
+    """All limits hold, that of the jerk in each tick."""
+    places = positions(run)
+    assert broken_limits(places, machine(number), np.ones(len(places), dtype=bool)) == []
+
+
+def test_a_corner_takes_of_each_axis_of_an_arc_what_it_uses_of_it() -> None:
+    """MO-1: what Y lends to the corner may be more than all that Z can do, and concerns Y only.
+
+    The arc's jerk was not reduced at all then: 1.21 of the limit.
+    """
+    text = """#SLOPE [TYPE=TRAPEZ]
+    N10 G19 G00 Y-10.942750230 Z1.274826402
+    N20 G01 Y-8.008180599 Z-42.243683190 F6000
+    #OVERRIDE [FEED_FACT=30]
+    N30 G03 Y36.988727314 Z-180.740727910 J2874.848778326 K857.463994437
+    M30"""
+    assert_smooth(3, run_of(3, text))
+
+
+@pytest.mark.parametrize("switch", ["HLI.SINGLE_BLOCK", "HLI.FEED_HOLD"])
+def test_a_stop_that_is_taken_back_while_the_path_brakes_for_it(switch: str) -> None:
+    """MO-1, MO-6: braking to a stand takes less way than braking to a slow corner behind it.
+
+    Single block was to stop the path at the end of N20; switched off, the corner was passed faster
+    than it may. Now the path stands there and goes on.
+    """
+    text = """#SLOPE [TYPE=TRAPEZ]
+    N10 G01 X3.006 Y-0.051 F40000
+    N20 X7.364 Y-0.045
+    N30 X8.292 Y-0.046 Z0.111
+    M30"""
+    for on in range(40, 140, 20):
+        for off in range(on + 12, on + 60, 10):
+            stimuli = [
+                Stimulus(on * 1000, switch, 1.0),
+                Stimulus(off * 1000, switch, 0.0),
+                Stimulus(600_000, "HLI.START", 1.0),
+            ]
+            assert_smooth(0, run_of(0, text, stimuli))
+
+
+def test_the_block_of_a_tick_is_the_one_in_which_it_ends() -> None:
+    """MO-7: backward as forward, and where the path turns at a border between two blocks."""
+    text = "N10 G01 X10 F6000\nN20 X20\nM30"
+    for back in (113, 150, 170):
+        stimuli = [
+            Stimulus(back * 1000, "HLI.BACKWARD_MOTION", 1.0),
+            Stimulus((back + 110) * 1000, "HLI.BACKWARD_MOTION", 0.0),
+        ]
+        run = run_of(0, text, stimuli)
+        x, number = positions(run)[:, 0], blocks(run)
+        assert (number[x < 10.0] == 10).all()
+        assert (number[x > 10.0] == 20).all()
+
+
+def test_a_turn_beside_what_rounding_leaves_of_a_linear_way() -> None:
+    """MO-1, MO-4: 4.5e-10 mm are no way; A keeps its limits, which it broke 7.7 times over."""
+    text = """#SLOPE [TYPE=TRAPEZ]
+    N10 G00 X143.462210424 Y165.520230114 A16.672991674
+    N20 X143.462210415 A9.760338500
+    N30 G01 X143.462210424 A16 F6000
+    M30"""
+    for number in range(4):
+        assert_smooth(number, run_of(number, text))
+
+
+def test_held_at_an_end_of_an_arc_the_axes_stay_there_bit_by_bit() -> None:
+    """MO-1, MO-7: walked back to the end of N10 and held, X and Y are what N10 has programmed."""
+    text = """N10 G60 G03 X0.093921770 Y-0.098728620 I0.004356384 J-0.089894504 F6000
+    N20 G01 X5
+    M30"""
+    stimuli = [
+        Stimulus(50_000, "HLI.BACKWARD_MOTION", 1.0),
+        Stimulus(100_000, "HLI.SINGLE_BLOCK", 1.0),
+        Stimulus(300_000, "HLI.FEED_HOLD", 1.0),
+        Stimulus(310_000, "HLI.START", 1.0),
+        Stimulus(500_000, "HLI.BACKWARD_MOTION", 0.0),
+        Stimulus(500_000, "HLI.SINGLE_BLOCK", 0.0),
+        Stimulus(500_000, "HLI.FEED_HOLD", 0.0),
+    ]
+    places = positions(run_of(0, text, stimuli))
+    assert (places[300:499, 0] == 0.093921770).all()
+    assert (places[300:499, 1] == -0.098728620).all()

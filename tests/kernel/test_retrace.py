@@ -98,6 +98,36 @@ def test_forward_and_backward_come_to_the_same_end(first: int, slope: str, is_wi
         assert farthest(walked[::37], plain) < 0.05, seed
 
 
+class Returner:
+    """Goes back from a tick on, forward again from another one on."""
+
+    def __init__(self, back: int, forward: int) -> None:
+        self.back, self.forward = back, forward
+
+    def cycle(self, hli: Interface) -> None:
+        hli.backward_motion = self.back <= hli.tick < self.forward
+
+
+def test_the_way_back_passes_block_ends_with_a_limit_of_the_jerk() -> None:
+    """MO-3, MO-7: a line in pieces, and an arc behind it, are walked back without a stop.
+
+    60 mm in 20 blocks at 100 mm/s, the quarter of 50 mm at 61 mm/s (0.7 of the jerk of a tick).
+    """
+    lines = "\n".join(f"X{3 * (i + 1)}" for i in range(20))
+    text = f"{JERK_LIMITED}\nG01 F6000\n{lines}\nG03 X110 Y50 I0 J50\nG01 Y90\nM30"
+    run = Controller(DEMO).run(
+        NcText("p.nc", text), signals=[*SIGNALS, "PATH.SPEED"], plc=Returner(1800, 5000)
+    )
+    assert run.trace is not None
+    speed = np.asarray(run.trace["PATH.SPEED"])
+    back = np.asarray(run.trace["HLI.RETRACE"]) == 1
+    stands = np.flatnonzero((speed[1:] == 0.0) & (speed[:-1] > 0.0)) + 1
+    assert speed[back].max() == pytest.approx(100.0)
+    assert [run.trace.at(int(tick), SIGNALS[0]) for tick in stands if 1900 < tick < 5000] == [0.0]
+    for i, name in enumerate(AXES):
+        assert violations(run.trace[SIGNALS[i]], name, MOST_JERK_MM) == []
+
+
 @pytest.mark.parametrize("way", ["reset", "error"])
 @pytest.mark.parametrize("slope", ["", JERK_LIMITED])
 @pytest.mark.parametrize("seed", range(6))

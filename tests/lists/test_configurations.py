@@ -359,6 +359,18 @@ def test_share_of_the_tick(value: int, findings: list[int]) -> None:
     assert (found.realtime_cycles.max_duration_pct, reported) == (value, findings)
 
 
+@pytest.mark.parametrize(
+    ("profile", "findings"), [(0, []), (1, []), (2, [900885]), (3, [900885]), (4, [900019])]
+)
+def test_slope_at_program_start(profile: int, findings: list[int]) -> None:
+    """P-CHAN-00071: SIN2 and HSC count as TRAPEZ, with a warning."""
+    found, reported = channel(f"prog_start.slope.profile {profile}\n")
+    assert (found.program_start.slope_profile, reported) == (
+        0 if profile == 4 else profile,
+        findings,
+    )
+
+
 def test_spindle_without_a_number_is_not_the_main_spindle() -> None:
     """main_spindle_ax_nr 0 stands for none."""
     (spindle,) = channel("spindel[0].bezeichnung S1\nspindel[0].log_achs_nr 0\n")[0].spindles

@@ -22,8 +22,9 @@ cdef class JerkAhead(SegmentLimits):
     cdef int is_far(self, double[::1] row, Py_ssize_t here, double speed) noexcept nogil
     @cython.locals(is_new=int)
     cdef int keep(self, double[::1] row, Py_ssize_t here) noexcept nogil
-    @cython.locals(top_v=double, is_feed=double)
     cdef void stop_before(self, double[::1] row, Py_ssize_t before, Py_ssize_t base) noexcept nogil
+    @cython.locals(is_feed=double)
+    cdef void stop_at(self, double[::1] row, Py_ssize_t before, Py_ssize_t base, double top_v) noexcept nogil
     @cython.locals(change=double, ramp_t=double, ramp_v=double, time=double, way=double, from_v=double)
     cdef double reach(self, double speed) noexcept nogil
     @cython.locals(ramp_t=double, time=double, way=double, change=double)

@@ -177,7 +177,10 @@ class JerkAhead(SegmentLimits):
 
     def stop_before(self, row: memoryview[float], before: int, base: int) -> None:
         """Make the place between two segments the goal where the one ahead does not suffice."""
-        top_v = row[before + 11]
+        self.stop_at(row, before, base, row[before + 11])
+
+    def stop_at(self, row: memoryview[float], before: int, base: int, top_v: float) -> None:
+        """``stop_before``; ``top_v``: the highest speed from the one segment into the other."""
         is_feed = 0.0
         if row[base + 5] < self.speed_of(row, before):
             top_v = min(top_v, row[base + 5])

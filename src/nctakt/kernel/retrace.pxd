@@ -3,27 +3,24 @@
 cimport cython
 from nctakt.kernel cimport arithmetic
 from nctakt.kernel cimport shape
+from nctakt.kernel.history cimport History
+from nctakt.kernel.lookahead cimport LookAhead
 from nctakt.kernel.motion cimport Profile
 from nctakt.kernel.panel cimport Panel
 from nctakt.kernel.path cimport Path
 from nctakt.kernel.record cimport Record
-from nctakt.kernel.trajectory cimport Trajectories
 
-cdef class Retrace:
-    cdef Path path
+cdef class Retrace(History):
     cdef Panel panel
     cdef Record record
-    cdef long long[::1] foreign
     cdef Profile profile
-    cdef Trajectories course
-    cdef long long place
-    cdef long long front_place
     cdef int stage
     cdef double stage_d
     cdef double plan_d
     cdef double offset_t
     cdef long long ticks
     cdef double factor
+    cdef bint is_single
     cdef bint is_blocked
     cdef bint was_paused
     cdef bint was_released
@@ -35,7 +32,7 @@ cdef class Retrace:
     cdef int way(self) noexcept nogil
     @cython.locals(place=cython.longlong)
     cdef int can_go_back(self) noexcept nogil
-    @cython.locals(wanted=int, halts=bint, limit_v=double)
+    @cython.locals(wanted=int, halts=bint, limit_v=double, is_changed=bint)
     cdef int step(self, double factor, int is_stopping) noexcept nogil
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
     cdef void leave(self) noexcept nogil
@@ -49,17 +46,12 @@ cdef class Retrace:
     cdef double corner_speed(self, long long place, long long other, double factor) noexcept nogil
     @cython.locals(base=Py_ssize_t, end_v=double, limit_v=double)
     cdef double front_speed(self, double factor) noexcept nogil
-    @cython.locals(i=Py_ssize_t)
-    cdef int is_shut(self, Py_ssize_t base) noexcept nogil
     @cython.locals(place=cython.longlong, stage=int, base=Py_ssize_t, most2=double, gained2=double, speed=double, other=cython.longlong, limit_a=double)
     cdef double border_speed(self, double factor) noexcept nogil
     @cython.locals(end_v=double, feed_v=double, least2=double)
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
     @cython.locals(rest_d=double, limit_a=double, end_v=double)
     cdef void replan(self, double limit_v) noexcept nogil
-    @cython.locals(limit_a=double, limit_j=double)
-    cdef void replan_smoothly(self, double rest_d, double limit_v) noexcept nogil
-    cdef long long neighbour(self, long long place, int direction) noexcept nogil
     cdef int next_stage(self, Py_ssize_t base, int stage) noexcept nogil
     cdef int enter_stage(self) noexcept nogil
     @cython.locals(way=double, i=int)
@@ -71,11 +63,15 @@ cdef class Retrace:
     cdef int goes_on(self) noexcept nogil
     @cython.locals(source=cython.longlong, base=Py_ssize_t, end=Py_ssize_t, i=Py_ssize_t, is_open=int)
     cdef int may_enter(self, long long place) noexcept nogil
-    @cython.locals(now_t=double, over_t=double)
+    @cython.locals(now_t=double)
     cdef int advance(self, int is_stopping) noexcept nogil
     cdef void stop_between(self) noexcept nogil
     @cython.locals(first=cython.longlong)
     cdef int is_inside(self) noexcept nogil
-    cdef double duration_t(self) noexcept nogil
-    @cython.locals(way=double, covered_d=double, rest_d=double)
-    cdef void follow(self, double now_t) noexcept nogil
+    cdef void replan_smoothly(self, double rest_d, double limit_v) noexcept nogil
+    @cython.locals(over_t=double)
+    cdef int has_ended(self, double now_t) noexcept nogil
+    @cython.locals(is_over=int)
+    cdef int has_ended_smoothly(self, double now_t) noexcept nogil
+    @cython.locals(covered_d=double, rest_d=double)
+    cdef void follow(self, double way) noexcept nogil

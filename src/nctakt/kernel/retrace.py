@@ -9,21 +9,22 @@ over the same segments to its *front*, the place where it turned, and goes on th
 had been. Nothing but motion happens meanwhile: no command is taken, dwells are passed over.
 
 The stages of a segment (``shape.py``) are passed with the speeds of forward motion, the corners
-too; where the path had stopped between two blocks it stops again. Segments with a limit of the jerk
-are walked over from stand to stand. A segment is known by its running number, its *place*.
+too; where the path had stopped between two blocks it stops again. With a limit of the jerk it walks
+over stretches (``history.py``), from stand to stand.
 """
 
 from __future__ import annotations
 
 from nctakt.kernel import arithmetic, shape
+from nctakt.kernel.history import History
+from nctakt.kernel.lookahead import LookAhead
 from nctakt.kernel.motion import Profile
 from nctakt.kernel.panel import Panel
 from nctakt.kernel.path import Path
 from nctakt.kernel.record import Record
-from nctakt.kernel.trajectory import Trajectories
 
 
-class Retrace:
+class Retrace(History):
     """The walk of one channel's path over its history.
 
     ``fault`` is the number of the message that stops the channel, because something else has moved
@@ -32,21 +33,18 @@ class Retrace:
     ``entered``: the N number of the block that the walk has come to within this tick, else -1.
     """
 
-    def __init__(self, path: Path, panel: Panel, record: Record) -> None:
-        self.path = path
+    def __init__(self, path: Path, panel: Panel, record: Record, ahead: LookAhead) -> None:
+        super().__init__(path, ahead)
         self.panel = panel
         self.record = record
-        self.foreign = memoryview(bytearray(8 * max(1, path.count))).cast("q")
         self.profile = Profile()
-        self.course = Trajectories(1)
-        self.place = 0
-        self.front_place = 0
         self.stage = 0
         self.stage_d = 0.0
         self.plan_d = 0.0
         self.offset_t = 0.0
         self.ticks = 0
         self.factor = 1.0
+        self.is_single = False
         self.is_blocked = False
         self.was_paused = False
         self.was_released = False
@@ -91,8 +89,10 @@ class Retrace:
             return 0
         halts = is_stopping or self.path.direction != wanted or self.panel.is_paused
         limit_v = 0.0 if halts else self.feed_speed(self.path.base, factor)
-        if limit_v != self.path.limit_v or factor != self.factor:
+        is_changed = factor != self.factor or self.path.is_single != self.is_single
+        if limit_v != self.path.limit_v or is_changed:
             self.factor = factor
+            self.is_single = self.path.is_single
             self.offset_t = 0.0
             self.replan(limit_v)
         self.ticks += 1
@@ -197,14 +197,6 @@ class Retrace:
         limit_v = self.feed_speed(base, factor)
         return shape.entry_speed(self.path.ring, base, self.path.count, 0, end_v, limit_v)
 
-    def is_shut(self, base: int) -> int:
-        """Whether something else has moved an axis of a segment since the path has left it."""
-        for i in range(self.path.count):
-            if shape.moves(self.path.ring, base, self.path.count, i):
-                if self.foreign[i] or self.path.axes.independent[self.path.members[i]]:
-                    return 1
-        return 0
-
     def border_speed(self, factor: float) -> float:
         """The highest speed at the end of the stage from which all that follows can be kept.
 
@@ -260,34 +252,19 @@ class Retrace:
         self.profile.plan(rest_d, self.path.speed_v, end_v, limit_v, limit_a)
 
     def replan_smoothly(self, rest_d: float, limit_v: float) -> None:
-        """``replan`` with a limit of the jerk: to a stand at the end, or at once where it is 0."""
-        limit_a = self.path.ring[self.path.base + 6]
-        limit_j = self.path.ring[self.path.base + 10]
-        if limit_v > 0.0:
-            self.course.plan_distance(
-                0,
-                rest_d,
-                self.path.speed_v,
-                self.path.smooth.acceleration_a,
-                limit_v,
-                limit_a,
-                limit_j,
-            )
-        else:
-            self.course.plan_speed(
-                0, 0.0, self.path.speed_v, self.path.smooth.acceleration_a, limit_a, limit_j
-            )
+        """``replan`` with a limit of the jerk, up to the goal of the stretch."""
+        self.path.smooth.plan(
+            self.goal_row,
+            0,
+            12 + 2 * self.path.count,
+            rest_d,
+            self.path.speed_v,
+            limit_v,
+            self.factor,
+            self.path.is_single,
+        )
 
     # --- the way --------------------------------------------------------------------------------
-
-    def neighbour(self, place: int, direction: int) -> int:
-        """The next segment in ``direction``; dwells are passed over, but for one at the front."""
-        place += direction
-        while place >= self.path.oldest and (direction < 0 or place < self.front_place):
-            if self.path.ring[self.path.row_of(place)] != 2.0:
-                return place
-            place += direction
-        return place
 
     def next_stage(self, base: int, stage: int) -> int:
         """The stage with a way that follows in the walk's direction, after -1 or 4; -1: none."""
@@ -301,7 +278,10 @@ class Retrace:
         return -1
 
     def enter_stage(self) -> int:
-        """Settle the stage from where the path stands: 0 where its segment has none ahead."""
+        """Settle the stage from where the path is: 0 where its segment has none ahead."""
+        if self.path.ring[self.path.base + 10] > 0.0:
+            self.path.smooth.begin()
+            self.survey(1 if self.path.speed_v == 0.0 else 0)
         self.stage = self.next_stage(self.path.base, 4 if self.path.direction < 0 else -1)
         while self.stage >= 0:
             self.stage_d = self.border(self.stage)
@@ -397,16 +377,9 @@ class Retrace:
         """Go to where the plan is at the end of this tick, as ``Path.advance``."""
         while True:
             now_t = self.offset_t + self.ticks * self.path.cycle_time_us / 1e6
-            over_t = now_t - self.duration_t()
-            if over_t < -1e-6 * self.path.cycle_time_t:
-                self.follow(now_t)
+            if not self.has_ended(now_t):
                 return 0
             self.path.covered_d = self.stage_d
-            self.path.left_t = max(over_t, 0.0)
-            self.path.speed_v = (
-                0.0 if self.path.ring[self.path.base + 10] > 0.0 else self.profile.end_v
-            )
-            self.path.smooth.acceleration_a = 0.0
             self.offset_t = self.path.left_t
             self.stage = self.next_stage(self.path.base, self.stage)
             if self.stage >= 0:
@@ -434,22 +407,36 @@ class Retrace:
         first = self.place - 1 if self.path.direction > 0 else self.place
         return 1 if self.path.ring[self.path.row_of(first) + 8] < 0.0 else 0
 
-    def duration_t(self) -> float:
-        """How long the plan takes; for ever where it ends with a stop on the way."""
+    def has_ended(self, now_t: float) -> int:
+        """Whether the stage has ended by then; else the axes are put where the plan is."""
         if self.path.ring[self.path.base + 10] > 0.0:
-            return 1e300 if self.path.limit_v <= 0.0 else self.course.duration_t(0)
-        return 1e300 if self.profile.is_endless else self.profile.duration_t
-
-    def follow(self, now_t: float) -> None:
-        """Put the axes where the plan is."""
-        if self.path.ring[self.path.base + 10] > 0.0:
-            self.course.evaluate(0, now_t)
-            way = self.course.distance_d
-            self.path.speed_v = max(self.course.speed_v, 0.0)
-            self.path.smooth.acceleration_a = self.course.acceleration_a
-        else:
-            way = self.profile.position(now_t)
+            return self.has_ended_smoothly(now_t)
+        over_t = now_t - self.profile.duration_t
+        if self.profile.is_endless or over_t < -1e-6 * self.path.cycle_time_t:
             self.path.speed_v = self.profile.speed(now_t)
+            self.follow(self.profile.position(now_t))
+            return 0
+        self.path.left_t = max(over_t, 0.0)
+        self.path.speed_v = self.profile.end_v
+        self.path.smooth.acceleration_a = 0.0
+        return 1
+
+    def has_ended_smoothly(self, now_t: float) -> int:
+        """``has_ended`` with a limit of the jerk: at the end of its stretch the walk stands."""
+        is_over = self.path.smooth.advance(now_t)
+        self.path.speed_v = self.path.smooth.speed_v
+        if is_over == 0:
+            self.follow(self.path.smooth.distance_d)
+            return 0
+        self.path.left_t = self.path.smooth.left_t
+        if self.place == self.stretch_end:
+            self.path.speed_v = 0.0
+        if self.path.speed_v == 0.0:
+            self.path.smooth.acceleration_a = 0.0
+        return 1
+
+    def follow(self, way: float) -> None:
+        """Put the axes where the plan is, so far from where it has begun."""
         covered_d = self.plan_d + way * self.path.direction
         rest_d = (self.stage_d - covered_d) * self.path.direction
         self.path.covered_d = covered_d if rest_d > 0.0 else self.stage_d

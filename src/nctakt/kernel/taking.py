@@ -49,7 +49,7 @@ class Commands(CommandRing):
         self.hli = hli
         self.panel = hli.panel
         self.manager = manager
-        self.retrace = Retrace(path, hli.panel, record)
+        self.retrace = Retrace(path, hli.panel, record, ahead)
         self.stops = FixedStops(path, record)
         self.is_at_stop = False
         self.edge = EdgeProbe(path, hli, record, memory, first_cell + 3)

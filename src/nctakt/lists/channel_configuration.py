@@ -33,6 +33,8 @@ G_GROUPS: dict[int, tuple[int, ...]] = {
 }
 #: What is active where the list says nothing: the program start of the controller.
 BUILT_IN_G_FUNCTIONS: dict[int, int] = {0: 0, 4: 17, 12: 71, 14: 90, 23: 162}
+#: The slopes of P-CHAN-00071 that are not simulated.
+OTHER_SLOPES = {2: "SIN2", 3: "HSC"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +88,7 @@ class ProgramStart:
 
     ``feed_mm_min`` 0: the first feed block needs an F. ``feed_unit_mm_min``: mm/min that F1 means
     (P-CHAN-00108). ``g_functions``: group -> G number, the built-in ones included.
-    ``slope_profile``: 0 trapezoid, 1 jerk-limited, 2 sine square, 3 HSC.
+    ``slope_profile``: 0 trapezoid, 1 jerk-limited; 2 sine square and 3 HSC count as 1.
     """
 
     feed_mm_min: float
@@ -311,11 +313,15 @@ def _program_start(values: Values, collector: Collector) -> ProgramStart:
                 default=MM_PER_MINUTE_FACTOR,
             )
         factor = MM_PER_MINUTE_FACTOR
+    profile = values.integer("prog_start.slope.profile")
+    if profile in OTHER_SLOPES:
+        key = ("prog_start.slope.profile",)
+        values.report(collector, 900885, key, value=profile, name=OTHER_SLOPES[profile])
     return ProgramStart(
         values.real("prog_start.feedrate"),
         MM_PER_MINUTE_FACTOR / factor,
         _g_functions(values, collector),
-        values.integer("prog_start.slope.profile"),
+        profile,
     )
 
 

@@ -9,7 +9,7 @@ of ours, from 900000 on. One module per stage declares them:
 ``schedule``          the scheduling list rtconf.lis (900030 … 900059)
 ``scheduling``        scheduling: profiles, load, simulation, analysis (900600 … 900649)
 ``scheduling_run``    a schedule that runs for real (900680 … 900699)
-``machine``           the machine folder and its parameters (900060 … 900079, 900086)
+``machine``           the machine folder and its parameters (900060 … 900079, 900086, 900885)
 ``variables``         the variables lists: V.E and V.CH (900080 … 900085, 900087 … 900099, 900814)
 ``nc_text``           NC text: lexer and parser (900100 … 900199)
 ``checked_blocks``    checked program: words and commands (900200 … 900212, 900229 … 900234)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of the machine folder and its parameters (900060 … 900079, 900086)."""
+"""Messages of the machine folder and its parameters (900060 … 900079, 900086, 900885)."""
 
 from __future__ import annotations
 
@@ -233,5 +233,18 @@ _add(
     remedy_de="Höchstens 100 verwenden und Zeit für den Rest des Takts lassen.",
     parameters={
         "value": "P-CHAN-00425",
+    },
+)
+_add(
+    900885,
+    WARNING,
+    "slope {name} (prog_start.slope.profile {value}) is not simulated; TRAPEZ takes its place",
+    "Profil {name} (prog_start.slope.profile {value}) wird nicht simuliert; TRAPEZ tritt an seine "
+    "Stelle",
+    remedy_en="Use 1, the jerk-limited slope TRAPEZ, or 0, the slope STEP.",
+    remedy_de="1, das ruckbegrenzte Profil TRAPEZ, oder 0, das Profil STEP, verwenden.",
+    parameters={
+        "value": "P-CHAN-00071",
+        "name": "the slope's name in #SLOPE",
     },
 )

@@ -140,6 +140,8 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "G91 or BUFFERED": "G91 oder BUFFERED",
         "the spindle": "die Spindel",
         "P-CHAN-00425": "P-CHAN-00425",
+        "P-CHAN-00071": "P-CHAN-00071",
+        "the slope's name in #SLOPE": "der Name des Profils in #SLOPE",
         "P-STUP-00145 as written": "P-STUP-00145, wie geschrieben",
         "the scope that is used": "der Gültigkeitsbereich, der gilt",
         "bytes of data and management": "Byte für Daten und Verwaltung",

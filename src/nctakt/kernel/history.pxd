@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# C types of history.py.
+cimport cython
+from nctakt.kernel cimport shape
+from nctakt.kernel.lookahead cimport LookAhead
+from nctakt.kernel.path cimport Path
+
+cdef class History:
+    cdef Path path
+    cdef LookAhead ahead
+    cdef long long[::1] foreign
+    cdef long long place
+    cdef long long front_place
+    cdef long long[::1] stretch
+    cdef long long stretch_end
+    cdef double[::1] goal_row
+
+    cdef long long neighbour(self, long long place, int direction) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef int is_shut(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(first=Py_ssize_t, second=Py_ssize_t)
+    cdef double passing_speed(self, long long place, long long other) noexcept nogil
+    @cython.locals(tail=Py_ssize_t, count=Py_ssize_t, place=cython.longlong, other=cython.longlong, limit_a=double, limit_j=double)
+    cdef void survey(self, int is_new) noexcept nogil
+    @cython.locals(tail=Py_ssize_t, i=Py_ssize_t, base=Py_ssize_t, before=Py_ssize_t, first=Py_ssize_t)
+    cdef void find_goal(self, Py_ssize_t count) noexcept nogil

@@ -335,12 +335,13 @@ def test_the_load_file_of_the_documents_is_read() -> None:
 
 def test_the_traces_in_the_documents_are_real(tmp_path: Path) -> None:
     """The lines of both formats stand in the files that the example's run writes."""
-    csv, jsonl = fences("docs/traces.md", "")
-    for shown, file, signals in (
-        (csv, tmp_path / "part.csv", "X.ACS.ACT_POS,V.E.COUNT"),
-        (jsonl, tmp_path / "part.jsonl", "X.ACS.ACT_POS"),
+    csv, jsonl, blocks = fences("docs/traces.md", "")
+    for shown, file, words in (
+        (csv, tmp_path / "part.csv", ["X.ACS.ACT_POS,V.E.COUNT"]),
+        (jsonl, tmp_path / "part.jsonl", ["X.ACS.ACT_POS"]),
+        (blocks, tmp_path / "part.csv", ["BLOCK", "--blocks"]),
     ):
-        nctakt("run", "examples/crossing.nc", "--trace", str(file), "--signals", signals)
+        nctakt("run", "examples/crossing.nc", "--trace", str(file), "--signals", *words)
         lines = file.read_text("utf-8").splitlines()
         assert [line for line in shown.splitlines() if line not in lines] == []
 

@@ -92,11 +92,13 @@ def off_the_way(program: MotionProgram, places: np.ndarray, numbers: np.ndarray)
 
 
 def ends_missed(program: MotionProgram, places: np.ndarray, numbers: np.ndarray) -> list[str]:
-    """The blocks with an exact stop whose last position is not the programmed one."""
+    """The blocks with an exact stop, and the last one, that do not end as programmed."""
     found = []
+    final = max((number for number, way in program.ways.items() if way.moves), default=0)
     last = dict(zip(numbers.tolist(), range(len(numbers)), strict=True))
     for number, way in program.ways.items():
-        if not way.exact or way.is_compensated or not way.moves or number not in last:
+        is_exact = way.exact or number == final
+        if not is_exact or way.is_compensated or not way.moves or number not in last:
             continue
         off = np.abs(places[last[number]] - way.target)
         # A turned axis is shown within its range; one that does not move stays where it was.
@@ -107,19 +109,43 @@ def ends_missed(program: MotionProgram, places: np.ndarray, numbers: np.ndarray)
     return found
 
 
+def limits_jerk(program: MotionProgram, numbers: np.ndarray) -> np.ndarray:
+    """Whether the slope of each tick limits the jerk; before all blocks as the first one."""
+    smooth = np.zeros(max(program.ways, default=0) + 1, dtype=bool)
+    for number, way in program.ways.items():
+        smooth[number] = way.limits_jerk
+    smooth[0] = smooth[min(program.ways, default=0)]
+    return smooth[numbers]
+
+
 def violations(program: MotionProgram, run: Run, machine: Machine) -> list[str]:
     """Everything that is wrong with a run."""
     places, numbers = positions(run), blocks(run)
-    smooth = np.array([False] * (max(program.ways, default=0) + 1))
-    for number, way in program.ways.items():
-        smooth[number] = way.limits_jerk
     is_over = run.state != "limit"
     if not is_over and (places[-2000:] == places[-1]).all():
         return ["it stands and does not end"]
-    begun = numbers > 0
-    mask = np.where(begun, smooth[numbers], smooth[10] if len(smooth) > 10 else False)
     return [
-        *broken_limits(places, machine, mask, stands=is_over),
+        *broken_limits(places, machine, limits_jerk(program, numbers), stands=is_over),
         *off_the_way(program, places, numbers),
         *(ends_missed(program, places, numbers) if run.state == "ended" else []),
+    ]
+
+
+def stop_violations(
+    program: MotionProgram, run: Run, machine: Machine, *, stands: bool
+) -> list[str]:
+    """Everything that is wrong with a run that has been stopped, and may have to stand by now.
+
+    An error or a reset ends the run in the tick in which the path has come to its stand.
+    """
+    places, numbers = positions(run), blocks(run)
+    if not len(places):
+        return []
+    is_over = run.state in ("error", "reset")
+    smooth = limits_jerk(program, numbers)
+    moves = stands and not is_over and (places[-2:] != places[-1]).any()
+    return [
+        *broken_limits(places, machine, smooth, stands=stands or is_over),
+        *off_the_way(program, places, numbers),
+        *(["it does not stand"] if moves else []),
     ]

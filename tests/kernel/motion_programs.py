@@ -53,8 +53,8 @@ class Way:
 
     @property
     def moves(self) -> bool:
-        """Whether it has a way at all."""
-        return self.arc is not None or bool((self.start != self.target).any())
+        """Whether it has a way that is more than rounding."""
+        return self.arc is not None or bool(np.abs(self.start - self.target).max() > 1e-8)
 
     def distance(self, places: np.ndarray, count: int = 4) -> np.ndarray:
         """How far places (ticks, 4) are from the way, in the first ``count`` axes."""
@@ -86,6 +86,7 @@ class MotionProgram:
         self.slopes = slopes
         self.ways: dict[int, Way] = {}
         self.has_compensation = False
+        self.has_wave = False
         self.number = 0
         self.place = np.zeros(4)
         self.plane = 17
@@ -270,6 +271,7 @@ class MotionProgram:
     def wave(self) -> None:
         """A realtime cycle that turns the override through 0."""
         chance = self.chance
+        self.has_wave = True
         self.lines.append(
             WAVE.format(
                 step=f"{chance.choice((0.4, 2.0, 11.0)):.1f}",

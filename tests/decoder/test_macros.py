@@ -27,3 +27,57 @@ def test_a_macro_that_cannot_be_used_ends_the_program(text: str, error: int) -> 
     assert found.span is not None
     assert found.span.line == text.count("\n") + 1
     assert found.render("de")
+
+
+@pytest.mark.parametrize(
+    ("text", "error", "line"),
+    [
+        ('"A" = "COS["\nX["A" + 1]', 900101, 2),
+        ('"A" = "1 2"\nX["A" + 1]', 900100, 2),
+        ('"A" = "FOO"\nX["A" + 1]', 900221, 2),
+        ('"A" = "V.P.NONE"\nX["A" + 1]', 900314, 2),
+        ('"A" = "1 / 0"\nX["A" + 1]', 900300, 2),
+        ('"A" = "1 + \\"A\\""\nX["A" + 1]', 900848, 2),
+        ('"A" = "\\"A\\""\n"A"', 900308, 2),
+        ('X["A" + 1]\n"A" = "1"', 900340, 1),
+        ('LL SUB\nX["B" + 1]\nM30\n%L SUB\nM17', 900319, 2),
+        ('LL SUB\nM30\n%L SUB\nX=P1*"B"\nM17', 900319, 4),
+        ('#RT CYCLE [ID=1]\nV.E.VALUE = 2 * "B"\n#RT CYCLE END', 21981, 2),
+        (
+            'LL SUB\n#RT CYCLE [ID=1]\nV.E.VALUE = 2 * "B"\n#RT CYCLE END\nM30\n%L SUB\nM17',
+            900319,
+            3,
+        ),
+    ],
+)
+def test_a_macro_that_is_no_term_ends_the_program(text: str, error: int, line: int) -> None:
+    """Facts 2.1: in expressions whole terms only; a text that can be no macro is told at once."""
+    run = Controller().run(NcText("p.nc", text + "\nM30\n"))
+    (found,) = run.errors
+    assert found.span is not None
+    assert (found.id, found.span.line) == (error, line)
+    assert found.render("de")
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ('"A" = "2 + 1"\nP1 = 2 * "A"', "6"),
+        ('"A" = "2"\nP1 = "A"', "2"),
+        ('"A" = "2"\nV.P.T = "A"\nP1 = IS_STRING[V.P.T]', "1"),
+        ('"A" = "2"\nV.P.T = "A" + "B"\nP1 = V.P.T == "AB"', "1"),
+        ('"A" = "2"\nP1 = LEN["A" + "B"]', "2"),
+        ('"A" = "2"\n#VAR\nV.P.F[3] = [1, 2, 3]\n#ENDVAR\nP1 = V.P.F["A"]', "3"),
+        ('"A" = "2"\nP["A" - 1] = 7', "7"),
+        ('"A" = "2"\n$FOR P1 = "A", "A" * 2, "A"\n$ENDFOR', "6"),
+        ('"A" = "2"\n$SWITCH 2\n$CASE "A"\nP1 = 5\n$ENDSWITCH', "5"),
+        ('"A" = "2"\n$FOR P2 = 1, 2, 1\nP1 = P1 + "A"\n"A" = "10"\n$ENDFOR', "12"),
+        ('"A" = "V.P.X"\n$FOR P2 = 1, 3, 1\nV.P.X = P2\nP1 = P1 + "A"\n$ENDFOR', "6"),
+        ('LL SUB\nP1 = 1 + "B"\n#MSG ["%g", P1]\nM30\n%L SUB\n"B" = "4"\nM17', "5"),
+    ],
+)
+def test_where_a_text_is_a_macro(text: str, shown: str) -> None:
+    """A macro where a number is needed, a text where one may stand; the latest one counts."""
+    run = Controller().run(NcText("p.nc", text + '\n#MSG ["%g", P1]\nM30\n'))
+    assert not run.errors, run.errors
+    assert [event.text for event in run.events if event.kind == "message"] == [shown]

@@ -107,7 +107,7 @@ class CycleBuilder:
         self._values = values
         self._place = values.surroundings.place
         self._names = values.surroundings.names
-        self._builder = ExpressionBuilder(self._leaf)
+        self._builder = ExpressionBuilder(self._leaf, macro=values.no_macro)
         self._actions = ActionBuilder(values, self._builder)
         self._conditions = 0
         self._statements = 0

@@ -9,6 +9,7 @@ operands are fused (``fusing.py``).
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NoReturn
 
 from nctakt.decoder.fusing import Built, constant, fuse
 from nctakt.kernel import conditions, expressions
@@ -85,11 +86,16 @@ COMBINATIONS: dict[str, type[conditions.Combination]] = {
 _CONSTANTS = {"TRUE": 1.0, "FALSE": 0.0, "PI": 3.141592653589793}
 
 
+def _unexpected(text: syntax.StringLiteral) -> NoReturn:
+    raise AssertionError(text)
+
+
 class ExpressionBuilder:
     """``leaf`` says what a variable or parameter becomes, ``number`` what a number does.
 
     ``compare_texts`` gives the value of ``==`` and ``!=`` between texts, ``None`` between numbers;
-    ``ask`` that of a function of names or texts, ``None`` of one of numbers.
+    ``ask`` that of a function of names or texts, ``None`` of one of numbers. ``macro`` tells of one
+    that is not defined.
     """
 
     def __init__(
@@ -98,11 +104,13 @@ class ExpressionBuilder:
         compare_texts: Callable[[syntax.Binary], Built | None] = lambda _: None,
         ask: Callable[[syntax.Call], Built | None] = lambda _: None,
         number: Callable[[syntax.Number], Built] = lambda one: constant(one.value),
+        macro: Callable[[syntax.StringLiteral], NoReturn] = _unexpected,
     ) -> None:
         self._leaf = leaf
         self._compare_texts = compare_texts
         self._ask = ask
         self._number = number
+        self._macro = macro
         self._context = empty_context()
 
     def build(self, expression: syntax.Expression) -> Built:
@@ -114,6 +122,8 @@ class ExpressionBuilder:
                 return constant(_CONSTANTS[expression.name])
             case syntax.Variable() | syntax.Parameter():
                 return self._leaf(expression)
+            case syntax.StringLiteral():
+                return self._macro(expression)
             case syntax.Unary():
                 return self._unary(expression.operator, expression.operand)
             case syntax.Binary():

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Macros: a text in quotes alone in a block stands for NC text.
+"""Macros: a text in quotes stands for NC text, or for a part of an expression.
 
 In: definitions ``"NAME" = "text"``, and blocks that use them. Out: the statements that the block
 then is. The text is read and checked when the block is decoded, since only then it is known. Upper
-and lower case of names count. A text holds no quotes, so macros do not stand in macros.
+and lower case of names count. Within a text other macros stand between ``\\"`` and ``\\"``.
 """
 
 from __future__ import annotations
@@ -16,10 +16,18 @@ from nctakt.decoder.rewriting import check
 from nctakt.decoder.surroundings import Surroundings
 from nctakt.diagnostics import Span
 from nctakt.nc import syntax
+from nctakt.nc.expressions import parse_expression, unreadable
 from nctakt.nc.lexer import BlockError, BlockText, Piece
+from nctakt.nc.macro_places import MacroPlaces, placed
 from nctakt.nc.printer import format_word
 from nctakt.nc.words import parse_content
 from nctakt.text import nearest
+
+#: Macros inside each other in an expression.
+MOST_MACROS = 20
+
+#: Statements whose meaning is remembered; then all are forgotten.
+MOST_REMEMBERED = 4096
 
 
 class Macros:
@@ -29,10 +37,50 @@ class Macros:
         self._surroundings = surroundings
         self._fail = fail
         self._texts: dict[str, str] = {}
+        self._places = MacroPlaces(surroundings.names, self._meaning)
+        self._meant: dict[int, tuple[syntax.Statement, syntax.Statement]] = {}
+        self._depth = 0
 
     def define(self, definition: syntax.MacroDefinition) -> None:
         """A later definition of a name replaces an earlier one."""
         self._texts[definition.name] = definition.text
+        self._meant.clear()
+
+    @property
+    def are_defined(self) -> bool:
+        """Whether there are any."""
+        return bool(self._texts)
+
+    def meant(self, statement: syntax.Statement) -> syntax.Statement:
+        """The statement with what macros stand for in its expressions."""
+        known = self._meant.get(id(statement))
+        if known is None:
+            changed = self._places.statement(statement)
+            if changed is not statement:
+                check(self._surroundings, self._fail, [changed], statement.span)
+            if len(self._meant) == MOST_REMEMBERED:
+                self._meant.clear()
+            known = self._meant[id(statement)] = (statement, changed)
+        return known[1]
+
+    def _meaning(self, name: syntax.StringLiteral) -> syntax.Expression | None:
+        """What a macro stands for in an expression: a whole term."""
+        content = self._texts.get(name.value)
+        if content is None:
+            return None
+        text = BlockText(name.span.file, content, [Piece(0, name.span.line, content)])
+        try:
+            expression = parse_expression(text)
+            if not text.at_end():
+                raise unreadable(text)
+        except BlockError as error:
+            self._fail(error.number, name.span, **error.values)
+        self._depth += 1
+        if self._depth > MOST_MACROS:
+            self._fail(900848, name.span, name=name.value, limit=MOST_MACROS)
+        meaning = self._places.number(placed(expression, name.span))
+        self._depth -= 1
+        return meaning
 
     def expand(self, block: syntax.Block) -> list[syntax.Statement] | None:
         """The statements of a block with macros; ``None`` for one without."""

@@ -241,6 +241,8 @@ class ProgramDecoder:
         self._count(statement.span)
         if statement.head.skip in self._surroundings.skip_levels:
             return ""
+        if self._macros.are_defined:
+            statement = self._macros.meant(statement)
         number = yield from self._number(statement.head)
         if self._surroundings.tells_blocks:
             yield BlockMark(self._surroundings.place(statement.span), number)

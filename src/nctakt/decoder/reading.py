@@ -63,7 +63,7 @@ class Reading:
         self.surroundings = surroundings
         self.state = state
         self._fetched: dict[int, float | str] = {}
-        self._builder = ExpressionBuilder(self._leaf, self._compare_texts, self._ask)
+        self._builder = ExpressionBuilder(self._leaf, self._compare_texts, self._ask, self.no_macro)
         self.own = OwnValues(state.levels, self._index, self.fail)
         self._context = empty_context()
         self._plans = Plans()
@@ -291,6 +291,10 @@ class Reading:
                 self.fail(900340, node.span, name="@P")
             return constant(argument)
         return constant(self.state.parameters.get(self._parameter(node), 0.0))
+
+    def no_macro(self, text: syntax.StringLiteral) -> NoReturn:
+        """A text where a number is needed names no macro."""
+        self.fail(900319, text.span, name=text.value, nearest="–")
 
     def _parameter(self, node: syntax.Parameter) -> int:
         if isinstance(node.index, syntax.Number):

@@ -272,3 +272,14 @@ _add(
     reaction=2,
     clearing=3,
 )
+_add(
+    900848,
+    ERROR,
+    'macro "{name}": more than {limit} macros stand inside each other',
+    'Makro "{name}": mehr als {limit} Makros stehen ineinander',
+    remedy_en="A macro must not stand in its own text, nor in one that it uses.",
+    remedy_de="Ein Makro darf weder in seinem eigenen Text stehen noch in einem, den es benutzt.",
+    parameters={"name": "the innermost macro", "limit": "the bound"},
+    reaction=2,
+    clearing=3,
+)

@@ -32,6 +32,7 @@ from nctakt.nc.command_forms import forms_of
 from nctakt.nc.findings import Findings
 from nctakt.nc.formats import places
 from nctakt.nc.frames import is_false
+from nctakt.nc.macro_places import MacroPlaces
 from nctakt.nc.names import NameTable
 from nctakt.nc.outline import labels_in
 from nctakt.nc.source import Source
@@ -52,6 +53,7 @@ from nctakt.nc.syntax import (
     MacroDefinition,
     Number,
     OffsetCommand,
+    Parameter,
     RealtimeCycle,
     RealtimeLoop,
     Repeat,
@@ -98,6 +100,7 @@ class Checker:
         self._calls = CallChecker(self._words, self._values, self._findings)
         self._own = OwnChecker(self._values, self._findings)
         self._commands = CommandChecker(self._values, self._findings)
+        self._macros = MacroPlaces(names, self._macro)
         self._loops = 0
         self._switches = 0
         self._role: Role = "main"
@@ -108,10 +111,17 @@ class Checker:
         """A main program or a subprogram begins."""
         self._role = role
         self.targets = {}
+        self._findings.has_other_macros |= role != "main"
 
     def take_calls(self) -> list[SubprogramCall]:
         """The calls by a constant name since the last time."""
         return self._calls.take()
+
+    def _macro(self, text: StringLiteral) -> Expression | None:
+        """A number that is not known yet, for a macro that is or may be defined."""
+        if self._findings.has_other_macros or text.value in self._findings.macros:
+            return Parameter(text.span, Number(text.span, 1.0))
+        return None
 
     def _all(self, statements: Sequence[Statement]) -> None:
         for statement in statements:
@@ -119,6 +129,8 @@ class Checker:
 
     def statement(self, statement: Statement) -> None:
         """One statement with all that is inside it."""
+        if self._findings.macros or self._findings.has_other_macros:
+            statement = self._macros.statement(statement)
         if statement.head.number is not None:
             self._values.block(statement.head.number)
         match statement:
@@ -260,8 +272,9 @@ class Checker:
                 self.targets.setdefault(statement.label, []).append(statement.span)
             case SubprogramCall():
                 self._calls.call(statement)
+                self._findings.has_other_macros = True
             case MacroDefinition():
-                pass  # its text is checked where it stands for something
+                self._findings.macros.add(statement.name)  # its text: where it is used
             case VariableDeclarations():
                 self._own.declarations(statement)
             case Timer():

@@ -20,6 +20,9 @@ class Findings:
         self._source = source
         self._collector = collector
         self._told: dict[str, None] = {}
+        #: Macros that the program has defined so far; others may be, where programs call.
+        self.macros: set[str] = set()
+        self.has_other_macros = False
 
     def report(self, number: int, span: Span, **values: object) -> None:
         """Add a diagnostic."""

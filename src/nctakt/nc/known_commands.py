@@ -219,6 +219,12 @@ FORMS = known(
     ("M110 X", "S", "M or H function of one axis", "M- oder H-Funktion einer Achse"),
     ("G04 S", "S", "dwell in revolutions", "Verweilzeit in Umdrehungen"),
     ('"NAME"', "S", "macro", "Makro"),
+    (
+        'X[2 * "NAME"]',
+        "S",
+        "macro as a part of an expression",
+        "Makro als Teil eines Ausdrucks",
+    ),
     ("V.P.A = [1, 2]", "S", "values of a program's own array", "Werte eines eigenen Feldes"),
     ('"text"', "S", "text as a value", "Text als Wert"),
     ("V.E.TEXT", "S", "variable that holds a text", "Variable, die einen Text enthält"),

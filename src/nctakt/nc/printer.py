@@ -309,7 +309,7 @@ _SIMPLE: dict[type[Statement], Callable[[Any], str]] = {
     SubprogramCall: _format_call,
     Assignment: _format_assignment,
     VariableBlock: lambda node: format_expression(node.variable),
-    MacroDefinition: lambda node: f'"{node.name}" = "{node.text}"',
+    MacroDefinition: lambda node: '"{}" = "{}"'.format(node.name, node.text.replace('"', '\\"')),
     Goto: lambda node: "$GOTO " + _format_label(node.label),
     Break: lambda _: "$BREAK",
     Continue: lambda _: "$CONTINUE",

@@ -76,6 +76,8 @@ _NAMED = re.compile(r"\s*([^\W\d]+)(\d*)\s*=(?!=)")
 _NAMED_COMMAND = re.compile(r"\s*([^\W\d]+\d+)(?=\s*\[)")
 _SPINDLE_POSITION = re.compile(r"\s*(S\.POS)(?![^\W\d])", re.IGNORECASE)
 _GLUED = re.compile(rf"(?:Vs?\.|@|P(?:\d|\[)|(?:{FUNCTION_NAMES})\s*\[)", re.IGNORECASE)
+#: A text that may hold names of macros between \" and \".
+_MACRO_TEXT = re.compile(r'\s*"((?:[^"\\]|\\"|\\(?!"))*)"')
 _DIGITS = re.compile(r"\.?\d")
 _BARE_VALUE = re.compile(r"\s+(?:[-+\d]|\.\d|Vs?\.|P(?:\d|\[))", re.IGNORECASE)
 _CALL = re.compile(
@@ -176,10 +178,11 @@ def _assignment(text: BlockText, head: Head) -> Statement:
 
 
 def _macro(text: BlockText, head: Head, start: int, name: str) -> MacroDefinition:
-    value = text.match(STRING)
+    value = text.match(_MACRO_TEXT) or text.match(STRING)
     if value is None:
         raise expected(text)
-    return MacroDefinition(text.span(start, text.pos), head, name, value[1])
+    meaning = value[1].replace('\\"', '"')
+    return MacroDefinition(text.span(start, text.pos), head, name, meaning)
 
 
 # --- calls ---------------------------------------------------------------------------------------

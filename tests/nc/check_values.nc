@@ -50,7 +50,15 @@ P1 = V.CHAN.A ; error 900213 "V.CHAN.A"
 P1 = V.E.NONE[V.E.NEITHER] ; error 900213 "V.E.NONE[]"; error 900213 "V.E.NEITHER"
 XV.E.NONE ; error 900213 "V.E.NONE"
 ; --- families of later versions
-P1 = V.G.NP[1].V.X ; error 900200 "V.G.NP[].V.X"
+P1 = V.G.NP[1].V.X + V.A.ABS.X + V.A.ACT_POS[0] + V.G.FEEDRATE
+V.G.NP[1].V.X = 1 V.G.NP_AKT.V[0] += V.E.NONE ; error 900213 "V.E.NONE"
+P1 = V.G.NP.V.X ; error 900200 "V.G.NP.V.X"
+P1 = V.G.NP[1].ALL ; error 900200 "V.G.NP[].ALL"
+P1 = V.G.NP[1][2].V.X ; error 900200 "V.G.NP"
+P1 = V.A.ABS ; error 900200 "V.A.ABS"
+P1 = V.A.ABS.Q ; error 900200 "V.A.ABS.Q"
+P1 = V.G.MASS_MM[1] ; error 900200 "V.G.MASS_MM[]"
+V.A.ABS.X = 1 ; error 900200 "V.A.ABS.X"
 P1 = V.A.+SWE_MDS.Z
 P1 = @P1
 @P1 = 3

@@ -48,7 +48,8 @@ class ActiveOffsets:
     """The offsets of a channel's axes, in mm or degrees, as the decoder has them.
 
     ``axes``: the machine's numbers of the channel's axes. ``zero_groups``: the zero offsets by
-    group and axis. ``clamp_group``: which clamp offsets the programs run with.
+    group and axis. ``default_group``: with which programs begin. ``clamp_group``: which clamp
+    offsets they run with.
     """
 
     def __init__(
@@ -57,7 +58,7 @@ class ActiveOffsets:
         self._axes = tuple(axes)
         self._values = [[0.0] * coordinates.KINDS for _ in axes]
         self.zero_groups = {group: dict(one) for group, one in zero_offsets.groups.items()}
-        self._default_group = zero_offsets.default_group
+        self.default_group = zero_offsets.default_group
         self._clamp_offsets = clamp_offsets
         self.clamp_group = 0
         self.systems = CoordinateSystems(self._axes)
@@ -73,6 +74,10 @@ class ActiveOffsets:
         if kinds == ALL:
             return sum(values)
         return sum(value for kind, value in enumerate(values) if kinds >> kind & 1)
+
+    def value(self, axis: int, kind: int) -> float:
+        """The offset of one kind."""
+        return self._values[axis][kind]
 
     # --- coordinate systems ---------------------------------------------------------------------
 
@@ -117,7 +122,7 @@ class ActiveOffsets:
     def begin_program(self) -> Iterator[Command]:
         """Zero and clamp offsets as the lists say; those of the program before it are gone."""
         yield from self.systems.begin_program()
-        yield from self._set_group(ZERO, self._group(self._default_group), 0, 0)
+        yield from self._set_group(ZERO, self._group(self.default_group), 0, 0)
         clamp = self._clamp_offsets.groups.get(self.clamp_group, {})
         yield from self._set_group(CLAMP, clamp, 0, 0)
         for kind in (ADD_ZERO, PSET, TOOL):
@@ -133,6 +138,10 @@ class ActiveOffsets:
         """G92 for one axis: instead of the offset that it has, or under G91 in addition to it."""
         before = self._values[axis][ADD_ZERO] if relative else 0.0
         yield from self._set(axis, ADD_ZERO, before + value, source, number)
+
+    def set_zero(self, axis: int, value: float, source: int, number: int) -> Iterator[SetOffset]:
+        """Another zero offset of one axis, until the next is selected."""
+        yield from self._set(axis, ZERO, value, source, number)
 
     def preset(
         self, axis: int, position: float, value: float, source: int, number: int

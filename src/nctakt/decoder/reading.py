@@ -22,6 +22,7 @@ from nctakt.decoder.own_values import OwnValues
 from nctakt.decoder.plans import Leaf, Plan, Plans
 from nctakt.decoder.state import ModalState
 from nctakt.decoder.surroundings import DecodeError, Surroundings
+from nctakt.decoder.system_values import SystemValues
 from nctakt.decoder.tools import ActiveTool
 from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
@@ -71,6 +72,7 @@ class Reading:
             self._plans.context, self._plans.memory, state.levels.scopes, state.parameters
         )
         self.tool = ActiveTool(surroundings, state, self.fail)
+        self.system = SystemValues(surroundings, state, self.fail, self._index)
 
     # --- reading --------------------------------------------------------------------------------
 
@@ -265,6 +267,8 @@ class Reading:
         """Get the values of all variables of an expression, innermost indices first."""
         for variable in plan.variables if plan is not None else variables_in(expression):
             if is_decoder_data(variable):
+                if variable.family == "A":
+                    yield from self._stand(variable, number)
                 self._fetched[id(variable)] = self._read_now(variable)
                 continue
             location = self.locate(variable)
@@ -314,7 +318,7 @@ class Reading:
         return self._value_in(self.cell(variable, location), location)
 
     def _system(self, variable: syntax.Variable) -> float:
-        """V.G and V.A; lengths in the program's unit."""
+        """V.G and V.A."""
         surroundings = self.surroundings
         found = system_variable(variable, tuple(surroundings.axis_numbers))
         assert found is not None
@@ -332,9 +336,15 @@ class Reading:
             return surroundings.system.timers.read(int(number))
         if found.kind == "tool":
             return self.tool.read(variable, found, self._index)
-        limit = surroundings.system.software_limit(found.subject, is_high=found.kind == "high")
-        axis = surroundings.axes[surroundings.axis_numbers[found.subject]]
-        return limit / self.state.length_unit_mm if axis.is_linear else limit
+        return self.system.read(variable, found)
+
+    def _stand(self, variable: syntax.Variable, number: int) -> Generator[Command, Answer]:
+        """Empty the channel in front of a variable that shows where an axis is."""
+        found = system_variable(variable, tuple(self.surroundings.axis_numbers))
+        if found is not None and found.waits:
+            cell = self.system.cell(variable, found)
+            self.empties_channel(path_text(variable), variable.span)
+            yield ReadRealtime(self.surroundings.place(variable.span), number, cell)
 
     def _value_in(self, cell: int, location: Location) -> float | str:
         """What the memory holds in this moment."""

@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""Data of the controller that programs read: V.G and V.A, as far as they are simulated.
+"""Data of the controller that outlive a program: the timers of V.G, what V.S keeps.
 
-In: which value, of which axis or timer. Out: a number. Timers of the main program count at decode
+In: which timer. Out: a number. Timers of the main program count at decode
 time, or with SYN in the tick (a bank apart from the realtime cycles'); READ latches V.G.TIMER.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 
 from nctakt.decoder.own_variables import Variables
 from nctakt.kernel.channel import Channel
 from nctakt.kernel.timers import TIMER_COUNT, Timers
-from nctakt.lists.axis_configuration import AxisConfiguration
 from nctakt.lists.machine import MachineConfiguration
 
 #: Cells of the bank that counts with SYN, one for what each timer has latched.
@@ -61,20 +60,14 @@ class ProgramTimers:
 
 
 class SystemData:
-    """What programs of one channel read; ``axes``: its own.
+    """What programs of one channel read.
 
     ``kept``: V.S, what its programs keep until the next start-up.
     """
 
-    def __init__(self, axes: Mapping[str, AxisConfiguration], timers: ProgramTimers) -> None:
-        self._axes = axes
+    def __init__(self, timers: ProgramTimers) -> None:
         self.timers = timers
         self.kept: Variables = {}
-
-    def software_limit(self, axis: str, *, is_high: bool) -> float:
-        """V.A.+SWE_MDS and V.A.-SWE_MDS: in mm or degrees."""
-        found = self._axes[axis]
-        return found.software_limit_high if is_high else found.software_limit_low
 
 
 def system_data(
@@ -85,8 +78,7 @@ def system_data(
     counting = Timers(latched, 0, configuration.cycle_time_us)
     timers = ProgramTimers(latched, tick, configuration.cycle_time_us)
     made = []
-    for channel, one in zip(channels, configuration.channels, strict=True):
+    for channel in channels:
         channel.program_timers = counting
-        axes = {axis.name: configuration.axes[axis.index] for axis in one.axes}
-        made.append(SystemData(axes, timers))
+        made.append(SystemData(timers))
     return made

@@ -118,12 +118,18 @@ class Values(Reading):
     def _write_system(
         self, target: syntax.Variable, value: float | str, number: int
     ) -> Generator[Command, Answer]:
-        """V.G; the checker lets only the active tool pass."""
+        """V.G: the active tool, zero offsets."""
         found = system_variable(target, tuple(self.surroundings.axis_numbers))
         assert found is not None
         if isinstance(value, str):
             self.fail(900340, target.span, name=path_text(target))
-        yield from self.tool.write(found, value, target.span, number)
+        for index in indices_of(target):
+            yield from self._fetch(index, number)
+        if found.kind == "tool":
+            yield from self.tool.write(found, value, target.span, number)
+            return
+        source = self.surroundings.place(target.span)
+        yield from self.system.write(target, found, value, source, number)
 
     def _place(
         self, variable: syntax.Variable, found: Location | Whole, number: int

@@ -279,7 +279,7 @@ _add(
     'Makro "{name}": mehr als {limit} Makros stehen ineinander',
     remedy_en="A macro must not stand in its own text, nor in one that it uses.",
     remedy_de="Ein Makro darf weder in seinem eigenen Text stehen noch in einem, den es benutzt.",
-    parameters={"name": "the innermost macro", "limit": "the bound"},
+    parameters={"name": "the innermost macro", "limit": "the limit"},
     reaction=2,
     clearing=3,
 )

@@ -18,6 +18,7 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the most commands": "die meisten Befehle",
         "the number of the tool": "die Nummer des Werkzeugs",
         "the word: T or D": "das Wort: T oder D",
+        "the innermost macro": "das innerste Makro",
         "the value as programmed": "der Wert, wie programmiert",
         "the length of the tool in mm": "die Länge des Werkzeugs in mm",
         "the number of the plane": "die Nummer der Ebene",

@@ -8,6 +8,7 @@ Data for ``support.py``, which looks them up; the rows are those of ``known_func
 from __future__ import annotations
 
 from nctakt.nc.known_functions import known
+from nctakt.nc.system_names import ROWS
 
 CONTROLS = known(
     ("$IF", "S", "condition", "Bedingung"),
@@ -169,15 +170,15 @@ VARIABLES = known(
     ("V.RTG", "S", "realtime variables of the channel", "Echtzeit-Variablen des Kanals"),
     ("V.RTA", "S", "realtime variables of an axis", "Echtzeit-Variablen einer Achse"),
     ("@P", "S", "parameters of a call", "Parameter eines Aufrufs"),
-    ("V.A", "R", "data of axes", "Daten der Achsen"),
+    ("V.A", "R", "other data of axes", "weitere Daten der Achsen"),
     ("V.CYC", "S", "variables of canned cycles", "Variablen von Zyklen"),
-    ("V.G", "R", "data of the channel", "Daten des Kanals"),
+    ("V.G", "R", "other data of the channel", "weitere Daten des Kanals"),
     ("V.G.TIMER[1]", "S", "times of #TIMER in ms", "Zeiten von #TIMER in ms"),
     ("V.G.WZ_AKT.R", "S", "data of the active tool", "Daten des aktiven Werkzeugs"),
     ("V.G.WZ[1].R", "S", "data of a tool of the list", "Daten eines Werkzeugs der Liste"),
     ("V.G.T_AKT", "S", "number of the last T", "Nummer des letzten T"),
     ("V.G.D_AKT", "S", "number of the last D", "Nummer des letzten D"),
-    ("V.A.+SWE_MDS.X", "S", "software limits", "Software-Endschalter"),
+    *((row.name, "S", row.meaning.en, row.meaning.de) for row in ROWS),
     ("V.I", "R", "internal variables", "interne Variablen"),
     ("V.L", "S", "local variables", "lokale Variablen"),
     ("V.P", "S", "variables of the program", "Variablen des Programms"),

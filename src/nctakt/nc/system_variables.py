@@ -2,7 +2,7 @@
 """Which of the controller's data V.G and V.A programs may use here.
 
 In: a variable of the tree. Out: what it is, ``None`` for what is refused by name. All of them are
-numbers, read when the block is decoded; of the active tool, radius and length can be written.
+numbers, read when the block is decoded; ``system_names.py`` has those that are not of tools.
 """
 
 from __future__ import annotations
@@ -12,32 +12,32 @@ from typing import Literal, NamedTuple
 
 from nctakt.nc.resolution import is_own
 from nctakt.nc.syntax import Expression, Part, Variable
+from nctakt.nc.system_names import BY_PATH
 
 SYSTEM_FAMILIES = ("G", "A")
 
 #: Timers of the main program: IDs 0 … 127.
 TIMERS = 128
 
-_LIMITS = {"+SWE_MDS": "high", "-SWE_MDS": "low"}
-
 #: What programs read of a tool beside its elements: radius, length, valid, cutting edge, spindle.
 _TOOL_VALUES = ("R", "L", "OK", "SRK_ID", "SPDL_AX_NR")
 
 
 class SystemVariable(NamedTuple):
-    """``subject`` is the axis of a limit, the name of a tool's value.
+    """``subject`` is the name of a value, of a tool's or that of a row of ``system_names.py``.
 
-    ``number`` is that of a timer or, beside the active one, a tool; ``element`` that of a parameter
-    or axis of a tool, ``axis`` the axis that is named instead. ``is_writable``: programs may give
-    it a value.
+    ``number`` is that of a timer or, beside the active one, a tool or zero offset; ``element`` that
+    of a parameter or axis, ``axis`` the axis that is named instead. ``is_writable``: programs may
+    give it a value. ``waits``: what it shows is of the moment in which the channel is empty.
     """
 
-    kind: Literal["timer", "tool", "low", "high"]
+    kind: Literal["timer", "tool", "axis", "channel"]
     subject: str = ""
     number: Expression | None = None
     element: Expression | None = None
     axis: str = ""
     is_writable: bool = False
+    waits: bool = False
 
     @property
     def indices(self) -> list[Expression]:
@@ -51,18 +51,47 @@ def system_variable(variable: Variable, axes: Sequence[str]) -> SystemVariable |
     indices = [index for part in variable.parts for index in part.indices]
     if variable.family == "G" and names == ["TIMER"] and len(indices) == 1:
         return SystemVariable("timer", "", indices[0])
-    if variable.family == "G" and variable.parts:
-        return _of_tools(variable.parts, axes)
-    if indices:
+    if not variable.parts:
         return None
-    if variable.family == "A" and len(names) == 2 and names[0] in _LIMITS and names[1] in axes:
-        return SystemVariable("high" if names[0][0] == "+" else "low", names[1])
-    return None
+    return _of_row(variable, axes) or _of_tools(variable, axes)
 
 
-def _of_tools(parts: Sequence[Part], axes: Sequence[str]) -> SystemVariable | None:
+def _of_row(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
+    """``V.A.ABS.X``, ``V.A.ABS[0]``, ``V.G.NP[1].V.X``, ``V.G.MASS_MM``."""
+    parts = list(variable.parts)
+    axis, element, number = "", None, None
+    if len(parts) > 1 and parts[-1].name in axes and not parts[-1].indices:
+        axis = parts.pop().name
+    elif len(parts[-1].indices) == 1:
+        element = parts[-1].indices[0]
+        parts[-1] = _without(parts[-1])
+    if variable.family == "G" and parts[0].name == "NP" and len(parts[0].indices) == 1:
+        number = parts[0].indices[0]
+        parts[0] = _without(parts[0])
+    if any(part.indices for part in parts):
+        return None
+    path = ".".join(part.name for part in parts)
+    row = BY_PATH.get(
+        (variable.family, "NP[1].V" if number is not None and path == "NP.V" else path)
+    )
+    if row is None or row.has_axis != bool(axis or element is not None):
+        return None
+    if (number is not None) != (row.path == "NP[1].V"):
+        return None
+    kind: Literal["axis", "channel"] = "axis" if row.has_axis else "channel"
+    return SystemVariable(kind, row.path, number, element, axis, row.is_writable, row.waits)
+
+
+def _without(part: Part) -> Part:
+    """A part of a name without its indices."""
+    return Part(part.span, part.name)
+
+
+def _of_tools(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
     """``WZ_AKT.R``, ``WZ[5].V.X``, ``WZR``, ``T_AKT``, ``D_AKT``."""
-    first, rest = parts[0], parts[1:]
+    if variable.family != "G":
+        return None
+    first, rest = variable.parts[0], variable.parts[1:]
     if not rest and not first.indices:
         if first.name in ("T_AKT", "D_AKT"):
             return SystemVariable("tool", first.name)

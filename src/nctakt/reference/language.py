@@ -13,7 +13,9 @@ from nctakt.nc.command_forms import FORMS, forms_of
 from nctakt.nc.keywords import KEYWORDS, KeywordMeaning
 from nctakt.nc.operators import CONSTANTS, FUNCTIONS, INFIX, PREFIX, Function, Operator
 from nctakt.nc.support import Answer, Entry, Kind
+from nctakt.nc.system_names import BY_NAME
 from nctakt.reference.article import Article, Fact, Topic, fact
+from nctakt.reference.variables import UNITS
 
 KINDS = {
     Kind.G_FUNCTION: Text("G function", "G-Funktion"),
@@ -62,6 +64,13 @@ _PUT_OUT = Text(
     "put out in the tick, without waiting for the PLC",
     "wird im Takt ausgegeben, ohne auf die SPS zu warten",
 )
+_READ_ONLY = Text("read", "lesen")
+_READ_WRITE = Text("read and write", "lesen und schreiben")
+_WHEN_DECODED = Text("when the block is decoded", "wenn der Satz dekodiert wird")
+_WHEN_EMPTY = Text(
+    "when the path stands; empties the channel", "wenn die Bahn steht; leert den Kanal"
+)
+_FROZEN = Text("the value of the definition, a constant", "der Wert der Definition, eine Konstante")
 #: What there is to say beyond the support table.
 _FURTHER: Mapping[str, tuple[Fact, ...]] = MappingProxyType(
     {
@@ -117,15 +126,33 @@ _FURTHER: Mapping[str, tuple[Fact, ...]] = MappingProxyType(
 
 _NUMBERED = re.compile(r"([GMH])0*(\d+)")
 _PARAMETER = re.compile(r"P\d+|P\[.*\]")
+_INDEX = re.compile(r"\[[^]]*\]")
+_LAST = re.compile(r"\.\w+$")
+_LAST_INDEX = re.compile(r"\[[^]]*\]$")
 _FAMILY = re.compile(r"(V)S?(\.[A-Z_]+)(\..*)?")
 
 
 # --- words, commands -----------------------------------------------------------------------------
 
 
+def _of_system(name: str) -> Iterator[Fact]:
+    """Type, unit and rights of V.G and V.A."""
+    row = BY_NAME.get(name)
+    if row is None:
+        return
+    yield fact("Type", "Typ", row.type)
+    if row.unit:
+        yield fact("Unit", "Einheit", UNITS.get(row.unit, Text(row.unit, row.unit)))
+    right = _READ_WRITE if row.is_writable else _READ_ONLY
+    yield fact("In programs", "In Programmen", right)
+    when = _WHEN_EMPTY if row.waits else _WHEN_DECODED
+    yield fact("Value", "Wert", when)
+    yield fact("In realtime cycles", "In Echtzeit-Zyklen", _FROZEN)
+
+
 def entry_article(entry: Entry) -> Article:
     """The article of a row of the support table."""
-    facts = [*_FURTHER.get(entry.name, ())]
+    facts = [*_FURTHER.get(entry.name, ()), *_of_system(entry.name)]
     if entry.name in FORMS:
         facts.append(fact("Written", "Schreibweise", forms_of(entry.name)))
     facts.append(fact("In nctakt", "In nctakt", ANSWERS[entry.answer]))
@@ -176,6 +203,10 @@ def _spellings(word: str) -> Iterator[str]:
         yield {"$CASE": "$SWITCH", "$DEFAULT": "$SWITCH"}.get(text, text)
     elif _PARAMETER.fullmatch(text):
         yield "P"
+    if text.startswith(("V.A.", "V.G.")):
+        named = _INDEX.sub("[1]", text)
+        of_axis = _INDEX.sub("[1]", _LAST_INDEX.sub(".X", text))
+        yield from (named, _LAST.sub(".X", named), of_axis)
     family = _FAMILY.fullmatch(text)
     if family is not None and family[2] not in (".RTA", ".RTG"):
         yield family[1] + family[2]

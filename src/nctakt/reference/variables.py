@@ -20,7 +20,7 @@ _FLUSHES = Text(
     "; each access waits until the path stands", "; jeder Zugriff wartet, bis die Bahn steht"
 )
 _LIVE = Text("; the value of each tick", "; der Wert jedes Takts")
-_UNITS = {
+UNITS = {
     "mm": Text(
         "mm, of a rotary axis degrees; inch under G70",
         "mm, bei einer Rundachse Grad; Zoll unter G70",
@@ -52,7 +52,7 @@ def _facts(row: RealtimeVariable) -> Iterator[Fact]:
         elements = Text(f"{row.count}, from index 0", f"{row.count}, ab Index 0")
         yield fact("Elements", "Elemente", elements)
     if row.unit:
-        yield fact("Unit", "Einheit", _UNITS.get(row.unit, Text(row.unit, row.unit)))
+        yield fact("Unit", "Einheit", UNITS.get(row.unit, Text(row.unit, row.unit)))
     yield fact("In programs", "In Programmen", _rights(row.decoder, _FLUSHES))
     yield fact("In realtime cycles", "In Echtzeit-Zyklen", _rights(row.cycle, _LIVE))
 

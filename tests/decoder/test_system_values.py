@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""What programs read and write by V.G and V.A: positions, offsets, feed (nc-programs, RC-308)."""
+
+from __future__ import annotations
+
+import pytest
+
+from nctakt.controller import Controller, NcText
+from nctakt.nc.system_names import ROWS, SystemRow
+from nctakt.results.run import Run, SaidMessage
+
+
+def said(text: str, controller: Controller | None = None) -> tuple[Run, list[str]]:
+    """A program's run, and what it says."""
+    found: list[SaidMessage] = []
+    run = (controller or Controller()).run(NcText("p.nc", text), on_message=found.append)
+    assert not run.errors, run.errors
+    return run, [one.text for one in found]
+
+
+def shown(names: str) -> str:
+    """A message with values."""
+    count = names.count(",") + 1
+    return f'#MSG ["{" ".join(["%g"] * count)}", {names}]\n'
+
+
+def test_positions_of_the_block_before() -> None:
+    """ABS with all offsets, PROG without; an index is the place in the channel."""
+    text = (
+        "G00 X10 Y20\n"
+        + shown("V.A.ABS.X, V.A.PROG.X, V.A.MENT.X, V.A.ABS[1]")
+        + "G92 X3\n"
+        + shown("V.A.ABS.X, V.A.PROG.X, V.A.BZP.X")
+        + "G00 X10\n"
+        + shown("V.A.ABS.X, V.A.PROG.X")
+        + "#CS ON [0, 5, 0, 0, 0, 90]\n"
+        + shown("V.A.ABS.X, V.A.ABS.Y")
+        + "#CS OFF\nG70\n"
+        + shown("V.A.PROG.X * 25.4, V.G.MASS_MM")
+        + "G71\n"
+        + shown("V.G.MASS_MM, V.G.MASS_360, V.A.MODULO_VALUE.X")
+    )
+    run, told = said(text + "M30")
+    assert told == ["10 10 10 20", "10 7 3", "13 10", "15 -10", "10 1", "0 0 0"]
+    assert run.state == "ended"
+
+
+def test_measured_positions_wait_until_the_path_stands() -> None:
+    """RC-308: the decoder waits; 10 mm take 100 ms, and the answer is of the tick that stands."""
+    text = "G00 X10\nP1 = V.A.ACT_POS.X + V.A.ACS.ABS[0]\n" + shown("P1") + "M30"
+    run, told = said(text)
+    assert told == ["20"]
+    assert run.ticks > 100
+    run = Controller().run(
+        NcText("p.nc", "D1 F6000 G01\nG41 X10\nX50\nP1 = V.A.ACT_POS.X\nG40 X60\nM30")
+    )
+    assert 20651 in [error.id for error in run.errors]
+
+
+def test_a_measured_position_is_in_the_active_system_without_offsets() -> None:
+    """V.A.ACT_POS as V.A.PROG, V.A.ACS.ABS that of the axis."""
+    text = "G00 X10\nG92 X4\n" + shown("V.A.ACT_POS.X, V.A.ACS.ABS.X") + "M30"
+    assert said(text)[1] == ["6 10"]
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        ("F600", "600 94 1"),
+        ("F600\nG70", "23.622 94 1"),
+        ("G70 F10", "10 94 1"),
+        ("G93 F3", "3 93 1"),
+        ("F500\nG95 F0.5", "0.5 95 1"),
+        ("F500\nG95 F0.5\nG94", "500 94 1"),
+    ],
+)
+def test_the_feed_in_the_unit_of_its_kind(words: str, expected: str) -> None:
+    """FEEDRATE is the last F of the kind that is active (G93, G94, G95)."""
+    text = words + "\n" + shown("V.G.FEEDRATE, V.G.FEEDRATE_MODE, V.G.FEEDRATE_SCALE") + "M30"
+    assert said(text)[1] == [expected]
+
+
+def test_zero_offsets_are_read_and_written() -> None:
+    """NP_AKT is the active one until the next is selected; NP the list, also for programs behind.
+
+    The demo machine has 25 mm in Y for G55.
+    """
+    controller = Controller()
+    text = (
+        "V.G.NP[2].V.X = 7\nV.G.NP[1 + 1].V[1] += 2\n"
+        + shown("V.G.NP[2].V.X, V.G.NP[2].V.Y, V.G.NP_AKT.V.X")
+        + "G55\n"
+        + shown("V.G.NP_AKT.V.X, V.G.NP_AKT.V[1]")
+        + "V.G.NP_AKT.V.X = 10\nG00 X1\n"
+        + shown("V.A.ABS.X, V.A.PROG.X, V.G.NP[2].V.X")
+        + "G55 G00 X1\n"
+        + shown("V.A.ABS.X")
+        + "V.G.NP_DEFAULT = 2\nM30"
+    )
+    assert said(text, controller)[1] == ["7 27 0", "7 27", "11 1 7", "8"]
+    behind = shown("V.G.NP_DEFAULT, V.G.NP_AKT.V.X, V.A.PROG.X") + "M30"
+    assert said(behind, controller)[1] == ["2 7 1"]
+
+
+@pytest.mark.parametrize(
+    ("line", "error"),
+    [
+        ("P1 = V.A.ABS[9]", 50929),
+        ("P1 = V.G.NP[97].V.X", 50929),
+        ("V.G.NP_AKT.V[P2 - 1] = 5", 50929),
+        ("V.G.NP_DEFAULT = 97", 900774),
+        ("P1 = V.A.ABS[1 / P2]", 900300),
+        ("V.G.NP_AKT.V.X = V.P.T", 900340),
+    ],
+)
+def test_an_index_outside_ends_the_program(line: str, error: int) -> None:
+    """As for any array of the language (50929)."""
+    run = Controller().run(NcText("p.nc", f'V.P.T = "t"\n{line}\nM30'))
+    assert [found.id for found in run.errors] == [error]
+    assert run.errors[0].render("de")
+
+
+def test_a_cycle_gets_the_value_of_its_definition() -> None:
+    """RC-302: only the decoder knows these values, so they are constants."""
+    text = (
+        "G00 X5\n#RT CYCLE [ID=1 SCOPE=PROG]\nV.E.VALUE = V.A.ABS.X + V.G.FEEDRATE_MODE\n"
+        "#RT CYCLE END\nG00 X9\nM30"
+    )
+    controller = Controller()
+    run, _ = said(text, controller)
+    assert controller.read("V.E.VALUE") == 99.0
+    assert any(event.kind == "frozen" and event.text == "V.A.ABS.X 5" for event in run.events)
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda row: row.name)
+def test_each_row_of_the_table_can_be_read(row: SystemRow) -> None:
+    """What the documentation names programs can use, and write where it says so."""
+    assert len(said(shown(row.name) + "M30")[1]) == 1
+    other = Controller().run(NcText("p.nc", f"{row.name} = 1\nM30"))
+    assert (not other.errors) == row.is_writable

@@ -140,3 +140,41 @@ def test_overrides_of_a_program_end_with_it() -> None:
     run = perform("G01 X10 F6000\nM30", controller, signals=SIGNALS)
     assert run.trace is not None
     assert run.trace.at(run.ticks - 60, "PATH.SPEED") == 100.0
+
+
+@pytest.mark.parametrize(
+    ("words", "tick", "speed"),
+    [
+        ("X400", 1000, 250.0),
+        ("X400 Y300", 700, 312.5),
+        ("Y300 X400 A45", 700, 312.5),
+        ("A180", 700, 180.0),
+        ("G02 I50", 700, 250.0),
+        (
+            "G02 I50 Z100",
+            700,
+            250.0 * ((100 * 3.141592653589793) ** 2 + 100**2) ** 0.5 / (100 * 3.141592653589793),
+        ),
+    ],
+)
+def test_a_share_of_the_highest_feed_leads_one_axis_to_its_share(
+    words: str, tick: int, speed: float
+) -> None:
+    """G194 F50: X and Y can do 500 mm/s (P-AXIS-00212), A 360 °/s; none goes above its half."""
+    run = moved(f"G01 F100\nG194 F50 {words}")
+    assert at(run, tick, "PATH.SPEED") == pytest.approx(speed)
+
+
+def test_behind_g194_the_feed_of_before_counts_again() -> None:
+    """Each kind of F has its own value (MO-17)."""
+    run = moved("G94 F6000\nG194 F20\nG94 G01 X200")
+    assert at(run, 1000, "PATH.SPEED") == pytest.approx(100.0)
+
+
+@pytest.mark.parametrize(
+    ("words", "number"),
+    [("G194 X1", 20008), ("G194 F101 X1", 900925), ("G194 F-1 X1", 900926), ("F-5 X1", 900926)],
+)
+def test_a_share_and_a_feed_have_limits(words: str, number: int) -> None:
+    """A negative F is told as such, and a share above 100 %."""
+    assert numbers(perform(f"G01 {words}\nM30")) == [number]

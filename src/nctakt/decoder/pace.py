@@ -21,7 +21,10 @@ from nctakt.nc import syntax
 from nctakt.nc.spindle_commands import STOP
 
 #: The G functions that tell what F is: the time of a block, a feed per minute, per revolution.
-FEEDS = (93, 94, 95)
+FEEDS = (93, 94, 95, 194)
+
+#: The highest F of G194.
+MOST_SHARE_PCT = 100.0
 
 #: The G function for one block without operator's and programmed override.
 NO_OVERRIDE = 166
@@ -48,6 +51,8 @@ class PathPace:
                 state.pace.time_s = value
             case 95:
                 state.pace.per_revolution_mm = value * state.length_unit_mm
+            case 194:
+                state.pace.share_pct = value
             case _ if state.inch:
                 state.feed_mm_s = value * state.length_unit_mm / 60.0
             case _:
@@ -135,12 +140,19 @@ class PathPace:
             case 95:
                 self._need(pace.per_revolution_mm, span)
                 return self._per_revolution(pace, span)
+            case 194:
+                self._need(pace.share_pct, span)
+                if pace.share_pct > MOST_SHARE_PCT:
+                    self._values.fail(900925, span, value=pace.share_pct, most=MOST_SHARE_PCT)
+                return self._highest(start, target, arc) * pace.share_pct / 100.0, -1, 0.0
         self._need(self._state.feed_mm_s, span)
         return self._state.feed_mm_s, -1, 0.0
 
     def _need(self, value: float, span: Span) -> None:
-        """F 0, or none at all (MO-17)."""
-        if value <= 0.0:
+        """F 0 or below, or none at all (MO-17)."""
+        if value < 0.0:
+            self._values.fail(900926, span)
+        if value == 0.0:
             self._values.fail(20008, span)
 
     def _per_revolution(self, pace: PaceState, span: Span) -> tuple[float, int, float]:
@@ -156,6 +168,21 @@ class PathPace:
                 return feed, -1, 0.0
             return feed, index, modal.speed * DEGREES_PER_S
         self._values.fail(900836, span)
+
+    def _highest(self, start: Sequence[float], target: Sequence[float], arc: Arc | None) -> float:
+        """The speed at which one axis of the block goes at its highest (P-AXIS-00212), none above.
+
+        In the plane of an arc that is the slower axis, wherever the arc begins and ends.
+        """
+        way = self._way(start, target, arc)
+        highest = []
+        for index, axis in enumerate(self._surroundings.axes):
+            part = abs(target[index] - start[index])
+            if arc is not None and index in (arc.first, arc.second):
+                part = arc.length(start)
+            if part > 0.0:
+                highest.append(axis.max_speed * way / part)
+        return min(highest, default=0.0)
 
     def _way(self, start: Sequence[float], target: Sequence[float], arc: Arc | None) -> float:
         """The way of a block: of the linear axes, else of the rotary ones (``measure`` has it)."""

@@ -94,7 +94,7 @@ class ToolState:
 
 @dataclass(slots=True)
 class PaceState:
-    """What F means, 93 … 95, and its values under G93 and G95; the overrides of the program.
+    """What F means, 93 … 95 or 194, and its values under G93, G95, G194; the program's overrides.
 
     Overrides are factors of feed and rapid blocks: of the path, and by axis (its place).
     """
@@ -102,6 +102,7 @@ class PaceState:
     feed_mode: int = 94
     time_s: float = 0.0
     per_revolution_mm: float = 0.0
+    share_pct: float = 0.0
     path_override: tuple[float, float] = (1.0, 1.0)
     axis_overrides: dict[int, tuple[float, float]] = field(default_factory=dict)
 

@@ -95,6 +95,8 @@ class SystemValues:
                 return state.pace.time_s
             case "FEEDRATE" if state.pace.feed_mode == 95:
                 return state.pace.per_revolution_mm / state.length_unit_mm
+            case "FEEDRATE" if state.pace.feed_mode == 194:
+                return state.pace.share_pct
             case "FEEDRATE":
                 per_minute = state.length_unit_mm if state.inch else unit
                 return state.feed_mm_s * 60.0 / per_minute

@@ -46,6 +46,9 @@ from nctakt.nc.spindle_commands import split
 REFERENCE = 92
 FURTHER_ZERO = 159
 
+#: The G function whose own value is the radius of arcs, as R.
+RADIUS = 163
+
 #: The G function whose X, or whose own value, is a time.
 DWELL = 4
 
@@ -204,8 +207,11 @@ class Words:
         return None
 
     def _additional(self, word: syntax.Word, value: float, content: _Content) -> None:
-        """The number that belongs to a G function: the group of G159, the time of G04."""
+        """The value of a G function: the group of G159, the radius of G163, the time of G04."""
         assert isinstance(word.value, syntax.Number)
+        if word.value.value == RADIUS:
+            self._state.path.radius = value * self._state.length_unit_mm
+            return
         if word.value.value != FURTHER_ZERO:
             content.dwell_s = value
             return

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Messages of checked program: words and commands (900200 … 900212, 900229 … 900249, 900847)."""
+"""Messages of checked program: words and commands.
+
+Numbers 900200 … 900212, 900229 … 900249, 900847, 900927.
+"""
 
 from __future__ import annotations
 
@@ -214,6 +217,16 @@ _add(
         "least": "lower limit",
         "most": "upper limit",
     },
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900927,
+    ERROR,
+    "G163 without a radius",
+    "G163 ohne Radius",
+    remedy_en="Write G163=10: the radius of this arc and of those behind it, as R10.",
+    remedy_de="G163=10 schreiben: der Radius dieses Kreises und der folgenden, wie R10.",
     reaction=2,
     clearing=3,
 )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of the decoder, while it evaluates (900300 … 900399)."""
+"""Messages of the decoder, while it evaluates (900300 … 900399, 900848, 900925, 900926)."""
 
 from __future__ import annotations
 
@@ -280,6 +280,27 @@ _add(
     remedy_en="A macro must not stand in its own text, nor in one that it uses.",
     remedy_de="Ein Makro darf weder in seinem eigenen Text stehen noch in einem, den es benutzt.",
     parameters={"name": "the innermost macro", "limit": "the limit"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900925,
+    ERROR,
+    "G194: {value} % is more than the highest feed",
+    "G194: {value} % ist mehr als der höchste Vorschub",
+    remedy_en="Under G194 F is a share of the highest feed: above 0, at most {most} %.",
+    remedy_de="Unter G194 ist F ein Anteil am höchsten Vorschub: über 0, höchstens {most} %.",
+    parameters={"value": "the value as programmed", "most": "upper limit"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900926,
+    ERROR,
+    "the feed of this motion is negative",
+    "der Vorschub dieser Bewegung ist negativ",
+    remedy_en="Program F with a value above 0; the target says where the motion goes.",
+    remedy_de="F mit einem Wert über 0 programmieren; wohin es geht, sagt das Ziel.",
     reaction=2,
     clearing=3,
 )

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Messages of ``nctakt check`` on programs that would run: what is likely meant otherwise.
 
-Numbers 900235 … 900259, 900903, 900906, and the controller's own where it is an error there.
+Numbers 900235 … 900259, 900903, 900906, 900928, and the controller's own
+where it is an error there.
 """
 
 from __future__ import annotations
@@ -249,4 +250,13 @@ _add(
     remedy_de="Den Mittelpunkt mit I, J oder K programmieren oder einen Radius R ungleich 0.",
     cause_en="Where the program runs so, it stops here with 900700.",
     cause_de="Läuft das Programm so, hält es hier mit 900700 an.",
+)
+_add(
+    900928,
+    WARNING,
+    "T{tool}: the tool list has no tool of this number",
+    "T{tool}: die Werkzeugliste hat kein Werkzeug mit dieser Nummer",
+    remedy_en="T tells the PLC a place; D selects dimensions, and would not find any for it.",
+    remedy_de="T nennt der SPS einen Platz; D wählt Maße an und fände keine dafür.",
+    parameters={"tool": "the number of the tool"},
 )

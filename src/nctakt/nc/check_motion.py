@@ -13,6 +13,8 @@ from nctakt.nc.syntax import AxisWord, Block, Number, Word
 
 CENTRE_WORDS = ("I", "J", "K")
 RADIUS_WORD = "R"
+#: The G function that gives the radius as R does.
+RADIUS_FUNCTION = 163
 FEED_WORD = "F"
 _ARCS = (2, 3)
 
@@ -26,7 +28,7 @@ def check_feed(block: Block, findings: Findings) -> None:
 
 def check_arc(block: Block, findings: Findings) -> None:
     """Centre and radius in one block."""
-    radius = list(_words(block, RADIUS_WORD))
+    radius = list(_radii(block))
     if radius and any(list(_words(block, name)) for name in CENTRE_WORDS):
         findings.report(900904, radius[0].span)
 
@@ -39,13 +41,22 @@ def lacks_centre(block: Block) -> bool:
             for word in _words(block, "G")
         )
         and any(isinstance(word, AxisWord) for word in block.words)
-        and not any(list(_words(block, name)) for name in (*CENTRE_WORDS, RADIUS_WORD))
+        and not any(list(_words(block, name)) for name in CENTRE_WORDS)
+        and not has_radius(block)
     )
 
 
 def has_radius(block: Block) -> bool:
     """Whether a radius stands in it, for this arc or a later one."""
-    return any(True for _ in _words(block, RADIUS_WORD))
+    return any(True for _ in _radii(block))
+
+
+def _radii(block: Block) -> Iterator[AxisWord | Word]:
+    """``R5``, ``G163=5``."""
+    yield from _words(block, RADIUS_WORD)
+    for word in _words(block, "G"):
+        if isinstance(word.value, Number) and word.value.value == RADIUS_FUNCTION:
+            yield word
 
 
 def _words(block: Block, name: str) -> Iterator[AxisWord | Word]:

@@ -16,7 +16,7 @@ from nctakt.lists.channel_configuration import ChannelParameters
 from nctakt.lists.offsets import MOST_GROUPS
 from nctakt.nc import support
 from nctakt.nc.axis_commands import is_axis_command
-from nctakt.nc.check_motion import check_arc
+from nctakt.nc.check_motion import RADIUS_FUNCTION, check_arc
 from nctakt.nc.check_path import check_path_axis
 from nctakt.nc.check_spindles import SpindleChecker
 from nctakt.nc.check_values import ValueChecker
@@ -219,6 +219,11 @@ class WordChecker:
             return
         if number == _FURTHER_ZERO:
             self._zero_offset(word)
+        elif number == RADIUS_FUNCTION:
+            if word.additional is None or word.arguments:
+                self._findings.report(900927, word.span)
+            else:
+                self._values.value(word.additional)
         elif word.additional is not None or word.arguments:
             self._findings.report(900212, word.span, word=entry.name)
         if entry.group:

@@ -125,7 +125,7 @@ G_FUNCTIONS = (
         ("G93", "S", "F is the time of the block", "F ist die Zeit des Satzes"),
         ("G94", "S", "F is feed per minute", "F ist Vorschub je Minute"),
         ("G95", "S", "F is feed per revolution", "F ist Vorschub je Umdrehung"),
-        ("G194", "R", "F is a share of the highest feed", "F ist Anteil des höchsten Vorschubs"),
+        ("G194", "S", "F is a share of the highest feed", "F ist Anteil des höchsten Vorschubs"),
     ),
     *_group(
         "cutting",
@@ -186,8 +186,8 @@ G_FUNCTIONS = (
         "arc centre",
         ("G161", "S", "absolute centres of arcs", "Kreismittelpunkte absolut"),
         ("G162", "S", "relative centres of arcs", "Kreismittelpunkte relativ"),
-        ("G163", "R", "radius programming", "Radiusprogrammierung"),
     ),
+    *known(("G163", "S", "radius of arcs, as R", "Radius von Kreisen, wie R")),
     *_group(
         "centre correction",
         ("G164", "A", "correction of arc centres off", "Korrektur der Kreismittelpunkte aus"),

@@ -303,15 +303,18 @@ class Linter:
                     self._state.compensation = f"G{word.value.value:g}"
                 elif word.value.value == 40:
                     self._state.compensation = ""
-            elif isinstance(word, Word) and word.name == "D" and self._tools:
+            elif isinstance(word, Word) and word.name in ("D", "T") and self._tools:
                 self._tool(word)
 
     def _tool(self, word: Word) -> None:
-        """A number behind D has to be that of a valid tool; D0 selects none."""
+        """A number behind D has to be that of a valid tool; D0 selects none; T mostly names one."""
         if not isinstance(word.value, Number) or not word.value.value.is_integer():
             return
         number = int(word.value.value)
-        if number > 0 and number not in self._tools:
+        if word.name == "T":
+            if number > 0 and number not in self._tools:
+                self._findings.report(900928, word.span, tool=number)
+        elif number > 0 and number not in self._tools:
             self._findings.report(900865, word.span, tool=number)
         elif number > 0 and not self._tools[number].valid:
             self._findings.report(900866, word.span, tool=number)

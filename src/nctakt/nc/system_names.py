@@ -83,7 +83,13 @@ ROWS = (
     _channel(
         "FEEDRATE", "REAL64", "as F", "the last F of the active kind", "letztes F der aktiven Art"
     ),
-    _channel("FEEDRATE_MODE", "UNS16", "", "93, 94, 95: what F is", "93, 94, 95: was F bedeutet"),
+    _channel(
+        "FEEDRATE_MODE",
+        "UNS16",
+        "",
+        "93, 94, 95, 194: what F is",
+        "93, 94, 95, 194: was F bedeutet",
+    ),
     _channel(
         "FEEDRATE_SCALE",
         "REAL64",

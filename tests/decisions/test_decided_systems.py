@@ -14,6 +14,10 @@ from nctakt.controller import Controller
 POSITIONS = [f"{axis}.{system}.ACT_POS" for system in ("ACS", "PCS") for axis in "XYZ"]
 
 
+#: Three systems on each other: turned by 90° about Z, shifted in X, shifted in Z.
+STACK = "#CS ADD [ICS] [0, 0, 0, 0, 0, 90]\n#CS ADD [WCS] [1]\n#CS ADD [W2] [0, 0, 5]\n"
+
+
 def ends_at(program: str, controller: Controller | None = None) -> list[float]:
     """Where X, Y, Z stand behind a program: in ACS, then in PCS."""
     run = perform(program + "\nM30", controller, signals=POSITIONS)
@@ -40,6 +44,16 @@ def ends_at(program: str, controller: Controller | None = None) -> list[float]:
         ("#CS ON [1, 0, 0]\n#CS ON [1, 0, 0]\n#CS OFF", (11, 20, 30)),
         ("#CS ON [1, 0, 0]\n#CS ON [1, 0, 0]\n#CS OFF ALL", (10, 20, 30)),
         ("#CS OFF ALL", (10, 20, 30)),
+        ("#CS ADD [A] [1, 2, 3]", (10, 20, 30)),
+        ("#CS ADD [A] [1, 2, 3]\n#CS SELECT [A]", (11, 22, 33)),
+        (f"{STACK}#CS SELECT [WCS]", (-20, 11, 30)),
+        (f"{STACK}#CS SELECT [W2]", (-20, 11, 35)),
+        (f"{STACK}#CS SELECT [W2]\n#CS SELECT [ICS]", (-20, 10, 30)),
+        (f"{STACK}#CS SELECT [W2]\n#CS OFF", (10, 20, 30)),
+        (f"{STACK}#CS SELECT [WCS]\n#CS ON [0, 0, 7]", (-20, 11, 37)),
+        (f"{STACK}#CS SELECT [WCS]\n#CS ON [0, 0, 7]\n#CS OFF", (-20, 11, 30)),
+        (f"{STACK}#CS SELECT [WCS]\n#CS ON [0, 0, 7]\n#CS OFF ALL", (10, 20, 30)),
+        (f"G92 X1\n{STACK}#CS SELECT [ICS]\nG92 X5\n#CS SELECT [WCS]", (-19, 11, 30)),
     ],
 )
 def test_where_a_system_has_its_coordinates(command: str, place: tuple[float, ...]) -> None:
@@ -150,3 +164,25 @@ def test_single_axes_are_in_no_system() -> None:
         "#RT CYCLE END\nG04 X2"
     )
     assert found[0] == 105.0
+
+
+@pytest.mark.parametrize(
+    ("program", "number"),
+    [
+        ("#CS ADD [MCS] [1]", 900929),
+        ("#CS ADD [LONGNAMES] [1]", 900929),
+        ("#CS ADD [A] [1]\n#CS ADD [a] [2]", 900930),
+        ("".join(f"#CS ADD [N{n}] [1]\n" for n in range(6)), 900930),
+        ("#CS SELECT [A]", 900931),
+        ("#CS ADD [A] [1]\n#CS SELECT [B]", 900931),
+        ("#CS ADD [A] [1]\n#CS ON [2]\n#CS SELECT [A]", 900840),
+        ("#CS ADD [A] [1]\n#CS ON [2, 0]\n#CS SELECT [A]", 900932),
+        ("#CS ADD [A]", 900233),
+        ("#CS ADD [1, 2] [1]", 900233),
+        ("#CS SELECT [A] [1]", 900233),
+        ("#CS MODE ON", 900200),
+    ],
+)
+def test_systems_with_names_have_limits(program: str, number: int) -> None:
+    """Each mistake has its own number, MO-8."""
+    assert numbers(perform(program + "\nM30")) == [number]

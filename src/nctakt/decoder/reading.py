@@ -64,7 +64,9 @@ class Reading:
         self.surroundings = surroundings
         self.state = state
         self._fetched: dict[int, float | str] = {}
-        self._builder = ExpressionBuilder(self._leaf, self._compare_texts, self._ask, self.no_macro)
+        self._builder = ExpressionBuilder(
+            self._leaf, self._compare_texts, self._ask, macro=self.no_macro
+        )
         self.own = OwnValues(state.levels, self._index, self.fail)
         self._context = empty_context()
         self._plans = Plans()

@@ -2,12 +2,13 @@
 """``#CS`` of the main program -> the coordinate system that is active, as commands (MO-8).
 
 In: the tree of a checked command. Stored systems have numbers; what is not stored gets the next
-free one, which ends with it. Up to five are stored at a time.
+free one, which ends with it. Up to five are stored at a time. Systems with names (``#CS ADD``) lie
+on each other in a stack; ``#CS SELECT`` activates the stack from its bottom up to one of them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 
 from nctakt.decoder.commands import Answer, Command
 from nctakt.decoder.frames import MAIN_AXES
@@ -29,6 +30,8 @@ class SystemCommands:
         self._surroundings = values.surroundings
         self._stored: dict[int, tuple[float, ...]] = {}
         self._latest = 0
+        self._stack: dict[str, tuple[float, ...]] = {}
+        self._selected = 0
 
     def command(self, statement: syntax.HashCommand, number: int) -> Generator[Command, Answer]:
         """One command."""
@@ -40,16 +43,64 @@ class SystemCommands:
         if compensation.is_active:
             self._values.fail(900846, statement.span, command=f"#CS {command.action}")
         if command.action.startswith("OFF"):
-            is_one = command.action == "OFF"
-            if is_one and not offsets.systems.is_active:
+            if command.action == "OFF" and not offsets.systems.is_active:
                 self._values.fail(900841, statement.span)
-            for _ in range(1 if is_one else offsets.systems.count):
-                yield from offsets.leave_system(source, number)
+            count = offsets.systems.count
+            if command.action == "OFF":
+                count = 1 if count > self._selected else self._selected
+            yield from self._leave(count, source, number)
             return
         self._check_axes(statement.span)
+        if command.action == "ADD":
+            yield from self._add(command, statement.span, number)
+            return
+        if command.action == "SELECT":
+            yield from self._select(command.name, statement.span, number)
+            return
         components = yield from self._components(command, statement.span, number)
         if command.action == "ON":
             yield from offsets.enter_system(components, source, number)
+
+    def _leave(self, count: int, source: int, number: int) -> Generator[Command, Answer]:
+        """So many systems are off, the innermost first; a selected stack as a whole."""
+        offsets = self._surroundings.offsets
+        for _ in range(count):
+            yield from offsets.leave_system(source, number)
+        self._selected = min(self._selected, offsets.systems.count)
+
+    def _add(self, command: SystemCommand, span: Span, number: int) -> Generator[Command, Answer]:
+        """``#CS ADD``: the stack has one system more on its top; nothing else changes."""
+        if command.name in self._stack or len(self._stack) >= MOST_STORED:
+            names = ", ".join(self._stack)
+            self._values.fail(900930, span, name=command.name, most=MOST_STORED, known=names)
+        assert command.components is not None
+        self._stack[command.name] = yield from self._evaluated(command.components, number)
+
+    def _select(self, name: str, span: Span, number: int) -> Generator[Command, Answer]:
+        """``#CS SELECT``: the systems of the stack from its bottom up to this one are active."""
+        offsets = self._surroundings.offsets
+        if name not in self._stack:
+            known = ", ".join(self._stack) or "–"
+            self._values.fail(900931, span, name=name, known=known)
+        if offsets.systems.count > self._selected:
+            self._values.fail(900932, span)
+        source = self._surroundings.place(span)
+        yield from self._leave(self._selected, source, number)
+        for other, components in self._stack.items():
+            yield from offsets.enter_system(components, source, number)
+            self._selected += 1
+            if other == name:
+                return
+
+    def _evaluated(
+        self, components: Sequence[syntax.Expression], number: int
+    ) -> Generator[Command, Answer, tuple[float, ...]]:
+        """Shift in mm and angles."""
+        found: list[float] = []
+        for place, component in enumerate(components):
+            value = yield from self._values.evaluate(component, number)
+            found.append(value * self._values.state.length_unit_mm if place < 3 else value)
+        return tuple(found)
 
     def _check_axes(self, span: Span) -> None:
         axes = self._surroundings.axes
@@ -69,16 +120,13 @@ class SystemCommands:
                 known = ", ".join(map(str, self._stored)) or "–"
                 self._values.fail(900840, span, id=identity, known=known)
             return self._stored[identity]
-        found: list[float] = []
-        for place, component in enumerate(command.components):
-            value = yield from self._values.evaluate(component, number)
-            found.append(value * self._values.state.length_unit_mm if place < 3 else value)
+        found = yield from self._evaluated(command.components, number)
         if command.identity is None:
             if command.action == "ON":
-                return tuple(found)
+                return found
             identity = next(free for free in range(1, 7) if free not in self._stored)
         if identity not in self._stored and len(self._stored) >= MOST_STORED:
             self._values.fail(900844, span, most=MOST_STORED)
-        self._stored[identity] = tuple(found)
+        self._stored[identity] = found
         self._latest = identity
-        return tuple(found)
+        return found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of the program's coordinate systems, ``#CS`` (900840 … 900846)."""
+"""Messages of the program's coordinate systems, ``#CS`` (900840 … 900846, 900929 … 900932)."""
 
 from __future__ import annotations
 
@@ -83,6 +83,55 @@ _add(
     remedy_en="Write it before G41 and G42, or behind G40 and the motion that leaves the contour.",
     remedy_de="Vor G41 und G42 schreiben, oder hinter G40 und die Bewegung, die wegführt.",
     parameters={"command": "the word or command"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900929,
+    ERROR,
+    "{name} is no name for a coordinate system",
+    "{name} ist kein Name für ein Koordinatensystem",
+    remedy_en="Take another name of up to {most} characters; ACS, IMCS and MCS are those of the "
+    "machine, which has no kinematics here.",
+    remedy_de="Einen anderen Namen bis {most} Zeichen nehmen; ACS, IMCS und MCS sind die der "
+    "Maschine, die hier keine Kinematik hat.",
+    parameters={"name": "the name as written", "most": "upper limit"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900930,
+    ERROR,
+    "#CS ADD [{name}]: the name is taken, or the stack is full",
+    "#CS ADD [{name}]: der Name ist vergeben, oder der Stapel ist voll",
+    remedy_en="Up to {most} systems with different names lie on each other. There are: {known}",
+    remedy_de="Bis zu {most} Systeme mit verschiedenen Namen liegen aufeinander. Es gibt: {known}",
+    parameters={
+        "name": "the name as written",
+        "most": "upper limit",
+        "known": "those that are",
+    },
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900931,
+    ERROR,
+    "#CS SELECT [{name}]: no coordinate system has this name",
+    "#CS SELECT [{name}]: kein Koordinatensystem heißt so",
+    remedy_en="Define it with #CS ADD [{name}] [shift, angles] before. There are: {known}",
+    remedy_de="Vorher mit #CS ADD [{name}] [Verschiebung, Winkel] definieren. Es gibt: {known}",
+    parameters={"name": "the name as written", "known": "those that are"},
+    reaction=2,
+    clearing=3,
+)
+_add(
+    900932,
+    ERROR,
+    "#CS SELECT while a coordinate system of #CS ON is active",
+    "#CS SELECT, solange ein Koordinatensystem von #CS ON aktiv ist",
+    remedy_en="Take that off with #CS OFF before; it may be put on again inside the selected one.",
+    remedy_de="Jenes vorher mit #CS OFF abwählen; im angewählten darf es wieder an.",
     reaction=2,
     clearing=3,
 )

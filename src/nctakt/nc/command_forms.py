@@ -21,6 +21,8 @@ FORMS: dict[str, tuple[str, ...]] = {
         "#CS OFF",
         "#CS OFF ALL",
     ),
+    "#CS ADD": ("#CS ADD [WCS] [10, 0, 0, 0, 0, 30]",),
+    "#CS SELECT": ("#CS SELECT [WCS]",),
     "#DISABLE MODAL CYCLE": ("#DISABLE MODAL CYCLE",),
     "#DELETE": ("#DELETE V.P.NAME", "#DELETE V.P."),
     "#ERROR": ("#ERROR [ID=455]", "#ERROR [ID=455 RC=2 MID=1 PV1=P1 PM1=3]"),

@@ -91,10 +91,8 @@ _add(
     ERROR,
     "{name} is no name for a coordinate system",
     "{name} ist kein Name für ein Koordinatensystem",
-    remedy_en="Take another name of up to {most} characters; ACS, IMCS and MCS are those of the "
-    "machine, which has no kinematics here.",
-    remedy_de="Einen anderen Namen bis {most} Zeichen nehmen; ACS, IMCS und MCS sind die der "
-    "Maschine, die hier keine Kinematik hat.",
+    remedy_en="Take another name of up to {most} characters; ACS, IMCS and MCS belong to machines.",
+    remedy_de="Einen anderen Namen bis {most} Zeichen nehmen; ACS, IMCS, MCS gehören der Maschine.",
     parameters={"name": "the name as written", "most": "upper limit"},
     reaction=2,
     clearing=3,

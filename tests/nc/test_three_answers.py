@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""Each word that is known has one of three answers, and nothing is skipped in silence.
+
+nc-programs, "What a command that we know but do not simulate does": the table of ``support.py`` is
+the only place that tells, so the checker is held to it row by row.
+"""
+
+from __future__ import annotations
+
+import pytest
+from check_machine import findings
+
+from nctakt.nc import support
+from nctakt.nc.support import Answer, Entry, Kind
+
+#: The answers by the number of the message that tells them.
+REFUSED, ACCEPTED = 900200, 900201
+
+
+def told(block: str) -> list[tuple[int, str]]:
+    """Number and text of what is found in a program of one block."""
+    found = findings((block, "M30"), file="p.nc")
+    return [(one.id, one.render("en")) for one in found]
+
+
+def rows(kind: Kind, answer: Answer) -> list[Entry]:
+    """The rows of the table with this answer."""
+    return [one for one in support.entries() if (one.kind, one.answer) == (kind, answer)]
+
+
+@pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Answer.REFUSED), ids=lambda one: one.name)
+def test_a_refused_g_function_is_refused_by_name(entry: Entry) -> None:
+    """One error, which names the function and what it does."""
+    ((number, text),) = told(f"{entry.name} X1")
+    assert number == REFUSED
+    assert f"{entry.name} ({entry.meaning.en})" in text
+
+
+@pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Answer.ACCEPTED), ids=lambda one: one.name)
+def test_an_accepted_g_function_is_told_as_a_note(entry: Entry) -> None:
+    """Once per program, however often it stands there."""
+    found = findings((f"{entry.name} X1", f"{entry.name} X2", "M30"), file="p.nc")
+    assert [one.id for one in found] == [ACCEPTED]
+
+
+@pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Answer.SIMULATED), ids=lambda one: one.name)
+def test_a_simulated_g_function_is_neither(entry: Entry) -> None:
+    """It may lack its value or axis here; refused it is not."""
+    assert not {REFUSED, ACCEPTED} & {number for number, _ in told(f"{entry.name} X1")}
+
+
+@pytest.mark.parametrize("entry", rows(Kind.COMMAND, Answer.REFUSED), ids=lambda one: one.name)
+def test_a_refused_command_is_refused_by_name(entry: Entry) -> None:
+    """``#MC_`` stands for all that begin like it."""
+    name = entry.name + "POWER" if entry.name.endswith("_") else entry.name
+    numbers = [number for number, text in told(f"{name} [X]") if entry.meaning.en in text]
+    assert numbers == [REFUSED]
+
+
+@pytest.mark.parametrize("entry", rows(Kind.VARIABLE, Answer.REFUSED), ids=lambda one: one.name)
+def test_a_refused_family_of_variables_is_refused_by_name(entry: Entry) -> None:
+    """Read and written."""
+    for block in (f"P1 = {entry.name}.NONE.X", f"{entry.name}.NONE.X = 1"):
+        ((number, text),) = told(block)
+        assert number == REFUSED
+        assert entry.meaning.en in text
+
+
+@pytest.mark.parametrize(
+    "block",
+    [
+        "G7",
+        "M99",
+        "H99",
+        "Q1",
+        "ABC",
+        "#FOO",
+        "#CS FOO",
+        "$FOO",
+        "P1 = V.FOO.X",
+        "P1 = V.E.NOTHING",
+        "P1 = FOO[1]",
+        "P1 = FOO",
+        "X[FOO]",
+        "S9[M3]",
+        '#MSG FOO ["x"]',
+        "#TIMER FOO",
+        "#RT CYCLE FOO",
+        "#SLOPE [FOO=1]",
+        "LL NOWHERE",
+        "$GOTO [NOWHERE]",
+        'M110="x"',
+        "=5",
+        "]",
+    ],
+)
+def test_what_nobody_knows_is_an_error(block: str) -> None:
+    """Each of them is told at its line; none is passed over."""
+    found = findings((block, "M30"), file="p.nc")
+    assert any(one.severity.name == "ERROR" for one in found), block

@@ -81,3 +81,11 @@ def test_where_a_text_is_a_macro(text: str, shown: str) -> None:
     run = Controller().run(NcText("p.nc", text + '\n#MSG ["%g", P1]\nM30\n'))
     assert not run.errors, run.errors
     assert [event.text for event in run.events if event.kind == "message"] == [shown]
+
+
+def test_what_is_wrong_in_a_macro_is_named() -> None:
+    """The message shows the word of the macro's text; the place is the block that uses it."""
+    run = Controller().run(NcText("p.nc", '"A" = "X1 Q17"\n"A" Y1\nM30\n'))
+    (found,) = run.errors
+    assert found.text("en").startswith("Q17 is neither a word")
+    assert found.source_line == '"A" Y1'

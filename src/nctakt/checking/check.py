@@ -121,7 +121,8 @@ class _Checker:
             if path.resolve() not in self._covered:
                 self._list(path)
         self._names = {path.resolve(): path for path in gathered.programs}
-        for path in gathered.programs if not self._for_all else ():
+        first_of = {path.resolve().parent: path for path in gathered.programs}
+        for path in first_of.values() if not self._for_all else ():
             self._machine_around(path)
         for path in gathered.programs:
             self._want(path, self._targets.of(path), "either")

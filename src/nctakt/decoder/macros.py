@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import NoReturn
 
 from nctakt.decoder.rewriting import check
@@ -57,7 +58,8 @@ class Macros:
         if known is None:
             changed = self._places.statement(statement)
             if changed is not statement:
-                check(self._surroundings, self._fail, [changed], statement.span)
+                line = partial(self._surroundings.line, statement.span)
+                check(self._surroundings, self._fail, [changed], statement.span, line)
             if len(self._meant) == MOST_REMEMBERED:
                 self._meant.clear()
             known = self._meant[id(statement)] = (statement, changed)
@@ -92,7 +94,7 @@ class Macros:
             statements = parse_content(text, replace(block.head, skip=None, label=None))
         except BlockError as error:
             self._fail(error.number, block.span, **error.values)
-        check(self._surroundings, self._fail, statements, block.span)
+        check(self._surroundings, self._fail, statements, block.span, lambda: content)
         return statements
 
     def _text(self, word: syntax.BlockWord, span: Span) -> str:

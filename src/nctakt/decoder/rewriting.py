@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import replace
-from typing import NoReturn
+from functools import partial
+from typing import NoReturn, overload
 
 from nctakt.decoder.commands import Answer, Command
 from nctakt.decoder.surroundings import Surroundings
@@ -41,11 +42,15 @@ def check(
     fail: Callable[..., NoReturn],
     statements: Sequence[syntax.Statement],
     span: Span,
+    line: Callable[[], str],
     role: Role = "either",
 ) -> None:
-    """Check statements that stand at ``span``; the first mistake gives the program up."""
+    """Check statements that stand at ``span``; the first mistake gives the program up.
+
+    ``line`` gives the text that they were read from, where a message shows a part of it.
+    """
     collector = Collector()
-    source = Source(span.file, ())
+    source = Source(span.file, _OneLine(span.line, line))
     checker = Checker(source, surroundings.names, surroundings.parameters, collector)
     checker.begin(role)
     for statement in statements:
@@ -72,5 +77,29 @@ def with_numbers(
     meant = replace(block, words=tuple(words))
     is_main = len(values.state.levels.stack) == 1
     role: Role = "main" if is_main else "either"
-    check(values.surroundings, values.fail, [meant], block.span, role)
+    surroundings = values.surroundings
+    line = partial(surroundings.line, block.span)
+    check(surroundings, values.fail, [meant], block.span, line, role)
     return meant
+
+
+class _OneLine(Sequence[str]):
+    """A text of which only the line of this number matters, the last one."""
+
+    def __init__(self, number: int, line: Callable[[], str]) -> None:
+        self._number = number
+        self._line = line
+
+    def __len__(self) -> int:
+        return self._number
+
+    @overload
+    def __getitem__(self, index: int) -> str: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[str]: ...
+
+    def __getitem__(self, index: int | slice) -> str | Sequence[str]:
+        if isinstance(index, slice):
+            return [self[place] for place in range(*index.indices(self._number))]
+        return self._line() if index == self._number - 1 else ""

@@ -95,6 +95,17 @@ def straight(count: int) -> Iterator[str]:
     yield "M30"
 
 
+def beside(count: int) -> Iterator[str]:
+    """A spiral of straight blocks, with the tool outside of it (G42)."""
+    yield "G90 G01 X100 Y0 Z0 F12000\nG42 D1 G26"
+    for i in range(1, count - 2):
+        angle = 0.001 * i
+        radius = 100.0 + 0.0001 * i
+        x, y = radius * math.cos(angle), radius * math.sin(angle)
+        yield f"G01 X{x:.3f} Y{y:.3f} Z{0.01 * (i % 1000):.3f}"
+    yield "M30"
+
+
 def ordinary(count: int) -> Iterator[str]:
     """Expressions, variables, branches and loops."""
     head = "#VAR\nV.P.ANGLE = 0\nV.P.R = 0\nV.P.COUNT = 0\n#ENDVAR\nP1 = 0\nG90 F3000"
@@ -237,6 +248,10 @@ def main() -> None:
             if reference is None
             else reference.row("rs274")
         )
+        path = Path(folder, "beside.nc")
+        lines = write(beside(options.lines), path)
+        print(f"\n{lines:,} straight blocks, tool radius compensated")
+        print(measure("decode", path, lines).row("decode", "100,000 lines/s"), flush=True)
         path = Path(folder, "ordinary.nc")
         lines = write(ordinary(options.lines // ORDINARY_SHARE), path)
         print(f"\n{lines:,} ordinary lines")

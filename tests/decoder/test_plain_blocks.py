@@ -11,6 +11,7 @@ from __future__ import annotations
 import random
 import struct
 from collections.abc import Generator
+from math import cos, radians, sin
 from pathlib import Path
 
 import pytest
@@ -211,21 +212,79 @@ def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch, tmp_
     assert found[0] == found[1]
 
 
-@pytest.mark.parametrize("direction", ["G41", "G42"])
-def test_compensated_contours_go_by_the_tree(
-    direction: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """MO-9: between G41 or G42 and the motion behind G40 no block takes the short way."""
+def contour(seed: int) -> str:
+    """A program that goes beside a contour, mostly in plain lines."""
+    chance = random.Random(seed)
+    lines = ["G01 F6000", f"V.G.WZ_AKT.R = {chance.choice((0.2, 1, 3))}"]
+    lines += [chance.choice(("", "G360", "#SLOPE [TYPE=TRAPEZ]", "G261", "G94 F700"))]
+    lines += [chance.choice(("G25", "G26", "G138", "G237", "G239", "G91"))]
+    lines += [chance.choice(("G41", "G42", "G41 G26", "G42 G18", "G41 G19"))]
+    axes = {"8": "ZX", "9": "YZ"}.get(lines[-1][-1], "XY")
+    x = y = z = course = 0.0
+    for _ in range(chance.randrange(10, 90)):
+        course += radians(chance.choice((2, 2, 20, 60, 100)) * chance.uniform(-1, 1))
+        size = chance.choice((0.5, 8, 30))
+        x, y = x + size * cos(course), y + size * sin(course)
+        if lines[3] == "G91":
+            x, y = size * cos(course), size * sin(course)
+        line = f"{axes[0]}{x:.3f} {axes[1]}{y:.3f}"
+        kind = chance.randrange(60)
+        if kind < 8:
+            z += 0.3
+            line += f" {next(iter(set('XYZ') - set(axes)))}{z:.1f}"
+        if kind == 10:
+            line = "A5"
+        elif kind == 11:
+            line = chance.choice(("M100", "F900", "G04 0.01", "V.P.A = 3", "; only this", ""))
+        elif kind == 12:
+            line = chance.choice((f"G00 {line}\nG01", f"G02 {line} R300\nG01", f"N7 {line} ; note"))
+        elif kind == 13:
+            line = chance.choice(("G40", "G41", "G42", "G26", "G25", "V.G.WZ_AKT.R = 0.7", "G141"))
+        lines.append(line)
+    lines += ["G40", f"{axes[0]}{x + 50:.3f}", "X1 Y1 Z1", "M30"]
+    return "\n".join(["#VAR", "V.P.A = 1", "#ENDVAR", *lines])
+
+
+@pytest.mark.parametrize("seed", range(150))
+def test_both_ways_give_the_same_contours(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """MO-9: random contours beside which the tool goes, with what interrupts them."""
+    content = contour(seed)
+    water = 100_000 if seed % 2 else 1 + seed % 7
+    short = rows(content, water)
+    by_tree(monkeypatch)
+    assert rows(content, water) == short
+
+
+def test_contours_are_full_of_plain_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The comparison is worth something: most ways are put into the queue directly."""
+    taken = 0
+    fill = plain_blocks.PlainBlocks.fill
+
+    def count(blocks: plain_blocks.PlainBlocks, ring: CommandRing, timed: int) -> None:
+        nonlocal taken
+        before = ring.timed_count
+        fill(blocks, ring, timed)
+        taken += ring.timed_count - before
+
+    monkeypatch.setattr(plain_blocks.PlainBlocks, "fill", count)
+    found = [rows(contour(seed)) for seed in range(150)]
+    wrong = [one.id for _, diagnostics in found for one in diagnostics]
+    assert {900950, 90019} <= set(wrong)
+    assert taken > 0.5 * sum(len(queue) for queue, _ in found)
+
+
+def test_a_contour_that_is_damaged_is_told_at_its_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Diagnostics have the places of plain blocks that are over by now, without their comments."""
     content = "\n".join(
         (
-            "V.G.WZ_AKT.R = 2\nG01 F6000 X5\nY1",
-            f"{direction}\nX20 Y20\nX60\nF3000\nY50\nX20 Y50\nY20\nG40\nX0 Y0",
-            "X3\nX4 Y4\nM30",
+            "V.G.WZ_AKT.R = 2\nG01 F6000 X5\nY1\nG41\nX20 Y20\nX60 ; the side that is crossed",
+            "F3000\nY50\nX20 Y50\n  N9 Y20 (back)\nX10\nG40\nX0 Y0\nX3\nM30",
         )
     )
     found = rows(content)
-    assert found[1] == []
-    assert len(found[0]) > 10
+    assert [(one.id, str(one.span)) for one in found[1]] == [(900950, "p.nc:10:6")]
+    assert found[1][0].span is not None
+    assert found[1][0].span.end_column == 9
     by_tree(monkeypatch)
     assert rows(content) == found
 

@@ -14,6 +14,7 @@ contour ends where the tool is (G239).
 
 from __future__ import annotations
 
+import re
 from collections import deque
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass, field, replace
@@ -22,6 +23,8 @@ from typing import NoReturn
 from nctakt.decoder.arcs import PLANES, SAME_PLACE_MM, Arc
 from nctakt.decoder.commands import Answer, Command, ProgramEnd, Segment, pack, waits
 from nctakt.decoder.motion import PathMotion
+from nctakt.decoder.plain_beside import PlainBeside
+from nctakt.decoder.plain_blocks import PlainRun
 from nctakt.decoder.state import ENDS_WITHOUT_WAY, PERPENDICULAR
 from nctakt.decoder.surroundings import DecodeError
 from nctakt.decoder.tool_path import ARC, GAP, REACH, ToolPath
@@ -30,9 +33,13 @@ from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
 from nctakt.kernel.ring import TIMED_KINDS
 from nctakt.messages import diagnostic
+from nctakt.sources import NO_SOURCE, unpack
 
 #: Commands that may stand between the motions in the plane that are held.
 MOST_BETWEEN = 1000
+
+#: What ends a block within its line.
+_COMMENT = re.compile(r"[;(].*")
 
 #: A piece of the way: start, end, kind, centre, angle (``ToolPath.taken``).
 _Piece = tuple[float, ...]
@@ -67,7 +74,7 @@ class Compensation:
         self._path = path
         self._state = values.state.path
         self._took_time = took_time
-        self._tool = ToolPath()
+        self.tool = ToolPath()
         self._motions: deque[_Motion] = deque()
         self._spans: deque[tuple[int, Span]] = deque(maxlen=REACH + 2)
         self._between = 0
@@ -100,7 +107,7 @@ class Compensation:
         if isinstance(command, Segment) and self._state.compensation.is_active:
             yield from self._segment(command)
             return None
-        if self._motions and not isinstance(command, Segment):
+        if self._motions and not isinstance(command, Segment | PlainRun):
             if not waits(command) and not isinstance(command, ProgramEnd):
                 self._hold(command)
                 return None
@@ -125,7 +132,7 @@ class Compensation:
         self._took_time(segment)
         self._enter(segment, (x, y, x_2, y_2), distance)
         wanted.is_on_way = True
-        tool = self._tool
+        tool = self.tool
         tool.set_corners(wanted.by_arc, wanted.is_direct)
         if not tool.is_open:
             at = (x, y) if self._at is None else self._at
@@ -149,7 +156,7 @@ class Compensation:
         if not self._motions and self._at is None:
             yield segment
         elif self._moves_others(segment):
-            self._tool.parts = True
+            self.tool.parts = True
             if self._motions:
                 self._hold(segment)
             else:
@@ -157,7 +164,7 @@ class Compensation:
 
     def _enter(self, segment: Segment, ends: tuple[float, float, float, float], d: float) -> None:
         """Let the tool's path know the motion: its line or arc, and its distance ``d``."""
-        tool, before = self._tool, self._distance
+        tool, before = self.tool, self._distance
         wanted = self._state.compensation
         tool.side = 1.0 if (d or before) > 0.0 else -1.0
         tool.masks = wanted.masks
@@ -180,9 +187,9 @@ class Compensation:
 
     def _keep(self, segment: Segment) -> None:
         """The motion is held until the next one is there."""
-        number, wanted = self._tool.number, self._state.compensation
+        number, wanted = self.tool.number, self._state.compensation
         misfit = 90019 if segment.arc is None else 90038
-        if segment.arc is not None and not self._tool.latest_fits():
+        if segment.arc is not None and not self.tool.latest_fits():
             misfit = 900871
         motion = _Motion(
             number,
@@ -235,7 +242,7 @@ class Compensation:
 
     def _finish(self) -> Iterator[Command]:
         """The latest motion up to its end: nothing follows that it could be joined with."""
-        tool, wanted = self._tool, self._state.compensation
+        tool, wanted = self.tool, self._state.compensation
         side = 1.0 if self._distance > 0.0 else -1.0
         is_left = wanted.side * wanted.radius * side <= 0.0
         failed = None
@@ -255,7 +262,7 @@ class Compensation:
 
     def _tell_crossing(self) -> None:
         """The tool would cut the contour: a warning, or the error that P-CHAN-00219 wants."""
-        tool, spans = self._tool, dict(self._spans)
+        tool, spans = self.tool, dict(self._spans)
         span = spans[tool.crossing]
         crossed, tool.crossed = tool.crossed, 0
         line = spans[crossed].line
@@ -267,21 +274,105 @@ class Compensation:
         text = self._surroundings.line(span)
         self._surroundings.notice(diagnostic(900950, span, text, line=line))
 
+    # --- plain blocks ----------------------------------------------------------------------------
+
+    def can_hand_over(self) -> bool:
+        """Whether plain blocks may go on with the contour (``plain_beside.py``).
+
+        Then one line is held and nothing behind it, and only what comes next can end it.
+        """
+        wanted = self._state.compensation
+        if not wanted.is_active:
+            return True
+        if self._waits_for_loops or wanted.side * wanted.radius != self._distance:
+            return False
+        if len(self._motions) != 1 or not self.tool.is_open:
+            return False
+        held = self._motions[0].segment
+        return (
+            not self._motions[0].between
+            and held.arc is None
+            and held.pace is None
+            and self._motions[0].time_s == 0.0
+            and held.limits_jerk == self._state.limits_jerk
+            and held.deviation == (0.0 if held.exact_stop else self._deviation)
+        )
+
+    @property
+    def _deviation(self) -> float:
+        """How far the path may pass the end of a line as it comes."""
+        return self._state.deviation if self._state.contouring else 0.0
+
+    def hand_over(self, beside: PlainBeside) -> None:
+        """The line that is held goes on in plain blocks, if there is a contour."""
+        wanted = self._state.compensation
+        beside.is_on = wanted.is_active
+        if not beside.is_on:
+            return
+        held = self._motions[0].segment
+        beside.first, beside.second = PLANES[self._state.plane]
+        beside.distance = self._distance
+        beside.source, beside.number = held.source, held.number
+        for place, (start, target) in enumerate(zip(held.start, held.target, strict=True)):
+            beside.set_way(place, start, target)
+        beside.feed_v = held.feed
+        beside.stops = held.exact_stop
+        beside.deviation = self._deviation
+        beside.limits_jerk = self._state.limits_jerk
+        self.tool.side = 1.0 if self._distance > 0.0 else -1.0
+        self.tool.set_corners(wanted.by_arc, wanted.is_direct)
+
+    def take_back(self, beside: PlainBeside, file: str) -> None:
+        """Another line of the text ``file`` is held by now."""
+        before, number = self._motions[0], self.tool.number
+        if number == before.number:
+            return
+        for one in range(max(before.number + 1, number - REACH), number):
+            self._spans.append((one, self._span_of(beside.source_of(one), file)))
+        ways = [beside.way_of(place) for place in range(beside.count)]
+        segment = replace(
+            before.segment,
+            source=beside.source,
+            number=beside.number,
+            start=tuple(start for start, _ in ways),
+            target=tuple(target for _, target in ways),
+            feed=beside.feed_v,
+            exact_stop=beside.stops,
+            deviation=0.0 if beside.stops else beside.deviation,
+            limits_jerk=beside.limits_jerk,
+        )
+        span = self._span_of(beside.source, file)
+        self._spans.append((number, span))
+        self._motions[0] = replace(
+            before, number=number, segment=segment, span=span, misfit=90019, between=[]
+        )
+        self._at = (self.tool.at_x, self.tool.at_y)
+        if self._state.compensation.mode == ENDS_WITHOUT_WAY:
+            self._state.compensation.end = self.tool.beside_end()
+
+    def _span_of(self, source: int, file: str) -> Span:
+        """The place of a plain block: up to the end of its line, but for a comment."""
+        if source == NO_SOURCE:
+            return Span(file, 1, 1, 2)
+        _, line, column = unpack(source)
+        text = self._surroundings.line(Span(file, line, column, column + 1))
+        return Span(file, line, column, len(_COMMENT.sub("", text).rstrip()) + 1)
+
     # --- commands out ----------------------------------------------------------------------------
 
     def _release(self, kept: int) -> Iterator[Command]:
         """The motions that are known up to their end, but for so many."""
-        last = self._tool.number - self._tool.is_open - kept
+        last = self.tool.number - self.tool.is_open - kept
         while self._motions and self._motions[0].number <= last:
             motion = self._motions.popleft()
             self._between -= len(motion.between)
             try:
                 commands = self._commands(motion)
-                if self._tool.crossed:
+                if self.tool.crossed:
                     self._tell_crossing()
             except DecodeError:
                 self._motions.clear()  # what comes behind a mistake is not run
-                self._tool.give_up()
+                self.tool.give_up()
                 raise
             self.releases = True
             yield from commands
@@ -298,11 +389,11 @@ class Compensation:
     def _pieces(self, motion: _Motion) -> list[tuple[_Piece, float]]:
         """The pieces of a motion with their ways; none where it is swallowed."""
         found = []
-        while kind := self._tool.take(motion.number):
+        while kind := self.tool.take(motion.number):
             if kind == GAP:
                 self._fail(motion)
-            piece = self._tool.taken()
-            found.append((piece, self._tool.taken_way()))
+            piece = self.tool.taken()
+            found.append((piece, self.tool.taken_way()))
             self._at = (piece[2], piece[3])
         if not found and self._moves_others(motion.segment):
             assert self._at is not None

@@ -38,6 +38,8 @@ cdef class Corners:
     cdef int is_straight(self, Py_ssize_t one, Py_ssize_t other) noexcept
     @cython.locals(sine=double)
     cdef int is_outer(self, Py_ssize_t one, Py_ssize_t other, double distance) noexcept
+    @cython.locals(x=double, y=double, reach=double)
+    cdef int is_within(self, Py_ssize_t one, double low_x, double high_x, double low_y, double high_y) noexcept
     @cython.locals(rows=double[::1], corner_x=double, corner_y=double, x=double, y=double, x_2=double, y_2=double, cosine=double, share=double, reach=double)
     cdef void go_around(self, Py_ssize_t one, Py_ssize_t other, double distance) noexcept
     @cython.locals(rows=double[::1], angle=double)

@@ -202,6 +202,21 @@ class Corners:
             return 1 if self.cosine(one, other) < 0.0 else 0
         return 1 if sine * distance < 0.0 else 0
 
+    def is_within(self, one: int, low_x: float, high_x: float, low_y: float, high_y: float) -> int:
+        """Whether the way that ``join`` has found surely keeps these bounds."""
+        x = self.end_x
+        y = self.end_y
+        reach = 0.0
+        if self.way_count > 0:
+            x = self.motions[one + 2]
+            y = self.motions[one + 3]
+            reach = 1.5 * self.motions[one + 10]
+            if reach < 0.0:
+                reach = -reach
+        if not low_x <= x - reach or not x + reach <= high_x:
+            return 0
+        return 1 if low_y <= y - reach and y + reach <= high_y else 0
+
     # --- outer corners ---------------------------------------------------------------------------
 
     def go_around(self, one: int, other: int, distance: float) -> None:

@@ -12,11 +12,14 @@ from __future__ import annotations
 import math
 from collections.abc import Generator
 from dataclasses import dataclass
+from typing import Protocol
 
 from nctakt.decoder.commands import Answer, Command
+from nctakt.decoder.plain_beside import PlainBeside
 from nctakt.decoder.plain_motion import PlainMotion
 from nctakt.decoder.requests import MovedAxes
 from nctakt.decoder.technology import TechnologyOutputs
+from nctakt.decoder.tool_path import ToolPath
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
 from nctakt.kernel.ring import CommandRing
@@ -27,11 +30,31 @@ from nctakt.nc.source import LineReader
 from nctakt.sources import NO_SOURCE, pack
 
 
+class HeldContour(Protocol):
+    """A contour that the tool is beside, or may be (``compensation.py``)."""
+
+    tool: ToolPath
+
+    def can_hand_over(self) -> bool:
+        """Whether plain blocks may go on with it; true without a contour."""
+
+    def hand_over(self, beside: PlainBeside) -> None:
+        """What is held goes there."""
+
+    def take_back(self, beside: PlainBeside, file: str) -> None:
+        """And comes back, of this file."""
+
+
 class PlainBlocks:
     """The plain blocks of one program; not more than ``most`` in a row may take no time."""
 
     def __init__(
-        self, values: Values, moved: MovedAxes, technology: TechnologyOutputs, most: int
+        self,
+        values: Values,
+        moved: MovedAxes,
+        technology: TechnologyOutputs,
+        contour: HeldContour,
+        most: int,
     ) -> None:
         self._surroundings = values.surroundings
         self._state = values.state
@@ -39,10 +62,14 @@ class PlainBlocks:
         self._technology = technology
         parameters = self._surroundings.parameters
         self._scanner = plain_scanner(parameters)
-        self._motion = PlainMotion(self._scanner, len(self._surroundings.axes))
+        self._contour = contour
+        count = len(self._surroundings.axes)
+        self._beside = PlainBeside(contour.tool, count)
+        self._motion = PlainMotion(self._scanner, count, self._beside)
         self._motion.most_blocks = most
         self._motion.rapid_stops_exactly = parameters.exact_stop_after_g00
         self._lines: LineReader | None = None
+        self._file = ""
 
     def decode(self, reader: SectionReader, blocks: int) -> Generator[Command, Answer, int]:
         """Decode the plain blocks that come next.
@@ -76,12 +103,14 @@ class PlainBlocks:
             and not self._surroundings.offsets.systems.is_active
             and not self._surroundings.tells_blocks
             and self._moved.is_quiet
+            and self._contour.can_hand_over()
             and not self._technology.awaits_feed
         )
 
     def _hand_over(self, file: str) -> None:
         motion, state = self._motion, self._state
         surroundings = self._surroundings
+        self._file = file
         for index, axis in enumerate(surroundings.axes):
             motion.set_axis(
                 index,
@@ -99,6 +128,7 @@ class PlainBlocks:
         motion.stops_exactly = state.path.exact_stop
         motion.deviation = state.path.deviation if state.path.contouring else 0.0
         motion.limits_jerk = state.path.limits_jerk
+        self._contour.hand_over(self._beside)
         place = surroundings.place(Span(file, 1, 1, 2))
         motion.place = -1 if place == NO_SOURCE else place - pack(0, 1, 1)
 
@@ -107,6 +137,8 @@ class PlainBlocks:
         state.positions = motion.places()
         state.motion = motion.motion
         state.feed_mm_s = motion.feed_v
+        if self._beside.is_on:
+            self._contour.take_back(self._beside, self._file)
 
     def fill(self, ring: CommandRing, timed: int) -> None:
         """Fill the queue up to so many commands that take time, or up to a block that is not plain.
@@ -116,6 +148,8 @@ class PlainBlocks:
         lines = self._lines
         assert lines is not None
         ring.reserve(timed)
+        if not self._motion.resume(ring, timed):
+            return
         while ring.timed_count < timed:
             if not lines.more():
                 self._lines = None

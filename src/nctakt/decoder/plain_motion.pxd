@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 # C types of plain_motion.py.
 cimport cython
+from nctakt.decoder.plain_beside cimport PlainBeside
 from nctakt.kernel.ring cimport CommandRing
 from nctakt.nc.plain cimport PlainScanner
 
 cdef class PlainMotion:
     cdef readonly PlainScanner scanner
+    cdef readonly PlainBeside beside
     cdef readonly Py_ssize_t count
     cdef double[::1] positions
     cdef double[::1] start
@@ -29,7 +31,9 @@ cdef class PlainMotion:
 
     @cython.locals(end=Py_ssize_t, what=int, feed_v=double, stops=bint)
     cpdef Py_ssize_t fill(self, CommandRing ring, Py_ssize_t timed, list lines, Py_ssize_t index, long long number) except -1
+    cpdef bint resume(self, CommandRing ring, Py_ssize_t timed)
     @cython.locals(scanner=PlainScanner, what=int, motion=int, feed_v=double, moves=int, i=Py_ssize_t)
     cpdef int take(self, str line, long long number) except -1
+    cdef int fits(self, int motion)
     @cython.locals(scanner=PlainScanner, moves=int, i=Py_ssize_t, position=double, begin=double, place=double)
     cdef int aim(self)

@@ -10,6 +10,7 @@ Whatever that way would refuse or not do alone is left to it: the line is not ta
 
 from __future__ import annotations
 
+from nctakt.decoder.plain_beside import PlainBeside
 from nctakt.kernel.ring import CommandRing
 from nctakt.nc.plain import PlainScanner
 
@@ -23,8 +24,9 @@ class PlainMotion:
     time, ``most_blocks`` how many may be.
     """
 
-    def __init__(self, scanner: PlainScanner, count: int) -> None:
+    def __init__(self, scanner: PlainScanner, count: int, beside: PlainBeside) -> None:
         self.scanner = scanner
+        self.beside = beside
         self.count = count
         size = 8 * max(1, count)
         #: Where the axes are; where the latest block begins and ends: mm or degrees.
@@ -79,17 +81,26 @@ class PlainMotion:
             if what == 2:
                 feed_v = -1.0 if self.motion == 0 else self.feed_v
                 stops = self.stops_exactly or (self.motion == 0 and self.rapid_stops_exactly)
-                ring.put_line(
-                    self.source,
-                    self.scanner.number,
-                    self.start,
-                    self.target,
-                    feed_v,
-                    stops,
-                    0.0 if stops else self.deviation,
-                    self.limits_jerk,
-                )
+                if self.beside.is_on:
+                    self.beside.come(self.source, self.scanner.number, self.target, feed_v, stops)
+                    if not self.beside.put(ring, timed):
+                        return index
+                else:
+                    ring.put_line(
+                        self.source,
+                        self.scanner.number,
+                        self.start,
+                        self.target,
+                        feed_v,
+                        stops,
+                        0.0 if stops else self.deviation,
+                        self.limits_jerk,
+                    )
         return index
+
+    def resume(self, ring: CommandRing, timed: int) -> bool:
+        """Go on with the pieces of a line that the queue had no room for: true when it has."""
+        return not self.beside.waits or self.beside.put(ring, timed) != 0
 
     def take(self, line: str, number: int) -> int:
         """Decode the line of this number: 0 not taken, 1 nothing moves, 2 a line is due."""
@@ -108,6 +119,8 @@ class PlainMotion:
             moves = self.aim()
             if moves < 0 or motion > 1 or (moves == 1 and motion == 1 and feed_v <= 0.0):
                 return 0
+            if self.beside.is_on and moves == 1 and not self.fits(motion):
+                return 0
             for i in range(self.count):
                 self.start[i] = self.positions[i]
                 self.positions[i] = self.target[i]
@@ -121,6 +134,10 @@ class PlainMotion:
         if self.place >= 0:
             self.source = self.place + min(number, 16777215) * 1048576 + scanner.column
         return 2
+
+    def fits(self, motion: int) -> int:
+        """Whether the tool can go beside the scanned block, with nothing to tell of it."""
+        return self.beside.fits(self.positions, self.target, self.lows, self.highs, motion != 0)
 
     def aim(self) -> int:
         """Put the target of the scanned block: 1 it is elsewhere, 0 it is not, -1 out of limits."""

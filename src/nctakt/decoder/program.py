@@ -93,7 +93,11 @@ class ProgramDecoder:
         self._next_cycle = next_cycle
         self._keep_cycle = keep_cycle
         self._plain = PlainBlocks(
-            self._values, self._moved, self._words.technology, MOST_BLOCKS_WITHOUT_TIME
+            self._values,
+            self._moved,
+            self._words.technology,
+            self._compensation,
+            MOST_BLOCKS_WITHOUT_TIME,
         )
         self._takes_runs = takes_runs
         self._blocks = 0

@@ -147,8 +147,7 @@ class ModalState:
         """
         pace = self.pace
         has_override = pace.path_override != (1.0, 1.0) or bool(pace.axis_overrides)
-        is_compensated = self.path.compensation.is_active
-        return pace.feed_mode == 94 and not has_override and not is_compensated
+        return pace.feed_mode == 94 and not has_override
 
     @property
     def length_unit_mm(self) -> float:

@@ -32,6 +32,8 @@ cdef class ToolPath:
     cpdef void begin(self, double x, double y, bint is_perpendicular) noexcept
     @cython.locals(at=Py_ssize_t, meets=int)
     cpdef bint add(self) noexcept
+    @cython.locals(at=Py_ssize_t, count=Py_ssize_t, barrier=Py_ssize_t, x=double, y=double)
+    cdef bint try_add(self, double low_x, double high_x, double low_y, double high_y) noexcept
     @cython.locals(end_x=double, end_y=double)
     cpdef bint close(self, bint is_perpendicular) noexcept
     cpdef bint latest_fits(self) noexcept
@@ -55,4 +57,5 @@ cdef class ToolPath:
     cdef void leave_out(self, Py_ssize_t first, Py_ssize_t last) noexcept
     @cython.locals(kind=int, noted=double, one=Py_ssize_t)
     cpdef int take(self, long long number) noexcept
+    cdef Py_ssize_t taken_place(self) noexcept
     cpdef bint goes_on(self, long long number) noexcept

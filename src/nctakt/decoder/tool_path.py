@@ -128,6 +128,35 @@ class ToolPath:
         self.open(at)
         return True
 
+    def try_add(self, low_x: float, high_x: float, low_y: float, high_y: float) -> bool:
+        """Join the motion with the one before it if there is nothing to tell of that.
+
+        False, and all is as it was: that one does not fit, or its way crosses another one, or it
+        may come near to these bounds.
+        """
+        at = 20 - self.latest
+        if not self.corners.join(self.latest, at):
+            return False
+        if not self.corners.is_within(self.latest, low_x, high_x, low_y, high_y):
+            return False
+        self.make_room()
+        count = self.count
+        barrier = self.barrier
+        x = self.at_x
+        y = self.at_y
+        if self.put_motion(1) and self.crossed == 0:
+            self.corners.motions[at + 15] = self.at_x
+            self.corners.motions[at + 16] = self.at_y
+            self.open(at)
+            return True
+        self.count = count
+        self.barrier = barrier
+        self.at_x = x
+        self.at_y = y
+        self.crossed = 0
+        self.is_open = True
+        return False
+
     def close(self, is_perpendicular: bool) -> bool:
         """The latest motion ends beside its end, or goes back from there to the contour."""
         self.corners.place_end(self.latest)
@@ -306,6 +335,10 @@ class ToolPath:
         """Start, end, kind, centre and angle of the piece that was taken last."""
         base = (self.out - 1) * 16
         return tuple([self.rows[base + i] for i in range(8)])
+
+    def taken_place(self) -> int:
+        """Where the row of the piece begins that was taken last."""
+        return (self.out - 1) * 16
 
     def taken_way(self) -> float:
         """Its length."""

@@ -32,6 +32,9 @@ cdef class CommandRing:
     cdef void end_segment(self, Py_ssize_t base, double feed_v, int exact_stop, double deviation) noexcept nogil
     @cython.locals(base=Py_ssize_t, i=Py_ssize_t)
     cdef void put_line(self, double source, double number, double[::1] start, double[::1] target, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
+    @cython.locals(base=Py_ssize_t, i=Py_ssize_t)
+    cdef void put_arc(self, double source, double number, double[::1] start, double[::1] target, double[::1] arc, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
+    cpdef void block_goes_on(self) noexcept
     @cython.locals(before=Py_ssize_t, limits_jerk=bint)
     cdef int is_like(self, Py_ssize_t number, Py_ssize_t base) noexcept nogil
     cdef int passes(self, int kind) noexcept nogil

@@ -195,6 +195,29 @@ class CommandRing:
             self.queue[base + 12 + self.path.count + i] = target[i]
         self.end_segment(base, feed_v, exact_stop, deviation)
 
+    def put_arc(
+        self,
+        source: int,
+        number: int,
+        start: memoryview[float],
+        target: memoryview[float],
+        arc: memoryview[float],
+        feed_v: float,
+        exact_stop: int,
+        deviation: float,
+        limits_jerk: int,
+    ) -> None:
+        """``put_segment`` of an arc, without objects; there is room for it (``reserve``)."""
+        base = self.tail % self.capacity * self.width
+        self.begin_segment(base, source, number, exact_stop, limits_jerk)
+        for i in range(self.path.count):
+            self.queue[base + 12 + i] = start[i]
+            self.queue[base + 12 + self.path.count + i] = target[i]
+        self.queue[base + 9] = 1.0
+        for i in range(5):
+            self.queue[base + 12 + 2 * self.path.count + 7 + i] = arc[i]
+        self.end_segment(base, feed_v, exact_stop, deviation)
+
     def begin_segment(
         self, base: int, source: int, number: int, exact_stop: int, limits_jerk: int
     ) -> None:

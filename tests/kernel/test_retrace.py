@@ -128,6 +128,25 @@ def test_the_way_back_passes_block_ends_with_a_limit_of_the_jerk() -> None:
         assert violations(run.trace[SIGNALS[i]], name, MOST_JERK_MM) == []
 
 
+def test_the_way_back_has_the_override_of_each_block() -> None:
+    """MO-5: from a block with G166 at 100 mm/s into one at 20 % of them, fast only up to it."""
+
+    class Slow(Returner):
+        def cycle(self, hli: Interface) -> None:
+            super().cycle(hli)
+            hli.override_pct = 20.0
+
+    text = "G01 X50 F6000\nG166 X100\nM30"
+    signals = [*SIGNALS, "PATH.SPEED"]
+    run = Controller(DEMO).run(NcText("p.nc", text), signals=signals, plc=Slow(2950, 6000))
+    assert run.trace is not None
+    x, speed = np.asarray(run.trace[SIGNALS[0]]), np.asarray(run.trace["PATH.SPEED"])
+    back = np.asarray(run.trace["HLI.RETRACE"]) == 1
+    assert speed[back].max() == pytest.approx(100.0)
+    assert speed[back & (x < 50.0)].max() == pytest.approx(20.0)
+    assert violations(x, "X") == []
+
+
 @pytest.mark.parametrize("way", ["reset", "error"])
 @pytest.mark.parametrize("slope", ["", JERK_LIMITED])
 @pytest.mark.parametrize("seed", range(6))

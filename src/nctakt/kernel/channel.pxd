@@ -5,7 +5,6 @@ from nctakt.kernel cimport arithmetic
 from nctakt.kernel.taking cimport Commands
 
 cdef class Channel(Commands):
-    cdef double max_override_pct
     cdef double total_pct
     cdef public Py_ssize_t low_water
     cdef public bint decoder_open
@@ -27,7 +26,7 @@ cdef class Channel(Commands):
     cdef void run_cycles(self) noexcept nogil
     @cython.locals(factor=double, stops=bint, goes_on=int)
     cdef void interpolate(self) noexcept nogil
-    @cython.locals(programmed=double, operator=double, pct=double, spindle=Py_ssize_t, speed_v=double)
+    @cython.locals(factor=double)
     cdef double override(self) noexcept nogil
     cdef void watch_stops(self) noexcept nogil
     @cython.locals(goes_on=int)

@@ -42,7 +42,7 @@ class Channel(Commands):
         single_axes: SingleAxes,
     ) -> None:
         super().__init__(memory, first_cell, record, hli, manager, path, timers, ahead, single_axes)
-        self.max_override_pct = max_override_pct
+        self.overrides.most_pct = max_override_pct
         self.total_pct = 100.0
         self.low_water = max(LOW_WATER, ahead.blocks)
         self.decoder_open = False
@@ -189,25 +189,16 @@ class Channel(Commands):
     def override(self) -> float:
         """What the current segment's prepared speed is multiplied with in this tick (RC-305).
 
-        ``total_pct``: operator's, programmed and CYCLE part. The programmed part is in the prepared
-        speed already; P-CHAN-00056 bounds the others, as contour preparation counts with it. G166
-        leaves out operator's and programmed part; under G95 the speed follows the spindle's.
+        ``total_pct``: operator's, programmed and CYCLE part.
         """
-        programmed = self.path.pace(0)
-        operator = self.panel.override_pct
-        if self.path.pace(1) > 0.0:
-            operator = 100.0
-        pct = min(operator * self.cells[self.first_cell] / 100.0, self.max_override_pct)
-        self.total_pct = pct
-        if programmed == 0.0:
-            return pct / 100.0
-        self.total_pct = pct * programmed
-        spindle = int(self.path.pace(2))
-        if spindle > 0:
-            speed_v = self.context.spindles.speed_v[spindle - 1]
-            pct *= (speed_v if speed_v > 0.0 else 0.0 - speed_v) / self.path.pace(3)
-            pct = min(pct, max(100.0, self.max_override_pct))
-        return pct / 100.0
+        self.overrides.operator_pct = self.panel.override_pct
+        self.overrides.cycle_pct = self.cells[self.first_cell]
+        if self.path.is_active and not self.path.is_dwell:
+            factor = self.overrides.factor(self.path.ring, self.path.base)
+        else:
+            factor = self.overrides.none()
+        self.total_pct = self.overrides.total_pct
+        return factor
 
     def step_back(self, factor: float, stops: int) -> int:
         """One increment while backward motion is commanded, or forward over the history (MO-7)."""

@@ -103,7 +103,6 @@ cdef class Path:
     cdef int stands(self) noexcept nogil
     cdef double rest_d(self) noexcept nogil
     cdef double promised_speed(self, Py_ssize_t place) noexcept nogil
-    cdef double pace(self, int place) noexcept nogil
     cdef double block_number(self) noexcept nogil
     cdef double covered_way(self) noexcept nogil
     @cython.locals(acceleration=double, way=double)

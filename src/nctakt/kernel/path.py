@@ -458,15 +458,6 @@ class Path:
             return 0.0
         return self.ring[self.front + place]
 
-    def pace(self, place: int) -> float:
-        """What the current segment's pace has there: 0 without one, and in a dwell (``shape.py``).
-
-        0: programmed override, 1: no operator's, 2: spindle, 3: its speed.
-        """
-        if not self.is_active or self.is_dwell:
-            return 0.0
-        return self.ring[self.base + self.width - 4 + place]
-
     def block_number(self) -> float:
         """The N number of the current block."""
         return self.ring[self.base + 2]

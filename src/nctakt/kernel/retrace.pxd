@@ -6,12 +6,14 @@ from nctakt.kernel cimport shape
 from nctakt.kernel.history cimport History
 from nctakt.kernel.lookahead cimport LookAhead
 from nctakt.kernel.motion cimport Profile
+from nctakt.kernel.overrides cimport Overrides
 from nctakt.kernel.panel cimport Panel
 from nctakt.kernel.path cimport Path
 from nctakt.kernel.record cimport Record
 
 cdef class Retrace(History):
     cdef Panel panel
+    cdef Overrides overrides
     cdef Record record
     cdef Profile profile
     cdef int stage
@@ -39,15 +41,16 @@ cdef class Retrace(History):
     cdef void turn(self, int wanted) noexcept nogil
     cdef void go(self, int direction) noexcept nogil
     cdef void return_to_front(self, double covered_d) noexcept nogil
-    cdef double feed_speed(self, Py_ssize_t base, double factor) noexcept nogil
+    @cython.locals(factor=double)
+    cdef double feed_speed(self, Py_ssize_t base, int is_free) noexcept nogil
     @cython.locals(speed=double)
-    cdef double stage_speed(self, Py_ssize_t base, int stage, double factor) noexcept nogil
+    cdef double stage_speed(self, Py_ssize_t base, int stage, int is_free) noexcept nogil
     @cython.locals(first=Py_ssize_t, second=Py_ssize_t)
-    cdef double corner_speed(self, long long place, long long other, double factor) noexcept nogil
+    cdef double corner_speed(self, long long place, long long other, int is_free) noexcept nogil
     @cython.locals(base=Py_ssize_t, end_v=double, limit_v=double)
-    cdef double front_speed(self, double factor) noexcept nogil
+    cdef double front_speed(self, int is_free) noexcept nogil
     @cython.locals(place=cython.longlong, stage=int, base=Py_ssize_t, most2=double, gained2=double, speed=double, other=cython.longlong, limit_a=double)
-    cdef double border_speed(self, double factor) noexcept nogil
+    cdef double border_speed(self, int is_free) noexcept nogil
     @cython.locals(end_v=double, feed_v=double, least2=double)
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
     @cython.locals(rest_d=double, limit_a=double, end_v=double)

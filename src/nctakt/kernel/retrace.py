@@ -19,6 +19,7 @@ from nctakt.kernel import arithmetic, shape
 from nctakt.kernel.history import History
 from nctakt.kernel.lookahead import LookAhead
 from nctakt.kernel.motion import Profile
+from nctakt.kernel.overrides import Overrides
 from nctakt.kernel.panel import Panel
 from nctakt.kernel.path import Path
 from nctakt.kernel.record import Record
@@ -33,8 +34,11 @@ class Retrace(History):
     ``entered``: the N number of the block that the walk has come to within this tick, else -1.
     """
 
-    def __init__(self, path: Path, panel: Panel, record: Record, ahead: LookAhead) -> None:
+    def __init__(
+        self, path: Path, panel: Panel, record: Record, ahead: LookAhead, overrides: Overrides
+    ) -> None:
         super().__init__(path, ahead)
+        self.overrides = overrides
         self.panel = panel
         self.record = record
         self.profile = Profile()
@@ -88,7 +92,7 @@ class Retrace(History):
             self.path.limit_v = 0.0
             return 0
         halts = is_stopping or self.path.direction != wanted or self.panel.is_paused
-        limit_v = 0.0 if halts else self.feed_speed(self.path.base, factor)
+        limit_v = 0.0 if halts else self.feed_speed(self.path.base, 0)
         is_changed = factor != self.factor or self.path.is_single != self.is_single
         if limit_v != self.path.limit_v or is_changed:
             self.factor = factor
@@ -159,32 +163,35 @@ class Retrace(History):
 
     # --- the speeds -----------------------------------------------------------------------------
 
-    def feed_speed(self, base: int, factor: float) -> float:
-        """The speed limit of a segment with this override; a huge one: what the axes can do."""
+    def feed_speed(self, base: int, is_free: int) -> float:
+        """The speed limit of a segment with its override; ``is_free``: what the axes can do."""
+        if is_free:
+            return self.path.ring[base + 5]
+        factor = self.overrides.factor(self.path.ring, base)
         return min(self.path.ring[base + 4] * factor, self.path.ring[base + 5])
 
-    def stage_speed(self, base: int, stage: int, factor: float) -> float:
+    def stage_speed(self, base: int, stage: int, is_free: int) -> float:
         """The speed limit of a stage: that of its segment, on a curve that of the curve as well."""
-        speed = self.feed_speed(base, factor)
+        speed = self.feed_speed(base, is_free)
         if stage == 3:
             speed = min(speed, self.path.ring[base + 12 + 2 * self.path.count + 5])
         return speed
 
-    def corner_speed(self, place: int, other: int, factor: float) -> float:
+    def corner_speed(self, place: int, other: int, is_free: int) -> float:
         """The highest speed from the segment at ``place`` into its neighbour, or into the front."""
-        if other < self.path.oldest or (self.path.is_single and factor < 1e299):
+        if other < self.path.oldest or (self.path.is_single and not is_free):
             return 0.0
         first = self.path.row_of(place if self.path.direction > 0 else other)
         if self.path.ring[first + 10] > 0.0:
             return 0.0
         if other == self.front_place:
-            return min(self.front_speed(factor), self.path.ring[first + 11])
+            return min(self.front_speed(is_free), self.path.ring[first + 11])
         second = self.path.row_of(other if self.path.direction > 0 else place)
         if self.path.ring[second + 10] > 0.0 or self.is_shut(self.path.row_of(other)):
             return 0.0
         return self.path.ring[first + 11]
 
-    def front_speed(self, factor: float) -> float:
+    def front_speed(self, is_free: int) -> float:
         """The highest speed into the segment at the front; 0 where it is over or a dwell."""
         base = self.path.front
         if (
@@ -194,10 +201,10 @@ class Retrace(History):
         ):
             return 0.0
         end_v = self.path.ring[base + 7]
-        limit_v = self.feed_speed(base, factor)
+        limit_v = self.feed_speed(base, is_free)
         return shape.entry_speed(self.path.ring, base, self.path.count, 0, end_v, limit_v)
 
-    def border_speed(self, factor: float) -> float:
+    def border_speed(self, is_free: int) -> float:
         """The highest speed at the end of the stage from which all that follows can be kept.
 
         Each border that follows may be passed with its own highest speed; what is braked up to it
@@ -209,17 +216,17 @@ class Retrace(History):
         most2 = 1e300
         gained2 = 0.0
         while True:
-            speed = self.stage_speed(base, stage, factor)
+            speed = self.stage_speed(base, stage, is_free)
             stage = self.next_stage(base, stage)
             if stage < 0:
                 other = self.neighbour(place, self.path.direction)
-                speed = min(speed, self.corner_speed(place, other, factor))
+                speed = min(speed, self.corner_speed(place, other, is_free))
                 if speed == 0.0 or other == self.front_place:
                     return arithmetic.square_root(min(most2, speed * speed + gained2))
                 place = other
                 base = self.path.row_of(place)
                 stage = self.next_stage(base, 4 if self.path.direction < 0 else -1)
-            speed = min(speed, self.stage_speed(base, stage, factor))
+            speed = min(speed, self.stage_speed(base, stage, is_free))
             most2 = min(most2, speed * speed + gained2)
             if gained2 >= most2:
                 return arithmetic.square_root(most2)
@@ -228,8 +235,8 @@ class Retrace(History):
 
     def end_speed(self, rest_d: float, limit_a: float) -> float:
         """The speed at the end of the stage: the override's, as far as braking comes to it."""
-        end_v = self.border_speed(1e300)
-        feed_v = self.border_speed(self.factor)
+        end_v = self.border_speed(1)
+        feed_v = self.border_speed(0)
         if feed_v < end_v:
             least2 = self.path.speed_v * self.path.speed_v - 2.0 * limit_a * rest_d
             end_v = min(end_v, max(feed_v, arithmetic.square_root(max(least2, 0.0))))
@@ -247,7 +254,7 @@ class Retrace(History):
         limit_a = shape.stage_acceleration(
             self.path.ring, self.path.base, self.path.count, self.stage
         )
-        limit_v = min(limit_v, self.stage_speed(self.path.base, self.stage, self.factor))
+        limit_v = min(limit_v, self.stage_speed(self.path.base, self.stage, 0))
         end_v = self.end_speed(rest_d, limit_a)
         self.profile.plan(rest_d, self.path.speed_v, end_v, limit_v, limit_a)
 
@@ -389,9 +396,11 @@ class Retrace(History):
                 return 0
             elif not self.path.is_away:
                 self.path.offset_t = self.path.left_t
+                self.factor = self.overrides.factor(self.path.ring, self.path.base)
                 return self.path.step_carried(self.factor, is_stopping)
             elif self.path.limit_v > 0.0:
-                self.path.limit_v = self.feed_speed(self.path.base, self.factor)
+                self.factor = self.overrides.factor(self.path.ring, self.path.base)
+                self.path.limit_v = self.feed_speed(self.path.base, 0)
             self.replan(self.path.limit_v)
 
     def stop_between(self) -> None:

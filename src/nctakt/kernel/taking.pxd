@@ -9,6 +9,7 @@ from nctakt.kernel.hli cimport Hli
 from nctakt.kernel.memory cimport Context
 from nctakt.kernel.panel cimport Panel
 from nctakt.kernel.record cimport Record
+from nctakt.kernel.overrides cimport Overrides
 from nctakt.kernel.retrace cimport Retrace
 from nctakt.kernel.ring cimport CommandRing
 from nctakt.kernel.single_axes cimport SingleAxes
@@ -23,6 +24,7 @@ cdef class Commands(CommandRing):
     cdef readonly Panel panel
     cdef readonly CycleManager manager
     cdef readonly Retrace retrace
+    cdef Overrides overrides
     cdef readonly FixedStops stops
     cdef bint is_at_stop
     cdef readonly EdgeProbe edge

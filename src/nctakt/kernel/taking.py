@@ -17,6 +17,7 @@ from nctakt.kernel.fixed_stops import FixedStops
 from nctakt.kernel.hli import Hli
 from nctakt.kernel.lookahead import LookAhead
 from nctakt.kernel.memory import Context
+from nctakt.kernel.overrides import Overrides
 from nctakt.kernel.path import Path
 from nctakt.kernel.record import Record
 from nctakt.kernel.retrace import Retrace
@@ -49,11 +50,12 @@ class Commands(CommandRing):
         self.hli = hli
         self.panel = hli.panel
         self.manager = manager
-        self.retrace = Retrace(path, hli.panel, record, ahead)
         self.stops = FixedStops(path, record)
         self.is_at_stop = False
         self.edge = EdgeProbe(path, hli, record, memory, first_cell + 3)
         self.context = Context(memory, record, hli, timers, single_axes)
+        self.overrides = Overrides(self.context, path.width)
+        self.retrace = Retrace(path, hli.panel, record, ahead, self.overrides)
         self.program_timers = timers
         self.waiting = 0
         self.taken_source = 0

@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel cimport arithmetic
 from nctakt.kernel.coordinates cimport Offsets, Turns
 
+@cython.final
 cdef class Axes:
     cdef double[::1] cells
     cdef readonly Py_ssize_t first_cell
@@ -32,6 +33,10 @@ cdef class Axes:
     cdef readonly Offsets offsets
     cdef Turns turns
     cdef bint has_moved
+    cdef bint is_shifted
+    cdef double[::1] shown_command
+    cdef double[::1] shown_real
+    cdef double[::1] shown_target
 
     @cython.locals(i=Py_ssize_t, step=double, sent=double, lag=double)
     cdef void follow(self) noexcept nogil
@@ -39,8 +44,11 @@ cdef class Axes:
     cdef double way(self, Py_ssize_t i, double begin, double end) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, base=Py_ssize_t, here=double, real=double, there=double, rest=double, shift=double)
+    @cython.locals(i=Py_ssize_t, real=double)
     cdef void publish(self) noexcept nogil
+    cdef int is_shown(self, Py_ssize_t i, double real) noexcept nogil
+    @cython.locals(base=Py_ssize_t, rest=double, shift=double)
+    cdef void publish_axis(self, Py_ssize_t i, double here, double real, double there) noexcept nogil
     @cython.locals(base=Py_ssize_t, pct=double)
     cdef void publish_override(self, Py_ssize_t i, double operator_pct) noexcept nogil
     @cython.locals(real=double)

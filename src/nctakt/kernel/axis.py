@@ -16,8 +16,11 @@ With ``is_late`` a drive gets each command one tick later: the order STANDARD of
 out first what the tick before has computed.
 
 Command and target of a modulo axis run on over the range while it moves; the cells show them within
-it. ``on_path`` tells which axes the current block moves, ``independent`` which ones move on their
-own (MO-13); ``independent_pct`` is the override of the latter (RC-305).
+it. The cells of an axis are written where its positions are others than those shown last
+(``shown_…``), and where the systems have changed (``is_shifted``).
+
+``on_path`` tells which axes the current block moves, ``independent`` which ones move on their own
+(MO-13); ``independent_pct`` is the override of the latter (RC-305).
 """
 
 from __future__ import annotations
@@ -63,6 +66,10 @@ class Axes:
             self.stop_high[i] = 1e300
         self.offsets = Offsets(count)
         self.turns = Turns(count)
+        self.shown_command = memoryview(bytearray(8 * count)).cast("d")
+        self.shown_real = memoryview(bytearray(8 * count)).cast("d")
+        self.shown_target = memoryview(bytearray(8 * count)).cast("d")
+        self.is_shifted = True
         self.has_moved = True
 
     def begin_tick(self) -> None:
@@ -99,26 +106,39 @@ class Axes:
             return
         self.has_moved = False
         for i in range(self.count):
-            base = self.first_cell + i * 21
-            rest = self.target[i] - self.command[i]
-            here = self.command[i]
             real = self.real_place(i)
-            there = self.target[i]
-            if self.modulo_range[i] > 0.0:
-                here = arithmetic.within(here, self.modulo_low[i], self.modulo_range[i])
-                real = arithmetic.within(real, self.modulo_low[i], self.modulo_range[i])
-                there = arithmetic.within(there, self.modulo_low[i], self.modulo_range[i])
-            self.cells[base] = here
-            self.cells[base + 1] = real
-            self.cells[base + 2] = there
-            self.publish_system(base + 3, here, real, there, rest)
-            shift = self.offsets.program[i]
-            self.publish_system(base + 7, here - shift, real - shift, there - shift, rest)
-            self.publish_system(base + 11, here, real, there, rest)
+            if self.is_shifted or not self.is_shown(i, real):
+                self.shown_command[i] = self.command[i]
+                self.shown_real[i] = real
+                self.shown_target[i] = self.target[i]
+                self.publish_axis(i, self.command[i], real, self.target[i])
+        self.is_shifted = False
         if self.turns.active > 0:
             for i in range(self.count):
                 if self.turns.second[i] > 0:
                     self.publish_turned(i)
+
+    def is_shown(self, i: int, real: float) -> int:
+        """Whether the cells of an axis hold its positions."""
+        if self.command[i] != self.shown_command[i] or real != self.shown_real[i]:
+            return 0
+        return 1 if self.target[i] == self.shown_target[i] else 0
+
+    def publish_axis(self, i: int, here: float, real: float, there: float) -> None:
+        """Write the positions of an axis in all systems, of a modulo axis within its range."""
+        base = self.first_cell + i * 21
+        rest = there - here
+        if self.modulo_range[i] > 0.0:
+            here = arithmetic.within(here, self.modulo_low[i], self.modulo_range[i])
+            real = arithmetic.within(real, self.modulo_low[i], self.modulo_range[i])
+            there = arithmetic.within(there, self.modulo_low[i], self.modulo_range[i])
+        self.cells[base] = here
+        self.cells[base + 1] = real
+        self.cells[base + 2] = there
+        self.publish_system(base + 3, here, real, there, rest)
+        shift = self.offsets.program[i]
+        self.publish_system(base + 7, here - shift, real - shift, there - shift, rest)
+        self.publish_system(base + 11, here, real, there, rest)
 
     def publish_turned(self, i: int) -> None:
         """PCS of the three axes of a turned system: its inverse matrix from the other side."""
@@ -184,23 +204,27 @@ class Axes:
     def set_offset(self, axis: int, kind: int, value: float) -> None:
         """Another offset is active: the positions in PCS differ from now on (MO-8)."""
         self.offsets.set(axis, kind, value)
+        self.is_shifted = True
         self.has_moved = True
         self.publish()
 
     def set_origin(self, axis: int, value: float) -> None:
         """The coordinate system of the program begins elsewhere from now on."""
         self.offsets.set_origin(axis, value)
+        self.is_shifted = True
         self.has_moved = True
         self.publish()
 
     def turn(self, row: memoryview[float], base: int) -> None:
         """The coordinate system of a program is turned otherwise from now on."""
         self.turns.set(row, base)
+        self.is_shifted = True
         self.has_moved = True
         self.publish()
 
     def publish_all(self) -> None:
         """``publish`` before the first tick."""
+        self.is_shifted = True
         self.has_moved = True
         self.publish()
 

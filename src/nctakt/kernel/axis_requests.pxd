@@ -3,6 +3,7 @@
 cimport cython
 from nctakt.kernel.single_axes cimport SingleAxes
 
+@cython.final
 cdef class AxisRequests:
     cdef SingleAxes single_axes
     cdef Py_ssize_t capacity

@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel cimport arithmetic
 from nctakt.kernel.taking cimport Commands
 
+@cython.final
 cdef class Channel(Commands):
     cdef double total_pct
     cdef public Py_ssize_t low_water

@@ -2,6 +2,7 @@
 # C types of coordinates.py.
 cimport cython
 
+@cython.final
 cdef class Offsets:
     cdef double[::1] values
     cdef double[::1] program
@@ -14,6 +15,7 @@ cdef class Offsets:
     cdef double outer(self, Py_ssize_t axis) noexcept nogil
     cdef double inner(self, Py_ssize_t axis) noexcept nogil
 
+@cython.final
 cdef class Turns:
     cdef int active
     cdef long long[::1] second

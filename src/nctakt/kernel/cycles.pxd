@@ -19,16 +19,17 @@ cdef class Group(RunThrough):
 
 cdef class RealtimeCycle(RunThrough):
     cdef readonly Statement body
+    cdef public Py_ssize_t slot
+    cdef readonly long long next_tick
+    cdef readonly long long runs
     cdef readonly long long serial
+    cdef public long long probe
     cdef readonly Py_ssize_t events
     cdef readonly Py_ssize_t probes
     cdef readonly long long size
-    cdef public long long probe
-    cdef public Py_ssize_t slot
-    cdef readonly long long runs
-    cdef readonly long long next_tick
     cdef int run_through(self, CycleManager manager, Context context) noexcept nogil
 
+@cython.final
 cdef class CycleManager:
     cdef public Spindles spindles
     cdef Record record

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 # C types of edge_probe.py.
+cimport cython
 from nctakt.kernel.hli cimport Hli
 from nctakt.kernel.path cimport Path
 from nctakt.kernel.record cimport Record
 
+@cython.final
 cdef class EdgeProbe:
     cdef Path path
     cdef Hli hli

@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel.path cimport Path
 from nctakt.kernel.record cimport Record
 
+@cython.final
 cdef class FixedStops:
     cdef Path path
     cdef Record record

@@ -3,6 +3,7 @@
 cimport cython
 from nctakt.kernel.panel cimport Panel
 
+@cython.final
 cdef class Section:
     cdef readonly Py_ssize_t slot_count
     cdef long long[::1] state
@@ -30,6 +31,7 @@ cdef class Section:
     @cython.locals(i=Py_ssize_t)
     cdef void clear(self) noexcept nogil
 
+@cython.final
 cdef class Hli:
     cdef readonly Panel panel
     cdef readonly Section realtime

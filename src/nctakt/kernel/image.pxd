@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel.record cimport Record
 from nctakt.kernel.units cimport Units
 
+@cython.final
 cdef class InterfaceImage:
     cdef double[::1] cells
     cdef long long[::1] words

@@ -15,6 +15,13 @@ cdef class Pair(Statement):
     cdef int run(self, Context context) noexcept nogil
     cdef void restart(self) noexcept nogil
 
+cdef class Triple(Statement):
+    cdef Statement first
+    cdef Statement second
+    cdef Statement third
+    cdef int run(self, Context context) noexcept nogil
+    cdef void restart(self) noexcept nogil
+
 cdef class Block(Statement):
     cdef Statement first
     cdef Statement second

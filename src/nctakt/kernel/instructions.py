@@ -45,6 +45,27 @@ class Pair(Statement):
         self.second.restart()
 
 
+class Triple(Statement):
+    """Three statements in order."""
+
+    def __init__(self, first: Statement, second: Statement, third: Statement) -> None:
+        self.first = first
+        self.second = second
+        self.third = third
+
+    def run(self, context: Context) -> int:
+        if self.first.run(context):
+            return 1
+        if self.second.run(context):
+            return 1
+        return self.third.run(context)
+
+    def restart(self) -> None:
+        self.first.restart()
+        self.second.restart()
+        self.third.restart()
+
+
 class Block(Statement):
     """Four statements in order."""
 
@@ -79,8 +100,10 @@ def sequence(statements: list[Statement]) -> Statement:
         return Statement()
     if count == 1:
         return statements[0]
-    if count < 4:
-        return Pair(sequence(statements[: count // 2]), sequence(statements[count // 2 :]))
+    if count == 2:
+        return Pair(*statements)
+    if count == 3:
+        return Triple(*statements)
     cuts = [count * i // 4 for i in range(5)]
     return Block(*[sequence(statements[cuts[i] : cuts[i + 1]]) for i in range(4)])
 

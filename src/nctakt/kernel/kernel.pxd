@@ -27,6 +27,7 @@ cdef class ChannelLane(Lane):
     cdef void begin_tick(self, long long tick) noexcept nogil
     cdef void end_tick(self) noexcept nogil
 
+@cython.final
 cdef class Kernel:
     cdef long long[::1] words
     cdef Axes axes

@@ -5,6 +5,7 @@ from nctakt.kernel cimport arithmetic
 from nctakt.kernel cimport shape
 from nctakt.kernel.bends cimport Bends
 
+@cython.final
 cdef class LookAhead(Bends):
     cdef void leave(self, double[::1] row, Py_ssize_t base, double length, double deviation) noexcept nogil
     @cython.locals(tail=Py_ssize_t, i=Py_ssize_t)

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 # C types of memory.py.
+cimport cython
 from nctakt.kernel.hli cimport Hli
 from nctakt.kernel.record cimport Record
 from nctakt.kernel.single_axes cimport SingleAxes
 from nctakt.kernel.spindles cimport Spindles
 from nctakt.kernel.timers cimport Timers
 
+@cython.final
 cdef class Context:
     cdef double[::1] cells
     cdef Record record

@@ -3,6 +3,7 @@
 cimport cython
 from libc cimport math
 
+@cython.final
 cdef class Profile:
     cdef double first_t
     cdef double first_a

@@ -2,6 +2,7 @@
 # C types of panel.py.
 cimport cython
 
+@cython.final
 cdef class Panel:
     cdef double[::1] cells
     cdef readonly Py_ssize_t first_cell

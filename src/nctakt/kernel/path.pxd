@@ -7,6 +7,7 @@ from nctakt.kernel.axis cimport Axes
 from nctakt.kernel.motion cimport Profile
 from nctakt.kernel.smooth_speed cimport SmoothSpeed
 
+@cython.final
 cdef class Path:
     cdef Axes axes
     cdef readonly Py_ssize_t count

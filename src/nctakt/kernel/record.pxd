@@ -2,6 +2,7 @@
 # C types of record.py.
 cimport cython
 
+@cython.final
 cdef class Record:
     cdef double[::1] cells
     cdef long long[::1] signals

@@ -11,6 +11,7 @@ from nctakt.kernel.panel cimport Panel
 from nctakt.kernel.path cimport Path
 from nctakt.kernel.record cimport Record
 
+@cython.final
 cdef class Retrace(History):
     cdef Panel panel
     cdef Overrides overrides

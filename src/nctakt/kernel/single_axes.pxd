@@ -3,6 +3,7 @@
 cimport cython
 from nctakt.kernel.axis_motions cimport AxisMotions
 
+@cython.final
 cdef class SingleAxes(AxisMotions):
     cdef void order(self, long long source, long long serial) noexcept nogil
     @cython.locals(message=int)

@@ -4,6 +4,7 @@ cimport cython
 from libc cimport math
 from nctakt.kernel.trajectory cimport Trajectories
 
+@cython.final
 cdef class SmoothSpeed:
     cdef Trajectories course
     cdef double tick_t

@@ -6,6 +6,7 @@ from nctakt.kernel cimport arithmetic
 from nctakt.kernel.record cimport Record
 from nctakt.kernel.trajectory cimport Trajectories
 
+@cython.final
 cdef class Spindles:
     cdef double[::1] cells
     cdef readonly Py_ssize_t first_cell

@@ -3,6 +3,7 @@
 cimport cython
 from nctakt.kernel cimport arithmetic
 
+@cython.final
 cdef class Timers:
     cdef double[::1] cells
     cdef readonly Py_ssize_t first_cell

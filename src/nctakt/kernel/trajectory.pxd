@@ -3,6 +3,7 @@
 cimport cython
 from libc cimport math
 
+@cython.final
 cdef class Trajectories:
     cdef double[::1] rows
     cdef readonly double distance_d

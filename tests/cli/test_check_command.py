@@ -298,6 +298,19 @@ def test_folders_are_searched(check: Check) -> None:
     assert check(".").lines[-1] == "7 files: 0 errors, 0 warnings, 0 notes"
 
 
+def test_a_folder_is_listed_once_however_many_programs_it_has(
+    check: Check, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The time of a check grows with the number of files, not with its square."""
+    for number in range(30):
+        write(f"programs/p{number}.nc", GOOD)
+    listed: list[Path] = []
+    iterdir = Path.iterdir
+    monkeypatch.setattr(Path, "iterdir", lambda path: listed.append(path) or iterdir(path))
+    assert check("programs").lines[-1].startswith("30 files: ")
+    assert len([path for path in listed if path.name == "programs"]) <= 2
+
+
 def test_a_folder_without_anything_to_check(check: Check) -> None:
     """A warning that names the suffixes; exit code 2 where nothing else is checked."""
     write("docs/readme.txt", "")

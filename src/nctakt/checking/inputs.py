@@ -77,7 +77,7 @@ def _search(
         empty = False
         if not path.exists():
             found.append(Found(path.as_posix(), diagnostic(900500, file=str(path))))
-        elif path.name == _startup_name(path.parent):
+        elif _is_startup(path):
             machines.setdefault(path.resolve(), path)
         elif path.is_file():
             group = lists if suffix == LIST_SUFFIX else programs
@@ -88,9 +88,12 @@ def _search(
         found.append(Found(folder.as_posix(), message))
 
 
-def _startup_name(folder: Path) -> str | None:
-    names = (find_entry(folder, wanted) for wanted in STARTUP_NAMES)
-    return next((name for name in names if name is not None), None)
+def _is_startup(path: Path) -> bool:
+    """Whether this is the start-up list of its folder; there may be two, of which one counts."""
+    if path.name.casefold() not in STARTUP_NAMES:
+        return False
+    names = (find_entry(path.parent, wanted) for wanted in STARTUP_NAMES)
+    return path.name == next((name for name in names if name is not None), None)
 
 
 def _files(folder: Path, found: list[Found]) -> Iterator[Path]:

@@ -429,6 +429,7 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "the most elements": "die meisten Elemente",
         "its number": "seine Nummer",
         "those that are": "die es gibt",
+        "the name as written": "der Name, wie geschrieben",
         "as many may be": "so viele dürfen es sein",
         "FEED_FACT or RAPID_FACT": "FEED_FACT oder RAPID_FACT",
         "lowest override": "kleinster Override",

@@ -201,6 +201,35 @@ G03
 G03 R5
 G02 X5
 M30
+; --- arcs that are one because G02 is active
+G02 F100
+X10 ; warning 900906 "no centre"
+X10 Y10 I5
+G91 Y5 ; warning 900906 "no centre"
+G92 X5
+X5
+G02
+M100
+X5
+G03
+$IF P1
+G00
+$ENDIF
+X5
+G02
+G04 X5
+X5
+G02
+F100
+G17 X7 ; warning 900906 "no centre"
+$FOR P1 = 1, 2, 1
+X5
+G01
+$ENDFOR
+G02
+G163=5 X5
+X10
+M30
 ; --- a radius may come on another way
 $IF P1 == 1
   G02 X5 ; warning 900906 "no centre"

@@ -17,6 +17,8 @@ RADIUS_WORD = "R"
 RADIUS_FUNCTION = 163
 FEED_WORD = "F"
 _ARCS = (2, 3)
+#: G functions beside which axis words are targets, and which leave the kind of motion as it is.
+_BESIDE_TARGETS = (17, 18, 19, 60, 61, 90, 91, 94, 161, 162)
 
 
 def check_feed(block: Block, findings: Findings) -> None:
@@ -33,17 +35,38 @@ def check_arc(block: Block, findings: Findings) -> None:
         findings.report(900904, radius[0].span)
 
 
-def lacks_centre(block: Block) -> bool:
-    """Whether it is an arc (G02, G03) with a target, without centre and radius."""
+def lacks_centre(block: Block, *, is_modal: bool) -> bool:
+    """Whether it is an arc (G02, G03) with a target, without centre and radius.
+
+    ``is_modal``: an arc is active; then a block whose axis words may mean something else is none.
+    """
+    functions = _functions(block)
+    is_arc = any(one in _ARCS for one in functions)
+    if not is_arc:
+        is_arc = is_modal and all(one in _BESIDE_TARGETS for one in functions)
     return (
-        any(
-            isinstance(word.value, Number) and word.value.value in _ARCS
-            for word in _words(block, "G")
-        )
+        is_arc
         and any(isinstance(word, AxisWord) for word in block.words)
         and not any(list(_words(block, name)) for name in CENTRE_WORDS)
         and not has_radius(block)
     )
+
+
+def leaves_arc(block: Block, *, before: bool) -> bool:
+    """Whether G02 or G03 is certainly active behind a block."""
+    functions = _functions(block)
+    if any(one in _ARCS for one in functions):
+        return True
+    others = any(not isinstance(word, AxisWord | Word) for word in block.words)
+    return before and not others and all(one in _BESIDE_TARGETS for one in functions)
+
+
+def _functions(block: Block) -> list[float | None]:
+    """The numbers of the G functions, and ``None`` for what only the run shows or may call."""
+    found: list[float | None] = [
+        word.value.value if isinstance(word.value, Number) else None for word in _words(block, "G")
+    ]
+    return found + [None for _ in _words(block, "M")]
 
 
 def has_radius(block: Block) -> bool:

@@ -20,7 +20,7 @@ from math import isfinite
 from nctakt.diagnostics import Span
 from nctakt.lists.tools import Tool
 from nctakt.messages import Collector
-from nctakt.nc.check_motion import check_feed, has_radius, lacks_centre
+from nctakt.nc.check_motion import check_feed, has_radius, lacks_centre, leaves_arc
 from nctakt.nc.findings import Findings
 from nctakt.nc.frames import is_false
 from nctakt.nc.lint_channel import ChannelUse
@@ -87,15 +87,16 @@ def never_deleted(programs: Sequence[GlobalCycles], collector: Collector) -> Non
 @dataclass(slots=True)
 class _State:
     """What is certain at a place: active compensation (``G41``, ``G42``), values that were set,
-    that no radius of arcs has come.
+    that no radius of arcs has come, that G02 or G03 is active.
     """
 
     compensation: str = ""
     known: dict[str, Known] = field(default_factory=dict)
     lacks_radius: bool = False
+    is_arc: bool = False
 
     def copy(self) -> _State:
-        return _State(self.compensation, dict(self.known), self.lacks_radius)
+        return _State(self.compensation, dict(self.known), self.lacks_radius, self.is_arc)
 
     def join(self, *others: _State) -> None:
         """Two ways meet here: certain is what is so on both."""
@@ -103,6 +104,7 @@ class _State:
             if not other.compensation:
                 self.compensation = ""
             self.lacks_radius = self.lacks_radius and other.lacks_radius
+            self.is_arc = self.is_arc and other.is_arc
             self.known = {
                 number: known
                 for number, known in self.known.items()
@@ -186,6 +188,7 @@ class Linter:
             case SubprogramCall():
                 self._state.known.clear()
                 self._state.lacks_radius = False
+                self._state.is_arc = False
 
     # --- ways through the program ----------------------------------------------------------------
 
@@ -217,6 +220,7 @@ class Linter:
         if isinstance(loop, While) and is_false(loop.condition):
             return
         self._state.known.clear()
+        self._state.is_arc = False
         before = self._state.copy()
         self._all(loop.body)
         self._state.known.clear()
@@ -295,8 +299,9 @@ class Linter:
         check_feed(block, self._findings)
         if has_radius(block) or any(isinstance(word, StringWord) for word in block.words):
             self._state.lacks_radius = False
-        elif self._state.lacks_radius and lacks_centre(block):
+        elif self._state.lacks_radius and lacks_centre(block, is_modal=self._state.is_arc):
             self._findings.report(900906, block.span)
+        self._state.is_arc = leaves_arc(block, before=self._state.is_arc)
         for word in block.words:
             if isinstance(word, Word) and word.name == "G" and isinstance(word.value, Number):
                 if word.value.value in _COMPENSATION:

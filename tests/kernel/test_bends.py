@@ -155,3 +155,52 @@ def test_bends_keep_the_limits_and_the_path(first: int, ways: str) -> None:
             for way in (plain, found):
                 way[:, 3] = np.unwrap(way[:, 3], period=360.0)
             assert farthest(found[::97], np.concatenate([np.zeros((1, 4)), plain])) < 0.05
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_reset_in_any_tick_brakes_within_the_limits(seed: int) -> None:
+    """RC-007, MO-6: on a bend and in front of it, too."""
+    chance = random.Random(seed)
+    controller = Controller(DEMO)
+    controller.start(NcText("p.nc", cornered(seed, SLOPE)))
+    found: dict[str, list[float]] = {name: [] for name in AXES}
+    is_due = chance.randint(1, 800)
+    for tick in range(is_due + 400):
+        if tick == is_due:
+            controller._machine.channels[0].request_reset()
+        controller.step(1)
+        for name in AXES:
+            found[name].append(float(controller.read(f"V.RTA.ACS.ACT_POS.{name}")))
+    for name in AXES:
+        assert violations(found[name], name, MOST_JERK_MM) == []
+        assert found[name][-1] == found[name][-2]
+
+
+def test_a_realtime_loop_rounds_the_corners_of_each_pass() -> None:
+    """Forty passes of a square of 20 mm: the path stands at the loop's end only, and at its own."""
+    text = f"""{SLOPE}
+#CONTOUR MODE [DEV PATH_DEV=5]
+G261
+V.RTG.LOOP.ENABLED = TRUE
+#RT CYCLE [ID = 1 SCOPE = PROG]
+$IF V.RTG.LOOP.COUNT >= 40
+V.RTG.LOOP.ENABLED = FALSE
+$ENDIF
+#RT CYCLE END
+G91 G01 F12000
+#RT WHILE
+X20
+Y20
+X-20
+Y-20
+#RT ENDWHILE
+X20
+M30"""
+    signals = [*SIGNALS, "PATH.SPEED"]
+    run = Controller(DEMO).run(NcText("p.nc", text), signals=signals, ticks=100_000)
+    assert run.state == "ended", run.diagnostics
+    assert run.trace is not None
+    for name, signal in zip(AXES, SIGNALS, strict=True):
+        assert violations(run.trace[signal], name, MOST_JERK_MM) == []
+    speed = np.asarray(run.trace["PATH.SPEED"])
+    assert ((speed[1:] == 0.0) & (speed[:-1] > 0.0)).sum() == 2

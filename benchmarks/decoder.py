@@ -3,8 +3,10 @@
 
 Programs are made, the same in each run: one of straight blocks as CAM systems write them (G01 and
 three coordinates in each line); one of ordinary blocks (expressions, variables, branches, loops),
-each of which is read once; and the same ordinary blocks in a loop, which are read once and decoded
-again and again. Each stage has a process of its own, whose greatest memory is told:
+each of which is read once; one of varied blocks (three dozen shapes of lines at random, in
+structures of any length, with calls of a subprogram, functions, comments); and the ordinary blocks
+in a loop, which are read once and decoded again and again. Each stage has a process of its own,
+whose greatest memory is told:
 
 * *check*: the text is read once, as before each run;
 * *decode*: from the text to commands in the queue with their look-ahead; none is taken;
@@ -20,6 +22,7 @@ import argparse
 import math
 import os
 import platform
+import random
 import resource
 import shutil
 import subprocess
@@ -64,6 +67,71 @@ $FOR P2 = 0, 1, 1
 X[P2 + {y}] Y=V.P.COUNT/1000
 $ENDFOR
 """
+
+#: Varied lines: ``a``, ``b`` and ``c`` are other numbers in each of them, ``n`` counts.
+VARIED = """\
+N{n} G01 X{a} Y[{b} * COS[V.P.ANGLE]] F[{a} * 10 + 3000]
+N{n} G01 X{a} Y{b} Z-{c}
+N{n} G00 Z[5 + V.P.R / {c}]
+G01 X=V.P.X Y{a} Z-{c} F{b}00
+G01 X[V.P.X + {c}] M100
+G91 X[{c} / 10]
+G90 X{a}
+N{n} X[{a} - V.L.STEP] Y[{b} + P1 / 1000] (to the next one)
+Y[0.5 * V.P.R + {a}] ; {n}
+X{a} Y{b}
+X{a}
+G02 X{a} Y{b} R900
+G03 I{c} J0 F{b}00
+G04 X0.0{n}
+G54
+M100 (on)
+V.P.X = {a} + 0.5 * V.P.R
+V.P.R = SQRT[V.P.X * V.P.X + {b} * {b}] / 10 ; the radius
+V.P.ANGLE = V.P.ANGLE + {c}
+V.P.ANGLE = ATAN2[{a}, {b} + 1] ( of {n} )
+V.L.STEP = [{a} - V.P.X] / {c}
+V.L.STEP = ABS[V.L.STEP] MOD {c}
+V.P.COUNT += 1
+N{n} P1 = P1 + 1
+P2 = ROUND[{a} / 3] * {c}
+V.P.F[2] = {a} * 2
+X[V.P.F[2] / 100]
+V.P.F[P4] = V.P.R
+V.E.COUNT = {c}
+(only a comment)
+; {n}
+LL POCKET
+N{n} LL POCKET
+V.P.X = V.L.STEP
+V.P.DEPTH = -{c}
+"""
+VARIED_HEAD = """\
+%L POCKET
+G01 X[V.P.X / 2] Z=V.P.DEPTH
+M17
+%MAIN
+#VAR
+V.P.ANGLE = 0
+V.P.R = 10
+V.P.X = 1
+V.P.COUNT = 0
+V.P.DEPTH = 0
+V.P.F[4] = [1, 2, 3, 4]
+V.L.STEP = 0
+#ENDVAR
+P1 = 0
+P4 = 1
+G90 G01 F3000"""
+#: Their structures, with other lines between these.
+STRUCTURES = (
+    ("$IF V.P.R > {a}", "$ENDIF"),
+    ("N{n} $IF P1 < {a} && V.P.X < {b}", "$ELSE", "$ENDIF"),
+    ("$IF V.P.X > {a}", "$ELSEIF V.P.X > {b}", "$ELSE", "$ENDIF"),
+    ("$FOR P2 = 1, 2, 1", "$ENDFOR"),
+    ("$SWITCH P1 MOD 3\n$CASE 1", "$BREAK\n$CASE 2", "$DEFAULT", "$ENDSWITCH"),
+    ("P3 = 1\n$WHILE P3 < 2", "P3 = P3 + 1\n$ENDWHILE"),
+)
 
 #: Blocks that one pass through them takes: a loop is one, each of its passes another.
 BLOCKS_OF_PIECE = 12
@@ -112,6 +180,29 @@ def ordinary(count: int) -> Iterator[str]:
     yield from head.splitlines()
     for i in range((count - 8) // len(PIECE.splitlines())):
         yield from PIECE.format(n=i + 1, step=0.5 + i % 7, y=i % 50).splitlines()
+    yield "M30"
+
+
+def varied(count: int) -> Iterator[str]:
+    """Lines and structures of many shapes, in no order."""
+    chance = random.Random(1)
+    shapes = VARIED.splitlines()
+
+    def filled(shape: str) -> str:
+        a, b = (f"{chance.uniform(1, 60):.{chance.randrange(4)}f}" for _ in range(2))
+        return shape.format(a=a, b=b, c=chance.randrange(1, 9), n=chance.randrange(1, 1000))
+
+    lines = VARIED_HEAD.splitlines()
+    while len(lines) < count:
+        if chance.random() < 0.8:
+            lines.append(filled(chance.choice(shapes)))
+            continue
+        first, *others = chance.choice(STRUCTURES)
+        lines += filled(first).splitlines()
+        for other in others:
+            lines += (filled(chance.choice(shapes)) for _ in range(chance.randrange(1, 5)))
+            lines += filled(other).splitlines()
+    yield from lines
     yield "M30"
 
 
@@ -257,6 +348,11 @@ def main() -> None:
         print(f"\n{lines:,} ordinary lines")
         for name, target in {"check": "", "decode": "80,000 lines/s"}.items():
             print(measure(name, path, lines).row(name, target), flush=True)
+        path = Path(folder, "varied.nc")
+        lines = write(varied(options.lines // ORDINARY_SHARE), path)
+        print(f"\n{lines:,} varied lines")
+        for name in ("check", "decode"):
+            print(measure(name, path, lines).row(name), flush=True)
         passes = options.lines // ORDINARY_SHARE // BLOCKS_OF_PIECE
         write(loop(passes), path)
         print(f"\n{passes * BLOCKS_OF_PIECE:,} ordinary blocks in a loop")

@@ -45,6 +45,10 @@ STATEMENTS = (
     "V.E.COUNT = #",
     "LL SUB",
     "G04 0.01",
+    "M[99 + P1 / P1] X[# + P1]",
+    '"NAME" = "V.P.A + 1"\nX["NAME" / 2]',
+    "V.P.A -= #",
+    "V.L.B *= 0.5",
     "X# Y#",
     "#VAR\nV.L.C = 1\n#ENDVAR\nX[V.L.C + #]",
     "#DELETE V.P.NEW",
@@ -65,6 +69,15 @@ STRANGE = (
     "$FOR P1 = 1, 2, 0\nX#\n$BREAK\n$ENDFOR",
     "F[P1 - P1]\nX[# + 1]",
     "V.S.KEPT = # + 1\n#DELETE V.S.\nV.P.A = V.S.KEPT",
+)
+#: Structures, with statements between their lines.
+STRUCTURES = (
+    ("$IF V.P.A > #", "$ELSE", "$ENDIF"),
+    ("$IF P1 < #", "$ELSEIF V.P.A < # && P1 > 1", "$ENDIF"),
+    ("$FOR P2 = 1, 2, 1", "$ENDFOR"),
+    ("$FOR V.P.I = 1, 3, 1", "$IF V.P.I > 1\n$BREAK\n$ENDIF", "$ENDFOR"),
+    ("$SWITCH P1\n$CASE 1", "$BREAK\n$CASE 2", "$DEFAULT", "$ENDSWITCH"),
+    ("V.P.I = 0\n$WHILE V.P.I < 2", "V.P.I = V.P.I + 1\n$ENDWHILE"),
 )
 HEAD = """\
 #VAR
@@ -98,8 +111,17 @@ def content(seed: int) -> str:
     if chance.random() < 0.4:
         chosen.append(chance.choice(STRANGE))
     lines = [HEAD]
+    simple = [one for one in chosen if "\n#" not in one and "N40" not in one]
     for _ in range(chance.randrange(20, 70)):
-        lines.append(filled(chance, chance.choice(chosen)))
+        if simple and chance.random() < 0.2:
+            first, *others = chance.choice(STRUCTURES)
+            lines.append(filled(chance, first))
+            for other in others:
+                bodies = chance.choices(simple, k=chance.randrange(3))
+                lines += (filled(chance, one) for one in bodies)
+                lines.append(filled(chance, other))
+        else:
+            lines.append(filled(chance, chance.choice(chosen)))
     lines += ["M30", "%L SUB", "X[V.P.A * 2]", "V.L.B = 5", "X[V.L.B + 1]", "M17"]
     text = "\n".join(lines)
     first = text.find("N40:")

@@ -10,6 +10,7 @@ from __future__ import annotations
 import dataclasses
 import random
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -61,6 +62,24 @@ ORDINARY = (
     "$IF 1\nX2\n$ENDIF",
     "X=@P1 + 2",
 )
+#: Structures, with statements between their lines.
+STRUCTURES = (
+    ("$IF V.P.A > 3", "$ENDIF"),
+    ("N5 $IF P1 < 2", "$ELSEIF P1 == 3 (or)", "$ELSE", "$ENDIF"),
+    ("$IF 0", "$ELSE", "$ENDIF"),
+    ("$WHILE 0", "$ENDWHILE"),
+    ("$WHILE P1 < 3", "$BREAK", "$ENDWHILE"),
+    ("$IF P1 > 2", "$BREAK\n$CONTINUE", "$ENDIF"),
+    ("$FOR P2 = 0, 10, 2", "$CONTINUE", "$ENDFOR"),
+    ("$SWITCH P1", "$CASE 1", "$BREAK\n$CASE 2", "$DEFAULT", "$ENDSWITCH"),
+    ("$SWITCH P1\n$CASE 1", "$BREAK\n$CASE 2", "$DEFAULT", "$ENDSWITCH"),
+    ("$REPEAT", "$UNTIL P1 > 3"),
+)
+STRANGE = (
+    ("#RT CYCLE", "#RT CYCLE END"),
+    ("#VAR", "#ENDVAR"),
+    ("$IF P1 > 2", "$ENDFOR"),
+)
 SLIPS = '[]()=$:;.,-+*/NXVPG0123 "#%\\'
 
 
@@ -90,16 +109,33 @@ def again(chance: random.Random, line: str) -> str:
 
 
 def program(seed: int) -> list[str]:
-    """A piece of a program, several times, each time with other numbers."""
+    """A piece of a program, or structures in no order, with other numbers each time."""
     chance = random.Random(seed)
     if seed % 2:
         text = chance.choice(PROGRAMS).read_text("utf-8", errors="replace").split("\n")
         begin = chance.randrange(len(text))
         piece = text[begin : begin + chance.randrange(1, 30)]
-    else:
+    elif seed % 4:
         chosen = chance.choices(ORDINARY, k=chance.randrange(1, 8))
         piece = "\n".join(chosen).split("\n")
+    else:
+        chosen = chance.choices(ORDINARY, k=3)
+        lines = [line for _ in range(50) for line in nested(chance, chosen, 0)]
+        return [again(chance, line) for line in lines]
     return [again(chance, line) for _ in range(8) for line in piece]
+
+
+def nested(chance: random.Random, statements: Sequence[str], depth: int) -> list[str]:
+    """A statement, or a structure with others inside it."""
+    if depth == 3 or chance.random() < 0.5:
+        return chance.choice(statements).split("\n")
+    first, *others = chance.choice(STRANGE if chance.random() < 0.02 else STRUCTURES)
+    lines = first.split("\n")
+    for other in others:
+        for _ in range(chance.randrange(3)):
+            lines += nested(chance, statements, depth + 1)
+        lines += other.split("\n")
+    return lines
 
 
 def unformed(value: Any) -> Any:
@@ -142,8 +178,10 @@ def test_templates_make_what_the_parser_gives(seed: int) -> None:
 
 def test_most_ordinary_statements_are_made_from_templates() -> None:
     """The comparison is worth something."""
-    found = [by_templates(Source("p.nc", program(seed))) for seed in range(0, 60, 2)]
-    assert sum(made for _, made in found) > 0.3 * sum(len(statements) for statements, _ in found)
+    for first, least in ((2, 0.2), (0, 0.05)):  # statements one by one, structures
+        seeds = range(first, 80, 4)
+        found = [by_templates(Source("p.nc", program(seed))) for seed in seeds]
+        assert sum(made for _, made in found) > least * sum(len(all_) for all_, _ in found)
 
 
 def checked(lines: list[str]) -> list[Diagnostic]:
@@ -213,18 +251,44 @@ def test_the_shape_of_a_line(line: str, shape: bytes | None) -> None:
     """Values are left out, what a number selects stays; what is for the parser alone has none."""
     scanner = ShapeScanner()
     count = scanner.read([line], 0)
-    assert (scanner.key if count else None) == shape
+    found = scanner.shape.key if scanner.shape is not None else b""
+    assert (found if count else None) == shape
 
 
-def test_a_structure_has_the_shape_of_all_its_lines() -> None:
+def test_a_structure_has_the_shape_of_its_own_lines() -> None:
     """One that goes on behind the lines at hand has none, nor has an end without begin."""
     scanner = ShapeScanner()
-    lines = ["$IF P1 > 2", "", "$FOR P1 = 1, 2, 1", "X1", "$ENDFOR", "$ENDIF", "X2"]
-    assert scanner.read(lines, 0) == 6
-    assert scanner.key == b"$IF P1 > \1\n\n$FOR P1 = \1, \1, \1\nX\1\n$ENDFOR\n$ENDIF"
-    assert scanner.read(lines[:5], 0) == 0
+    lines = ["$IF P1 > 2", "", "X4", "$FOR P1 = 1, 2, 1", "Y1", "$ENDFOR", "$ELSE", "$ENDIF", "X2"]
+    assert scanner.read(lines, 0) == 8
+    shape = scanner.shape
+    assert shape is not None
+    assert (shape.key, shape.numbers) == (b"$IF P1 > \1\n\3\n$ELSE\n$ENDIF", [2.0])
+    assert shape.lines == [0, -1, 6, 7]
+    ((block, loop),) = shape.runs
+    assert (block.key, block.lines, block.numbers, block.ends) == (b"X\1", [2], [4.0], [2])
+    assert (loop.key, loop.lines) == (b"$FOR P1 = \1, \1, \1\n\3\n$ENDFOR", [3, -1, 5])
+    assert [[one.numbers for one in run] for run in loop.runs] == [[[1.0]]]
+    assert scanner.read(lines[:7], 0) == 0
     assert scanner.read(["$ENDIF"], 0) == 0
     assert scanner.read(["$IF P1 > 2 $GOTO [END]", "X1"], 0) == 1
+    assert scanner.read(["$IF P1 > 2"] * 22 + ["$ENDIF"] * 22, 0) == 0
+    assert scanner.read(["$IF P1 > 2"] * 20 + ["$ENDIF"] * 20, 0) == 40
+
+
+def test_what_is_not_looked_at_does_not_count_as_in_order(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Behind a condition that is never true nothing is checked; elsewhere the same is a mistake."""
+    monkeypatch.setattr(outline, "KEPT_STATEMENTS", 0)
+    dead = ["$IF 0", "X1 Q5", "$ENDIF", "$WHILE FALSE", "X1 Q5", "$ENDWHILE"] * 5
+    found = checked([*dead, "X2 Q3"])
+    assert [(one.id, one.span and one.span.line) for one in found] == [(900203, 31)]
+
+
+def test_what_leaves_a_loop_is_in_order_only_inside_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """900223, whether the branch came in loops before or not."""
+    monkeypatch.setattr(outline, "KEPT_STATEMENTS", 0)
+    branch = ["$IF P1 > 2", "$BREAK", "$ENDIF"]
+    found = checked([*(["$WHILE P1 < 5", *branch, "$ENDWHILE"] * 5), *branch])
+    assert [(one.id, one.span and one.span.line) for one in found] == [(900223, 27)]
 
 
 def test_not_more_shapes_are_remembered_than_there_is_room_for(

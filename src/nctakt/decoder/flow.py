@@ -82,7 +82,9 @@ class Flow:
         return signal
 
     def _truth(self, condition: syntax.Expression, number: int) -> Generator[Command, Answer, bool]:
-        value = yield from self._values.evaluate(condition, number)
+        value = self._values.known(condition)
+        if value is None:
+            value = yield from self._values.evaluate(condition, number)
         return arithmetic.is_true(value)
 
     def _if(self, statement: syntax.If, number: int) -> Decoded:

@@ -141,7 +141,8 @@ class ProgramDecoder:
     def _took_time(self, command: Command) -> None:
         self._blocks = 0
         self._rounds.clear()
-        self._moved.took_time(self._words.moved_by(command), is_block=is_block(command))
+        if not self._moved.is_quiet:
+            self._moved.took_time(self._words.moved_by(command), is_block=is_block(command))
 
     # --- programs -------------------------------------------------------------------------------
 
@@ -247,7 +248,9 @@ class ProgramDecoder:
             return ""
         if self._macros.are_defined:
             statement = self._macros.meant(statement)
-        number = yield from self._number(statement.head)
+        number = 0
+        if statement.head.number is not None:
+            number = yield from self._number(statement.head.number)
         if self._surroundings.tells_blocks:
             yield BlockMark(self._surroundings.place(statement.span), number)
         match statement:
@@ -317,10 +320,8 @@ class ProgramDecoder:
             self._modal.behind_words(block.span.line, self._words.has_motion)
         return ""
 
-    def _number(self, head: syntax.Head) -> Generator[Command, Answer, int]:
-        if head.number is None:
-            return 0
-        value = yield from self._values.evaluate(head.number, 0)
+    def _number(self, written: syntax.Expression) -> Generator[Command, Answer, int]:
+        value = yield from self._values.evaluate(written, 0)
         return int(arithmetic.round_half_even(value))
 
     # --- commands -------------------------------------------------------------------------------

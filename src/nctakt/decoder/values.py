@@ -49,6 +49,10 @@ class Values(Reading):
     def assign(self, statement: syntax.Assignment, number: int) -> Generator[Command, Answer]:
         """``target operator value``; structures and arrays as wholes (RC-310)."""
         value = statement.value
+        if isinstance(statement.target, Formed):
+            at_once = self._at_once(statement)
+            if at_once is not None and self._put_formed(statement.target, at_once):
+                return
         if isinstance(value, Formed) and statement.operator == "=":
             result = yield from self.evaluate_any(value, number)
             yield from self.store(statement.target, result, number)
@@ -69,6 +73,25 @@ class Values(Reading):
             value = syntax.Binary(statement.span, statement.operator[0], read, value)
         result = yield from self.evaluate_any(value, number)
         yield from self.store(statement.target, result, number)
+
+    def _at_once(self, statement: syntax.Assignment) -> float | None:
+        """The number that an assignment gives its target, if all is known for it."""
+        value = self.known(statement.value)
+        if value is None or statement.operator == "=":
+            return value
+        before = self.known(statement.target)
+        if before is None:
+            return None
+        match statement.operator:
+            case "+=":
+                result = before + value
+            case "-=":
+                result = before - value
+            case "*=":
+                result = before * value
+            case _:
+                return None
+        return result if arithmetic.is_finite(result) else None
 
     def store(
         self, target: syntax.Variable | syntax.Parameter, value: float | str, number: int

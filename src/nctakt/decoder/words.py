@@ -122,11 +122,12 @@ class Words:
         self.has_motion = False
         content = yield from self._sort(block, number)
         content.path.offset_kinds = kinds
-        source = self._surroundings.place(block.span)
-        yield from self._offsets(content, source, number)
+        if content.zero_group is not None or content.is_reference:
+            yield from self._offsets(content, self._surroundings.place(block.span), number)
         if content.turns_tool:
             yield from self._values.tool.offsets(block.span, number)
-        yield from self.technology.before(content.functions)
+        if content.functions:
+            yield from self.technology.before(content.functions)
         measured = self.technology.measuring(content.functions) if self._state.measures else None
         if measured is not None:
             yield from self._measure(content, measured, block.span, number)
@@ -136,7 +137,8 @@ class Words:
             yield from self._motion(content, block.span, number)
         if content.dwell_s is not None:
             yield from self.dwell(content.dwell_s, block.span, number)
-        yield from self.technology.behind(content.functions)
+        if content.functions:
+            yield from self.technology.behind(content.functions)
         yield from content.program_stops
         return content.ends_program
 
@@ -164,8 +166,10 @@ class Words:
         for word in words:
             if isinstance(word, syntax.AxisWord):
                 if word.value is not None:
-                    value = yield from self._values.evaluate(word.value, number)
-                    content.axes.append((word, value))
+                    known = self._values.known(word.value)
+                    if known is None:
+                        known = yield from self._values.evaluate(word.value, number)
+                    content.axes.append((word, known))
                 continue
             if isinstance(word, syntax.BracketCommand):
                 axis = self._surroundings.axis_numbers[word.name]
@@ -319,7 +323,8 @@ class Words:
         if not content.axes and not (content.path.centre and self._state.motion > 1):
             return
         self.has_motion = True
-        yield from self.request(self._programmed(content), span, number)
+        if not self._moved.is_quiet:
+            yield from self.request(self._programmed(content), span, number)
         start = self._state.positions
         target = self._target(content, span)
         segment = self.path.segment(start, target, content.path, span, number)

@@ -24,6 +24,7 @@ from nctakt.nc.names import NameTable
 from nctakt.nc.outline import ProgramText, Section, labels_in
 from nctakt.nc.parser import StatementReader, sections
 from nctakt.nc.plain import PlainScanner, shape_code
+from nctakt.nc.shapes import Shape
 from nctakt.nc.source import Source
 from nctakt.nc.syntax import (
     AxisWord,
@@ -42,7 +43,7 @@ _FREE_WORDS = ("F",)
 #: A line in a realtime cycle that could not be read.
 _NO_NC_TEXT = 900229
 
-Shape = tuple[str | float, ...]
+PlainShape = tuple[str | float, ...]
 
 
 class Watcher(Protocol):
@@ -122,11 +123,11 @@ class _Sequel:
         self._role = role
         self._ended = False
         self._empty = True
-        self._in_order: dict[Shape, None] = {}
+        self._in_order: dict[PlainShape, None] = {}
         self._plain_in_order: set[int] = set()
         self._local_calls: list[SubprogramCall] = []
         #: A statement that comes next: its line, its shape, what was found before it.
-        self._new: tuple[int, bytes, int] | None = None
+        self._new: tuple[int, Shape, int] | None = None
 
     def take(self, line: int, number: int, statement: Statement) -> None:
         """The next statement of the text, in the section of this number."""
@@ -162,16 +163,18 @@ class _Sequel:
             first = lines.index
             lines.index = templates.pass_over(lines.group, first)
             if lines.index == first < len(lines.group):
-                self._new = (lines.number, templates.scanner.key, len(self._found))
+                shape = templates.scanner.shape
+                if shape is not None:
+                    self._new = (lines.number, shape, len(self._found))
                 return
 
     def _remember(self, line: int) -> None:
         """A statement was checked: if it was in order, its shape may always be."""
         if self._new is None:
             return
-        begin, key, found = self._new
+        begin, shape, found = self._new
         if begin == line and found == len(self._found):
-            self._program.templates.was_in_order(key)
+            self._program.templates.was_in_order(shape)
 
     def _begin(self, line: int, number: int, start: ProgramStart) -> None:
         self._end_section()
@@ -259,7 +262,7 @@ class _Sequel:
         self._collector.report(number, span, self._source.line_of(span), **values)
 
 
-def _shape(block: Block) -> Shape | None:
+def _shape(block: Block) -> PlainShape | None:
     """What a check of the block depends on; ``None`` where that is more than its words tell.
 
     G functions change what comes after them, M functions may end the program, and the number of a

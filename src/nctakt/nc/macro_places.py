@@ -19,6 +19,7 @@ from nctakt.nc import syntax
 from nctakt.nc.names import Location, NameTable
 from nctakt.nc.operators import FUNCTIONS
 from nctakt.nc.resolution import is_text, may_be_text, resolve
+from nctakt.nc.templates import unformed
 
 _Node = TypeVar("_Node", bound=Any)
 _Item = TypeVar("_Item")
@@ -112,6 +113,7 @@ class MacroPlaces:
 
     def _takes_number(self, target: syntax.Variable | syntax.Parameter) -> bool:
         """Whether nothing but a number can be given to it."""
+        target = unformed(target)
         if isinstance(target, syntax.Parameter):
             return not target.call
         found = resolve(target, self._names)

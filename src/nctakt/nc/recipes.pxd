@@ -2,16 +2,15 @@
 # C types of recipes.py.
 cimport cython
 from nctakt.nc cimport slots
-from nctakt.nc.shapes cimport ShapeScanner
+from nctakt.nc.shapes cimport Shape
 
 cdef class Occurrence:
     cdef readonly str file
-    cdef readonly long long line
+    cdef readonly long long first
+    cdef readonly list lines
     cdef readonly list numbers
     cdef readonly list ends
-
-    @cython.locals(i=Py_ssize_t)
-    cpdef double number(self, Py_ssize_t place)
+    cdef readonly list inside
 
 cdef class Recipe:
     cpdef object make(self, Occurrence at)
@@ -37,6 +36,11 @@ cdef class Value(Recipe):
 cdef class Items(Recipe):
     cdef list parts
     @cython.locals(part=Recipe)
+    cpdef object make(self, Occurrence at)
+
+cdef class Body(Recipe):
+    cdef list parts
+    @cython.locals(made=list)
     cpdef object make(self, Occurrence at)
 
 cdef class Filled(Recipe):

@@ -16,7 +16,7 @@ from typing import Any
 
 from nctakt.diagnostics import Span
 from nctakt.nc import slots
-from nctakt.nc.shapes import ShapeScanner
+from nctakt.nc.shapes import Shape
 
 _FILE = Span.__dict__["file"]
 _LINE = Span.__dict__["line"]
@@ -25,17 +25,18 @@ _END_COLUMN = Span.__dict__["end_column"]
 
 
 class Occurrence:
-    """A statement of a shape: its file, its first line, ``numbers`` and ``ends`` of the shape."""
+    """A statement of a shape: its file, the number of the first line at hand, what it leaves out.
 
-    def __init__(self, file: str, line: int, scanner: ShapeScanner) -> None:
+    ``inside``: the statements of its runs.
+    """
+
+    def __init__(self, file: str, first: int, shape: Shape, inside: list[list[Any]]) -> None:
         self.file = file
-        self.line = line
-        self.numbers = [scanner.numbers[i] for i in range(scanner.count)]
-        self.ends = [scanner.ends[i] for i in range(scanner.count)]
-
-    def number(self, place: int) -> float:
-        """The number at a place of the shape."""
-        return self.numbers[place]
+        self.first = first
+        self.lines = shape.lines
+        self.numbers = shape.numbers
+        self.ends = shape.ends
+        self.inside = inside
 
 
 class Recipe:
@@ -57,7 +58,7 @@ class Same(Recipe):
 
 
 class Place(Recipe):
-    """A span: so many lines below the first, columns counted from the ends of shape's places.
+    """A span: in which of the shape's lines, with columns that count from the ends of its places.
 
     ``begin`` and ``end``: the places that the two columns are counted from, -1: the line's begin.
     """
@@ -78,7 +79,7 @@ class Place(Recipe):
         if self.end >= 0:
             end_column += at.ends[self.end]
         slots.put(_FILE, span, at.file)
-        slots.put(_LINE, span, at.line + self.line)
+        slots.put(_LINE, span, at.first + at.lines[self.line])
         slots.put(_COLUMN, span, column)
         slots.put(_END_COLUMN, span, end_column)
         return span
@@ -103,6 +104,22 @@ class Items(Recipe):
 
     def make(self, at: Occurrence) -> Any:
         return tuple([part.make(at) for part in self.parts])
+
+
+class Body(Recipe):
+    """A tuple of statements, the runs of the shape among them."""
+
+    def __init__(self, parts: Sequence[Recipe | int]) -> None:
+        self.parts = list(parts)
+
+    def make(self, at: Occurrence) -> Any:
+        made: list[Any] = []
+        for part in self.parts:
+            if isinstance(part, int):
+                made += at.inside[part]
+            else:
+                made.append(part.make(at))
+        return tuple(made)
 
 
 class Filled(Recipe):

@@ -2,23 +2,38 @@
 # C types of shapes.py.
 cimport cython
 
+cdef class Shape:
+    cdef readonly bytes key
+    cdef readonly list lines
+    cdef readonly list numbers
+    cdef readonly list ends
+    cdef readonly list runs
+
+    @cython.locals(inside=Shape, run=list)
+    cdef int is_of(self, set keys) except -1
+
 cdef class ShapeScanner:
     cdef bytearray room
     cdef unsigned char[::1] text
-    cdef readonly double[::1] numbers
-    cdef readonly long long[::1] ends
-    cdef readonly bytes key
-    cdef readonly Py_ssize_t lines
-    cdef readonly Py_ssize_t count
+    cdef double[::1] numbers
+    cdef long long[::1] ends
+    cdef readonly Shape shape
+    cdef readonly Py_ssize_t index
+    cdef Py_ssize_t end
+    cdef Py_ssize_t count
     cdef Py_ssize_t length
     cdef int opens
+    cdef bint controls
     cdef double value
     cdef bint is_name
 
-    @cython.locals(end=Py_ssize_t)
+    @cython.locals(end=Py_ssize_t, shape=Shape)
     cpdef Py_ssize_t pass_over(self, list lines, Py_ssize_t index, set keys) except -1
-    @cython.locals(depth=int, first=Py_ssize_t, end=Py_ssize_t, before=Py_ssize_t)
-    cpdef int read(self, list lines, Py_ssize_t index) except -1
+    cpdef Py_ssize_t read(self, list lines, Py_ssize_t index) except -1
+    @cython.locals(i=Py_ssize_t, shape=Shape, own=list, runs=list)
+    cdef Shape statement(self, list lines, Py_ssize_t start, Py_ssize_t place, int depth)
+    @cython.locals(start=Py_ssize_t, before=Py_ssize_t, place=Py_ssize_t, shape=Shape, run=list)
+    cdef int inside(self, list lines, list own, list runs, int depth) except -1
     @cython.locals(end=Py_ssize_t, start=Py_ssize_t, places=Py_ssize_t, i=Py_ssize_t, stop=Py_ssize_t, is_empty=bint, is_head=bint, before=Py_UCS4, last=Py_UCS4, c=Py_UCS4, depth=int, element_depth=int, behind_element=bint)
     cdef int line(self, str line)
     cdef void put(self, Py_UCS4 c)

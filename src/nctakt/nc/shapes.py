@@ -3,96 +3,176 @@
 # cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Shapes of statements: their text without its numbers and comments.
 
-In: lines. Out: the shape of the statement that begins there, a structure with all its lines, and
-what it leaves out: numbers, and where each of them and each comment ends. Ordinary programs are
-made by programs: statements of the same shape come again and again with other numbers. A number is
-left out where it is a value (``X10``, ``[3 * P1]``) and not 0; the numbers of functions, parameters
-and elements (``G01``, ``P1``, ``V.P.A[2]``) belong to the shape. What has a label, a text in
+In: lines. Out: the ``Shape`` of the statement that begins there, and what it leaves out: numbers,
+and where each of them and each comment ends. Ordinary programs are made by programs: statements of
+the same shape come again and again with other numbers. A number is left out where it is a value
+(``X10``, ``[3 * P1]``) and not 0; the numbers of functions, parameters and elements (``G01``,
+``P1``, ``V.P.A[2]``) belong to the shape. The shape of a structure is that of its own ``$`` lines;
+the statements between them are *runs*, each with a shape of its own. What has a label, a text in
 quotes, a ``#`` or a ``%`` has no shape, nor has what is long; it is for the parser alone.
 """
 
 from __future__ import annotations
 
-#: In a shape: a number, a comment.
+#: In a shape: a number, a comment, a run.
 NUMBER = 1
 COMMENT = 2
+RUN = 3
 
-#: Numbers and comments, lines and characters that a statement with a shape may have.
+#: Numbers and comments, lines, characters of a statement with a shape; structures inside it.
 MOST_PLACES = 200
-MOST_LINES = 60
+MOST_LINES = 400
 MOST_TEXT = 4000
+MOST_DEPTH = 20
 
 #: Characters and places of one of its lines.
 LONGEST_LINE = 200
 MOST_PLACES_OF_LINE = 24
 
 
-class ShapeScanner:
-    """Finds shapes; ``key``: the last one, empty for none, of so many ``lines``.
+class Shape:
+    """The shape of one statement: its ``key``, and what is not part of it.
 
-    Behind it ``count`` numbers and comments are known: ``numbers`` their values, ``ends`` where in
-    their lines they end.
+    ``lines``: which of the lines at hand its own lines are. ``numbers``: the values of its numbers,
+    0 for a comment; ``ends``: where in their lines they end. ``runs``: the statements inside it.
     """
 
+    def __init__(self, key: bytes) -> None:
+        self.key = key
+        self.lines: list[int] = []
+        self.numbers: list[float] = []
+        self.ends: list[int] = []
+        self.runs: list[list[Shape]] = []
+
+    def is_of(self, keys: set[bytes]) -> int:
+        """Whether it and all that is inside it have one of these keys."""
+        if self.key not in keys:
+            return 0
+        for run in self.runs:
+            for inside in run:
+                if not inside.is_of(keys):
+                    return 0
+        return 1
+
+
+class ShapeScanner:
+    """Finds shapes; ``shape``: the last one, ``None`` for none, behind ``index`` lines."""
+
     def __init__(self) -> None:
-        self.room = bytearray(MOST_TEXT + LONGEST_LINE + 2)
+        self.room = bytearray(MOST_TEXT + LONGEST_LINE + 4)
         self.text = memoryview(self.room)
         self.numbers = memoryview(bytearray(8 * (MOST_PLACES + LONGEST_LINE))).cast("d")
         self.ends = memoryview(bytearray(8 * (MOST_PLACES + LONGEST_LINE))).cast("q")
-        self.key = b""
-        self.lines = 0
+        self.shape: Shape | None = None
+        self.index = 0
+        self.end = 0
         self.count = 0
         self.length = 0
         self.opens = 0
+        self.controls = False
         self.value = 0.0
         self.is_name = False
 
     def pass_over(self, lines: list[str], index: int, keys: set[bytes]) -> int:
         """The first line from ``index`` on that is neither empty nor begins one of these shapes.
 
-        ``key`` is its shape.
+        ``shape`` is its shape.
         """
         end = len(lines)
         while index < end:
             if self.read(lines, index) == 0:
                 return index
-            if self.key and self.key not in keys:
+            shape = self.shape
+            if shape is not None and not shape.is_of(keys):
                 return index
-            index += self.lines
+            index = self.index
         return index
 
     def read(self, lines: list[str], index: int) -> int:
         """Find the shape of the statement that begins at ``lines[index]``; how many lines it has.
 
-        An empty line is one with an empty ``key``; without a shape there are no lines.
+        An empty line is one without a ``shape``; without lines there is none.
         """
-        self.key = b""
-        self.lines = 0
+        self.shape = None
         self.count = 0
         self.length = 0
-        depth = 0
-        first = index
-        end = min(len(lines), index + 60)
-        while index < end:
-            self.opens = 0
-            before = self.length
-            if not self.line(lines[index]):
+        self.index = index
+        self.end = min(len(lines), index + 400)
+        if not self.line(lines[index]):
+            return 0
+        if self.length == 0:
+            self.index = index + 1
+            return 1
+        self.shape = self.statement(lines, 0, 0, 0)
+        return self.index - index if self.shape is not None else 0
+
+    def statement(self, lines: list[str], start: int, place: int, depth: int) -> Shape | None:
+        """The statement whose first line has just been added, which is ``lines[index]``.
+
+        ``start``, ``place``: where its text and its places begin; none of it is left there.
+        """
+        if self.opens < 0 or depth > 20:
+            return None
+        own = [self.index]
+        runs: list[list[Shape]] = []
+        self.index += 1
+        if self.opens > 0:
+            if not self.inside(lines, own, runs, depth):
+                return None
+        if self.length > 4000 or self.count > 200:
+            return None
+        shape = Shape(bytes(self.room[start : self.length]))
+        shape.lines = own
+        shape.runs = runs
+        for i in range(place, self.count):
+            shape.numbers.append(self.numbers[i])
+            shape.ends.append(self.ends[i])
+        self.length = start
+        self.count = place
+        return shape
+
+    def inside(self, lines: list[str], own: list[int], runs: list[list[Shape]], depth: int) -> int:
+        """The rest of a structure: its ``$`` lines to its shape, the others to its runs."""
+        run: list[Shape] | None = None
+        while self.index < self.end:
+            start = self.length
+            place = self.count
+            if start > 4000 or place > 200:
                 return 0
-            index += 1
-            depth += self.opens
-            if depth < 0 or self.length > 4000 or self.count > 200:
+            self.put("\n")
+            if not self.line(lines[self.index]):
                 return 0
-            if depth == 0:
-                self.lines = index - first
-                if self.length > before:
-                    self.key = bytes(self.room[: self.length])
-                return self.lines
-            self.text[self.length] = 10
-            self.length += 1
+            if self.length == start + 1:
+                self.length = start
+                self.index += 1
+                continue
+            if self.controls and self.opens <= 0:
+                own.append(self.index)
+                run = None
+                self.index += 1
+                if self.opens < 0:
+                    self.opens = 0
+                    return 1
+                continue
+            shape = self.statement(lines, start + 1, place, depth + 1)
+            if shape is None:
+                return 0
+            self.length = start
+            if run is None:
+                run = []
+                runs.append(run)
+                own.append(-1)
+                self.put("\n")
+                self.text[self.length] = 3
+                self.length += 1
+            run.append(shape)
         return 0
 
     def line(self, line: str) -> int:
-        """Add a line to the shape; 0 where it has none. ``opens``: the structures that it does."""
+        """Add a line to the shape; 0 where it has none.
+
+        ``controls``: it begins with ``$``. ``opens``: the structures that it opens, -1 closes.
+        """
         end = len(line)
         if end > 200:
             return 0
@@ -107,6 +187,8 @@ class ShapeScanner:
         element_depth = 0
         behind_element = False
         self.is_name = False
+        self.opens = 0
+        self.controls = False
         while i < end:
             c = line[i]
             if c == ";":
@@ -313,9 +395,10 @@ class ShapeScanner:
 
     def control(self, line: str, i: int, end: int) -> None:
         """Behind ``$``: whether it opens or closes a structure; a second one only jumps."""
-        if self.opens == 1:
+        if self.controls:
             self.opens = 0
             return
+        self.controls = True
         first = line[i] if i < end else " "
         second = line[i + 1] if i + 1 < end else " "
         if first in "IiFfWwRrSs":

@@ -21,6 +21,7 @@ from nctakt.nc.syntax import (
     Break,
     Call,
     Case,
+    Constant,
     Continue,
     Do,
     ElseIf,
@@ -43,22 +44,35 @@ VALUE_WORDS = ("F", "I", "J", "K", "R")
 #: M functions that end a program or a subprogram.
 _ENDS = (2, 17, 29, 30)
 
+#: What ``$BREAK`` leaves.
+_LEFT = (For, While, Do, Repeat, Switch)
+
 
 class _LoudError(Exception):
     """More than the shape counts."""
 
 
 def is_silent(statement: Statement, numbers: Container[Span], count: int) -> bool:
-    """Whether all numbers of the shape, so many at these places, stand where any number may."""
+    """Whether all numbers of the shape, so many at these places, stand where any number may.
+
+    What is inside it has shapes of its own.
+    """
     try:
-        return sum(number.span in numbers for number in _free(statement)) == count
+        return sum(number.span in numbers for number in _free(statement, ())) == count
     except _LoudError:
         return False
 
 
-def _free(statement: Statement | ElseIf | Case) -> Iterator[Number]:
-    """The numbers of a statement and of all that is inside it that may be any."""
+def _free(
+    statement: Statement | ElseIf | Case, around: tuple[type[Statement], ...]
+) -> Iterator[Number]:
+    """The numbers of a statement and of all that is inside it that may be any.
+
+    ``around``: the kinds of structures that it stands in, as far as they are known.
+    """
     yield from _of_head(statement.head)
+    if isinstance(statement, Statement):
+        around = (*around, type(statement))
     match statement:
         case Block():
             for word in statement.words:
@@ -67,32 +81,36 @@ def _free(statement: Statement | ElseIf | Case) -> Iterator[Number]:
             yield from _of_value(statement.value)
         case If() if not statement.preprocessor:
             yield from _of_condition(statement.condition)
-            yield from _inside(statement.body)
-            yield from _inside(statement.elseifs)
-            yield from _inside(statement.else_body or ())
+            yield from _inside(statement.body, around)
+            yield from _inside(statement.elseifs, around)
+            yield from _inside(statement.else_body or (), around)
         case ElseIf() | While() | Do() | Repeat():
             yield from _of_condition(statement.condition)
-            yield from _inside(statement.body)
+            yield from _inside(statement.body, around)
         case For():
             for bound in (statement.start, statement.end, statement.step):
                 yield from _of_value(bound)
-            yield from _inside(statement.body)
+            yield from _inside(statement.body, around)
         case Switch():
             yield from _of_value(statement.subject)
-            yield from _inside(statement.cases)
+            yield from _inside(statement.cases, around)
         case Case():
             if statement.value is not None:
                 yield from _of_value(statement.value)
-            yield from _inside(statement.body)
-        case Break() | Continue():
+            yield from _inside(statement.body, around)
+        case Break() if any(one in _LEFT for one in around):
+            pass
+        case Continue() if any(one in _LEFT and one is not Switch for one in around):
             pass
         case _:
             raise _LoudError
 
 
-def _inside(parts: Sequence[Statement | ElseIf | Case]) -> Iterator[Number]:
+def _inside(
+    parts: Sequence[Statement | ElseIf | Case], around: tuple[type[Statement], ...]
+) -> Iterator[Number]:
     for part in parts:
-        yield from _free(part)
+        yield from _free(part, around)
 
 
 def _of_head(head: Head) -> Iterator[Number]:
@@ -119,8 +137,9 @@ def _of_word(word: BlockWord) -> Iterator[Number]:
 
 def _of_condition(condition: Expression) -> Iterator[Number]:
     """A number alone is true or false, and what it leads to is checked or not."""
-    if not isinstance(condition, Number):
-        yield from _of_value(condition)
+    if isinstance(condition, Number | Constant):
+        raise _LoudError
+    yield from _of_value(condition)
 
 
 def _of_value(expression: Expression) -> Iterator[Number]:

@@ -22,7 +22,7 @@ from nctakt.nc.operators import FUNCTIONS
 from nctakt.nc.parser import StatementReader
 from nctakt.nc.recipes import Occurrence, Recipe
 from nctakt.nc.resolution import OWN_FAMILIES
-from nctakt.nc.shapes import COMMENT, NUMBER, ShapeScanner
+from nctakt.nc.shapes import COMMENT, NUMBER, RUN, Shape, ShapeScanner
 from nctakt.nc.silence import VALUE_WORDS, is_silent
 from nctakt.nc.source import LineReader, Source
 from nctakt.nc.syntax import (
@@ -56,6 +56,9 @@ MOST_SHAPE_TEXT = 60_000
 
 #: The numbers that a shape's text has in its places: this one and those behind it.
 _FIRST_NUMBER = 1001
+
+#: What stands for a run in the shape's text.
+_RUN = "G1"
 
 #: The slots of a number.
 _SLOTS = tuple(getattr(Number, one.name) for one in dataclasses.fields(Number))
@@ -146,26 +149,62 @@ class Templates:
             count = scanner.read(lines.group, lines.index)
             if count == 0:
                 return None
-            if scanner.key:
-                template = self.of(scanner.key)
-                if template is None:
+            shape = scanner.shape
+            if shape is not None:
+                made = self._made(shape, file, lines.number - lines.index)
+                if made is None:
+                    self._meet(shape)
                     return None
-                at = Occurrence(file, lines.number, scanner)
                 lines.index += count
-                made: Statement = template.recipe.make(at)
                 return made
             lines.index += count
         return None
+
+    def _made(self, shape: Shape, file: str, first: int) -> Statement | None:
+        """The statement of a shape; ``first``: the number of the first line at hand."""
+        template = self._known.get(shape.key)
+        if template is None:
+            return None
+        inside: list[list[Statement]] = []
+        for run in shape.runs:
+            statements: list[Statement] = []
+            for one in run:
+                made = self._made(one, file, first)
+                if made is None:
+                    return None
+                statements.append(made)
+            inside.append(statements)
+        statement: Statement = template.recipe.make(Occurrence(file, first, shape, inside))
+        return statement
+
+    def _meet(self, shape: Shape) -> None:
+        """A statement came that is not made from templates: next time it may be."""
+        self.of(shape.key)
+        self._meet_inside(shape)
+
+    def _meet_inside(self, shape: Shape) -> None:
+        for run in shape.runs:
+            for one in run:
+                self._meet(one)
 
     def pass_over(self, lines: list[str], index: int) -> int:
         """The first line from ``index`` on that has to be checked; its shape is the scanner's."""
         return self.scanner.pass_over(lines, index, self._silent)
 
-    def was_in_order(self, key: bytes) -> None:
-        """A statement of this shape, empty for none, was checked, and nothing was found."""
-        template = self.of(key) if key else None
-        if template is not None and template.is_silent:
-            self._silent.add(key)
+    def was_in_order(self, shape: Shape) -> None:
+        """A statement of this shape was checked, and nothing was found.
+
+        Where that depends on more than the shape, something inside may not have been looked at.
+        """
+        template = self.of(shape.key)
+        if template is None:
+            self._meet_inside(shape)
+        if template is None or not template.is_silent:
+            return
+        self._silent.add(shape.key)
+        for run in shape.runs:
+            for one in run:
+                self.was_in_order(one)
 
     def of(self, key: bytes) -> Template | None:
         """The template of a shape; ``None`` for one that is new or has none."""
@@ -186,15 +225,17 @@ class Templates:
 
 def make_template(key: bytes) -> Template | None:
     """The template of a shape, ``None`` where a number of it is not simply a number."""
-    lines, places = _text_of(key)
+    lines, places, runs = _text_of(key)
     found = Collector()
     statements = [statement for _, statement in StatementReader(Source("", lines), found)]
     if found.diagnostics or len(statements) != 1:
         return None
-    writer = _Writer(places)
+    writer = _Writer(places, runs)
     recipe = writer.recipe(statements[0])
     numbers = sum(place.number > 0.0 for place in places)
     if len(writer.numbers) != numbers or len(writer.taken) != numbers:
+        return None
+    if sorted(writer.runs) != list(range(len(runs))):
         return None
     return Template(recipe, is_silent(statements[0], writer.numbers, numbers))
 
@@ -209,15 +250,19 @@ class _Gap:
     number: float
 
 
-def _text_of(key: bytes) -> tuple[list[str], list[_Gap]]:
-    """NC text of this shape, and the places in it."""
+def _text_of(key: bytes) -> tuple[list[str], list[_Gap], list[int]]:
+    """NC text of this shape, the places in it, and which of its lines stand for runs."""
     lines: list[str] = []
     places: list[_Gap] = []
+    runs: list[int] = []
     for number, shape in enumerate(key.split(b"\n")):
         text = ""
         for code in shape:
             start = len(text)
-            if code == NUMBER:
+            if code == RUN:
+                runs.append(number)
+                text = _RUN
+            elif code == NUMBER:
                 value = _FIRST_NUMBER + len(places)
                 text += str(value)
                 places.append(_Gap(number, start, len(text), float(value)))
@@ -227,29 +272,52 @@ def _text_of(key: bytes) -> tuple[list[str], list[_Gap]]:
             else:
                 text += chr(code)
         lines.append(text)
-    return lines, places
+    return lines, places, runs
 
 
 class _Writer:
-    """Writes the recipe of a tree; ``numbers``: its nodes that are numbers of the shape."""
+    """Writes the recipe of a tree; ``numbers``: its nodes that are numbers of the shape.
 
-    def __init__(self, places: list[_Gap]) -> None:
+    ``taken``: their places; ``runs``: those that it has found.
+    """
+
+    def __init__(self, places: list[_Gap], runs: list[int]) -> None:
         self._places = places
+        self._runs = runs
         self._order = [(place.line, place.end) for place in places]
         self.numbers: dict[Span, recipes.Value] = {}
         self.taken: set[int] = set()
+        self.runs: list[int] = []
 
     def recipe(self, value: Any) -> Recipe:
         """How a value of the tree is made: a node, a span, a tuple, anything else as it is."""
         if isinstance(value, Span):
             return self._span(value)
         if isinstance(value, tuple):
-            return _joined(recipes.Items, value, [self.recipe(one) for one in value])
+            return self._tuple(value)
         if isinstance(value, Number):
             return self._number(value)
         if dataclasses.is_dataclass(value):
             return self._node(value)
         return recipes.Same(value)
+
+    def _tuple(self, values: tuple[Any, ...]) -> Recipe:
+        """A tuple of parts; one object for all occurrences where all of them are."""
+        parts: list[Recipe] = []
+        body: list[Recipe | int] = []
+        for value in values:
+            line = value.span.line - 1 if isinstance(value, Statement) else -1
+            if line in self._runs:
+                self.runs.append(self._runs.index(line))
+                body.append(self.runs[-1])
+            else:
+                parts.append(self.recipe(value))
+                body.append(parts[-1])
+        if len(parts) < len(body):
+            return recipes.Body(body)
+        if all(isinstance(part, recipes.Same) for part in parts):
+            return recipes.Same(values)
+        return recipes.Items(parts)
 
     def _node(self, node: Any) -> Recipe:
         cls = type(node)
@@ -300,13 +368,6 @@ class _Writer:
 def _covers(span: Span, place: _Gap) -> bool:
     is_inside = span.column - 1 <= place.start and place.end <= span.end_column - 1
     return span.line - 1 == place.line and is_inside
-
-
-def _joined(make: type[recipes.Items], value: object, parts: list[Recipe]) -> Recipe:
-    """A tuple of parts; one object for all occurrences where all of them are."""
-    if all(isinstance(part, recipes.Same) for part in parts):
-        return recipes.Same(value)
-    return make(parts)
 
 
 def _is_now(expression: Expression) -> bool:

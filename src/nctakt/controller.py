@@ -127,6 +127,11 @@ class Controller:
         return tuple(self.machine.axes[index] for index in self._machine.members)
 
     @property
+    def has_limited_jerk(self) -> bool:
+        """Whether a block of the first channel has had the jerk-limited slope by now."""
+        return self._machine.channels[0].ahead.has_smooth
+
+    @property
     def instructions_in_tick(self) -> int:
         """Elementary instructions that the realtime cycles ran in the last tick (RC-501)."""
         return sum(one.channel.context.steps for one in self._channels)

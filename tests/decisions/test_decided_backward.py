@@ -69,6 +69,16 @@ def test_without_memory_the_path_goes_on_and_the_operator_is_warned(tmp_path: Pa
         Controller(machine).backward()
 
 
+def test_a_program_that_begins_while_backward_is_commanded_waits_and_says_so() -> None:
+    """There is no way behind its first block: 900890 once, then it waits until forward (MO-7)."""
+    run = perform("N10 G00 X10\nM30", (0, 1.0), (200, 0.0))
+    assert run.state == "ended"
+    assert numbers(run) == [900890]
+    assert run.diagnostics[0].span is not None
+    assert run.diagnostics[0].span.line == 1
+    assert at(run, 200) > 0.0 == at(run, 199)
+
+
 def test_too_little_memory_is_raised_and_said(tmp_path: Path) -> None:
     """P-STUP-00033 below the least size: warning 50450; how many blocks fit follows and is told."""
     machine = with_memory(tmp_path, 1)

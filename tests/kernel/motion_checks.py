@@ -94,7 +94,7 @@ def off_the_way(program: MotionProgram, places: np.ndarray, numbers: np.ndarray)
 def ends_missed(program: MotionProgram, places: np.ndarray, numbers: np.ndarray) -> list[str]:
     """The blocks with an exact stop, and the last one, that do not end as programmed."""
     found = []
-    final = max((number for number, way in program.ways.items() if way.moves), default=0)
+    final = max(program.ways, default=0)
     last = dict(zip(numbers.tolist(), range(len(numbers)), strict=True))
     for number, way in program.ways.items():
         is_exact = way.exact or number == final

@@ -44,7 +44,15 @@ def motion(text: str) -> Motion:
     axes = controller.channel_axes
     run = controller.run(NcText("part.nc", text), signals=signals([axis.name for axis in axes]))
     assert run.trace is not None
-    return motion_of(run.trace, axes)
+    return motion_of(run.trace, axes, limits_jerk=controller.has_limited_jerk)
+
+
+def test_the_jerk_has_a_limit_where_the_slope_gives_it_one() -> None:
+    """MO-2: 4000 mm/s² in 50 ms; the axis keeps to it, and a trapezoid draws no line."""
+    axis = motion("#SLOPE [TYPE=TRAPEZ]\nG00 X20\nM30\n").axes[0]
+    assert axis.limits == (500.0, 4000.0, 80_000.0)
+    assert abs(axis.derivatives[JERK - 1].values).max() == pytest.approx(80_000.0)
+    assert motion("G00 X20\nM30\n").axes[0].limits == (500.0, 4000.0, 0.0)
 
 
 def test_speed_acceleration_and_jerk_are_those_of_the_positions() -> None:

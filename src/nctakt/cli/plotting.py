@@ -38,6 +38,7 @@ class Plot:
         if not self._path.parent.is_dir():
             reason = os.strerror(errno.ENOENT)
             raise Failure(diagnostic(900507, file=options.plot, reason=reason))
+        self._controller = controller
         self._axes = controller.channel_axes
         self._defaults = controller.default_signals
         self._signals = motion.signals([axis.name for axis in self._axes])
@@ -61,7 +62,9 @@ class Plot:
         from nctakt.plots import motion, picture  # noqa: PLC0415 - as above
 
         title = ", ".join(Path(program).name for program in self._options.programs)
-        curves = motion.motion_of(self._sink.trace, self._axes)
+        curves = motion.motion_of(
+            self._sink.trace, self._axes, limits_jerk=self._controller.has_limited_jerk
+        )
         try:
             picture.write_picture(curves, self._path, title, self._options.language)
         except OSError as error:

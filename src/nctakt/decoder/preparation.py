@@ -30,15 +30,7 @@ def look_ahead(
             (axis.rapid_speed, axis.max_speed),
             (axis.dynamics.rapid_acceleration, axis.dynamics.feed_acceleration),
         )
-        slope = axis.dynamics.jerk_slope
-        most = axis.dynamics.max_acceleration
-        feed = min(slope.acceleration, slope.deceleration, most)
-        rapid = min(slope.rapid_acceleration, most)
-        shortest_us = axis.dynamics.shortest_ramp_time_us
-        slowest_us = max(*slope.ramp_times_us, shortest_us, 1)
-        rapid_us = max(slope.rapid_ramp_time_us, shortest_us, 1)
-        jerks = (rapid * 1e6 / rapid_us, feed * 1e6 / slowest_us)
-        ahead.limit_slope(index, (rapid, feed), jerks)
+        ahead.limit_slope(index, axis.dynamics.smooth_accelerations, axis.dynamics.smooth_jerks)
     return ahead
 
 

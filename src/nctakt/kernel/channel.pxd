@@ -15,6 +15,7 @@ cdef class Channel(Commands):
     cdef bint is_reset_due
     cdef public bint is_paced
     cdef long long starved_since
+    cdef bint has_told_wait
 
     @cython.locals(commands=Py_ssize_t, single=Py_ssize_t)
     cdef Py_ssize_t event_bound(self) noexcept nogil
@@ -32,6 +33,8 @@ cdef class Channel(Commands):
     cdef void watch_stops(self) noexcept nogil
     @cython.locals(goes_on=int)
     cdef int step_back(self, double factor, int stops) noexcept nogil
+    @cython.locals(waits=bint, base=Py_ssize_t)
+    cdef void tell_wait(self) noexcept nogil
     @cython.locals(number=double)
     cdef void publish_block(self) noexcept nogil
     @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int, message=int)

@@ -52,6 +52,7 @@ class Channel(Commands):
         self.is_reset_due = False
         self.is_paced = False
         self.starved_since = -1
+        self.has_told_wait = False
         for i in range(self.path.count):
             single_axes.belong(self.path.members[i])
 
@@ -208,6 +209,7 @@ class Channel(Commands):
             return self.path.step(factor, stops)
         if not self.path.is_away:
             if self.is_stopped or self.is_resetting or not self.retrace.takes_over():
+                self.tell_wait()
                 return self.path.step(factor, 1)
             self.retrace.leave()
             self.publish_block()
@@ -218,6 +220,16 @@ class Channel(Commands):
             self.report(self.retrace.fault_source, self.retrace.fault, self.path.refused_axis)
             self.retrace.fault = 0
         return goes_on
+
+    def tell_wait(self) -> None:
+        """Warn, once, that a program waits because backward has no way: it would be silent."""
+        if self.panel.turns_back or self.is_resetting:
+            self.has_told_wait = False
+        waits = self.head < self.tail and not self.path.is_active
+        if waits and not self.has_told_wait and not self.is_stopped and not self.is_resetting:
+            self.has_told_wait = True
+            base = self.head % self.capacity * self.width
+            self.record.error(int(self.queue[base + 1]), 0, 900890, 0.0)
 
     def publish_block(self) -> None:
         """The N number of the block that is current in this tick, its last one included."""

@@ -44,6 +44,7 @@ cdef class SegmentLimits:
     cdef double is_feed
     cdef double lent_a
     cdef double lent_j
+    cdef readonly bint has_smooth
 
     cdef void measure(self, double[::1] row, Py_ssize_t base, double feed_v) noexcept nogil
     @cython.locals(limit_a=double, limit_j=double, i=Py_ssize_t, way=double, part=double, slope_a=double, slope_j=double)

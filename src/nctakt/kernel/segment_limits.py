@@ -21,7 +21,7 @@ class SegmentLimits:
     """The limits of the segments of one channel over ``count`` axes.
 
     ``most_factor``: the highest override as a factor (P-CHAN-00056). ``capacity``: that of the
-    channel's queue, which keeps it current.
+    channel's queue, which keeps it current. ``has_smooth``: a segment had a limit of the jerk.
     """
 
     def __init__(self, count: int, cycle_time_us: int, blocks: int, most_factor: float) -> None:
@@ -65,6 +65,7 @@ class SegmentLimits:
         self.is_feed = 0.0
         self.lent_a = 0.0
         self.lent_j = 0.0
+        self.has_smooth = False
 
     def limit(
         self,
@@ -104,6 +105,7 @@ class SegmentLimits:
 
     def smooth(self, row: memoryview[float], base: int, feed_v: float) -> None:
         """Acceleration and jerk of the jerk-limited slope."""
+        self.has_smooth = True
         limit_a = 1e300
         limit_j = 1e300
         for i in range(self.count):

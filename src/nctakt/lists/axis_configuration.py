@@ -111,6 +111,24 @@ class AxisDynamics:
         """Acceleration and deceleration of rapid motions, trapezoid."""
         return self.rapid_slope.acceleration(self.rapid_speed, self.max_acceleration)
 
+    @property
+    def smooth_accelerations(self) -> tuple[float, float]:
+        """Acceleration of rapid motions and of feed with the jerk-limited slope."""
+        slope = self.jerk_slope
+        feed = min(slope.acceleration, slope.deceleration, self.max_acceleration)
+        return (min(slope.rapid_acceleration, self.max_acceleration), feed)
+
+    @property
+    def smooth_jerks(self) -> tuple[float, float]:
+        """Jerk of rapid motions and of feed: the slowest of the ramps counts."""
+        rapid, feed = self.smooth_accelerations
+        shortest_us = max(self.shortest_ramp_time_us, 1)
+        rapid_us = max(self.jerk_slope.rapid_ramp_time_us, shortest_us)
+        return (
+            rapid * 1e6 / rapid_us,
+            feed * 1e6 / max(*self.jerk_slope.ramp_times_us, shortest_us),
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class AxisConfiguration:

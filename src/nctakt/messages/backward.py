@@ -30,6 +30,16 @@ _add(
     cause_de="P-STUP-00033 ist 0, seine Vorgabe: Rückwärtsfahren gibt es nicht.",
 )
 _add(
+    900890,
+    WARNING,
+    "backward motion is commanded, and there is no way behind: the program waits",
+    "Rückwärtsfahren ist befohlen, und es gibt keinen Weg zurück: das Programm wartet",
+    remedy_en="Command forward: HLI.BACKWARD_MOTION = 0.",
+    remedy_de="Vorwärts befehlen: HLI.BACKWARD_MOTION = 0.",
+    cause_en="The history begins with the program, behind a reset and where it was cleared.",
+    cause_de="Die Vorgeschichte beginnt mit dem Programm, nach einem Reset und nach dem Löschen.",
+)
+_add(
     900881,
     ERROR,
     "#RT WHILE needs the history of the path, and this channel has none",

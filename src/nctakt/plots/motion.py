@@ -90,12 +90,17 @@ def signals(axes: Sequence[str]) -> tuple[str, ...]:
     return (*(position_signal(axis) for axis in axes), *_PATH_SIGNALS)
 
 
-def motion_of(trace: Trace, axes: Sequence[AxisConfiguration]) -> Motion:
-    """The curves of a run that recorded ``signals``."""
+def motion_of(
+    trace: Trace, axes: Sequence[AxisConfiguration], *, limits_jerk: bool = False
+) -> Motion:
+    """The curves of a run that recorded ``signals``.
+
+    ``limits_jerk``: the path had the jerk-limited slope; without it the jerk has no limit.
+    """
     cycle_time_s = trace.cycle_time_us / 1e6
     time_s = ((trace.tick + 1) * trace.cycle_time_us / 1e6).astype(numpy.float64)
     return Motion(
-        tuple(_axis(trace, axis, time_s, cycle_time_s) for axis in axes),
+        tuple(_axis(trace, axis, time_s, cycle_time_s, limits_jerk) for axis in axes),
         Curve(time_s, trace["PATH.SPEED"]),
         Curve(time_s, trace["OVERRIDE.VEL.TOTAL"]),
         Curve(time_s, trace["PATH.DIST_TO_GO"]),
@@ -103,12 +108,20 @@ def motion_of(trace: Trace, axes: Sequence[AxisConfiguration]) -> Motion:
     )
 
 
-def _axis(trace: Trace, axis: AxisConfiguration, time_s: Values, cycle_time_s: float) -> AxisMotion:
+def _axis(
+    trace: Trace,
+    axis: AxisConfiguration,
+    time_s: Values,
+    cycle_time_s: float,
+    limits_jerk: bool,
+) -> AxisMotion:
     position = trace[position_signal(axis.name)]
     if axis.is_modulo and len(position):
         position = numpy.unwrap(position, period=axis.modulo_range)
     dynamics = axis.dynamics
-    limits = (axis.max_speed, max(dynamics.feed_acceleration, dynamics.rapid_acceleration), 0.0)
+    trapezoid = (dynamics.feed_acceleration, dynamics.rapid_acceleration)
+    jerk = max(dynamics.smooth_jerks) if limits_jerk else 0.0
+    limits = (axis.max_speed, max(trapezoid), jerk)
     return AxisMotion(
         axis.name,
         "mm" if axis.is_linear else "°",

@@ -94,7 +94,7 @@ V.L.STEP = [{a} - V.P.X] / {c}
 V.L.STEP = ABS[V.L.STEP] MOD {c}
 V.P.COUNT += 1
 N{n} P1 = P1 + 1
-P2 = ROUND[{a} / 3] * {c}
+P5 = ROUND[{a} / 3] * {c}
 V.P.F[2] = {a} * 2
 X[V.P.F[2] / 100]
 V.P.F[P4] = V.P.R

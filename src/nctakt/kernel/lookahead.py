@@ -54,6 +54,15 @@ class LookAhead(Bends):
             if self.round_corner(row, before, base):
                 return
         self.pass_corner(row, before, base)
+        row[before + 11] = min(row[before + 11], self.arc_speed(row, before, 1))
+        row[before + 11] = min(row[before + 11], self.arc_speed(row, base, 0))
+
+    def arc_speed(self, row: memoryview[float], base: int, at_end: int) -> float:
+        """The highest speed at the begin or end of an arc whose limits go by its angle."""
+        if shape.pieces(row, base, self.count) == 0:
+            return 1e300
+        self.arcs.open(row, base)
+        return self.arcs.end_cap(at_end)
 
     def axis_acceleration(self, index: int) -> float:
         """What an axis can do in both segments of a corner."""
@@ -93,6 +102,11 @@ class LookAhead(Bends):
         """Less acceleration within a tick of a corner; on a short segment, on all of it."""
         tail = base + 12 + 2 * self.count
         way = speed * self.tick_t + row[base + 6] * self.tick_t * self.tick_t
+        if shape.pieces(row, base, self.count) > 0:
+            first_a = self.feed_a[int(row[tail + 7])]
+            way += (first_a + self.feed_a[int(row[tail + 8])]) * self.tick_t * self.tick_t
+            place = tail + 20 if 3.0 * way > row[base + 3] else tail + 18 + at_end
+            row[place] = max(row[place], most)
         if row[base + 9] == 1.0:
             bend = self.last_bend if at_end else self.bend
             left2 = (1.0 - most) * (1.0 - most) - bend * bend
@@ -169,30 +183,43 @@ class LookAhead(Bends):
         """
         base = number % self.capacity * self.width
         tail = 12 + 2 * self.count
-        speed = min(row[base + 4], row[base + 5])
-        entry_v = shape.entry_speed(row, base, self.count, 0, 0.0, speed)
-        free_v = shape.entry_speed(row, base, self.count, 0, 0.0, row[base + 5])
+        self.enter(row, base, 0.0, 0.0)
         passed = 0
         while row[base + tail + 14] > 0.0:
             back = int(row[base + tail + 14])
             number = number - back
             if number < oldest:
-                return 1 if entry_v >= promised_v and free_v >= promised_free_v else 0
+                return 1 if self.entry_v >= promised_v and self.free_v >= promised_free_v else 0
             base = number % self.capacity * self.width
-            entry_v = min(entry_v, row[base + 11])
-            free_v = min(free_v, row[base + 11])
-            if passed > 0 and entry_v == row[base + 7] and free_v == row[base + tail + 13]:
+            self.entry_v = min(self.entry_v, row[base + 11])
+            self.free_v = min(self.free_v, row[base + 11])
+            if (
+                passed > 0
+                and self.entry_v == row[base + 7]
+                and self.free_v == row[base + tail + 13]
+            ):
                 return 1
-            if passed >= self.blocks and entry_v >= row[base + 7]:
-                if free_v >= row[base + tail + 13]:
+            if passed >= self.blocks and self.entry_v >= row[base + 7]:
+                if self.free_v >= row[base + tail + 13]:
                     return 1
-            row[base + 7] = entry_v
-            row[base + tail + 13] = free_v
-            speed = min(row[base + 4], row[base + 5])
-            entry_v = shape.entry_speed(row, base, self.count, 0, entry_v, speed)
-            free_v = shape.entry_speed(row, base, self.count, 0, free_v, row[base + 5])
+            row[base + 7] = self.entry_v
+            row[base + tail + 13] = self.free_v
+            self.enter(row, base, self.entry_v, self.free_v)
             passed += 1
         return 1
+
+    def enter(self, row: memoryview[float], base: int, end_v: float, free_end_v: float) -> None:
+        """The speeds at the begin of a segment from those at its end: with its feed, without."""
+        speed = min(row[base + 4], row[base + 5])
+        if shape.pieces(row, base, self.count) > 0:
+            self.arcs.open(row, base)
+            self.entry_v = self.arcs.entry_speed(end_v, speed)
+            self.free_v = self.entry_v
+            if free_end_v != end_v or self.entry_v == speed:
+                self.free_v = self.arcs.entry_speed(free_end_v, row[base + 5])
+            return
+        self.entry_v = shape.entry_speed(row, base, self.count, 0, end_v, speed)
+        self.free_v = shape.entry_speed(row, base, self.count, 0, free_end_v, row[base + 5])
 
     def connect(
         self,

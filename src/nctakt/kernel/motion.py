@@ -83,6 +83,33 @@ class Profile:
             self.duration_t = self.first_t
             self.is_endless = True
 
+    def plan_ramps(
+        self,
+        length_d: float,
+        start_v: float,
+        first_d: float,
+        cruise_v: float,
+        last_d: float,
+        end_v: float,
+    ) -> None:
+        """Plan ``length_d`` by the ways of its two ramps: to ``cruise_v``, and down to ``end_v``.
+
+        With a ``cruise_v`` of 0 the way is stopped behind the first ramp.
+        """
+        self.length_d = length_d
+        self.start_v = start_v
+        self.end_v = end_v
+        self.cruise_v = cruise_v
+        self.first_d = first_d
+        self.first_t = 2.0 * first_d / (start_v + cruise_v) if first_d > 0.0 else 0.0
+        self.first_a = (cruise_v - start_v) / self.first_t if self.first_t > 0.0 else 0.0
+        last_t = 2.0 * last_d / (cruise_v + end_v) if last_d > 0.0 else 0.0
+        self.last_a = (cruise_v - end_v) / last_t if last_t > 0.0 else 0.0
+        self.cruise_d = max(length_d - first_d - last_d, 0.0)
+        self.is_endless = cruise_v <= 0.0
+        self.cruise_t = 0.0 if self.is_endless else self.cruise_d / cruise_v
+        self.duration_t = self.first_t + self.cruise_t + last_t
+
     def pass_at_once(self) -> None:
         """No way is left: the end is reached in no time."""
         self.first_t = 0.0

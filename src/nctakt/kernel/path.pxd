@@ -3,6 +3,7 @@
 cimport cython
 from nctakt.kernel cimport arithmetic
 from nctakt.kernel cimport shape
+from nctakt.kernel.arc_speed cimport ArcSpeed
 from nctakt.kernel.axis cimport Axes
 from nctakt.kernel.motion cimport Profile
 from nctakt.kernel.smooth_speed cimport SmoothSpeed
@@ -34,6 +35,8 @@ cdef class Path:
     cdef bint is_dwell
     cdef long long dwell_ticks
     cdef Profile profile
+    cdef ArcSpeed arc
+    cdef Py_ssize_t pieces
     cdef SmoothSpeed smooth
     cdef double[::1] places
     cdef int stage
@@ -71,6 +74,7 @@ cdef class Path:
     cdef bint goes_on(self) noexcept nogil
     cdef void leave_rest(self, double rest) noexcept nogil
     cdef long long block_serial(self) noexcept nogil
+    cdef void enter_stages(self) noexcept nogil
     @cython.locals(way=double)
     cdef int next_stage(self) noexcept nogil
     @cython.locals(limit_v=double)

@@ -14,6 +14,7 @@ is carried into the next one. Segments that were used stay in the ring until the
 from __future__ import annotations
 
 from nctakt.kernel import arithmetic, shape
+from nctakt.kernel.arc_speed import ArcSpeed
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.motion import Profile
 from nctakt.kernel.smooth_speed import SmoothSpeed
@@ -58,6 +59,8 @@ class Path:
         self.is_dwell = False
         self.dwell_ticks = 0
         self.profile = Profile()
+        self.arc = ArcSpeed(len(members), self.profile)
+        self.pieces = 0
         self.smooth = SmoothSpeed(self.cycle_time_t)
         self.places = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
         self.stage = 0
@@ -92,11 +95,18 @@ class Path:
         self.offset_t = offset_t
         self.ticks = 0
         if not self.is_dwell:
-            self.smooth.begin()
-            self.stage = -1
-            self.stage_end_d = 0.0
+            self.enter_stages()
             self.next_stage()
             self.claim()
+
+    def enter_stages(self) -> None:
+        """Be before the first stage of the segment."""
+        self.smooth.begin()
+        self.stage = -1
+        self.stage_end_d = 0.0
+        self.pieces = shape.pieces(self.ring, self.base, self.count)
+        if self.pieces > 0:
+            self.arc.begin(self.ring, self.base)
 
     def remember(self) -> None:
         """The segment goes into the history; a new one where an axis was moved otherwise."""
@@ -126,9 +136,7 @@ class Path:
         if self.is_dwell:
             return
         self.covered_d = covered_d
-        self.smooth.begin()
-        self.stage = -1
-        self.stage_end_d = 0.0
+        self.enter_stages()
         while self.next_stage() and self.stage_end_d <= covered_d:
             pass
         self.claim_again()
@@ -153,7 +161,16 @@ class Path:
         return self.serial if self.is_active or self.goes_on() else 0
 
     def next_stage(self) -> int:
-        """Go on to the next stage of the segment that has a way: 0 where there is none left."""
+        """Go on to the next stage of the segment that has a way: 0 where there is none left.
+
+        The pieces of an arc whose limits go by its angle are its stages.
+        """
+        if self.pieces > 0:
+            if self.stage + 1 == self.pieces:
+                return 0
+            self.stage += 1
+            self.stage_end_d = self.arc.ends[self.stage + 1]
+            return 1
         while self.stage < 3:
             self.stage += 1
             way = shape.stage_way(self.ring, self.base, self.count, self.stage)
@@ -295,6 +312,10 @@ class Path:
             )
             return
         rest_d = self.stage_end_d - self.covered_d
+        if self.pieces > 0:
+            self.arc.look_ahead(self.stage, rest_d, self.speed_v, self.factor, self.is_single)
+            self.arc.plan(self.stage, rest_d, self.speed_v, limit_v)
+            return
         limit_a = shape.stage_acceleration(self.ring, self.base, self.count, self.stage)
         end_v = self.end_speed(rest_d, limit_a)
         if self.stage == 3:

@@ -42,7 +42,7 @@ cdef class Retrace(History):
     cdef void turn(self, int wanted) noexcept nogil
     cdef void go(self, int direction) noexcept nogil
     cdef void return_to_front(self, double covered_d) noexcept nogil
-    @cython.locals(factor=double)
+    @cython.locals(factor=double, speed=double)
     cdef double feed_speed(self, Py_ssize_t base, int is_free) noexcept nogil
     @cython.locals(speed=double)
     cdef double stage_speed(self, Py_ssize_t base, int stage, int is_free) noexcept nogil

@@ -165,10 +165,13 @@ class Retrace(History):
 
     def feed_speed(self, base: int, is_free: int) -> float:
         """The speed limit of a segment with its override; ``is_free``: what the axes can do."""
+        speed = self.path.ring[base + 5]
+        if shape.pieces(self.path.ring, base, self.path.count) > 0:
+            speed = self.path.ring[base + 12 + 2 * self.path.count + 21]
         if is_free:
-            return self.path.ring[base + 5]
+            return speed
         factor = self.overrides.factor(self.path.ring, base)
-        return min(self.path.ring[base + 4] * factor, self.path.ring[base + 5])
+        return min(self.path.ring[base + 4] * factor, speed)
 
     def stage_speed(self, base: int, stage: int, is_free: int) -> float:
         """The speed limit of a stage: that of its segment, on a curve that of the curve as well."""

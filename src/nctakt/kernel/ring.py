@@ -89,6 +89,7 @@ class CommandRing:
         self.width = path.width
         self.capacity = 256
         ahead.capacity = self.capacity
+        self.path.arc.share(self.ahead.most_v, self.ahead.feed_a)
         self.queue = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
         self.head = 0
         self.tail = 0

@@ -3,6 +3,7 @@
 cimport cython
 from nctakt.kernel cimport arithmetic
 from nctakt.kernel cimport shape
+from nctakt.kernel.arc_limits cimport ArcLimits
 
 cdef class SegmentLimits:
     cdef readonly Py_ssize_t count
@@ -20,6 +21,7 @@ cdef class SegmentLimits:
     cdef double[::1] feed_slope_a
     cdef double[::1] rapid_j
     cdef double[::1] feed_j
+    cdef ArcLimits arcs
     cdef double[::1] entering
     cdef double[::1] leaving
     cdef double[::1] steps
@@ -38,6 +40,8 @@ cdef class SegmentLimits:
     cdef bint last_is_bent
     cdef double[::1] bend_row
     cdef double way
+    cdef double entry_v
+    cdef double free_v
     cdef double goal_v
     cdef double goal_a
     cdef double goal_j
@@ -62,5 +66,11 @@ cdef class SegmentLimits:
     cdef double acceleration(self, Py_ssize_t index, double feed_v) noexcept nogil
     @cython.locals(tail=Py_ssize_t)
     cdef int in_plane(self, double[::1] row, Py_ssize_t base, Py_ssize_t index) noexcept nogil
-    @cython.locals(tail=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, angle=double, way=double, length2=double, i=Py_ssize_t, rise=double, length=double, part=double, plane_a=double, highest=double, wanted=double, best_t=double, best_v=double, best_a=double, share=double, speed=double, limit_a=double, time=double, _=int)
+    @cython.locals(tail=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, angle=double, way=double, length2=double, i=Py_ssize_t, rise=double, length=double, part=double, plane_a=double, highest=double, wanted=double, share=double, speed=double, limit_a=double, by_speed=bint)
     cdef void measure_arc(self, double[::1] row, Py_ssize_t base, double feed_v) noexcept nogil
+    @cython.locals(slower=double)
+    cdef int is_even(self, double[::1] row, Py_ssize_t base, double wanted_v) noexcept nogil
+    @cython.locals(limit_a=double, i=Py_ssize_t, part=double)
+    cdef double straight_acceleration(self, double[::1] parts) noexcept nogil
+    @cython.locals(tail=Py_ssize_t, angle=double, pieces=Py_ssize_t)
+    cdef void divide(self, double[::1] row, Py_ssize_t base, double piece) noexcept nogil

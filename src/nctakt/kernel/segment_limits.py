@@ -15,6 +15,7 @@ are taken that are fastest over the arc from rest to rest.
 from __future__ import annotations
 
 from nctakt.kernel import arithmetic, shape
+from nctakt.kernel.arc_limits import ArcLimits
 
 
 class SegmentLimits:
@@ -41,6 +42,8 @@ class SegmentLimits:
         self.feed_slope_a = memoryview(bytearray(8 * room)).cast("d")
         self.rapid_j = memoryview(bytearray(8 * room)).cast("d")
         self.feed_j = memoryview(bytearray(8 * room)).cast("d")
+        self.arcs = ArcLimits(count)
+        self.arcs.share(self.most_v, self.feed_a)
         self.entering = memoryview(bytearray(8 * room)).cast("d")
         self.leaving = memoryview(bytearray(8 * room)).cast("d")
         self.steps = memoryview(bytearray(8 * room)).cast("d")
@@ -59,6 +62,8 @@ class SegmentLimits:
         self.last_is_bent = False
         self.bend_row = memoryview(bytearray(8 * self.width)).cast("d")
         self.way = 0.0
+        self.entry_v = 0.0
+        self.free_v = 0.0
         self.goal_v = 0.0
         self.goal_a = 0.0
         self.goal_j = 0.0
@@ -248,8 +253,8 @@ class SegmentLimits:
         """``measure`` for an arc, a helix where further axes move.
 
         Of the acceleration ``a`` that both axes of the plane have, the centripetal part takes a
-        share ``s``, so that along the path ``a * sqrt(1 - s²)`` is left. The speed is the one that
-        is fastest over the arc from rest to rest, not above what is programmed.
+        share ``s``, so that along the path ``a * sqrt(1 - s²)`` is left all along. Where that would
+        limit the speed or lose time, the limits go by the angle (``arc_limits.py``).
         """
         tail = base + 12 + 2 * self.count
         first = int(row[tail + 7])
@@ -273,24 +278,49 @@ class SegmentLimits:
         if row[base + 10] > 0.0:
             row[base + 5] = highest
             return
-        wanted = min(feed_v * self.most_factor, highest)
-        self.bend = min(wanted * part * wanted * part / (radius * plane_a), 0.95)
-        best_t = 1e300
-        best_v = 0.0
-        best_a = 0.0
-        share = self.bend
-        for _ in range(6):
-            speed = min(arithmetic.square_root(share * radius * plane_a) / part, wanted)
-            limit_a = plane_a * arithmetic.square_root(1.0 - share * share) / part
-            limit_a = min(limit_a, row[base + 6])
-            time = length / speed + speed / limit_a
-            if speed * speed > limit_a * length:
-                time = 2.0 * arithmetic.square_root(length / limit_a)
-            if time < best_t:
-                best_t = time
-                best_v = speed
-                best_a = limit_a
-                self.bend = share
-            share *= 0.85
-        row[base + 5] = min(highest, best_v)
-        row[base + 6] = best_a
+        wanted = feed_v * self.most_factor
+        share = wanted * part * wanted * part / (radius * plane_a)
+        self.bend = min(share, 0.5)
+        speed = min(arithmetic.square_root(self.bend * radius * plane_a) / part, wanted)
+        limit_a = plane_a * arithmetic.square_root(1.0 - self.bend * self.bend) / part
+        row[base + 6] = min(limit_a, row[base + 6])
+        row[base + 5] = min(highest, speed)
+        if share > 0.5 or wanted > highest or not self.is_even(row, base, wanted):
+            by_speed = wanted > highest and highest * highest < radius * plane_a
+            self.divide(row, base, 3.0 if by_speed else 6.0)
+
+    def is_even(self, row: memoryview[float], base: int, wanted_v: float) -> int:
+        """Whether one acceleration all along an arc costs next to no time (choice: 1 %).
+
+        What ramps at both ends lose beside the acceleration that the axes have there is compared
+        with the time of the whole way at the wanted speed.
+        """
+        slower = 1.0 / row[base + 6]
+        shape.direct(row, base, self.count, 0, self.entering)
+        slower -= 0.5 / self.straight_acceleration(self.entering)
+        shape.direct(row, base, self.count, 1, self.entering)
+        slower -= 0.5 / self.straight_acceleration(self.entering)
+        return 1 if wanted_v * wanted_v * slower <= 0.01 * row[base + 3] else 0
+
+    def straight_acceleration(self, parts: memoryview[float]) -> float:
+        """What the axes can do together with a feed in a direction."""
+        limit_a = 1e300
+        for i in range(self.count):
+            part = parts[i] if parts[i] >= 0.0 else 0.0 - parts[i]
+            if part > 1e-9:
+                limit_a = min(limit_a, self.feed_a[i] / part)
+        return limit_a
+
+    def divide(self, row: memoryview[float], base: int, piece: float) -> None:
+        """Let the limits of an arc go by its angle, in pieces of so many degrees at most.
+
+        Backward it is walked with one speed and acceleration for all of it.
+        """
+        tail = base + 12 + 2 * self.count
+        angle = row[tail + 11] if row[tail + 11] > 0.0 else 0.0 - row[tail + 11]
+        pieces = int(angle / piece - 1e-9)
+        row[tail + 17] = max(pieces + 1, 2) + 6
+        row[tail + 21] = row[base + 5]
+        row[base + 6] *= 0.99
+        self.arcs.open(row, base)
+        row[base + 5] = self.arcs.highest_speed()

@@ -26,6 +26,9 @@ t + 15 with a jerk: way from its end to the place that the path has to slow down
        there, acceleration and jerk on this way (``jerk_ahead.py``)
 t + 19 with a jerk: acceleration and jerk that the segments behind it allow on it, and whether the
        speed at t + 16 is a feed
+t + 17 without a jerk, on an arc whose limits go by its angle: number of pieces (0: there is one
+       acceleration for all of it), share of the acceleration that corners use at its begin, at
+       its end, all along (``arc_limits.py``), speed at which it is walked backward
 t + 22 with a curve: where it ends, each axis; bend: the corner that it rounds
 last 4 pace, all 0 without one: programmed override as a factor, whether the operator's has no
        effect, spindle whose speed its feed follows, counted from 1, and that speed in degrees/s
@@ -70,6 +73,11 @@ def end_place(row: memoryview[float], base: int, count: int) -> int:
     """Where the positions at the end of all stages stand: the targets, or the curve's end."""
     place = base + 12 + count
     return place + count + 22 if row[place + count + 4] > 0.0 else place
+
+
+def pieces(row: memoryview[float], base: int, count: int) -> int:
+    """Into how many pieces an arc is divided whose limits go by its angle: 0 none, or no arc."""
+    return int(row[base + 12 + 2 * count + 17]) if row[base + 10] == 0.0 else 0
 
 
 def moves(row: memoryview[float], base: int, count: int, i: int) -> int:

@@ -5,6 +5,7 @@ from nctakt.kernel cimport arithmetic
 from nctakt.kernel.arc_limits cimport ArcLimits
 from nctakt.kernel.motion cimport Profile
 
+@cython.final
 cdef class ArcSpeed(ArcLimits):
     cdef Profile profile
     cdef double[::1] highs
@@ -18,12 +19,12 @@ cdef class ArcSpeed(ArcLimits):
     @cython.locals(tail=Py_ssize_t)
     cdef void begin(self, double[::1] row, Py_ssize_t base) noexcept nogil
     @cython.locals(end_v=double, feed_v=double)
-    cdef void look_ahead(self, Py_ssize_t stage, double rest_d, double start_v, double factor, int is_single) noexcept nogil
+    cdef void look_ahead(self, Py_ssize_t stage, double rest_d, double start_v, double factor, double rest_v) noexcept nogil
     cdef void survey(self, double most_v, double wanted_v) noexcept nogil
     @cython.locals(k=Py_ssize_t)
     cdef void fill(self, double[::1] borders, double end_v) noexcept nogil
     @cython.locals(width=double, speed2=double)
-    cdef int can_stop(self, Py_ssize_t stage, double rest_d, double start_v) noexcept nogil
+    cdef int is_met(self, Py_ssize_t stage, double rest_d, double start_v) noexcept nogil
     @cython.locals(start2=double, limit2=double, end2=double)
     cdef void plan(self, Py_ssize_t stage, double rest_d, double start_v, double limit_v) noexcept nogil
     @cython.locals(most=double, longer=double)

@@ -42,19 +42,24 @@ class ArcSpeed(ArcLimits):
         self.known_wanted_v = -1.0
 
     def look_ahead(
-        self, stage: int, rest_d: float, start_v: float, factor: float, is_single: int
+        self, stage: int, rest_d: float, start_v: float, factor: float, rest_v: float
     ) -> None:
-        """``survey`` for an override as a factor; a stand in single block, if it can still be had.
+        """``survey`` for an override as a factor; in single block with ``rest_v`` at the end.
 
-        Where the override has just changed, the arc may end faster than wanted, as fast as can be.
+        That is left out (``rest_v`` below 0), and where it cannot be had any more. Where the
+        override has just changed, the arc may end faster than wanted, as fast as can be.
         """
-        if is_single and self.can_stop(stage, rest_d, start_v):
-            return
         end_v = self.prepared_v
         if factor > 1.0:
             end_v = max(end_v, min(end_v * factor, self.free_v))
         feed_v = self.next_feed_v * factor
-        self.survey(self.free_v, feed_v if 0.0 < feed_v < end_v else end_v)
+        if 0.0 < feed_v < end_v:
+            end_v = feed_v
+        if rest_v >= 0.0:
+            self.survey(min(rest_v, self.free_v), end_v)
+            if self.is_met(stage, rest_d, start_v):
+                return
+        self.survey(self.free_v, end_v)
 
     def survey(self, most_v: float, wanted_v: float) -> None:
         """The speeds at the borders, from the highest and the wanted one at the arc's end."""
@@ -75,11 +80,10 @@ class ArcSpeed(ArcLimits):
             if k > 0:
                 borders[k] = min(borders[k], self.caps[k - 1])
 
-    def can_stop(self, stage: int, rest_d: float, start_v: float) -> int:
-        """Whether the path, ``rest_d`` before the end of a piece, can still stop at the arc's."""
-        self.survey(0.0, 0.0)
+    def is_met(self, stage: int, rest_d: float, start_v: float) -> int:
+        """Whether the path, ``rest_d`` before the end of a piece, can still keep the survey."""
         width = 2.0 * rest_d
-        speed2 = self.lows[stage + 1]
+        speed2 = self.highs[stage + 1]
         speed2 += width * self.rate(stage, speed2, width, -1.0)
         return 1 if start_v * start_v <= 1.000001 * speed2 else 0
 

@@ -211,15 +211,17 @@ class LookAhead(Bends):
     def enter(self, row: memoryview[float], base: int, end_v: float, free_end_v: float) -> None:
         """The speeds at the begin of a segment from those at its end: with its feed, without."""
         speed = min(row[base + 4], row[base + 5])
+        self.entry_v = self.entry_speed(row, base, end_v, speed)
+        self.free_v = self.entry_v
+        if free_end_v != end_v or self.entry_v == speed:
+            self.free_v = self.entry_speed(row, base, free_end_v, row[base + 5])
+
+    def entry_speed(self, row: memoryview[float], base: int, end_v: float, limit_v: float) -> float:
+        """The highest speed at the begin of a segment from which that at its end is kept."""
         if shape.pieces(row, base, self.count) > 0:
             self.arcs.open(row, base)
-            self.entry_v = self.arcs.entry_speed(end_v, speed)
-            self.free_v = self.entry_v
-            if free_end_v != end_v or self.entry_v == speed:
-                self.free_v = self.arcs.entry_speed(free_end_v, row[base + 5])
-            return
-        self.entry_v = shape.entry_speed(row, base, self.count, 0, end_v, speed)
-        self.free_v = shape.entry_speed(row, base, self.count, 0, free_end_v, row[base + 5])
+            return self.arcs.entry_speed(end_v, limit_v)
+        return shape.entry_speed(row, base, self.count, 0, end_v, limit_v)
 
     def connect(
         self,

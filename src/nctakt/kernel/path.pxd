@@ -6,30 +6,22 @@ from nctakt.kernel cimport shape
 from nctakt.kernel.arc_speed cimport ArcSpeed
 from nctakt.kernel.axis cimport Axes
 from nctakt.kernel.motion cimport Profile
+from nctakt.kernel.path_axes cimport PathAxes
 from nctakt.kernel.smooth_speed cimport SmoothSpeed
 
 @cython.final
-cdef class Path:
-    cdef Axes axes
-    cdef readonly Py_ssize_t count
-    cdef long long[::1] members
+cdef class Path(PathAxes):
     cdef double cycle_time_t
     cdef double cycle_time_us
     cdef readonly Py_ssize_t width
-    cdef long long[::1] moved
-    cdef Py_ssize_t moved_count
-    cdef readonly Py_ssize_t refused_axis
     cdef readonly Py_ssize_t history_size
     cdef Py_ssize_t ring_size
-    cdef double[::1] ring
     cdef double[::1] ends
     cdef readonly long long used
     cdef readonly long long oldest
-    cdef Py_ssize_t base
     cdef Py_ssize_t front
     cdef readonly bint is_away
     cdef bint is_front_over
-    cdef readonly int direction
     cdef readonly long long serial
     cdef readonly bint is_active
     cdef bint is_dwell
@@ -58,21 +50,9 @@ cdef class Path:
     cdef Py_ssize_t row_of(self, long long place) noexcept nogil
     cdef void rejoin(self, double covered_d) noexcept nogil
     cdef void forget(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, message=int)
-    cdef int refusal(self, Py_ssize_t queue_base, double[::1] queue) noexcept nogil
-    cdef int obstacle(self, Py_ssize_t queue_base, double[::1] queue, Py_ssize_t i) noexcept nogil
-    @cython.locals(i=Py_ssize_t)
-    cdef void claim(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t)
-    cdef void claim_again(self) noexcept nogil
-    @cython.locals(axis=Py_ssize_t, end=Py_ssize_t)
-    cdef void claim_axis(self, Py_ssize_t i) noexcept nogil
-    @cython.locals(k=Py_ssize_t)
-    cdef void release(self) noexcept nogil
-    @cython.locals(k=Py_ssize_t, axis=Py_ssize_t)
-    cdef void rest(self) noexcept nogil
     cdef bint goes_on(self) noexcept nogil
     cdef void leave_rest(self, double rest) noexcept nogil
+    cdef double rest_speed(self) noexcept nogil
     cdef long long block_serial(self) noexcept nogil
     cdef void enter_stages(self) noexcept nogil
     @cython.locals(way=double)
@@ -82,11 +62,9 @@ cdef class Path:
     @cython.locals(goal=Py_ssize_t)
     cdef int runs_on(self) noexcept nogil
     cdef void set_single(self, bint is_single) noexcept nogil
-    @cython.locals(i=Py_ssize_t)
-    cdef void publish_overrides(self, double operator_pct) noexcept nogil
     cdef int step_carried(self, double factor, int is_stopping) noexcept nogil
     cdef double highest_speed(self, double factor, int is_stopping) noexcept nogil
-    @cython.locals(rest_d=double, limit_a=double, end_v=double)
+    @cython.locals(rest_d=double, limit_a=double, end_v=double, rest_v=double)
     cdef void replan(self, double limit_v) noexcept nogil
     @cython.locals(end_v=double, limit_v=double, feed_v=double, least2=double)
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
@@ -99,8 +77,6 @@ cdef class Path:
     @cython.locals(now_t=double, over_t=double)
     cdef int advance(self) noexcept nogil
     cdef int finish(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, k=Py_ssize_t)
-    cdef void put_axes(self, Py_ssize_t place) noexcept nogil
     @cython.locals(i=Py_ssize_t, k=Py_ssize_t)
     cdef void move_axes(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)

@@ -17,10 +17,11 @@ from nctakt.kernel import arithmetic, shape
 from nctakt.kernel.arc_speed import ArcSpeed
 from nctakt.kernel.axis import Axes
 from nctakt.kernel.motion import Profile
+from nctakt.kernel.path_axes import PathAxes
 from nctakt.kernel.smooth_speed import SmoothSpeed
 
 
-class Path:
+class Path(PathAxes):
     """The path of one channel over the machine's axes that belong to it.
 
     ``history_size`` blocks behind the current one are kept, from the running number ``oldest`` on.
@@ -32,28 +33,19 @@ class Path:
     def __init__(
         self, axes: Axes, members: list[int], cycle_time_us: int, history_size: int = 0
     ) -> None:
-        self.axes = axes
-        self.count = len(members)
-        self.members = memoryview(bytearray(8 * max(1, len(members)))).cast("q")
-        for i, axis in enumerate(members):
-            self.members[i] = axis
+        super().__init__(axes, members)
         self.cycle_time_t = cycle_time_us / 1e6
         self.cycle_time_us = cycle_time_us
         self.width = shape.width(len(members))
-        self.moved = memoryview(bytearray(8 * max(1, len(members)))).cast("q")
-        self.moved_count = 0
-        self.refused_axis = 0
         self.history_size = history_size
         self.ring_size = history_size + 1
         self.ring = memoryview(bytearray(8 * self.ring_size * self.width)).cast("d")
         self.ends = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
         self.used = 0
         self.oldest = 0
-        self.base = 0
         self.front = 0
         self.is_away = False
         self.is_front_over = False
-        self.direction = 1
         self.serial = 0
         self.is_active = False
         self.is_dwell = False
@@ -156,6 +148,10 @@ class Path:
         """
         self.ring[self.front + 8] = -1.0 - rest
 
+    def rest_speed(self) -> float:
+        """The highest speed at the segment's end from which its block can end with a stand."""
+        return -1.0 - self.ring[self.base + 8] if self.ring[self.base + 8] < 0.0 else 0.0
+
     def block_serial(self) -> int:
         """The running number of the current block, 0 between two blocks."""
         return self.serial if self.is_active or self.goes_on() else 0
@@ -178,62 +174,6 @@ class Path:
                 self.stage_end_d += way
                 return 1
         return 0
-
-    def refusal(self, queue_base: int, queue: memoryview[float]) -> int:
-        """Why the path cannot take a segment: 0 it can.
-
-        The axes that it moves must stand where it starts, since the path never jumps (RC-409), and
-        have no motion of their own (MO-13); ``refused_axis`` is the first that has not.
-        """
-        for i in range(self.count):
-            message = self.obstacle(queue_base, queue, i)
-            if message:
-                self.refused_axis = self.members[i]
-                return message
-        return 0
-
-    def obstacle(self, queue_base: int, queue: memoryview[float], i: int) -> int:
-        """Why the path cannot take axis ``i`` with a segment: 0 it can, or does not want it."""
-        if not shape.moves(queue, queue_base, self.count, i):
-            return 0
-        if self.axes.independent[self.members[i]]:
-            return 900435
-        if queue[queue_base + 12 + i] != self.axes.command[self.members[i]]:
-            return 900420
-        return 0
-
-    def claim(self) -> None:
-        """The axes that the segment moves belong to the path until it ends (MO-13).
-
-        Where the path brakes on a segment that it cannot take, the others stay what they were.
-        """
-        self.moved_count = 0
-        for i in range(self.count):
-            if self.obstacle(self.base, self.ring, i) == 0:
-                self.claim_axis(i)
-
-    def claim_again(self) -> None:
-        """``claim`` anywhere on a segment, whose axes the path has had before (MO-7)."""
-        self.moved_count = 0
-        for i in range(self.count):
-            self.claim_axis(i)
-
-    def claim_axis(self, i: int) -> None:
-        """An axis belongs to the path, if the segment moves it; its target is the way's end."""
-        self.axes.has_moved = True
-        if shape.moves(self.ring, self.base, self.count, i):
-            self.moved[self.moved_count] = i
-            self.moved_count += 1
-            axis = self.members[i]
-            end = self.base + 12 + (self.count if self.direction > 0 else 0)
-            self.axes.target[axis] = self.ring[end + i]
-            self.axes.on_path[axis] = 1
-            self.axes.show_state(axis, 6)
-
-    def release(self) -> None:
-        """The segment is over: its axes are free."""
-        for k in range(self.moved_count):
-            self.axes.on_path[self.members[self.moved[k]]] = 0
 
     def step(self, factor: float, is_stopping: int) -> int:
         """One tick with the override as a factor: 1 when the segment has ended with time left.
@@ -269,19 +209,6 @@ class Path:
         goal = self.base + 12 + 2 * self.count + 15
         return 1 if self.ring[self.base + 7] + self.ring[goal] + self.ring[goal + 1] > 0.0 else 0
 
-    def publish_overrides(self, operator_pct: float) -> None:
-        """TOTAL of the members' independent motions: operator's and CYCLE part (RC-305)."""
-        for i in range(self.count):
-            self.axes.publish_override(self.members[i], operator_pct)
-
-    def rest(self) -> None:
-        """The tick behind a segment: its axes stand, unless they move on their own by now."""
-        for k in range(self.moved_count):
-            axis = self.members[self.moved[k]]
-            if not self.axes.independent[axis]:
-                self.axes.show_state(axis, 1)
-        self.moved_count = 0
-
     def step_carried(self, factor: float, is_stopping: int) -> int:
         """The rest of a tick in the segment that has just begun: 1 when that has ended, too."""
         self.replan(self.highest_speed(factor, is_stopping))
@@ -313,7 +240,8 @@ class Path:
             return
         rest_d = self.stage_end_d - self.covered_d
         if self.pieces > 0:
-            self.arc.look_ahead(self.stage, rest_d, self.speed_v, self.factor, self.is_single)
+            rest_v = self.rest_speed() if self.is_single else -1.0
+            self.arc.look_ahead(self.stage, rest_d, self.speed_v, self.factor, rest_v)
             self.arc.plan(self.stage, rest_d, self.speed_v, limit_v)
             return
         limit_a = shape.stage_acceleration(self.ring, self.base, self.count, self.stage)
@@ -362,9 +290,7 @@ class Path:
             free_v = self.ring[self.base + 25 + 2 * self.count]
             end_v = max(end_v, min(end_v * self.factor, free_v))
         if self.is_single:
-            rest_v = 0.0
-            if self.ring[self.base + 8] < 0.0:
-                rest_v = -1.0 - self.ring[self.base + 8]
+            rest_v = self.rest_speed()
             stop_v = shape.entry_speed(
                 self.ring, self.base, self.count, self.stage + 1, rest_v, 1e300
             )
@@ -424,13 +350,6 @@ class Path:
         if self.ring[self.base + 8] > 0.0:
             return 0
         return 1 if self.left_t > 0.0 or self.speed_v > 0.0 else 0
-
-    def put_axes(self, place: int) -> None:
-        """Put the axes that the segment moves to what stands at ``place`` in the ring."""
-        self.axes.has_moved = True
-        for k in range(self.moved_count):
-            i = self.moved[k]
-            self.axes.command[self.members[i]] = self.ring[place + i]
 
     def move_axes(self) -> None:
         """Put the axes where they are after the way that is covered."""

@@ -224,7 +224,7 @@ class Commands(CommandRing):
                 rest += shape.whole_way(self.queue, base, self.path.count)
             else:
                 limit_v = self.queue[base + 5]
-                rest = shape.entry_speed(self.queue, base, self.path.count, 0, rest, limit_v)
+                rest = self.ahead.entry_speed(self.queue, base, rest, limit_v)
             last -= 1
         return rest
 

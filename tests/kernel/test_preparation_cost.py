@@ -62,6 +62,6 @@ def calls_per_block(kind: str, blocks: int) -> float:
 
 @pytest.mark.parametrize("kind", ["short", "long", "smooth", "arcs"])
 def test_the_cost_of_a_block_does_not_grow_with_the_program(kind: str) -> None:
-    """Five times as many blocks cost five times as much: lines, limited jerk, arcs by their angle."""
+    """Five times as many cost five times as much: lines, limited jerk, arcs by their angle."""
     few, many = calls_per_block(kind, 400), calls_per_block(kind, 2000)
     assert many <= 1.4 * few

@@ -132,3 +132,15 @@ def violations(positions: Sequence[float], name: str, jerk_mm: float = 0.0) -> l
         if (worst := np.abs(jerk).max()) > jerk_mm * (1 + 1e-6) + fuzz:
             found.append(f"{name}: jerk {worst * 1e9:.1f} mm/s³ at {np.abs(jerk).argmax()}")
     return found
+
+
+def farthest(way: np.ndarray, curve: np.ndarray) -> float:
+    """How far the farthest of some places is from a polyline."""
+    starts, steps = curve[:-1], np.diff(curve, axis=0)
+    sizes = np.maximum((steps * steps).sum(axis=1), 1e-300)
+    worst = 0.0
+    for place in way:
+        part = np.clip(((place - starts) * steps).sum(axis=1) / sizes, 0.0, 1.0)
+        off = place - (starts + part[:, None] * steps)
+        worst = max(worst, float(np.sqrt((off * off).sum(axis=1).min())))
+    return worst

@@ -13,7 +13,8 @@ import random
 import numpy as np
 import pytest
 from kernel_rig import DEMO
-from random_paths import AXES, cornered, violations
+from random_operator import Operator
+from random_paths import AXES, cornered, farthest, violations
 
 from nctakt.controller import Controller, NcText
 from nctakt.interface import Interface
@@ -23,40 +24,10 @@ from nctakt.results.run import Run
 MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("40" if is_compiled() else "6"))
 #: Programs of one test.
 CHUNK = 20
-#: The operator lets go behind so many ticks.
-PLAY_TICKS = 4000
 
 SIGNALS = [f"{name}.ACS.ACT_POS" for name in AXES]
 SLOPE = "#SLOPE [TYPE=TRAPEZ]"
 MOST_JERK_MM = 8e-5
-
-
-class Operator:
-    """Turns the override, holds the feed, switches single block, goes back: what is asked for."""
-
-    def __init__(self, seed: int, ways: str) -> None:
-        self.chance = random.Random(seed)
-        self.ways = ways
-        self.next_tick = 1
-
-    def cycle(self, hli: Interface) -> None:
-        hli.acknowledge_all()
-        plays = hli.tick < PLAY_TICKS
-        if not plays:
-            hli.single_block = False
-        if hli.tick < self.next_tick:
-            return
-        self.next_tick = hli.tick + self.chance.choice((1, 5, 40, 150))
-        if "override" in self.ways:
-            hli.override_pct = self.chance.choice((0.0, 3.0, 50.0, 80.0, 100.0)) if plays else 100.0
-        if "hold" in self.ways:
-            hli.feed_hold = plays and self.chance.random() < 0.2
-        if "back" in self.ways:
-            hli.backward_motion = plays and self.chance.random() < 0.5
-        if "single" in self.ways:
-            hli.single_block = plays and self.chance.random() < 0.4
-        if self.chance.random() < 0.7 or not plays:
-            hli.start()
 
 
 def performed(text: str, plc: Operator | None = None) -> tuple[Run, np.ndarray]:
@@ -68,18 +39,6 @@ def performed(text: str, plc: Operator | None = None) -> tuple[Run, np.ndarray]:
         assert violations(run.trace[signal], name, MOST_JERK_MM) == [], text
     places = np.array([np.asarray(run.trace[signal]) for signal in SIGNALS]).T
     return run, places
-
-
-def farthest(way: np.ndarray, curve: np.ndarray) -> float:
-    """How far the farthest of some places is from a polyline."""
-    starts, steps = curve[:-1], np.diff(curve, axis=0)
-    sizes = np.maximum((steps * steps).sum(axis=1), 1e-300)
-    worst = 0.0
-    for place in way:
-        part = np.clip(((place - starts) * steps).sum(axis=1) / sizes, 0.0, 1.0)
-        off = place - (starts + part[:, None] * steps)
-        worst = max(worst, float(np.sqrt((off * off).sum(axis=1).min())))
-    return worst
 
 
 @pytest.mark.parametrize("turn", [0.2, 0.8, 1.57])

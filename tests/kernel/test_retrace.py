@@ -12,7 +12,7 @@ import random
 import numpy as np
 import pytest
 from kernel_rig import DEMO
-from random_paths import AXES, program, violations
+from random_paths import AXES, farthest, program, violations
 
 from nctakt.controller import Controller, NcText
 from nctakt.interface import Interface
@@ -64,18 +64,6 @@ def places(run: Run) -> np.ndarray:
     columns = [np.asarray(run.trace[name]) for name in SIGNALS[:4]]
     columns[3] = np.unwrap(columns[3], period=360.0)
     return np.stack(columns, axis=1)
-
-
-def farthest(way: np.ndarray, curve: np.ndarray) -> float:
-    """How far the farthest of some places is from a polyline."""
-    starts, steps = curve[:-1], np.diff(curve, axis=0)
-    sizes = np.maximum((steps * steps).sum(axis=1), 1e-300)
-    worst = 0.0
-    for place in way:
-        part = np.clip(((place - starts) * steps).sum(axis=1) / sizes, 0.0, 1.0)
-        off = place - (starts + part[:, None] * steps)
-        worst = max(worst, float(np.sqrt((off * off).sum(axis=1).min())))
-    return worst
 
 
 @pytest.mark.parametrize("is_wild", [False, True])

@@ -7,50 +7,23 @@
 from __future__ import annotations
 
 import os
-import random
 from collections.abc import Callable
 
 import pytest
 from kernel_rig import DEMO
+from random_operator import Operator
 from random_paths import AXES, flowing, program, violations
 
 from nctakt.controller import Controller, NcText
-from nctakt.interface import Interface
 from nctakt.mode import is_compiled
 
 MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("40" if is_compiled() else "6"))
 #: Programs of one test.
 CHUNK = 20
-#: The operator lets go behind so many ticks.
-PLAY_TICKS = 4000
 
 SIGNALS = [f"{name}.ACS.ACT_POS" for name in AXES]
 JERK_LIMITED = "#SLOPE [TYPE=TRAPEZ]"
 MOST_JERK_MM = 8e-5
-
-
-class Operator:
-    """Switches single block at random; ``is_wild``: turns the override, holds the feed as well."""
-
-    def __init__(self, seed: int, *, is_wild: bool) -> None:
-        self.chance = random.Random(seed)
-        self.is_wild = is_wild
-        self.next_tick = 1
-
-    def cycle(self, hli: Interface) -> None:
-        hli.acknowledge_all()
-        plays = hli.tick < PLAY_TICKS
-        if not plays:
-            hli.single_block = False
-        if hli.tick < self.next_tick:
-            return
-        self.next_tick = hli.tick + self.chance.choice((1, 5, 40, 150, 400))
-        if self.is_wild:
-            hli.override_pct = self.chance.choice((0.0, 3.0, 50.0, 80.0, 100.0)) if plays else 100.0
-            hli.feed_hold = plays and self.chance.random() < 0.2
-        hli.single_block = plays and self.chance.random() < 0.4
-        if self.chance.random() < 0.7 or not plays:
-            hli.start()
 
 
 def found(text: str, plc: Operator) -> list[str]:
@@ -66,13 +39,13 @@ def found(text: str, plc: Operator) -> list[str]:
     ]
 
 
-@pytest.mark.parametrize("is_wild", [False, True])
+@pytest.mark.parametrize("ways", ["single", "single override hold"])
 @pytest.mark.parametrize("slope", ["", JERK_LIMITED])
 @pytest.mark.parametrize("make", [program, flowing])
 @pytest.mark.parametrize("first", range(0, MANY, CHUNK))
 def test_single_block_keeps_the_limits(
-    first: int, make: Callable[[int, str], str], slope: str, is_wild: bool
+    first: int, make: Callable[[int, str], str], slope: str, ways: str
 ) -> None:
     """Speed, acceleration and jerk of each axis in each tick."""
     for seed in range(first, min(first + CHUNK, MANY)):
-        assert found(make(seed, slope), Operator(seed, is_wild=is_wild)) == [], seed
+        assert found(make(seed, slope), Operator(seed, ways)) == [], seed

@@ -320,5 +320,5 @@ M30
 #CS ON [1, 2, 3, 4, 5, 6, 7] ; error 900233 "CS"
 #CS ON [ID=1] ; error 900233 "CS"
 #CS ; error 900233 "CS"
-#CS ADD [1, 2] ; error 900200 "#CS ADD"
+#CS ADD [1, 2] ; error 900233 "#CS ADD"
 #CS MODE ON ; error 900200 "#CS MODE"

@@ -397,12 +397,13 @@ def test_each_kind_of_node_and_each_field_is_among_the_trees() -> None:
     """Each node that the parser makes occurs, and each of its fields with several values."""
     met: dict[str, dict[str, set[str]]] = {}
 
-    parts = st.one_of(simple_statements, structures(simple_statements), block_words, declarations)
+    parts = st.one_of(simple_statements, block_words, declarations)
+    branching = structures(simple_statements)
 
-    @given(programs, st.lists(parts, min_size=15))
-    @settings(max_examples=40, deadline=None, derandomize=True, database=None)
-    def gather(program: Program, parts: list[object]) -> None:
-        _fields_of((program, *parts), met)
+    @given(programs, st.lists(parts, min_size=15), st.lists(branching, min_size=8))
+    @settings(max_examples=30, deadline=None, derandomize=True, database=None)
+    def gather(program: Program, parts: list[object], branching: list[object]) -> None:
+        _fields_of((program, *parts, *branching), met)
 
     gather()
     kinds = {

@@ -159,7 +159,10 @@ class ArcSpeed(ArcLimits):
             first_d = min(0.5 * (top2 - start2) / first, rest_d) if first > 0.0 else 0.0
             self.follow(rest_d, start_v, first_d, top2, 0.0, top2)
             return
-        top2 = (last * start2 + first * end2 + width * first * last) / (first + last)
+        # Without one of the two ramps the highest speed is that of its border, bit for bit.
+        top2 = start2 if first <= 0.0 else end2
+        if first > 0.0 and last > 0.0:
+            top2 = (last * start2 + first * end2 + width * first * last) / (first + last)
         top2 = max(min(top2, limit2), start2, end2)
         first_d = min(0.5 * (top2 - start2) / first, rest_d) if top2 > start2 else 0.0
         last_d = min(0.5 * (top2 - end2) / last, rest_d - first_d) if top2 > end2 else 0.0

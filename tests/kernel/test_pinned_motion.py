@@ -63,6 +63,29 @@ def test_a_stop_that_is_taken_back_while_the_path_brakes_for_it(switch: str) -> 
             assert_smooth(0, run_of(0, text, stimuli))
 
 
+@pytest.mark.parametrize(("feed", "braking"), [(5500, 196), (6000, 180), (9000, 120), (9000, 136)])
+def test_single_block_that_was_taken_back_long_ago_does_not_count(feed: int, braking: int) -> None:
+    """MO-1: switched on and off in N10, it is over when the path brakes for the bend behind N10.
+
+    The override changes the limit in every tick then. Rounding had it that the path came 2e-8 mm
+    too far; so it was to stand in front of the bend after all, for which there was no room, and
+    came onto the bend braking, with 1.006 of the jerk.
+    """
+    text = f"""#SLOPE [TYPE=TRAPEZ]
+    #CONTOUR MODE [DEV PATH_DEV=0.1]
+    G261
+    N10 G01 X20 F{feed}
+    N20 X38 Y4.5
+    M30"""
+    stimuli = [
+        Stimulus(30_000, "HLI.SINGLE_BLOCK", 1.0),
+        Stimulus(35_000, "HLI.SINGLE_BLOCK", 0.0),
+        *(Stimulus((braking + i) * 1000, "HLI.OVERRIDE", 100.0 - i % 9) for i in range(60)),
+        Stimulus(600_000, "HLI.OVERRIDE", 100.0),
+    ]
+    assert_smooth(0, run_of(0, text, stimuli))
+
+
 def test_the_block_of_a_tick_is_the_one_in_which_it_ends() -> None:
     """MO-7: backward as forward, and where the path turns at a border between two blocks."""
     text = "N10 G01 X10 F6000\nN20 X20\nM30"

@@ -174,6 +174,22 @@ def test_a_plan_anew_in_every_tick_keeps_the_first_one() -> None:
         assert place == pytest.approx(case.distance, rel=1e-6, abs=1e-5)
 
 
+def test_a_plan_anew_in_every_tick_of_braking_keeps_its_end() -> None:
+    """MO-2, MO-11: what rounding leaves of speed and way while the axis brakes is not made more.
+
+    Where acceleration only had to fade, rounding could ask for a second peak: the root of it.
+    """
+    plans = Trajectories(1)
+    for way in range(20, 60):
+        rest, v, a, k = float(way), 0.0, 0.0, 0
+        first_t = plans.prepare_distance(rest, v, a, 100.0, 1000.0, 20_000.0)
+        while (left_t := plans.prepare_distance(rest, v, a, 100.0, 1000.0, 20_000.0)) > TICK_T:
+            assert k * TICK_T + left_t == pytest.approx(first_t, abs=1e-12)
+            covered, v, a = plans.at(TICK_T)
+            rest -= covered
+            k += 1
+
+
 def test_speeds_are_reached_within_the_limits() -> None:
     """Velocity motion and stop: from any state to any speed, the last speed exact."""
     plans = Trajectories(1)

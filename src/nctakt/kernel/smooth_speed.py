@@ -54,7 +54,8 @@ class SmoothSpeed:
         ``head``, ``tail``: where the two parts of the segment's row begin (``shape.py``). In single
         block the segment's end is the goal if the path can still stop there; it brakes with the
         segment's own limits, and so may come too fast to the goal ahead, which asks for less, when
-        single block is taken away: then it stands at the end nevertheless.
+        single block is taken away: then it stands at the end nevertheless. It does not once the
+        goal has come within reach, since it then leaves the way on which it could stand there.
         """
         limit_a = row[tail + 19]
         limit_j = row[tail + 20]
@@ -84,7 +85,8 @@ class SmoothSpeed:
         goal_j = min(limit_j, row[tail + 18])
         is_met = self.head_for(rest_d + way, goal_v, speed_v, limit_v, goal_a, goal_j)
         self.ends_in_time = is_met > 0 and way == 0.0
-        if self.stands_at_end and not is_met:
+        self.stands_at_end = self.stands_at_end and not is_met
+        if self.stands_at_end:
             self.stand_at_end(speed_v, limit_v, limit_a, limit_j)
         elif settles and not is_met:
             self.fade_by_end(goal_v, speed_v, limit_a, limit_j)

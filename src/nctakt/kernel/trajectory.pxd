@@ -36,9 +36,9 @@ cdef class Trajectories:
 
     @cython.locals(beyond_d=double)
     cdef void plan_distance(self, Py_ssize_t axis, double distance_d, double start_v, double start_a, double top_v, double limit_a, double limit_j) noexcept nogil
-    @cython.locals(direct_d=double, sign=double)
+    @cython.locals(direct_d=double)
     cdef int plan_passing(self, Py_ssize_t axis, double distance_d, double start_v, double start_a, double top_v, double goal_v, double limit_a, double limit_j, double fading_j) noexcept nogil
-    @cython.locals(rise=double, sign=double, peak2=double)
+    @cython.locals(rise=double)
     cdef void plan_speed(self, Py_ssize_t axis, double end_v, double start_v, double start_a, double limit_a, double limit_j) noexcept nogil
     @cython.locals(base=Py_ssize_t, phase=Py_ssize_t, last=Py_ssize_t, since=double, speed_v=double, rise_a=double, jerk=double, half=double)
     cdef void evaluate(self, Py_ssize_t axis, double time_t) noexcept nogil
@@ -48,13 +48,13 @@ cdef class Trajectories:
     @cython.locals(rise=double, highest_v=double, peak2=double, first_t=double, rest_d=double)
     cdef void trapezoid(self, double distance_d) noexcept nogil
     cdef double settled(self) noexcept nogil
-    @cython.locals(left_v=double)
-    cdef double stopping(self, double start_v, double start_a) noexcept nogil
     cdef double peak2(self, double start_v, double start_a, double end_v, double end_a, double sign) noexcept nogil
     @cython.locals(peak_a=double, is_held=bint, ramps_v=double, time=double, way_d=double, speed_v=double)
     cdef double change(self, double start_v, double start_a, double end_v, double end_a, double sign, double peak2) noexcept nogil
     @cython.locals(peak2=double)
     cdef double brake(self, double start_v, double start_a, double sign) noexcept nogil
+    @cython.locals(missing_v=double, size_v=double, sign=double)
+    cdef double direct(self, double start_v, double start_a) noexcept nogil
     @cython.locals(settled_v=double, longest_d=double, rising_a=double)
     cdef void solve(self, double distance_d) noexcept nogil
     @cython.locals(ramp_v=double, least_v=double, left_d=double, middle2=double, highest_v=double)

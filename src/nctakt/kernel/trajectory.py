@@ -88,15 +88,14 @@ class Trajectories:
     ) -> None:
         """Plan to stand after ``distance_d``, nowhere faster than ``top_v`` (> 0) but at first."""
         self.begin(axis, top_v, limit_a, limit_j)
-        self.goal_v = 0.0
-        beyond_d = distance_d - self.stopping(start_v, start_a)
+        beyond_d = distance_d - self.stopping_d(start_v, start_a, limit_a, limit_j)
         self.side = 1.0 if beyond_d >= 0.0 else -1.0
         self.from_v = self.side * start_v
         self.from_a = self.side * start_a
         if limit_j == 0.0:
             self.trapezoid(self.side * distance_d)
         elif beyond_d * self.side <= 1e-10:
-            self.brake(self.from_v, self.from_a, 1.0 if self.settled() < 0.0 else -1.0)
+            self.direct(self.from_v, self.from_a)
             self.append_change(0.0)
         else:
             self.solve(self.side * distance_d)
@@ -128,8 +127,7 @@ class Trajectories:
         self.from_a = start_a
         if fading_j > 0.0:
             distance_d -= self.fade(fading_j)
-        sign = 1.0 if self.settled() < goal_v else -1.0
-        direct_d = self.brake(self.from_v, self.from_a, sign)
+        direct_d = self.direct(self.from_v, self.from_a)
         if direct_d >= distance_d - 1e-10:
             self.append_change(goal_v)
         else:
@@ -158,9 +156,8 @@ class Trajectories:
             self.append((end_v - start_v) / rise, rise, 0.0)
             self.end_v = end_v
         else:
-            sign = 1.0 if end_v > self.settled() else -1.0
-            peak2 = self.peak2(start_v, start_a, end_v, 0.0, sign)
-            self.change(start_v, start_a, end_v, 0.0, sign, peak2)
+            self.goal_v = end_v
+            self.direct(start_v, start_a)
             self.append_change(end_v)
         self.finish()
 
@@ -200,7 +197,9 @@ class Trajectories:
         self.goal_v = 0.0
         self.limit_a = limit_a
         self.limit_j = limit_j
-        return self.stopping(start_v, start_a)
+        if limit_j == 0.0:
+            return 0.5 * start_v * math.fabs(start_v) / limit_a
+        return self.direct(start_v, start_a)
 
     # --- the trapezoid --------------------------------------------------------------------------
 
@@ -229,13 +228,6 @@ class Trajectories:
     def settled(self) -> float:
         """The speed that is left once the acceleration of the start has faded."""
         return self.from_v + 0.5 * self.from_a * math.fabs(self.from_a) / self.limit_j
-
-    def stopping(self, start_v: float, start_a: float) -> float:
-        """The way that braking at once takes."""
-        if self.limit_j == 0.0:
-            return 0.5 * start_v * math.fabs(start_v) / self.limit_a
-        left_v = start_v + 0.5 * start_a * math.fabs(start_a) / self.limit_j
-        return self.brake(start_v, start_a, 1.0 if left_v < 0.0 else -1.0)
 
     def peak2(
         self, start_v: float, start_a: float, end_v: float, end_a: float, sign: float
@@ -284,6 +276,20 @@ class Trajectories:
         """``change`` to the speed at the end, a stand unless it is to be passed."""
         peak2 = self.peak2(start_v, start_a, self.goal_v, 0.0, sign)
         return self.change(start_v, start_a, self.goal_v, 0.0, sign, peak2)
+
+    def direct(self, start_v: float, start_a: float) -> float:
+        """``brake`` with the sign of the speed that is missing once the acceleration has faded.
+
+        Where none is missing the peak is what there is. What rounding makes of it, less than 1e-12
+        of the speeds, does not count: with the other sign its root would be a second peak, and the
+        way too long for a place that is just reached.
+        """
+        missing_v = self.goal_v - start_v - 0.5 * start_a * math.fabs(start_a) / self.limit_j
+        size_v = math.fabs(start_v) + self.limit_a * self.limit_a / self.limit_j
+        sign = 1.0 if missing_v > 0.0 else -1.0
+        if start_a != 0.0 and math.fabs(missing_v) <= 1e-12 * (size_v + math.fabs(self.goal_v)):
+            sign = 1.0 if start_a > 0.0 else -1.0
+        return self.brake(start_v, start_a, sign)
 
     def solve(self, distance_d: float) -> None:
         """Find speed and acceleration in the middle for a distance that braking at once misses."""

@@ -37,6 +37,7 @@ class ChannelRun:
         self._waits_for_start = False
         self._selected: LoadedProgram | None = None
         self._outcome: RunState | None = None
+        self._stopped_at = -1
         self.channel = machine.channels[index]
         self.feed: Feed | None = None
         self.skip_levels: frozenset[int] = frozenset()
@@ -56,14 +57,17 @@ class ChannelRun:
 
     @property
     def is_braking(self) -> bool:
-        """Whether an error or a reset has ended the programs, and the path is not at rest yet."""
-        stops = self.is_stopped and not self._waits_for_start
-        return (stops or self._outcome == "reset") and not self._stands()
+        """Whether an error or a reset has ended the programs, and what that does is not over yet.
+
+        The path brakes, the reset lasts; and behind an error there is at least one tick, so that
+        the realtime cycles that run on can react to it (RC-402, RC-505).
+        """
+        if self.is_stopped and not self._waits_for_start:
+            return self._stopped_at == self._machine.kernel.tick or not self._stands()
+        return self._outcome == "reset" and not self._stands()
 
     def _stands(self) -> bool:
-        machine = self._machine
-        stands = machine.path_stands(self._index) and machine.single_axes.ending_count() == 0
-        return stands and not self.channel.is_resetting
+        return self._machine.path_stands(self._index) and not self.channel.is_resetting
 
     # --- a row of programs ----------------------------------------------------------------------
 
@@ -110,6 +114,7 @@ class ChannelRun:
         if self.channel.is_fatal:
             raise Failure(diagnostic(900466))
         self._outcome = None
+        self._stopped_at = -1
         self._selected = program
         self.feed = Feed(
             self._machine,
@@ -144,6 +149,8 @@ class ChannelRun:
         """Do what the channel needs before its next tick."""
         reason = self.channel.due()
         if reason == reasons.ERROR:
+            if self._stopped_at < 0:
+                self._stopped_at = self._machine.kernel.tick
             self.channel.clear_error()
             self.channel.panel.end_program()
             self._stop()

@@ -41,6 +41,9 @@ __all__ = ["DEFAULT_LIMIT_US", "Controller", "NcText"]
 #: Virtual time after which a run ends where neither a time nor a number of ticks is given.
 DEFAULT_LIMIT_US = 600_000_000
 
+#: How long a run that an error has stopped waits for axes and spindles that will stand.
+REST_US = 60_000_000
+
 #: Ticks between two calls of a progress function.
 PROGRESS_TICKS = 100_000
 
@@ -366,13 +369,15 @@ class Controller:
             self._advance(min(end, self.tick + patience))
             self._tell_progress(on_progress, end)
         state = _worst(chosen, "ended")
-        if state != "ended":
+        if state == "reset":
             return state
         stop = self.tick - (-after_us // self.cycle_time_us)
         while self.tick < min(stop, end):
             self._advance(min(stop, end, self.tick + PROGRESS_TICKS))
             self._tell_progress(on_progress, min(stop, end))
-        while self.tick < end and not self._machine.stands():
+        patience = REST_US // self.cycle_time_us if state == "error" else end
+        rest = min(end, self.tick + patience)
+        while self.tick < rest and not self._machine.stands():
             self._advance(self.tick + 1)
         if self.state == "error":
             return "error"

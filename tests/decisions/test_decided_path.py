@@ -118,10 +118,10 @@ def test_feed_hold_stops_on_the_path_and_goes_on() -> None:
 
 
 def test_after_an_error_nothing_is_taken_until_a_reset() -> None:
-    """RC-505: a dwell does not go on, the run ends when the path stands; a program resets."""
+    """RC-505: a dwell does not go on, the run ends a tick behind the error; a program resets."""
     controller = Controller()
     run = perform("#RT CYCLE START [ID=9]\n#TIME 5\nM30", controller)
-    assert (run.state, run.ticks, controller.state) == ("error", 1, "error")
+    assert (run.state, run.ticks, controller.state) == ("error", 2, "error")
     controller.start(NcText("next.nc", "#TIME 0.001\nM30"))
     controller.step(3)
     assert controller.state == "ready"

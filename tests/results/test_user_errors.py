@@ -99,7 +99,8 @@ def test_only_a_restart_clears_a_fatal_error() -> None:
 def test_errors_of_cycles_stand_in_the_diagnosis_data() -> None:
     """RC-601: a warning at level 2, an error at level 1, both with their texts."""
     report = DiagnosisReport()
-    text = "#RT CYCLE [ID=4 SCOPE=PROG]\n#ERROR [ID=1 RC=0]\n#ERROR [ID=2 RC=1]\n#RT CYCLE END\nM30"
+    text = "#RT CYCLE [ID=4 SCOPE=PROG]\n$IF ONCE TRUE\n#ERROR [ID=1 RC=0]\n#ERROR [ID=2 RC=1]\n"
+    text += "$ENDIF\n#RT CYCLE END\nM30"
     run = Controller().run(NcText("part.nc", text), sinks=[DiagnosisSink(report)])
     lines = report.render("en", run.diagnostics).splitlines()[-2:]
     assert lines == [

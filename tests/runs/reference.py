@@ -124,31 +124,35 @@ class Reference:
         self._attached: list[Cycle] = []
         self._rest_mm = 0.0
         self._braking = -1
+        self._fault_tick = -1
         self._sequence = 0
         self.tick = 0
         self.events: list[str] = []
         self.way_mm: list[float] = []
 
     def run(self) -> None:
-        """All programs to their ends, or to where the path stands behind a fault."""
+        """All programs to their ends, or to where the path stands behind a fault.
+
+        Behind the fault there is a tick in any case: the other cycles run on (RC-505).
+        """
         for number, program in enumerate(self._programs, 1):
             commands = iter(program)
             waiting: Command | None = next(commands)
-            while waiting is not None:
+            while waiting is not None or self._fault_tick >= 0:
                 waiting = self._tick(waiting, commands, f"program{number}.nc")
                 self.tick += 1
-                if self._braking == 0:
+                if self._braking == 0 and self.tick > self._fault_tick + 1:
                     return
 
     def _tell(self, kind: str, text: object) -> None:
         self.events.append(f"{self.tick} {kind} {text}")
 
-    def _tick(self, command: Command, rest: Iterator[Command], name: str) -> Command | None:
+    def _tick(self, command: Command | None, rest: Iterator[Command], name: str) -> Command | None:
         """One tick; the command that waits for the next one, ``None`` behind the program's end."""
         for tick, variable, number in self._stimuli:
             if tick == self.tick:
                 self._values[variable] = number
-        waiting: Command | None = command
+        waiting = command
         answers = reads = False
         if not self._left and self._braking < 0:
             self._leave_block()
@@ -188,6 +192,7 @@ class Reference:
     def _brake(self) -> None:
         """In its first half a move takes as long to stop as it has moved, else it ends as ever."""
         if self._braking < 0:
+            self._fault_tick = self.tick
             moved = 10 - self._left if self._left and self._moving else 0
             self._braking = min(moved, self._left)
 

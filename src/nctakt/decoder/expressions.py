@@ -9,13 +9,14 @@ operands are fused (``fusing.py``).
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import NoReturn
 
 from nctakt.decoder.fusing import Built, constant, fuse
 from nctakt.kernel import conditions, expressions
 from nctakt.kernel.conditions import Condition
 from nctakt.kernel.expressions import Expression
-from nctakt.kernel.memory import empty_context
+from nctakt.kernel.memory import Context, empty_context
 from nctakt.nc import syntax
 
 _BINARY: dict[str, type[expressions.Binary]] = {
@@ -111,7 +112,11 @@ class ExpressionBuilder:
         self._ask = ask
         self._number = number
         self._macro = macro
-        self._context = empty_context()
+
+    @cached_property
+    def _context(self) -> Context:
+        """Made when a value is computed: most builders only build."""
+        return empty_context()
 
     def build(self, expression: syntax.Expression) -> Built:
         """The node of an expression that the checker has let pass."""

@@ -8,6 +8,7 @@ channel: the read waits until the path stands (RC-308).
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
+from functools import cached_property
 from typing import NoReturn
 
 from nctakt.decoder.commands import (
@@ -27,7 +28,7 @@ from nctakt.decoder.tools import ActiveTool
 from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
 from nctakt.kernel.expressions import OPERATIONS
-from nctakt.kernel.memory import empty_context
+from nctakt.kernel.memory import Context, empty_context
 from nctakt.messages import diagnostic
 from nctakt.nc import strings, syntax
 from nctakt.nc.names import Location, Whole
@@ -68,13 +69,17 @@ class Reading:
             self._leaf, self._compare_texts, self._ask, macro=self.no_macro
         )
         self.own = OwnValues(state.levels, self._index, self.fail)
-        self._context = empty_context()
         self._plans = Plans()
         self._forms = FormComputer(
             self._plans.context, self._plans.memory, state.levels.scopes, state.parameters
         )
         self.tool = ActiveTool(surroundings, state, self.fail)
         self.system = SystemValues(surroundings, state, self.fail, self._index)
+
+    @cached_property
+    def _context(self) -> Context:
+        """Made for the first expression that is read as a tree."""
+        return empty_context()
 
     # --- reading --------------------------------------------------------------------------------
 

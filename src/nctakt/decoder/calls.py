@@ -28,11 +28,16 @@ _RETURN_COMMANDS = ("M17", "M29")
 
 
 class Calls:
-    """Makes levels of calls; the texts come from ``Surroundings.subprogram``."""
+    """Makes levels of calls; the texts come from ``Surroundings.subprogram``.
+
+    ``may_imply``: some words of blocks call programs.
+    """
 
     def __init__(self, values: Values) -> None:
         self._values = values
         self._surroundings = values.surroundings
+        programs = self._surroundings.parameters.implicit_programs
+        self.may_imply = bool(programs.m6 or programs.g800)
 
     # --- what is called -------------------------------------------------------------------------
 
@@ -73,8 +78,6 @@ class Calls:
     ) -> Generator[Command, Answer, tuple[syntax.Block, Level | None]]:
         """The block without M6 or G80 … that call a program of the list, and that program."""
         programs = self._surroundings.parameters.implicit_programs
-        if not (programs.m6 or programs.g800):
-            return block, None
         for word in block.words:
             name = implied_program(word, programs)
             if not name:
@@ -94,10 +97,8 @@ class Calls:
 
     def returning(
         self, block: syntax.Block, number: int
-    ) -> Generator[Command, Answer, tuple[syntax.Block, Return | None]]:
+    ) -> Generator[Command, Answer, tuple[syntax.Block, Return]]:
         """The block without its M17 or M29, and where that leads."""
-        if not any(_is_return(word) for word in block.words):
-            return block, None
         calls: int | None = 1
         label: str | None = None
         others: list[syntax.BlockWord] = []
@@ -139,6 +140,14 @@ class Calls:
         return calls, label
 
 
+def returns(block: syntax.Block) -> bool:
+    """Whether M17 or M29 stands in a block."""
+    for word in block.words:  # no generator: this is asked of each block
+        if _is_return(word):
+            return True
+    return False
+
+
 def label_of(item: syntax.Keyword | syntax.Expression) -> str | None:
     """The label that stands in the brackets of M17."""
     if isinstance(item, syntax.Name):
@@ -152,6 +161,8 @@ def label_of(item: syntax.Keyword | syntax.Expression) -> str | None:
 
 
 def _is_return(word: syntax.BlockWord) -> bool:
+    if isinstance(word, syntax.AxisWord):
+        return False
     if isinstance(word, syntax.BracketCommand):
         return word.name in _RETURN_COMMANDS
     return (

@@ -69,8 +69,6 @@ class CoordinateSystems:
 
     def inside(self, positions: Sequence[float], tool: Sequence[float]) -> list[float]:
         """Positions of the axes as the active system has them, its offsets not taken off."""
-        if not self._levels:
-            return list(positions)
         found = [
             position - origin - length
             for position, origin, length in zip(positions, self._origin, tool, strict=True)
@@ -82,8 +80,6 @@ class CoordinateSystems:
 
     def outside(self, positions: Sequence[float], tool: Sequence[float]) -> list[float]:
         """What ``inside`` was made of."""
-        if not self._levels:
-            return list(positions)
         found = list(positions)
         if self._matrix != IDENTITY:
             found[:3] = _turned(self._matrix, found[:3])

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Generator, Sequence
 from dataclasses import dataclass, field
 
+from nctakt.decoder import segments
 from nctakt.decoder.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
 from nctakt.decoder.commands import Answer, Command, Segment
 from nctakt.decoder.offsets import ALL
@@ -38,7 +39,7 @@ class PathWords:
     """
 
     centre: dict[str, tuple[Span, float]] = field(default_factory=dict)
-    once: set[int] = field(default_factory=set)
+    once: frozenset[int] = frozenset()
     offset_kinds: int = ALL
 
 
@@ -147,11 +148,11 @@ class PathMotion:
         exact = self._stops_exactly(words)
         self.span = span
         rounds = state.path.contouring or CONTOURING in words.once
-        return Segment(
+        return segments.segment(
             self._surroundings.place(span),
             number,
-            tuple(start),
-            tuple(target),
+            start,
+            target,
             feed,
             exact,
             state.path.deviation if rounds and not exact else 0.0,
@@ -224,9 +225,11 @@ class PathMotion:
     def check_limits(self, target: Sequence[float], places: Sequence[int], span: Span) -> None:
         """These axes of a target have to be within their software limits."""
         for place in places:
-            axis, position = self._surroundings.axes[place], target[place]
-            low, high = axis.software_limit_low, axis.software_limit_high
-            if not axis.is_modulo and not low <= position <= high:
-                self._values.fail(
-                    900306, span, axis=axis.name, position=position, low=low, high=high
-                )
+            self.check_limit(place, target[place], span)
+
+    def check_limit(self, place: int, position: float, span: Span) -> None:
+        """The target of an axis has to be within its software limits."""
+        axis = self._surroundings.axes[place]
+        low, high = axis.software_limit_low, axis.software_limit_high
+        if not low <= position <= high and not axis.is_modulo:
+            self._values.fail(900306, span, axis=axis.name, position=position, low=low, high=high)

@@ -83,10 +83,14 @@ class ActiveOffsets:
 
     def inside(self, positions: Sequence[float], kinds: int = ALL) -> list[float]:
         """Positions of the axes -> in the coordinate system of the program, with offsets yet."""
+        if not self.systems.is_active:
+            return list(positions)
         return self.systems.inside(positions, self._tool(kinds))
 
     def outside(self, positions: Sequence[float], kinds: int = ALL) -> list[float]:
         """What ``inside`` was made of."""
+        if not self.systems.is_active:
+            return list(positions)
         return self.systems.outside(positions, self._tool(kinds))
 
     def _tool(self, kinds: int) -> list[float]:

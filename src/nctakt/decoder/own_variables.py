@@ -107,7 +107,7 @@ class Scopes:
     """Where the variables of each family are looked for, the innermost place first.
 
     ``kept`` are those of V.S; those of V.L and V.CYC come and go with the levels. ``changes``: how
-    often any came or went.
+    often a name may have come to mean another variable, or none.
     """
 
     def __init__(self, kept: Variables) -> None:
@@ -119,15 +119,15 @@ class Scopes:
 
     def enter(self, *, is_cycle: bool) -> None:
         """A program begins with variables of its own; ``is_cycle``: with V.CYC, too."""
-        self.changes += 1
         self._locals.append({})
         if is_cycle:
+            self.changes += 1
             self._cycles.append({})
 
     def leave(self, *, is_cycle: bool) -> None:
         """The innermost program has ended."""
-        self.changes += 1
-        self._locals.pop()
+        if self._locals.pop() or is_cycle:
+            self.changes += 1
         if is_cycle:
             self._cycles.pop()
 

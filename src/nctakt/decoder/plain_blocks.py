@@ -70,6 +70,7 @@ class PlainBlocks:
         self._motion.rapid_stops_exactly = parameters.exact_stop_after_g00
         self._lines: LineReader | None = None
         self._file = ""
+        self._run = PlainRun(0, 0, self)
 
     def decode(self, reader: SectionReader, blocks: int) -> Generator[Command, Answer, int]:
         """Decode the plain blocks that come next.
@@ -83,7 +84,7 @@ class PlainBlocks:
         self._motion.blocks = blocks
         self._lines = lines
         while self._lines is not None:
-            yield PlainRun(0, 0, self)
+            yield self._run
         self._take_back()
         return self._motion.blocks
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable, Sequence
 
-from nctakt.decoder.calls import Calls
+from nctakt.decoder.calls import Calls, returns
 from nctakt.decoder.commands import (
     CONTROL_ACTIONS,
     Answer,
@@ -250,7 +250,10 @@ class ProgramDecoder:
             statement = self._macros.meant(statement)
         number = 0
         if statement.head.number is not None:
-            number = yield from self._number(statement.head.number)
+            value = self._values.known(statement.head.number)
+            if value is None:
+                value = yield from self._values.evaluate(statement.head.number, 0)
+            number = int(arithmetic.round_half_even(value))
         if self._surroundings.tells_blocks:
             yield BlockMark(self._surroundings.place(statement.span), number)
         match statement:
@@ -305,8 +308,11 @@ class ProgramDecoder:
             if meant is not None:
                 return (yield from self._statements(meant, is_part=True))
             block = yield from with_numbers(self._values, block, number)
-        block, returning = yield from self._calls.returning(block, number)
-        block, called = yield from self._calls.implied(block, number)
+        returning = called = None
+        if returns(block):
+            block, returning = yield from self._calls.returning(block, number)
+        if self._calls.may_imply:
+            block, called = yield from self._calls.implied(block, number)
         ends = yield from self._words.block(block, number, kinds)
         if called is not None:
             signal = yield from self._call(called, block.span)
@@ -319,10 +325,6 @@ class ProgramDecoder:
         if self._levels.modal_count and called is None:
             self._modal.behind_words(block.span.line, self._words.has_motion)
         return ""
-
-    def _number(self, written: syntax.Expression) -> Generator[Command, Answer, int]:
-        value = yield from self._values.evaluate(written, 0)
-        return int(arithmetic.round_half_even(value))
 
     # --- commands -------------------------------------------------------------------------------
 

@@ -108,6 +108,8 @@ class Reading:
         self, expression: syntax.Expression, number: int
     ) -> Generator[Command, Answer, float | str]:
         """As ``evaluate``; the value may be a text."""
+        if isinstance(expression, syntax.StringLiteral):
+            return expression.value
         value = self.known(expression)
         if value is not None:
             return value

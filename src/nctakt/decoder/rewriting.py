@@ -29,6 +29,8 @@ NUMBERED = ("G", "H", "M")
 def is_as_written(block: syntax.Block) -> bool:
     """Whether a block has neither computed numbers nor macros."""
     for word in block.words:
+        if isinstance(word, syntax.AxisWord):
+            continue
         if isinstance(word, syntax.StringWord):
             return False
         if isinstance(word, syntax.Word) and word.name in NUMBERED:

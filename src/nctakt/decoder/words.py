@@ -7,7 +7,7 @@ motion, the motion, functions that come after it, the program's end.
 
 from __future__ import annotations
 
-from collections.abc import Container, Generator, Iterator, Sequence
+from collections.abc import Container, Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from nctakt.decoder.arcs import PLANES
@@ -52,6 +52,9 @@ RADIUS = 163
 #: The G function whose X, or whose own value, is a time.
 DWELL = 4
 
+#: G functions for one block only.
+ONE_BLOCK = frozenset((EXACT_STOP, CONTOURING, NO_OVERRIDE))
+
 #: Tool radius compensation, left and right of the contour: with the tool of its own block.
 COMPENSATIONS = frozenset((41, 42))
 
@@ -74,8 +77,8 @@ class _Content:
     zero_group: int | None = None
     is_reference: bool = False
     turns_tool: bool = False
-    stops: list[tuple[syntax.BracketCommand, FixedStop]] = field(default_factory=list)
-    program_stops: list[ProgramStop] = field(default_factory=list)
+    stops: tuple[tuple[syntax.BracketCommand, FixedStop], ...] = ()
+    program_stops: tuple[ProgramStop, ...] = ()
     ends_program: bool = False
 
 
@@ -87,6 +90,7 @@ class Words:
         self._values = values
         self._surroundings = values.surroundings
         self._state = values.state
+        self._is_linear = [axis.is_linear for axis in self._surroundings.axes]
         self._spindles = SpindleWords(values)
         self.path = PathMotion(values, PathPace(values, self._spindles))
         self.technology = TechnologyOutputs()
@@ -139,25 +143,20 @@ class Words:
             yield from self.dwell(content.dwell_s, block.span, number)
         if content.functions:
             yield from self.technology.behind(content.functions)
-        yield from content.program_stops
+        if content.program_stops:
+            yield from content.program_stops
         return content.ends_program
 
     def _sort(self, block: syntax.Block, number: int) -> Generator[Command, Answer, _Content]:
         """Evaluate the words; G and F act at once, in whatever order they stand."""
         content = _Content()
-        numbers = {
-            round(word.value.value): word.span
-            for word in block.words
-            if isinstance(word, syntax.Word)
-            and word.name == "G"
-            and isinstance(word.value, syntax.Number)
-        }
-        content.turns_tool = any(function in PLANES for function in numbers)
-        for function, span in numbers.items():
-            self._modal(function, span)
-            content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
-        content.is_reference = REFERENCE in numbers
-        content.path.once.update({EXACT_STOP, CONTOURING, NO_OVERRIDE}.intersection(numbers))
+        numbers: dict[int, Span] = {}
+        for word in block.words:
+            if isinstance(word, syntax.Word) and word.name == "G":
+                if isinstance(word.value, syntax.Number):
+                    numbers[round(word.value.value)] = word.span
+        if numbers:
+            self._functions(numbers, content)
         rest: Sequence[syntax.BlockWord] = block.words
         if DWELL in numbers:
             rest = [word for word in rest if not _is_revolutions(word)]
@@ -175,7 +174,7 @@ class Words:
                 axis = self._surroundings.axis_numbers[word.name]
                 if is_fixed_stop(word):
                     stop = yield from fixed_stop(self._values, word, axis, number)
-                    content.stops.append((word, stop))
+                    content.stops += ((word, stop),)
                     continue
                 yield from self.path.pace.override(word.items, number, axis)
                 continue
@@ -186,18 +185,30 @@ class Words:
                     self._additional(word, value, content)
                 continue
             assert word.value is not None, word
-            value = yield from self._values.evaluate(word.value, number)
+            known = self._values.known(word.value)
+            if known is None:
+                known = yield from self._values.evaluate(word.value, number)
             extra = None
             if word.additional is not None:
                 extra = yield from self._values.evaluate(word.additional, number)
-            self._word(word, value, extra, number, content)
-        for function in COMPENSATIONS.intersection(numbers):
-            self.path.compensate(function, numbers[function])
+            self._word(word, known, extra, number, content)
+        if numbers:
+            for function in COMPENSATIONS.intersection(numbers):
+                self.path.compensate(function, numbers[function])
         for command in commands:
             content.functions += yield from self._spindles.issued(command, number)
         if DWELL in numbers and content.axes:
             content.dwell_s = content.axes.pop()[1]
         return content
+
+    def _functions(self, numbers: Mapping[int, Span], content: _Content) -> None:
+        """G functions: the modal ones act at once."""
+        content.turns_tool = any(function in PLANES for function in numbers)
+        for function, span in numbers.items():
+            self._modal(function, span)
+            content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
+        content.is_reference = REFERENCE in numbers
+        content.path.once = ONE_BLOCK.intersection(numbers)
 
     def _revolutions(
         self, block: syntax.Block, number: int
@@ -239,8 +250,7 @@ class Words:
 
     def _in_axis_unit(self, axis: int, value: float) -> float:
         """A programmed value in mm or degrees."""
-        is_linear = self._surroundings.axes[axis].is_linear
-        return value * self._state.length_unit_mm if is_linear else value
+        return value * self._state.length_unit_mm if self._is_linear[axis] else value
 
     def _modal(self, function: int, span: Span) -> None:
         state = self._state
@@ -287,7 +297,7 @@ class Words:
             content.ends_program = True
         if word.name == "M" and number in PROGRAM_STOPS:
             source = self._surroundings.place(word.span)
-            content.program_stops.append(ProgramStop(source, block, number == 1))
+            content.program_stops += (ProgramStop(source, block, number == 1),)
         parameters = self._surroundings.parameters
         table = parameters.m_functions if word.name == "M" else parameters.h_functions
         if number in table:
@@ -331,7 +341,7 @@ class Words:
         self._state.positions = target
         if segment is None:
             return
-        if segment.feed > 0.0:
+        if segment.feed > 0.0 and self.technology.awaits_feed:
             yield from self.technology.before_feed()
         yield segment
 
@@ -424,7 +434,7 @@ class Words:
             if any(index < MAIN_AXES for index in spans):
                 spans = {index: span for index in range(MAIN_AXES)} | spans
         for index, place in spans.items():
-            self.path.check_limits(target, (index,), place)
+            self.path.check_limit(index, target[index], place)
         return target
 
     def _outside(self, target: list[float], programmed: Container[int], kinds: int) -> list[float]:

@@ -56,3 +56,9 @@ cdef class Expressed(Recipe):
     cdef object form_slot
     cdef object at_slot
     cpdef object make(self, Occurrence at)
+
+cdef class RecipeBook:
+    cdef public dict recipes
+
+    @cython.locals(recipe=Recipe, inside=list, run=list, statements=list, one=Shape)
+    cpdef object made(self, Shape shape, str file, long long first)

@@ -4,7 +4,8 @@
 """How the tree of a statement is made anew for another occurrence of its shape.
 
 In: an ``Occurrence``: what differs between two statements of one shape, their numbers and places.
-Out: nodes, equal to those that the parser makes. ``templates.py`` writes the recipes. A compound
+Out: nodes, equal to those that the parser makes. ``templates.py`` writes the recipes into a
+``RecipeBook``, which makes a statement with all that is inside it. A compound
 expression of numbers is not made but stands there as a ``Formed``: whoever evaluates it needs its
 form and the numbers, and its tree only where something goes wrong.
 """
@@ -152,3 +153,29 @@ class Expressed(Recipe):
         slots.put(self.form_slot, node, self.form)
         slots.put(self.at_slot, node, at)
         return node
+
+
+class RecipeBook:
+    """The recipes of shapes, by their keys."""
+
+    def __init__(self) -> None:
+        self.recipes: dict[bytes, Recipe] = {}
+
+    def made(self, shape: Shape, file: str, first: int) -> Any:
+        """The statement of a shape, ``None`` where it or one inside it has no recipe.
+
+        ``first``: the number of the first line at hand.
+        """
+        recipe = self.recipes.get(shape.key)
+        if recipe is None:
+            return None
+        inside: list[list[Any]] = []
+        for run in shape.runs:
+            statements: list[Any] = []
+            for one in run:
+                made = self.made(one, file, first)
+                if made is None:
+                    return None
+                statements.append(made)
+            inside.append(statements)
+        return recipe.make(Occurrence(file, first, shape, inside))

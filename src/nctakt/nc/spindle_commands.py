@@ -11,7 +11,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nctakt.diagnostics import Span
-from nctakt.nc.syntax import BlockWord, BracketCommand, Expression, Keyword, Number, Word
+from nctakt.nc.syntax import (
+    AxisWord,
+    BlockWord,
+    BracketCommand,
+    Expression,
+    Keyword,
+    Number,
+    Word,
+)
 
 #: M functions of spindles.
 CLOCKWISE, COUNTER_CLOCKWISE, STOP, POSITION = 3, 4, 5, 19
@@ -45,7 +53,9 @@ def split(
     others: list[BlockWord] = []
     main: SpindleCommand | None = None
     for word in words:
-        if isinstance(word, BracketCommand) and word.name in spindles:
+        if isinstance(word, AxisWord):
+            others.append(word)
+        elif isinstance(word, BracketCommand) and word.name in spindles:
             commands.append(_bracket(word))
         elif isinstance(word, Word) and _is_main(word):
             if main is None:

@@ -20,7 +20,7 @@ from nctakt.messages import Collector
 from nctakt.nc import recipes
 from nctakt.nc.operators import FUNCTIONS
 from nctakt.nc.parser import StatementReader
-from nctakt.nc.recipes import Occurrence, Recipe
+from nctakt.nc.recipes import Occurrence, Recipe, RecipeBook
 from nctakt.nc.resolution import OWN_FAMILIES
 from nctakt.nc.shapes import COMMENT, NUMBER, RUN, Shape, ShapeScanner
 from nctakt.nc.silence import VALUE_WORDS, is_silent
@@ -137,6 +137,7 @@ class Templates:
         self.scanner = ShapeScanner()
         self._silent: set[bytes] = set()
         self._known: dict[bytes, Template | None] = {}
+        self._book = RecipeBook()
         self._seen: set[bytes] = set()
         self._characters = 0
 
@@ -151,7 +152,7 @@ class Templates:
                 return None
             shape = scanner.shape
             if shape is not None:
-                made = self._made(shape, file, lines.number - lines.index)
+                made: Statement | None = self._book.made(shape, file, lines.number - lines.index)
                 if made is None:
                     self._meet(shape)
                     return None
@@ -159,23 +160,6 @@ class Templates:
                 return made
             lines.index += count
         return None
-
-    def _made(self, shape: Shape, file: str, first: int) -> Statement | None:
-        """The statement of a shape; ``first``: the number of the first line at hand."""
-        template = self._known.get(shape.key)
-        if template is None:
-            return None
-        inside: list[list[Statement]] = []
-        for run in shape.runs:
-            statements: list[Statement] = []
-            for one in run:
-                made = self._made(one, file, first)
-                if made is None:
-                    return None
-                statements.append(made)
-            inside.append(statements)
-        statement: Statement = template.recipe.make(Occurrence(file, first, shape, inside))
-        return statement
 
     def _meet(self, shape: Shape) -> None:
         """A statement came that is not made from templates: next time it may be."""
@@ -212,11 +196,14 @@ class Templates:
             return self._known[key]
         if key in self._seen:
             template = self._known[key] = make_template(key)
+            if template is not None:
+                self._book.recipes[key] = template.recipe
             return template
         self._characters += len(key)
         if self._characters > MOST_SHAPE_TEXT:
             self._characters = len(key)
             self._known.clear()
+            self._book.recipes.clear()
             self._seen.clear()
             self._silent.clear()
         self._seen.add(key)

@@ -268,3 +268,17 @@ def test_what_lies_above_is_not_compared() -> None:
     assert run.diagnostics == ()
     run = Controller().run(NcText("p.nc", START + over.replace("Z20\n", "") + "M30\n"), signals=[])
     assert [one.id for one in run.diagnostics] == [900950]
+
+
+def test_a_damage_is_told_however_much_waits_behind_it() -> None:
+    """G141: Y-9 goes down at X 5, across the way at Y 5; 60 more motions are under way by then.
+
+    Nothing that the tool does not fit into closes a loop there, so that it is the warning.
+    """
+    steps = "".join(f"X{number}\n" for number in range(1, 41))
+    down = "".join(f"Y{-number}\n" for number in range(10, 70))
+    begin = f"{START}G00 X20 Y20\nG01 G41 G141 X0 Y0\n"
+    text = f"{begin}{steps}Y40\nX0\nY-9\n{down}G40 X20\nM30\n"
+    run = Controller().run(NcText("p.nc", text), signals=[])
+    found = [(one.id, one.span.line, one.values["line"]) for one in run.diagnostics if one.span]
+    assert found == [(900950, 46, 9)]

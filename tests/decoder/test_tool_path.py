@@ -24,8 +24,8 @@ from nctakt.decoder.tool_path import ARC, GAP, REACH, ToolPath
 #: How far from a contour the tool may be off: rounding, and corners that are none (0.01°).
 TOLERANCE_MM = 2e-6
 
-#: Contours where a loop is left out too early, and the tool comes 0.1 mm nearer than its 7 mm.
-TOO_NEAR = (1483, 8158)
+#: A contour of 10,000 where around corners in lines the tool comes 0.3 mm nearer than its 7 mm.
+TOO_NEAR = (5776,)
 
 #: Contours of each kind; ten thousand are some minutes.
 CONTOURS = int(os.environ.get("NCTAKT_CONTOURS", "500"))
@@ -201,25 +201,49 @@ def test_where_nothing_is_told_the_tool_is_nowhere_too_near(part: int) -> None:
 
 @pytest.mark.parametrize("part", range(10))
 def test_what_is_left_out_is_not_damaged(part: int) -> None:
-    """G141: more contours are passed than without, and what is passed keeps the distance.
-
-    Around corners in arcs (G26), where the way beside the contour is exact.
-    """
+    """G141: more contours are passed than without, and what is passed keeps the distance."""
     fitting = without = 0
     for seed in range(part, CONTOURS, 10):
-        ways, tool, _ = chosen(seed)
-        result = passed(ways, tool, by_arc=True, masks=True)
-        bare = passed(ways, tool, by_arc=True, masks=False)
+        ways, tool, by_arc = chosen(seed)
+        result = passed(ways, tool, by_arc, masks=True)
+        bare = passed(ways, tool, by_arc, masks=False)
         without += not bare.misfits and not bare.damages
         if result.misfits or result.damages:
             continue
-        off, *where = nearest(ways, result, abs(tool))
-        if seed in TOO_NEAR:
-            assert -0.12 < off < 0.0
-        else:
-            assert off > -tolerance(ways, abs(tool)) or crosses_itself(ways), (seed, off, where)
+        check(seed, ways, result, tool)
         fitting += 1
     assert fitting > without > 0
+
+
+def check(seed: int, ways: list[Way], result: Passed, tool: float) -> None:
+    """The tool is nowhere nearer to the contour than its radius."""
+    off, *where = nearest(ways, result, abs(tool))
+    least = -0.31 if seed in TOO_NEAR else -tolerance(ways, abs(tool))
+    assert off > least or crosses_itself(ways), (seed, off, where)
+
+
+@pytest.mark.parametrize(
+    ("seed", "by_arc"),
+    [
+        # a motion that does not fit lies between two that meet on what its corners cut off
+        (1483, True),
+        (8158, True),
+        # the crossing is up to rounding where an arc begins
+        (7115, True),
+        # the way leads back behind a loop that was left out
+        (3735, False),
+        (7401, False),
+        (7735, False),
+        (9821, False),
+        (9829, False),
+    ],
+)
+def test_the_tool_is_led_along_what_neighbours_cut_off(seed: int, by_arc: bool) -> None:
+    """G141: what a corner or a loop cuts off may be way again behind a motion left out."""
+    ways, tool, _ = chosen(seed)
+    result = passed(ways, tool, by_arc, masks=True)
+    assert not result.misfits and not result.damages
+    check(seed, ways, result, tool)
 
 
 @pytest.mark.parametrize("masks", [False, True])

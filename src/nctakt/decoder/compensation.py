@@ -76,7 +76,7 @@ class Compensation:
         self._took_time = took_time
         self.tool = ToolPath()
         self._motions: deque[_Motion] = deque()
-        self._spans: deque[tuple[int, Span]] = deque(maxlen=REACH + 2)
+        self._spans: deque[tuple[int, Span]] = deque(maxlen=2 * REACH + 2)
         self._between = 0
         self._distance = 0.0
         self._at: tuple[float, float] | None = None

@@ -28,6 +28,12 @@ cdef class Corners:
     cdef int join(self, Py_ssize_t one, Py_ssize_t other) noexcept
     @cython.locals(rows=double[::1], x=double, y=double)
     cdef int join_contour(self, Py_ssize_t one, Py_ssize_t other, double distance) noexcept
+    @cython.locals(x=double, y=double)
+    cdef void part(self, Py_ssize_t one, Py_ssize_t other) noexcept
+    @cython.locals(distance=double)
+    cdef int meets_inside(self, Py_ssize_t one, Py_ssize_t other) noexcept
+    @cython.locals(motions=double[::1], x=double, y=double, end_x=double, end_y=double, centre_x=double, centre_y=double, angle=double)
+    cdef void put_rest(self, Py_ssize_t one, double[::1] rows, Py_ssize_t base) noexcept
     cdef void meet(self, double x, double y) noexcept
     @cython.locals(rows=double[::1], share=double)
     cdef void meet_between(self, Py_ssize_t one, Py_ssize_t other, double distance) noexcept

@@ -142,12 +142,12 @@ class Corners:
         if self.is_outer(one, other, distance):
             self.go_around(one, other, distance)
             return 1
-        self.place_start(other)
-        x = self.next_x
-        y = self.next_y
-        self.place_end(one)
         if rows[one + 17] == 0.0 and rows[other + 17] == 0.0:
             if self.is_straight(one, other):
+                self.place_start(other)
+                x = self.next_x
+                y = self.next_y
+                self.place_end(one)
                 self.meet((self.end_x + x) / 2.0, (self.end_y + y) / 2.0)
                 return 1
             if rows[one + 4] == 0.0 and rows[other + 4] == 0.0:
@@ -155,10 +155,42 @@ class Corners:
                 return 1
             if self.meet_nearest(one, other, distance):
                 return 1
+        self.part(one, other)
+        return 0
+
+    def part(self, one: int, other: int) -> None:
+        """The tool passes both motions whole; between the ways beside them there is a gap."""
+        self.place_start(other)
+        x = self.next_x
+        y = self.next_y
+        self.place_end(one)
         self.add_line(2, self.end_x, self.end_y, x, y)
         self.next_x = x
         self.next_y = y
-        return 0
+
+    def meets_inside(self, one: int, other: int) -> int:
+        """Whether ``join`` let both motions meet at an inner corner."""
+        distance = self.motions[one + 10]
+        if distance == 0.0 or self.motions[other + 9] == 0.0 or self.way_count > 0:
+            return 0
+        if self.is_straight(one, other) or self.is_outer(one, other, distance):
+            return 0
+        return 1
+
+    def put_rest(self, one: int, rows: memoryview[float], base: int) -> None:
+        """Put the way beside a motion from where ``join`` ends it to beside its end into a row."""
+        motions = self.motions
+        x = self.end_x
+        y = self.end_y
+        end_x = motions[one + 2] - motions[one + 14] * motions[one + 10]
+        end_y = motions[one + 3] + motions[one + 13] * motions[one + 10]
+        pieces.put_line(rows, base, 0, x, y, end_x, end_y)
+        if motions[one + 4] == 0.0:
+            return
+        centre_x = motions[one + 5]
+        centre_y = motions[one + 6]
+        angle = pieces.turn(x - centre_x, y - centre_y, end_x - centre_x, end_y - centre_y)
+        pieces.put_arc(rows, base, centre_x, centre_y, angle)
 
     def meet(self, x: float, y: float) -> None:
         """The tool goes from one motion on to the other at this place."""

@@ -12,12 +12,12 @@ cdef double length(double[::1] rows, Py_ssize_t base) noexcept nogil
 @cython.locals(more=double, angle=double, i=Py_ssize_t)
 cdef void bound(double[::1] rows, Py_ssize_t base) noexcept nogil
 cdef int are_apart(double[::1] rows, Py_ssize_t one, Py_ssize_t other) noexcept nogil
-@cython.locals(centre_x=double, centre_y=double)
 cdef void cut_end(double[::1] rows, Py_ssize_t base, double x, double y) noexcept nogil
-@cython.locals(centre_x=double, centre_y=double)
 cdef void cut_start(double[::1] rows, Py_ssize_t base, double x, double y) noexcept nogil
 @cython.locals(angle=double)
 cdef double swept(double x, double y, double x_2, double y_2, double sense) noexcept nogil
+@cython.locals(centre_x=double, centre_y=double, angle=double, turn_=double, before=double)
+cdef double angle_to(double[::1] rows, Py_ssize_t base, double x, double y) noexcept nogil
 
 @cython.locals(sense=double)
 cdef double direction_x(double[::1] rows, Py_ssize_t base, double y) noexcept nogil
@@ -40,7 +40,7 @@ cdef class Crossing:
     cdef int of_arcs(self, double[::1] rows, Py_ssize_t one, Py_ssize_t other) noexcept nogil
     @cython.locals(along=double, sense=double)
     cdef int consider(self, double[::1] rows, Py_ssize_t one, Py_ssize_t other, double x, double y, int found) noexcept nogil
-    @cython.locals(x_2=double, y_2=double, size=double, way=double, round_way=double)
+    @cython.locals(x_2=double, y_2=double, size=double, way=double)
     cdef double way_to(self, double[::1] rows, Py_ssize_t base, double x, double y) noexcept nogil
     @cython.locals(x_1=double, y_1=double)
     cdef double sine(self, double[::1] rows, Py_ssize_t one, Py_ssize_t other, double x, double y) noexcept nogil

@@ -90,15 +90,7 @@ def are_apart(rows: memoryview[float], one: int, other: int) -> int:
 def cut_end(rows: memoryview[float], base: int, x: float, y: float) -> None:
     """Let a piece end at this place on it."""
     if rows[base + 4] == 1.0:
-        centre_x = rows[base + 5]
-        centre_y = rows[base + 6]
-        rows[base + 7] = swept(
-            rows[base] - centre_x,
-            rows[base + 1] - centre_y,
-            x - centre_x,
-            y - centre_y,
-            rows[base + 7],
-        )
+        rows[base + 7] = angle_to(rows, base, x, y)
     rows[base + 2] = x
     rows[base + 3] = y
     bound(rows, base)
@@ -107,15 +99,7 @@ def cut_end(rows: memoryview[float], base: int, x: float, y: float) -> None:
 def cut_start(rows: memoryview[float], base: int, x: float, y: float) -> None:
     """Let a piece begin at this place on it."""
     if rows[base + 4] == 1.0:
-        centre_x = rows[base + 5]
-        centre_y = rows[base + 6]
-        rows[base + 7] -= swept(
-            rows[base] - centre_x,
-            rows[base + 1] - centre_y,
-            x - centre_x,
-            y - centre_y,
-            rows[base + 7],
-        )
+        rows[base + 7] -= angle_to(rows, base, x, y)
     rows[base] = x
     rows[base + 1] = y
     bound(rows, base)
@@ -129,6 +113,21 @@ def swept(x: float, y: float, x_2: float, y_2: float, sense: float) -> float:
     elif sense < 0.0 and angle > 0.0:
         angle -= 360.0
     return angle
+
+
+def angle_to(rows: memoryview[float], base: int, x: float, y: float) -> float:
+    """From the start of an arc to a place on it, in its sense.
+
+    A place up to 1e-6 mm before the start is there, and not a turn away.
+    """
+    centre_x = rows[base + 5]
+    centre_y = rows[base + 6]
+    angle = swept(
+        rows[base] - centre_x, rows[base + 1] - centre_y, x - centre_x, y - centre_y, rows[base + 7]
+    )
+    turn_ = 360.0 if angle > 0.0 else -360.0
+    before = (turn_ - angle) * rows[base + 8] * 0.017453292519943295
+    return angle - turn_ if -1e-6 <= before <= 1e-6 else angle
 
 
 def direction_x(rows: memoryview[float], base: int, y: float) -> float:
@@ -276,22 +275,9 @@ class Crossing:
             way = ((x - rows[base]) * x_2 + (y - rows[base + 1]) * y_2) / size
         else:
             size = length(rows, base)
-            round_way = rows[base + 8] * 6.283185307179586
-            way = (
-                swept(
-                    rows[base] - rows[base + 5],
-                    rows[base + 1] - rows[base + 6],
-                    x - rows[base + 5],
-                    y - rows[base + 6],
-                    rows[base + 7],
-                )
-                * rows[base + 8]
-                * 0.017453292519943295
-            )
-            if way < 0.0:
+            way = angle_to(rows, base, x, y) * rows[base + 8] * 0.017453292519943295
+            if rows[base + 7] < 0.0:
                 way = -way
-            if round_way - way <= 1e-6:
-                way -= round_way
         return way if -1e-6 <= way < size - 1e-6 else -2.0
 
     def sine(self, rows: memoryview[float], one: int, other: int, x: float, y: float) -> float:

@@ -22,8 +22,9 @@ from nctakt.decoder.pieces import Crossing
 #: So many motions before a new one its way is compared with; of so many (``masks``) the way waits.
 REACH = 50
 
-#: Pieces that there is room for: of two reaches, with all that can join two motions.
-_ROOM = 512
+#: Pieces that there is room for: of two reaches, with all that can join two motions, and as many
+#: of loops that were left out, each one with a row behind it (of kind 3).
+_ROOM = 1024
 
 #: What ``take`` gives: 0 nothing more of the motion, a line, an arc, the motion does not fit.
 NOTHING, LINE, ARC, GAP = range(4)
@@ -42,7 +43,10 @@ class ToolPath:
     def __init__(self) -> None:
         self.corners = Corners()
         self.crossings = Crossing()
-        self.rows = memoryview(bytearray(8 * _ROOM * pieces.WIDTH)).cast("d")
+        self.rows = memoryview(bytearray(8 * 2 * _ROOM * pieces.WIDTH)).cast("d")
+        self.rest = memoryview(bytearray(8 * pieces.WIDTH)).cast("d")
+        self.rest_number = 0
+        self.left = 0
         self.count = 0
         self.out = 0
         self.barrier = 0
@@ -121,7 +125,7 @@ class ToolPath:
         """Join the motion with the one before it: false where that one does not fit."""
         at = 20 - self.latest
         meets = self.corners.join(self.latest, at)
-        if not self.put_motion(meets):
+        if not self.put_motion(meets, at):
             return False
         self.corners.motions[at + 15] = self.at_x
         self.corners.motions[at + 16] = self.at_y
@@ -144,7 +148,7 @@ class ToolPath:
         barrier = self.barrier
         x = self.at_x
         y = self.at_y
-        if self.put_motion(1) and self.crossed == 0:
+        if self.put_motion(1, at) and self.crossed == 0:
             self.corners.motions[at + 15] = self.at_x
             self.corners.motions[at + 16] = self.at_y
             self.open(at)
@@ -160,7 +164,7 @@ class ToolPath:
     def close(self, is_perpendicular: bool) -> bool:
         """The latest motion ends beside its end, or goes back from there to the contour."""
         self.corners.place_end(self.latest)
-        if not self.put_motion(1):
+        if not self.put_motion(1, -1):
             return False
         if is_perpendicular:
             end_x = self.corners.motions[self.latest + 2]
@@ -191,8 +195,11 @@ class ToolPath:
 
     # --- pieces ----------------------------------------------------------------------------------
 
-    def put_motion(self, meets: int) -> int:
-        """The pieces of the latest motion up to its end: 0 it does not fit."""
+    def put_motion(self, meets: int, other: int) -> int:
+        """The pieces of the latest motion up to its end: 0 it does not fit.
+
+        ``other``: the motion that it has been joined with, -1 none.
+        """
         corners = self.corners
         self.make_room()
         self.is_open = False
@@ -203,7 +210,10 @@ class ToolPath:
         if not self.masks and not (fits and meets):
             return 0
         if not fits:
-            self.rows[base + 4] = 2.0
+            self.part(at, other, is_contour)
+            base = self.count * 16
+        if self.masks:
+            self.keep_rest(at, other)
         if pieces.length(self.rows, base) > 0.0:
             self.put(is_contour)
         for k in range(corners.way_count):
@@ -215,8 +225,43 @@ class ToolPath:
         self.at_y = corners.next_y
         if self.parts or not is_contour:
             self.barrier = self.count
+            self.left = 0
             self.parts = False
         return 1
+
+    def part(self, at: int, other: int, is_contour: int) -> None:
+        """The latest motion does not fit between its neighbours: all three are passed whole.
+
+        So the way of one neighbour crosses that of another one where they really meet. The way
+        beside the latest motion is the row behind the pieces then, or a gap.
+        """
+        corners = self.corners
+        if self.rest_number == self.number:
+            base = self.count * 16
+            for i in range(9):
+                self.rows[base + i] = self.rest[i]
+            x = self.rest[2]
+            y = self.rest[3]
+            self.put(is_contour)
+            next_x = corners.next_x
+            next_y = corners.next_y
+            corners.place_start(at)
+            corners.motions[at + 15] = corners.next_x
+            corners.motions[at + 16] = corners.next_y
+            self.put_line(2, x, y, corners.next_x, corners.next_y, is_contour)
+            corners.next_x = next_x
+            corners.next_y = next_y
+        if other >= 0 and corners.meets_inside(at, other):
+            corners.part(at, other)
+        base = self.count * 16
+        if not corners.put_own(at, self.rows, base):
+            self.rows[base + 4] = 2.0
+
+    def keep_rest(self, at: int, other: int) -> None:
+        """Keep what the meeting with the next motion cuts off; that one may not fit."""
+        if other >= 0 and self.corners.meets_inside(at, other):
+            self.corners.put_rest(at, self.rest, 0)
+            self.rest_number = self.number + 1
 
     def put_line(
         self, kind: int, x: float, y: float, x_2: float, y_2: float, is_contour: int
@@ -260,18 +305,35 @@ class ToolPath:
 
     def compare(self) -> None:
         """Find where the latest piece crosses earlier ones, and leave out the loops."""
-        while True:
-            last = self.count - 1
-            found = self.search(last, self.side if self.masks else 0.0)
-            if found < self.out or not self.masks:
-                break
-            self.leave_out(found, last)
         if self.masks:
-            self.note(last)
-        elif found >= 0:
+            self.mask()
+            return
+        last = self.count - 1
+        found = self.search(last, 0.0)
+        if found >= 0:
             self.crossed = int(self.rows[found * 16 + 9])
             self.crossing = self.number
             self.barrier = last
+
+    def mask(self) -> None:
+        """Leave out the loops that the latest piece closes.
+
+        It may lead back behind what was left out, so that a part of that is way after all.
+        """
+        room = 8
+        while True:
+            last = self.count - 1
+            found = self.search(last, self.side)
+            if found >= self.out and found >= 0:
+                self.leave_out(found, last)
+                continue
+            found = self.search_loops(last)
+            if found < 0 or room == 0 or not self.take_in(found, last):
+                break
+            room -= 1
+        if found >= 0:
+            self.rows[last * 16 + 15] = self.rows[found * 16 + 9]
+        self.note(last)
 
     def note(self, last: int) -> None:
         """Note a crossing that closes no loop; one behind it may still leave out both."""
@@ -297,19 +359,101 @@ class ToolPath:
             one -= 1
         return -1
 
+    def search_loops(self, last: int) -> int:
+        """The piece of a loop behind which the latest piece leads; -1: none."""
+        rows = self.rows
+        self.crossings.wanted = -self.side
+        base = last * 16
+        one = 1024 + self.left - 1
+        while one >= 1024:
+            if rows[one * 16 + 10] != 0.0 and rows[one * 16 + 9] >= self.number - 50:
+                if not pieces.are_apart(rows, one * 16, base):
+                    if self.crossings.find(rows, one * 16, base):
+                        return one
+            one -= 1
+        return -1
+
     def leave_out(self, first: int, last: int) -> None:
         """Leave out the loop between two pieces that cross, and the first one if nothing is left.
 
         The piece behind the loop keeps its end, so that it stays even where it has no length.
         """
         rows = self.rows
-        pieces.cut_end(rows, first * 16, self.crossings.x, self.crossings.y)
-        pieces.cut_start(rows, last * 16, self.crossings.x, self.crossings.y)
+        x = self.crossings.x
+        y = self.crossings.y
+        self.keep_loop(first, last)
+        pieces.cut_end(rows, first * 16, x, y)
+        pieces.cut_start(rows, last * 16, x, y)
         if pieces.length(rows, first * 16) > 1e-9:
             first += 1
-        for i in range(16):
-            rows[first * 16 + i] = rows[last * 16 + i]
+        self.copy(last, first)
         self.count = first + 1
+
+    def keep_loop(self, first: int, last: int) -> None:
+        """Keep the loop that is left out, and forget the oldest ones if there is no room."""
+        while self.left + last - first + 2 > 1024:
+            self.forget_loop(1024)
+        at = 1024 + self.left
+        for one in range(first, last + 1):
+            self.copy(one, at)
+            if one == first:
+                pieces.cut_start(self.rows, at * 16, self.crossings.x, self.crossings.y)
+            elif one == last:
+                pieces.cut_end(self.rows, at * 16, self.crossings.x, self.crossings.y)
+            at += 1
+        self.rows[at * 16 + 4] = 3.0
+        self.rows[at * 16 + 10] = 0.0
+        self.left = at - 1023
+
+    def forget_loop(self, first: int) -> None:
+        """The loop that begins with this row is left out for good."""
+        behind = self.end_of_loop(first) + 1
+        for one in range(behind, 1024 + self.left):
+            self.copy(one, first + one - behind)
+        self.left -= behind - first
+
+    def end_of_loop(self, one: int) -> int:
+        """The row behind the last piece of a loop."""
+        while self.rows[one * 16 + 4] != 3.0:
+            one += 1
+        return one
+
+    def take_in(self, found: int, last: int) -> int:
+        """Lead the way around a loop again from where the latest piece crosses it: 1 done.
+
+        What of it is not way after all the rest of the latest piece will leave out.
+        """
+        rows = self.rows
+        end = self.end_of_loop(found)
+        first = found
+        while first > 1024 and rows[first * 16 - 12] != 3.0:
+            first -= 1
+        rest = last + end - first + 2
+        if rest > 1000:
+            return 0
+        x = self.crossings.x
+        y = self.crossings.y
+        self.copy(last, rest)
+        pieces.cut_end(rows, last * 16, x, y)
+        pieces.cut_start(rows, rest * 16, x, y)
+        begin = last + 1 if pieces.length(rows, last * 16) > 1e-9 else last
+        one = found
+        for at in range(begin, begin + end - first + 1):
+            self.copy(one, at)
+            rows[at * 16 + 9] = self.number
+            one = first if one == end - 1 else one + 1
+        at = begin + end - first + 1
+        pieces.cut_start(rows, begin * 16, x, y)
+        pieces.cut_end(rows, (at - 1) * 16, x, y)
+        self.copy(rest, at)
+        self.count = at + 1
+        self.forget_loop(first)
+        return 1
+
+    def copy(self, one: int, other: int) -> None:
+        """Copy a row."""
+        for i in range(16):
+            self.rows[other * 16 + i] = self.rows[one * 16 + i]
 
     # --- what is taken ---------------------------------------------------------------------------
 

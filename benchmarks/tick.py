@@ -69,6 +69,32 @@ if (c[1] > 100.0) c[1] = 100.0;
 c[2] = sqrt(fabs(c[0] + c[1])) / 2.0;
 """,
     ),
+    # the most that the probes of conditions cost: none is ever true, so each keeps a nearest miss
+    Law(
+        "limits never reached",
+        """
+V.E.LIST[0] += 0.25 * [V.E.VALUE - V.E.LIST[2] - V.E.LIST[0]]
+$IF V.E.LIST[0] > 100
+  V.E.LIST[0] = 100
+$ENDIF
+V.E.LIST[1] += 0.25 * [V.E.LIST[0] - V.E.LIST[1]]
+$IF V.E.LIST[1] < V.E.LIST[2] - 100
+  V.E.LIST[1] = 0
+$ENDIF
+V.E.LIST[2] += 0.25 * [V.E.LIST[1] - V.E.LIST[2]]
+$IF V.E.LIST[2] == 100
+  V.E.LIST[2] = 0
+$ENDIF
+""",
+        """
+c[0] = c[0] + 0.25 * (c[9] - c[2] - c[0]);
+if (c[0] > 100.0) c[0] = 100.0;
+c[1] = c[1] + 0.25 * (c[0] - c[1]);
+if (c[1] < c[2] - 100.0) c[1] = 0.0;
+c[2] = c[2] + 0.25 * (c[1] - c[2]);
+if (c[2] == 100.0) c[2] = 0.0;
+""",
+    ),
 )
 
 _C = """

@@ -18,7 +18,10 @@ cdef class Condition:
     cdef void forget(self) noexcept nogil
 
 @cython.locals(distance=double)
-cdef void note(Condition condition, Context context, int truth, double left, double right) noexcept nogil
+cdef inline void note(Condition condition, Context context, int truth, double left, double right) noexcept nogil
+cdef void tell_change(Condition condition, Context context, int truth, double left, double right) noexcept nogil
+@cython.locals(distance=double)
+cdef void approach(Condition condition, Context context, double left, double right) noexcept nogil
 
 cdef class Comparison(Condition):
     cdef Expression left

@@ -47,26 +47,44 @@ class Condition:
 
 
 def note(condition: Condition, context: Context, truth: int, left: float, right: float) -> None:
-    """Record a change of truth; while never true, keep the nearest miss."""
+    """Record a change of truth; while never true, keep the nearest miss.
+
+    Most evaluations are as the one in the tick before; they end here, in the caller's own code.
+    """
+    if context.tick != condition.next_tick or truth != condition.truth:
+        tell_change(condition, context, truth, left, right)
+    condition.next_tick = context.tick + 1
+    distance = left - right
+    if distance < condition.nearest and distance > -condition.nearest:
+        approach(condition, context, left, right)
+
+
+def tell_change(
+    condition: Condition, context: Context, truth: int, left: float, right: float
+) -> None:
+    """A series of evaluations begins, or the truth changes."""
     if context.tick != condition.next_tick:
         context.record.series(condition.probe, 0, condition.next_tick)
-    condition.next_tick = context.tick + 1
-    if truth != condition.truth:
-        if context.fault:
-            return
-        condition.truth = truth
-        if truth == 1:
-            condition.was_ever_true = True
-        context.record.probe(condition.probe, truth, left, right)
-    if not condition.was_ever_true:
-        distance = left - right
-        if distance < 0.0:
-            distance = 0.0 - distance
-        if distance < condition.nearest and context.fault == 0:
-            condition.nearest = distance
-            condition.nearest_left = left
-            condition.nearest_right = right
-            condition.nearest_tick = context.tick
+    if truth == condition.truth or context.fault:
+        return
+    condition.truth = truth
+    if truth == 1:
+        condition.was_ever_true = True
+        condition.nearest = -1.0
+    context.record.probe(condition.probe, truth, left, right)
+
+
+def approach(condition: Condition, context: Context, left: float, right: float) -> None:
+    """The sides are nearer to each other than ever."""
+    if context.fault:
+        return
+    distance = left - right
+    if distance < 0.0:
+        distance = 0.0 - distance
+    condition.nearest = distance
+    condition.nearest_left = left
+    condition.nearest_right = right
+    condition.nearest_tick = context.tick
 
 
 class Comparison(Condition):

@@ -6,13 +6,15 @@
 
 from __future__ import annotations
 
+import math
 import os
 import random
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 from kernel_rig import DEMO
-from random_paths import AXES, farthest, program, violations
+from random_paths import AXES, cornered, farthest, program, violations
 
 from nctakt.controller import Controller, NcText
 from nctakt.interface import Interface
@@ -50,9 +52,11 @@ class Operator:
         hli.acknowledge_all()
 
 
-def performed(seed: int, slope: str, operator: Operator | None) -> Run:
+def performed(
+    seed: int, slope: str, operator: Operator | None, make: Callable[[int, str], str] = program
+) -> Run:
     """The run of a random program."""
-    text = NcText("p.nc", program(seed, slope))
+    text = NcText("p.nc", make(seed, slope))
     run = Controller(DEMO).run(text, signals=SIGNALS, ticks=400_000, plc=operator)
     assert run.state == "ended", (seed, run.diagnostics)
     return run
@@ -67,14 +71,19 @@ def places(run: Run) -> np.ndarray:
 
 
 @pytest.mark.parametrize("is_wild", [False, True])
-@pytest.mark.parametrize("slope", ["", JERK_LIMITED])
+@pytest.mark.parametrize(
+    ("make", "slope"), [(program, ""), (program, JERK_LIMITED), (cornered, JERK_LIMITED)]
+)
 @pytest.mark.parametrize("first", range(0, MANY, CHUNK))
-def test_forward_and_backward_come_to_the_same_end(first: int, slope: str, is_wild: bool) -> None:
+def test_forward_and_backward_come_to_the_same_end(
+    first: int, make: Callable[[int, str], str], slope: str, is_wild: bool
+) -> None:
     """Any commands at any tick: the limits hold, the curve is the same, the end bit-equal."""
-    for seed in range(first, min(first + CHUNK, MANY)):
-        straight = performed(seed, slope, None)
+    count = CHUNK if make is program else CHUNK // 5
+    for seed in range(first, min(first + count, MANY)):
+        straight = performed(seed, slope, None, make)
         plain = places(straight)
-        run = performed(seed, slope, Operator(seed, is_wild=is_wild))
+        run = performed(seed, slope, Operator(seed, is_wild=is_wild), make)
         assert run.trace is not None
         assert straight.trace is not None
         found = places(run)
@@ -112,6 +121,32 @@ def test_the_way_back_passes_block_ends_with_a_limit_of_the_jerk() -> None:
     stands = np.flatnonzero((speed[1:] == 0.0) & (speed[:-1] > 0.0)) + 1
     assert speed[back].max() == pytest.approx(100.0)
     assert [run.trace.at(int(tick), SIGNALS[0]) for tick in stands if 1900 < tick < 5000] == [0.0]
+    for i, name in enumerate(AXES):
+        assert violations(run.trace[SIGNALS[i]], name, MOST_JERK_MM) == []
+
+
+def test_the_way_back_passes_rounded_corners_with_a_limit_of_the_jerk() -> None:
+    """MO-3, MO-7: backward and forward the path stands only where it turns, and at its two ends.
+
+    1 mm beside the corners the axes keep their jerk at 100 mm/s. The path turns in the last block,
+    which is its front, and begins where the bend ends: 6 mm/(2·sin 22.5°) behind the corner.
+    """
+    contour = "#CONTOUR MODE [DEV PATH_DEV=1]\nG261"
+    text = NcText("p.nc", f"{JERK_LIMITED}\n{contour}\nG01 X60 F6000\nX100 Y40\nY100\nM30")
+    signals = [*SIGNALS, "PATH.SPEED"]
+    run = Controller(DEMO).run(text, signals=signals, plc=Returner(1500, 4500))
+    straight = Controller(DEMO).run(text, signals=signals)
+    assert run.trace is not None
+    assert straight.trace is not None
+    speed = np.asarray(run.trace["PATH.SPEED"])
+    stands = np.flatnonzero((speed[1:] == 0.0) & (speed[:-1] > 0.0)) + 1
+    found = places(run)
+    half = 6.0 / (2.0 * math.sin(math.pi / 8.0))
+    assert found[stands, 0].tolist() == [100.0, 0.0, 100.0, 100.0]
+    assert found[stands[1:], 1] == pytest.approx([0.0, 40.0 + half, 100.0])
+    at_corner = (found[:, 0] > 55.0) & (found[:, 0] < 95.0)
+    assert speed[at_corner].min() == pytest.approx(100.0)
+    assert (found[-1] == places(straight)[-1]).all()
     for i, name in enumerate(AXES):
         assert violations(run.trace[SIGNALS[i]], name, MOST_JERK_MM) == []
 

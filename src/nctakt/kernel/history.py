@@ -4,9 +4,11 @@
 """The segments that the path has kept, as the walk over them sees them (MO-7).
 
 A segment is known by its running number, its *place*. With a limit of the jerk the walk goes over
-*stretches*: segments between which the path had passed without a stop, up to 32 of them. On all of
-a stretch the walk has the least acceleration and jerk of its segments; with these it brakes for
-goals as the path does (``jerk_ahead.py``), and stands at the stretch's end.
+*stretches*: segments between which the path had passed without a stop, up to 32 of them. On each
+segment the walk has the least acceleration and jerk of it and those behind it, up to a bend; with
+these it brakes for goals as the path does (``jerk_ahead.py``), and stands at the stretch's end. A
+bend is driven with its own ones, and is a goal at either end, which the walk comes to without
+acceleration.
 """
 
 from __future__ import annotations
@@ -32,6 +34,10 @@ class History:
         self.stretch = memoryview(bytearray(8 * 32)).cast("q")
         self.stretch_end = 0
         self.goal_row = memoryview(bytearray(8 * path.width)).cast("d")
+        self.limit_a = 0.0
+        self.limit_j = 0.0
+        self.bend_a = 1e300
+        self.bend_j = 1e300
 
     def neighbour(self, place: int, direction: int) -> int:
         """The next segment in ``direction``; dwells are passed over, but for one at the front."""
@@ -60,8 +66,6 @@ class History:
         second = self.path.row_of(other if self.path.direction > 0 else place)
         if self.path.ring[first + 10] == 0.0 or self.path.ring[second + 10] == 0.0:
             return 0.0
-        if self.path.ring[first + 9] == 2.0 or self.path.ring[second + 9] == 2.0:
-            return 0.0
         return 0.0 if self.is_shut(self.path.row_of(other)) else self.path.ring[first + 11]
 
     def survey(self, is_new: int) -> None:
@@ -69,12 +73,8 @@ class History:
         tail = 12 + 2 * self.path.count
         count = 0
         place = self.place
-        limit_a = 1e300
-        limit_j = 1e300
         while True:
             self.stretch[count] = place
-            limit_a = min(limit_a, self.path.ring[self.path.row_of(place) + 6])
-            limit_j = min(limit_j, self.path.ring[self.path.row_of(place) + 10])
             count += 1
             if count >= 32 or (not is_new and place == self.stretch_end):
                 break
@@ -84,29 +84,62 @@ class History:
             place = other
         if is_new:
             self.stretch_end = place
-            self.goal_row[10] = limit_j
-            self.goal_row[tail + 17] = 1e300
-            self.goal_row[tail + 18] = 1e300
-            self.goal_row[tail + 19] = limit_a
-            self.goal_row[tail + 20] = limit_j
         self.find_goal(count)
+        self.goal_row[10] = self.limit_j
+        self.goal_row[tail + 5] = 1.0 if self.bend_a < 1e299 else 0.0
         self.goal_row[tail + 15] = self.ahead.way
         self.goal_row[tail + 16] = self.ahead.goal_v
+        self.goal_row[tail + 17] = 1e300
+        self.goal_row[tail + 18] = 1e300
+        self.goal_row[tail + 19] = self.limit_a
+        self.goal_row[tail + 20] = self.limit_j
         self.goal_row[tail + 21] = self.ahead.is_feed
 
     def find_goal(self, count: int) -> None:
-        """The nearest goal of the stretch's first ``count`` segments, the last of which is one."""
-        tail = 12 + 2 * self.path.count
+        """The nearest goal of the stretch's first ``count`` segments, the last of which is one.
+
+        ``limit_a``, ``limit_j``: acceleration and jerk on the first of them; ``bend_a``,
+        ``bend_j``: those of the bend that follows it, 1e300 where none does.
+        """
+        base = self.path.row_of(self.stretch[count - 1])
+        self.limit_a = self.path.ring[base + 6]
+        self.limit_j = self.path.ring[base + 10]
+        self.bend_a = 1e300
+        self.bend_j = 1e300
         self.ahead.way = 0.0
         self.ahead.goal_v = 0.0
         self.ahead.is_feed = 0.0
-        self.ahead.lent_a = self.goal_row[tail + 19]
-        self.ahead.lent_j = self.goal_row[tail + 20]
         for i in range(count - 1, 0, -1):
             base = self.path.row_of(self.stretch[i])
             before = self.path.row_of(self.stretch[i - 1])
             first = before if self.path.direction > 0 else base
-            self.ahead.goal_a = self.goal_row[tail + 19]
-            self.ahead.goal_j = self.goal_row[tail + 20]
+            self.ahead.goal_a = self.limit_a
+            self.ahead.goal_j = self.limit_j
             self.ahead.way += self.path.ring[base + 3]
+            self.borrow(before, base)
             self.ahead.stop_at(self.path.ring, before, base, self.path.ring[first + 11])
+
+    def borrow(self, before: int, base: int) -> None:
+        """Go on from ``base`` to the segment before it, and to what the walk may do on that.
+
+        Acceleration that it brings into a segment in front of a bend has to fade on it. A bend it
+        comes to without any; if it cannot, the bend's limits count (``ahead.lent_a``).
+        """
+        own_a = self.path.ring[before + 6]
+        own_j = self.path.ring[before + 10]
+        fades_d = self.ahead.speed_of(self.path.ring, base) * self.limit_a / self.limit_j
+        if self.path.ring[base + 3] < fades_d:
+            self.limit_a = min(self.limit_a, self.bend_a)
+            self.limit_j = min(self.limit_j, self.bend_j)
+        self.ahead.lent_a = min(self.limit_a, own_a)
+        self.ahead.lent_j = min(self.limit_j, own_j)
+        self.bend_a = 1e300
+        self.bend_j = 1e300
+        if self.path.ring[base + 9] == 2.0:
+            self.bend_a = self.limit_a
+            self.bend_j = self.limit_j
+            self.limit_a = own_a
+            self.limit_j = own_j
+        else:
+            self.limit_a = self.ahead.lent_a
+            self.limit_j = self.ahead.lent_j

@@ -353,6 +353,32 @@ def test_before_a_block_that_cannot_be_compensated_all_is_run(block: str, number
 
 
 @pytest.mark.parametrize(
+    ("blocks", "number", "line", "end"),
+    [
+        # a mistake of the decoder itself, and those that compensation finds
+        ("X[1/0]", 900300, 5, (45, 20)),
+        ("M100\nX[1/0]", 900300, 6, (45, 20)),
+        ("G03 X50 Y28 J4", 900871, 5, (45, 20)),
+        ("M100\nG03 X50 Y28 J4", 900871, 6, (45, 20)),
+        ("G40 G02 X60 Y20 I5", 900870, 5, (45, 20)),
+        # where the block before it meets the one that does not fit the next one shows
+        ("X48\nY0", 90019, 5, (45, 15)),
+    ],
+)
+def test_the_program_ends_before_the_block_with_the_mistake(
+    blocks: str, number: int, line: int, end: tuple[float, float]
+) -> None:
+    """Whoever finds the mistake, the block in front of it is run to its end (MO-9)."""
+    run = Controller().run(
+        NcText("p.nc", f"{START}G41 X10 Y0\nX50\nY20\n{blocks}\nM30\n"),
+        signals=["X.ACS.ACT_POS", "Y.ACS.ACT_POS"],
+    )
+    assert [(one.id, one.span.line) for one in run.errors if one.span] == [(number, line)]
+    assert run.trace is not None
+    assert (run.trace["X.ACS.ACT_POS"][-1], run.trace["Y.ACS.ACT_POS"][-1]) == end
+
+
+@pytest.mark.parametrize(
     ("corners", "ways"),
     [("G26", (40 + 2.5 * pi, 40 + 2.5 * pi, 40)), ("G25", (45, 50, 45))],
 )

@@ -282,3 +282,25 @@ def test_a_damage_is_told_however_much_waits_behind_it() -> None:
     run = Controller().run(NcText("p.nc", text), signals=[])
     found = [(one.id, one.span.line, one.values["line"]) for one in run.diagnostics if one.span]
     assert found == [(900950, 46, 9)]
+
+
+#: Inside of a square, from its corner 0, 0 on.
+POCKET = "G00 X20 Y20\nG01 G41 X0 Y0\nX40\nY40\nX0\nY0\nG40 X20 Y20\nM30\n"
+
+
+def test_a_closed_contour_that_begins_in_an_inner_corner_is_told_so() -> None:
+    """At 0, 5, beside the first line, the tool of radius 5 cuts 5 mm into X 0, the last line."""
+    run = Controller().run(NcText("p.nc", START + POCKET), signals=[])
+    found = [(one.id, one.span.line, one.values["line"]) for one in run.diagnostics if one.span]
+    assert found == [(900953, 7, 4)]
+    run = Controller(watching()).run(NcText("p.nc", START + POCKET), signals=[])
+    assert [(one.id, one.span.line) for one in run.errors if one.span] == [(900954, 7)]
+
+
+def test_a_closed_contour_that_begins_elsewhere_is_told_nothing() -> None:
+    """Within a line, and at the outer corner of the square seen from outside."""
+    within = POCKET.replace("X0 Y0", "X20 Y0").replace("\nG40", "\nX20\nG40")
+    outside = POCKET.replace("G41", "G42").replace("X20 Y20", "X-20 Y-20")
+    for text in (within, outside):
+        run = Controller(watching()).run(NcText("p.nc", START + text), signals=[])
+        assert run.diagnostics == ()

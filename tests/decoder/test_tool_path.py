@@ -19,7 +19,8 @@ import pytest
 from compensated import Point, Way, distance, places
 
 from nctakt.decoder.arcs import arc_of_radius
-from nctakt.decoder.tool_path import ARC, GAP, REACH, ToolPath
+from nctakt.decoder.chain import ARC, GAP, REACH
+from nctakt.decoder.tool_path import ToolPath
 
 #: How far from a contour the tool may be off: rounding, and corners that are none (0.01°).
 TOLERANCE_MM = 2e-6

@@ -98,3 +98,19 @@ def test_what_nobody_knows_is_an_error(block: str) -> None:
     """Each of them is told at its line; none is passed over."""
     found = findings((block, "M30"), file="p.nc")
     assert any(one.severity.name == "ERROR" for one in found), block
+
+
+@pytest.mark.parametrize(
+    ("block", "instead"),
+    [
+        ("G05 G41", "begin it with an arc"),
+        ("G236", "G138 leads to the contour directly"),
+        ("G238", "within a line or at an outer corner"),
+        ("#TRC [REMOVE_MASKED_BLOCKS]", "G140 and G141"),
+    ],
+)
+def test_a_refused_word_of_compensation_says_what_to_use(block: str, instead: str) -> None:
+    """MO-9: the remedy names what leads to a contour in its place."""
+    found = [text for number, text in told(block) if number == REFUSED]
+    assert len(found) == 1
+    assert instead in found[0]

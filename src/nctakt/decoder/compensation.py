@@ -21,13 +21,14 @@ from dataclasses import dataclass, field, replace
 from typing import NoReturn
 
 from nctakt.decoder.arcs import PLANES, SAME_PLACE_MM, Arc
+from nctakt.decoder.chain import ARC, GAP, REACH
 from nctakt.decoder.commands import Answer, Command, ProgramEnd, Segment, pack, waits
 from nctakt.decoder.motion import PathMotion
 from nctakt.decoder.plain_beside import PlainBeside
 from nctakt.decoder.plain_blocks import PlainRun
 from nctakt.decoder.state import ENDS_WITHOUT_WAY, PERPENDICULAR
 from nctakt.decoder.surroundings import DecodeError
-from nctakt.decoder.tool_path import ARC, GAP, REACH, ToolPath
+from nctakt.decoder.tool_path import ToolPath
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
 from nctakt.kernel import arithmetic
@@ -264,15 +265,17 @@ class Compensation:
         """The tool would cut the contour: a warning, or the error that P-CHAN-00219 wants."""
         tool, spans = self.tool, dict(self._spans)
         span = spans[tool.crossing]
+        begins_there = tool.closes_contour()
         crossed, tool.crossed = tool.crossed, 0
         line = spans[crossed].line
         if self._surroundings.parameters.looks_for_damage:
             while self._motions and self._motions[-1].number >= crossed:
                 self._motions.pop()
             tool.give_up()
-            self._values.fail(900951, span, line=line)
+            self._values.fail(900954 if begins_there else 900951, span, line=line)
         text = self._surroundings.line(span)
-        self._surroundings.notice(diagnostic(900950, span, text, line=line))
+        number = 900953 if begins_there else 900950
+        self._surroundings.notice(diagnostic(number, span, text, line=line))
 
     # --- plain blocks ----------------------------------------------------------------------------
 

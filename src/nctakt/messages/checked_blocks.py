@@ -24,9 +24,13 @@ _add(
     ERROR,
     "{command} ({meaning_en}) is not simulated by this version",
     "{command} ({meaning_de}) wird von dieser Version nicht simuliert",
-    remedy_en="Leave it out: what it does would change positions or times.",
-    remedy_de="Weglassen: die Wirkung würde Positionen oder Zeiten ändern.",
-    parameters=_KNOWN,
+    remedy_en="Leave it out: what it does would change positions or times.{instead_en}",
+    remedy_de="Weglassen: die Wirkung würde Positionen oder Zeiten ändern.{instead_de}",
+    parameters={
+        **_KNOWN,
+        "instead_en": "what to use in its place, in English, where there is something",
+        "instead_de": "what to use in its place, in German, where there is something",
+    },
 )
 _add(
     900201,

@@ -182,3 +182,36 @@ _add(
     cause_de="Die Bewegung hinter der Änderung führt vom alten Abstand zum neuen, was nur eine "
     "Gerade kann.",
 )
+_BEGIN_EN = (
+    "The tool comes to beside the begin of the first line of the contour. Where it begins in an "
+    "inner corner the last line is nearer to that place than the radius; where both ways meet the "
+    "control does not know before the contour is over."
+)
+_BEGIN_DE = (
+    "Das Werkzeug fährt neben den Anfang der ersten Zeile der Kontur. Beginnt sie in einer "
+    "Innenecke, ist die letzte Zeile näher an dieser Stelle als der Radius; wo beide Wege sich "
+    "treffen, weiß die Steuerung erst, wenn die Kontur zu Ende ist."
+)
+_add(
+    900953,
+    WARNING,
+    "the closed contour begins in an inner corner: beside line {line} the tool cuts in here",
+    "die geschlossene Kontur beginnt in einer Innenecke: neben Zeile {line} wird sie hier verletzt",
+    remedy_en="Begin and end the contour within a line or at an outer corner.",
+    remedy_de="Die Kontur innerhalb einer Geraden oder an einer Außenecke beginnen und beenden.",
+    cause_en=_BEGIN_EN,
+    cause_de=_BEGIN_DE,
+    parameters={"line": "the line that the contour begins with"},
+)
+_add(
+    900954,
+    ERROR,
+    "the closed contour begins in an inner corner: beside line {line} the tool would cut in here",
+    "die geschlossene Kontur beginnt in einer Innenecke: neben Zeile {line} würde sie hier "
+    "verletzt",
+    remedy_en="Begin and end the contour within a line or at an outer corner.",
+    remedy_de="Die Kontur innerhalb einer Geraden oder an einer Außenecke beginnen und beenden.",
+    cause_en=f"{_BEGIN_EN} It is an error since P-CHAN-00219 is set.",
+    cause_de=f"{_BEGIN_DE} Ein Fehler ist es, weil P-CHAN-00219 gesetzt ist.",
+    parameters={"line": "the line that the contour begins with"},
+)

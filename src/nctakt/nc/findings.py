@@ -42,11 +42,15 @@ class Findings:
             if command in self._told:
                 return
             self._told[command] = None
-        number = 900200 if entry.answer is Answer.REFUSED else 900201
-        self.report(
-            number,
-            span,
-            command=command,
-            meaning_en=entry.meaning.en,
-            meaning_de=entry.meaning.de,
-        )
+        values = {
+            "command": command,
+            "meaning_en": entry.meaning.en,
+            "meaning_de": entry.meaning.de,
+        }
+        if entry.answer is Answer.ACCEPTED:
+            self.report(900201, span, **values)
+            return
+        instead = entry.instead
+        values["instead_en"] = f" {instead.en}" if instead.en else ""
+        values["instead_de"] = f" {instead.de}" if instead.de else ""
+        self.report(900200, span, **values)

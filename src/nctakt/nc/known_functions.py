@@ -295,3 +295,28 @@ WORDS = known(
     ("S.POS", "S", "position of the main spindle", "Position der Hauptspindel"),
     ("T", "A", "tool; D selects its offsets", "Werkzeug; D wählt seine Korrektur an"),
 )
+
+#: What takes the place of names that are refused.
+INSTEAD = {
+    "G05": Text(
+        "For a tangential way to the contour begin it with an arc (G02, G03), and let a line with "
+        "G41 or G42 lead to that; G40 with a line behind an arc leaves it so.",
+        "Für eine tangentiale Anfahrt die Kontur mit einem Kreisbogen (G02, G03) beginnen, an den "
+        "eine Gerade mit G41 oder G42 führt; G40 mit einer Geraden hinter einem Kreisbogen fährt "
+        "so ab.",
+    ),
+    "G236": Text(
+        "G138 leads to the contour directly, G139 around its corner, G237 across.",
+        "G138 führt direkt an die Kontur, G139 um ihre Ecke, G237 quer.",
+    ),
+    "G238": Text(
+        "Begin and end the closed contour within a line or at an outer corner (G138, G139).",
+        "Die geschlossene Kontur innerhalb einer Geraden oder an einer Außenecke beginnen und "
+        "beenden (G138, G139).",
+    ),
+    "#TRC": Text(
+        "The ways of compensation are chosen by G25 and G26, G138, G139, G237 and G239, G140 and "
+        "G141.",
+        "Wie korrigiert wird, wählen G25 und G26, G138, G139, G237 und G239, G140 und G141.",
+    ),
+}

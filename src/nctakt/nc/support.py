@@ -18,7 +18,14 @@ from types import MappingProxyType
 from nctakt.diagnostics import Text
 from nctakt.lists.technology import TechnologyFunction
 from nctakt.nc.known_commands import COMMANDS, CONTROLS, FORMS, VARIABLES
-from nctakt.nc.known_functions import G_FUNCTIONS, M_FUNCTIONS, TECHNOLOGY, WORDS, Row
+from nctakt.nc.known_functions import (
+    G_FUNCTIONS,
+    INSTEAD,
+    M_FUNCTIONS,
+    TECHNOLOGY,
+    WORDS,
+    Row,
+)
 from nctakt.nc.operators import FUNCTIONS
 
 
@@ -44,15 +51,22 @@ class Kind(enum.Enum):
     FORM = "form"
 
 
+_NOTHING = Text("", "")
+
+
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """One row of the table; of one ``group`` only one G function may stand in a block."""
+    """One row of the table; of one ``group`` only one G function may stand in a block.
+
+    ``instead``: what takes the place of what is refused, empty where nothing does.
+    """
 
     kind: Kind
     name: str
     answer: Answer
     meaning: Text
     group: str = ""
+    instead: Text = _NOTHING
 
 
 _CODES = {"S": Answer.SIMULATED, "A": Answer.ACCEPTED, "R": Answer.REFUSED}
@@ -60,7 +74,17 @@ _CODES = {"S": Answer.SIMULATED, "A": Answer.ACCEPTED, "R": Answer.REFUSED}
 
 def _table(kind: Kind, rows: Iterable[Row]) -> Mapping[str, Entry]:
     return MappingProxyType(
-        {row.name: Entry(kind, row.name, _CODES[row.code], row.meaning, row.group) for row in rows}
+        {
+            row.name: Entry(
+                kind,
+                row.name,
+                _CODES[row.code],
+                row.meaning,
+                row.group,
+                INSTEAD.get(row.name, _NOTHING),
+            )
+            for row in rows
+        }
     )
 
 

@@ -73,6 +73,39 @@ def test_a_loop_goes_on_until_its_condition_is_taken_away() -> None:
     assert 7 <= run.trace["LOOP.COUNT"][-1] <= 10
 
 
+@pytest.mark.parametrize(
+    ("false_ms", "left_ms", "passes"),
+    [(3500, 4000, 1), (3900, 4000, 1), (4500, 5000, 1), (5200, 6000, 2)],
+)
+@pytest.mark.parametrize("slope", ["", "#SLOPE [TYPE=TRAPEZ]\n"])
+def test_single_block_looks_at_the_condition_behind_each_pass(
+    slope: str, false_ms: int, left_ms: int, passes: int
+) -> None:
+    """MO-6, RC-306: in single block each pass ends with a stand, so none is entered for nothing.
+
+    START comes each second; a circle of 62.8 mm at 100 mm/s is one block, and takes 655 ms, a
+    little more with a limit of the jerk. The STARTs up to 2 s let the dwell and the loop begin, the
+    one of 3 s the first pass, that of 4 s counts it, that of 5 s lets the second one begin, if the
+    condition holds.
+    """
+    text = (
+        "#RT CYCLE [ID = 1 SCOPE = GLOBAL]\nV.RTG.LOOP.ENABLED = V.E.VALUE < 1\n#RT CYCLE END\n"
+        f"#TIME 0.01\n{slope}G01 F6000\n#RT WHILE\nN10 G02 I10\n#RT ENDWHILE\nM30"
+    )
+    presses = [Stimulus(1_000_000 * i, "HLI.START", 1.0) for i in range(1, 8)]
+    run = perform(
+        text,
+        signals=SIGNALS,
+        initial={"HLI.SINGLE_BLOCK": 1.0},
+        stimuli=[*presses, Stimulus(1000 * false_ms, "V.E.VALUE", 1.0)],
+        ticks=8000,
+    )
+    assert run.state == "ended", run.diagnostics
+    assert told(run, "loop") == ["2000 loop begun", f"{left_ms} loop left"]
+    assert run.trace is not None
+    assert run.trace["LOOP.COUNT"][-1] == passes
+
+
 def test_backward_motion_goes_over_the_passes() -> None:
     """Back from the third pass into the first one, and forward again: the same end."""
     text = f"{COUNTED.format(count=2)}G01 F6000\n{CIRCLE}M30"

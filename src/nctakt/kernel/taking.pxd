@@ -38,12 +38,15 @@ cdef class Commands(CommandRing):
     cdef readonly int error_message
     cdef readonly bint is_looping
     cdef bint is_skipping
+    cdef bint is_between
     cdef readonly bint is_stopped
     cdef readonly bint is_fatal
     cdef readonly bint is_resetting
 
     @cython.locals(base=Py_ssize_t)
     cdef void take_commands(self, long long tick) noexcept nogil
+    @cython.locals(stands=bint)
+    cdef int is_at_stand(self) noexcept nogil
     cdef int goes_back(self) noexcept nogil
     cdef void take_loop(self, Py_ssize_t base) noexcept nogil
     @cython.locals(source=cython.longlong, member=Py_ssize_t)

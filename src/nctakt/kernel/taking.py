@@ -65,6 +65,7 @@ class Commands(CommandRing):
         self.error_message = 0
         self.is_looping = False
         self.is_skipping = False
+        self.is_between = False
         self.is_stopped = False
         self.is_fatal = False
         self.is_resetting = False
@@ -89,11 +90,20 @@ class Commands(CommandRing):
             if self.queue[base] == 71.0 and self.goes_round():
                 self.repeat_body()
                 continue
+            if self.is_between and not self.goes_round() and self.is_at_stand():
+                self.is_skipping = True
             if self.is_skipping and self.queue[base] != 71.0:
                 self.timed_count -= self.counts_of(base)
             elif not self.enter_block(base) or not self.take(tick, base):
                 return
+            else:
+                self.is_between = self.queue[base] == 72.0
             self.head += 1
+
+    def is_at_stand(self) -> int:
+        """Whether the path stands between two blocks, and has begun none that is still queued."""
+        stands = self.path.speed_v == 0.0 and not self.path.is_active and not self.path.goes_on()
+        return 1 if stands and self.begun < self.head else 0
 
     def goes_back(self) -> int:
         """Whether the path is away from its front or about to leave it: nothing is taken."""
@@ -383,6 +393,7 @@ class Commands(CommandRing):
         """There is no loop any more."""
         self.is_looping = False
         self.is_skipping = False
+        self.is_between = False
         self.panel.show_loop(False)
         self.body.give_up()
 

@@ -42,7 +42,7 @@ STAGES = (
     ("access", "image", "spindles"),
     ("budget", "registry"),
     ("assembly",),
-    ("interface", "loading", "runtime_errors", "stimuli"),
+    ("awaited", "interface", "loading", "runtime_errors", "stimuli"),
     ("checking", "feed", "plc", "recording"),
     ("channelrun",),
     ("pace",),

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from nctakt import loading
 from nctakt.assembly import Machine
+from nctakt.awaited import awaited
 from nctakt.channelrun import ChannelRun
 from nctakt.decoder.cycles import CycleDefinition
 from nctakt.diagnostics import Diagnostic
@@ -363,6 +364,7 @@ class Controller:
             self._channels[number - 1].queue(own, waits_for_start=waits_for_start)
         while self._proceed(chosen):
             if self.tick >= end:
+                self._tell_awaited()
                 return _worst(chosen, "limit")
             # A path that brakes ends the run in the tick in which it stands.
             patience = 1 if any(one.is_braking for one in chosen) else PROGRESS_TICKS
@@ -412,6 +414,13 @@ class Controller:
         left = [one for one in chosen if one.is_stopped or one.is_running]
         if left:
             self._reset(left)
+
+    def _tell_awaited(self) -> None:
+        """At the limit: what holds the programs up that are not at their ends."""
+        for index, one in enumerate(self._channels):
+            found = awaited(self._machine, index) if one.result is None else None
+            if found is not None:
+                self.diagnostics.append(found)
 
     def _tell_progress(
         self, on_progress: Callable[[int, int | None], None] | None, end: int

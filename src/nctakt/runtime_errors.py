@@ -75,7 +75,7 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
             values = {"spindle": machine.registry.spindle(int(a))}
         case 51028:
             values = {"cycle": cycle, "places": int(a)}
-        case 900472 | 900880 | 900890 | 50891:
+        case 900472 | 900819 | 900880 | 900890 | 50891:
             values = {}
         case 900460 | 900461 | 900470:
             values = {"value": number_text(a)}

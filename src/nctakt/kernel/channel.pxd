@@ -16,6 +16,7 @@ cdef class Channel(Commands):
     cdef public bint is_paced
     cdef long long starved_since
     cdef bint has_told_wait
+    cdef bint has_told_spindle
 
     @cython.locals(commands=Py_ssize_t, single=Py_ssize_t)
     cdef Py_ssize_t event_bound(self) noexcept nogil
@@ -37,6 +38,9 @@ cdef class Channel(Commands):
     cdef void tell_wait(self) noexcept nogil
     @cython.locals(number=double)
     cdef void publish_block(self) noexcept nogil
+    cdef void watch_spindle(self, double factor) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t)
+    cdef Py_ssize_t resting_spindle(self) noexcept nogil
     @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int, message=int)
     cdef void go_on(self, int stops) noexcept nogil
     @cython.locals(message=int)

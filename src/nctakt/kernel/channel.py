@@ -53,6 +53,7 @@ class Channel(Commands):
         self.is_paced = False
         self.starved_since = -1
         self.has_told_wait = False
+        self.has_told_spindle = False
         for i in range(self.path.count):
             single_axes.belong(self.path.members[i])
 
@@ -87,6 +88,70 @@ class Channel(Commands):
             + self.manager.events_bound
             + self.manager.capacity
         )
+
+    def awaits(self) -> tuple[str, int, int]:
+        """What holds the program up, as ``awaited.py`` calls it: word, place of the block, detail.
+
+        Empty where nothing does: the path moves, or a dwell goes on.
+        """
+        base = self.head % self.capacity * self.width
+        queued = int(self.queue[base + 1]) if self.head < self.tail else self.taken_source
+        if self.is_stopped or self.is_resetting:
+            return ("reset" if self.is_stopped else "", queued, 0)
+        if not self.panel.is_running:
+            return ("program start" if self.panel.is_armed else "", 0, 0)
+        if self.path.speed_v != 0.0:
+            return ("", queued, 0)
+        if self.panel.backward_motion and self.path.history_size > 0:
+            return ("forward", queued, 0)
+        if self.panel.is_paused:
+            before = (self.head - 1) % self.capacity * self.width
+            is_programmed = self.head > 0 and self.queue[before] == 53.0
+            is_programmed = is_programmed and int(self.queue[before + 1]) == self.taken_source
+            return ("programmed stop" if is_programmed else "single block", self.taken_source, 0)
+        if self.path.is_active:
+            word, detail = self.path_awaits()
+            return (word, int(self.path.ring[self.path.base + 1]), detail)
+        if self.head == self.tail:
+            return ("", queued, 0)
+        word, detail = self.command_awaits(base)
+        return (word, queued, detail)
+
+    def path_awaits(self) -> tuple[str, int]:
+        """What holds up the current block of a path that stands."""
+        if self.panel.feed_hold:
+            return ("feed hold", 0)
+        if self.path.is_dwell:
+            return ("", 0)
+        is_free = self.path.ring[self.path.base + self.path.width - 3] != 0.0
+        if self.panel.override_pct == 0.0 and not is_free:
+            return ("override", 0)
+        if self.overrides.cycle_pct == 0.0:
+            return ("cycle override", 0)
+        spindle = self.resting_spindle()
+        return (
+            ("spindle turns", self.context.spindles.first_number + spindle - 1)
+            if spindle
+            else ("", 0)
+        )
+
+    def command_awaits(self, base: int) -> tuple[str, int]:
+        """What holds up the command at the head of the queue, while the path stands."""
+        kind = int(self.queue[base])
+        if kind == 5:
+            return ("free place", int(self.queue[base + 3]))
+        if kind == 6:
+            return ("acknowledgement", int(self.queue[base + 3]))
+        if 23 <= kind <= 24:
+            spindle = int(self.queue[base + 3])
+            is_plc = self.context.spindles.has_plc(spindle)
+            word = "spindle acknowledged" if is_plc else "spindle"
+            return (word, self.context.spindles.first_number + spindle)
+        if kind == 76:
+            return ("acknowledgement", self.edge.function)
+        if kind == 13 and self.context.single_axes.asked(self.queue, base):
+            return ("axis", self.context.single_axes.asked_axis)
+        return ("", 0)
 
     # --- the tick -------------------------------------------------------------------------------
 
@@ -178,6 +243,23 @@ class Channel(Commands):
         self.cells[self.first_cell + 1] = arithmetic.round_half_even(self.total_pct)
         if self.stops.count > 0 and not self.path.is_away:
             self.watch_stops()
+        if (factor == 0.0 and not stops) or self.has_told_spindle:
+            self.watch_spindle(factor)
+
+    def watch_spindle(self, factor: float) -> None:
+        """Warn, once for each standing, that the path waits for a spindle (G95): it is silent."""
+        if factor != 0.0:
+            self.has_told_spindle = False
+        elif not self.has_told_spindle and self.resting_spindle() > 0:
+            self.has_told_spindle = True
+            self.record.error(int(self.path.ring[self.path.base + 1]), 0, 900819, 0.0)
+
+    def resting_spindle(self) -> int:
+        """Counted from 1 the spindle that rests while the path stands and follows it; else 0."""
+        if not self.path.is_active or self.path.is_dwell or self.path.speed_v != 0.0:
+            return 0
+        spindle = int(self.path.ring[self.path.base + self.path.width - 2])
+        return spindle if spindle > 0 and self.context.spindles.rests(spindle - 1) else 0
 
     def watch_stops(self) -> None:
         """At the fixed stop the path brakes, and what is left of its block is dropped (MO-12)."""

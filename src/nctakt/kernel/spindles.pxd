@@ -55,6 +55,7 @@ cdef class Spindles:
     @cython.locals(found=Py_ssize_t, spindle=Py_ssize_t)
     cdef Py_ssize_t open_count(self, long long owner) noexcept nogil
     cdef int is_busy(self, Py_ssize_t spindle) noexcept nogil
+    cdef int rests(self, Py_ssize_t spindle) noexcept nogil
     cdef int has_job(self, Py_ssize_t spindle, long long owner) noexcept nogil
     @cython.locals(spindle=Py_ssize_t)
     cdef void hold(self, long long owner, long long tick) noexcept nogil

@@ -215,6 +215,16 @@ class Spindles:
         """Whether its speed or position is still to be reached, or the PLC to acknowledge."""
         return 1 if self.is_open[spindle] or self.plc_state[spindle] else 0
 
+    def rests(self, spindle: int) -> int:
+        """Whether the spindle stands and nothing is on its way that turns it."""
+        if self.speed_v[spindle] != 0.0 or self.plc_state[spindle]:
+            return 0
+        return 1 if self.mode[spindle] == 0 else 0
+
+    def has_plc(self, spindle: int) -> bool:
+        """Whether the PLC turns the spindle."""
+        return bool(self.is_plc[spindle])
+
     def has_job(self, spindle: int, owner: int) -> int:
         """Whether the spindle's open job is this cycle's: the next one takes its place."""
         return 1 if self.is_open[spindle] and self.owner[spindle] == owner else 0

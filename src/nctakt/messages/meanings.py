@@ -321,6 +321,8 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "its value": "sein Wert",
         "what it should be, in English": "was es sein soll, englisch",
         "what it should be, in German": "was es sein soll, deutsch",
+        "what is waited for, in English": "worauf gewartet wird, englisch",
+        "what is waited for, in German": "worauf gewartet wird, deutsch",
         "what can stand there": "was dort stehen kann",
         "the thread": "der Thread",
         "its calls": "seine Aufrufe",

@@ -174,6 +174,20 @@ _add(
     parameters={"option": "the option"},
 )
 _add(
+    900820,
+    NOTE,
+    "at the limit of the run the program waits for {awaited_en}",
+    "an der Grenze des Laufs wartet das Programm auf {awaited_de}",
+    remedy_en="Give what it waits for at a time (--at 500ms HLI.START=1), or set another limit "
+    "(--until, --ticks).",
+    remedy_de="Geben, worauf es wartet (--at 500ms HLI.START=1), oder eine andere Grenze setzen "
+    "(--until, --ticks).",
+    parameters={
+        "awaited_en": "what is waited for, in English",
+        "awaited_de": "what is waited for, in German",
+    },
+)
+_add(
     900816,
     NOTE,
     "the demo machine runs the program, not the machine of {file}",

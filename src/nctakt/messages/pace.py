@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Messages of feeds and of the program's overrides (60131, 900835 … 900839)."""
+"""Messages of feeds and of the program's overrides (60131, 900819, 900835 … 900839)."""
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import ERROR, Catalogue
+from nctakt.messages.catalogue import ERROR, WARNING, Catalogue
 
 MESSAGES = Catalogue()
 _add = MESSAGES.add
@@ -46,4 +46,16 @@ _add(
     "P-CHAN-00053).",
     reaction=2,
     clearing=3,
+)
+_add(
+    900819,
+    WARNING,
+    "the path waits for the main spindle, which stands: feed per revolution (G95)",
+    "die Bahn wartet auf die Hauptspindel, die steht: Vorschub je Umdrehung (G95)",
+    remedy_en="Let the spindle turn (M3 S1000), or program the feed per minute (G94).",
+    remedy_de="Die Spindel drehen lassen (M3 S1000) oder den Vorschub je Minute angeben (G94).",
+    cause_en="The speed of the path is that of the spindle times the feed; the path goes on when "
+    "the spindle turns.",
+    cause_de="Die Bahngeschwindigkeit ist Drehzahl mal Vorschub; die Bahn fährt weiter, wenn die "
+    "Spindel dreht.",
 )

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""Decisions on programs that wait: what the user is told of it, and when."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from decided import numbers, perform, told
+
+import nctakt
+from nctakt.controller import Controller, NcText
+from nctakt.stimuli import Stimulus
+
+DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
+
+#: At 1000 revolutions a minute 0.1 mm each: 100 mm/min, X10 takes 6 s. Tick 3000: a cycle's M5.
+STOPPED = """\
+#RT CYCLE [ID=1 SCOPE=PROG]
+$IF EDGE V.E.VALUE == 1
+M5
+$ENDIF
+$IF EDGE V.E.VALUE == 2
+M3 S1000
+$ENDIF
+#RT CYCLE END
+M3 S1000
+G95 F0.1
+N40 G01 X10
+M30
+"""
+
+
+def test_a_path_that_waits_for_its_spindle_says_so_and_goes_on() -> None:
+    """MO-4, G95: 900819 in the tick in which the path stands, once; it goes on with the spindle.
+
+    The spindle brakes from 6000 °/s with 36000 °/s²: M5 in tick 3000 leads to a stand behind tick
+    3166. The path reads it in tick 3167.
+    """
+    stimuli = [
+        Stimulus(3_000_000, "V.E.VALUE", 1.0),
+        Stimulus(5_000_000, "V.E.VALUE", 2.0),
+    ]
+    run = perform(STOPPED, stimuli=stimuli, signals=["PATH.SPEED", "X.ACS.ACT_POS"])
+    assert run.state == "ended"
+    assert told(run, "warning") == ["3167 warning 900819"]
+    assert run.diagnostics[-1].span is not None
+    assert (numbers(run), run.diagnostics[-1].span.line) == ([900819], 11)
+    assert run.trace is not None
+    assert run.trace["PATH.SPEED"][3166] > 0.0 == run.trace["PATH.SPEED"][3167]
+    assert run.trace["X.ACS.ACT_POS"][-1] == 10.0
+
+
+def test_each_standing_is_told_once() -> None:
+    """The spindle stops, turns and stops again: two warnings; the limit tells what is awaited."""
+    stimuli = [
+        Stimulus(time, "V.E.VALUE", value)
+        for time, value in ((1_000_000, 1.0), (2_000_000, 2.0), (3_000_000, 1.0))
+    ]
+    run = perform(STOPPED, stimuli=stimuli, ticks=5000)
+    assert (run.state, numbers(run)) == ("limit", [900819, 900819, 900820])
+    assert "spindle S to turn" in run.diagnostics[-1].text("en")
+
+
+def test_a_spindle_that_begins_to_turn_with_the_block_is_no_standing() -> None:
+    """M3 in front of the block: in its first tick the spindle does not turn yet; no warning."""
+    assert numbers(perform("M3 S1000\nG95 F0.1\nG01 X0.1\nM30")) == []
+
+
+def test_hold_and_override_are_told_in_their_own_names() -> None:
+    """What the operator stops is no waiting for the spindle."""
+    held = Stimulus(1_000_000, "HLI.FEED_HOLD", 1.0)
+    stopped = Stimulus(1_500_000, "V.E.VALUE", 1.0)
+    run = perform(STOPPED, stimuli=[held, stopped], ticks=3000)
+    assert numbers(run) == [900820]
+    assert "feed hold" in run.diagnostics[-1].text("en")
+
+
+@pytest.mark.parametrize(
+    ("program", "initial", "line", "words"),
+    [
+        ("G00 X1\nN20 M00\nG00 X2\nM30", {}, 2, "START behind M00 or M01"),
+        ("G00 X1\nM01\nM30", {"HLI.OPTIONAL_STOP": 1.0}, 2, "START behind M00 or M01"),
+        ("G00 X1\nG00 X2\nM30", {"HLI.SINGLE_BLOCK": 1.0}, 2, "START, in single block"),
+        ("M00\nG00 X1\nM30", {"HLI.FEED_HOLD": 1.0}, 1, "START behind M00"),
+        ("G00 X1\nM30", {"HLI.FEED_HOLD": 1.0}, 1, "the end of the feed hold"),
+        ("#TIME 1\nM30", {"HLI.FEED_HOLD": 1.0}, 1, "the end of the feed hold"),
+        ("G00 X1\nM30", {"HLI.OVERRIDE": 0.0}, 1, "the operator's is 0 %"),
+        (
+            "#RT CYCLE [ID=1]\nV.RTG.OVERRIDE.VEL.CYCLE = 0\n#RT CYCLE END\nG00 X1\nM30",
+            {},
+            4,
+            "a realtime cycle sets V.RTG.OVERRIDE.VEL.CYCLE to 0 %",
+        ),
+        (
+            "#RT CYCLE [ID=1 SCOPE=BLOCK END_ACTION=MOVE_CONT]\n"
+            "X[INDP G01 G90 POS=100 FEED=600]\n#RT CYCLE END\n"
+            "#TIME 0.002\nG00 X5\nM30",
+            {},
+            5,
+            "the axis X, which moves on its own",
+        ),
+    ],
+)
+def test_at_the_limit_a_run_says_what_it_waits_for(
+    program: str, initial: dict[str, float | str], line: int, words: str
+) -> None:
+    """One note (900820) names the block and what holds it up, whatever it is."""
+    run = perform(program, initial=initial, ticks=500)
+    note = run.diagnostics[-1]
+    assert (run.state, note.id) == ("limit", 900820)
+    assert words in note.text("en")
+    assert note.span is not None
+    assert note.span.line == line
+
+
+def test_functions_wait_for_a_plc_that_never_acknowledges() -> None:
+    """A PLC that does nothing: M115 waits for its acknowledgement."""
+
+    class Silent:
+        def cycle(self, interface: object) -> None:
+            """It never acknowledges."""
+
+    run = perform("M112\nG00 X1\nM30", plc=Silent(), ticks=50)
+    assert numbers(run) == [900820]
+    assert "the PLC's acknowledgement of M112" in run.diagnostics[-1].text("en")
+
+
+def test_a_selected_program_waits_for_start() -> None:
+    """With ``--wait-for-start`` and nobody who presses it: the note has no block."""
+    run = Controller().run(NcText("part.nc", "M30"), waits_for_start=True, ticks=10)
+    assert numbers(run) == [900820]
+    assert "START of the selected program" in run.diagnostics[-1].text("en")
+
+
+def test_a_run_that_is_at_work_at_its_limit_says_nothing() -> None:
+    """A motion, a dwell: the limit alone has ended it."""
+    for program in ("G01 X100 F100\nM30", "#TIME 5\nM30"):
+        assert numbers(perform(program, ticks=100)) == []
+
+
+@pytest.mark.parametrize(
+    ("program", "words"),
+    [
+        ("M3 S5\nG00 X1 M19 S.POS=180\nG00 X2\nM30", "speed or position of the spindle S"),
+        ("G00 X1\nS3[M3 REV=500]\nG00 X2\nM30", "acknowledgement of the job of spindle S3"),
+    ],
+)
+def test_spindles_are_waited_for(program: str, words: str, tmp_path: Path) -> None:
+    """At 5 revolutions a minute half of one takes 6 s; the PLC takes 100 s for its spindle."""
+    lines = ["m19_synch MVS_SNS", "m3_synch MVS_SVS", "m3_prozess_zeit 100000000"]
+    shutil.copytree(DEMO, tmp_path / "machine")
+    file = tmp_path / "machine" / "sda_mds1.lis"
+    kept = [
+        line
+        for line in file.read_text("utf-8").splitlines()
+        if not line.startswith(("spindel[0].m19_synch", "spindel[2].m3_"))
+    ]
+    added = [f"spindel[{0 if 'm19' in line else 2}].{line}" for line in lines]
+    file.write_text("\n".join([*added, *kept, ""]), "utf-8")
+    run = perform(program, Controller(tmp_path / "machine"), ticks=500)
+    assert (run.state, numbers(run)[-1]) == ("limit", 900820)
+    assert words in run.diagnostics[-1].text("en")

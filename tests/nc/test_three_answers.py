@@ -105,7 +105,6 @@ def test_what_nobody_knows_is_an_error(block: str) -> None:
     [
         ("G05 G41", "begin it with an arc"),
         ("G236", "G138 leads to the contour directly"),
-        ("G238", "within a line or at an outer corner"),
         ("#TRC [REMOVE_MASKED_BLOCKS]", "G140 and G141"),
     ],
 )

@@ -9,7 +9,8 @@ the way may have. Never more than that and ``MOST_BETWEEN`` other commands are u
 
 The first motion in the plane approaches the contour, the one behind G40 leaves it: straight lines
 that are not shifted themselves (G138, G139); or both is done by ways of their own (G237), or the
-contour ends where the tool is (G239).
+contour ends where the tool is (G239). A closed contour that begins in an inner corner (G238) is
+held as a whole: where both ends meet shows with its last motion.
 """
 
 from __future__ import annotations
@@ -17,16 +18,17 @@ from __future__ import annotations
 import re
 from collections import deque
 from collections.abc import Callable, Generator, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import NoReturn
 
 from nctakt.decoder.arcs import PLANES, SAME_PLACE_MM, Arc
 from nctakt.decoder.chain import ARC, GAP, REACH
 from nctakt.decoder.commands import Answer, Command, ProgramEnd, Segment, pack, waits
+from nctakt.decoder.held import HeldMotion, share_of_contour
 from nctakt.decoder.motion import PathMotion
 from nctakt.decoder.plain_beside import PlainBeside
 from nctakt.decoder.plain_blocks import PlainRun
-from nctakt.decoder.state import ENDS_WITHOUT_WAY, PERPENDICULAR
+from nctakt.decoder.state import ENDS_WITHOUT_WAY, INNER_CORNER, PERPENDICULAR
 from nctakt.decoder.surroundings import DecodeError
 from nctakt.decoder.tool_path import ToolPath
 from nctakt.decoder.values import Values
@@ -39,29 +41,14 @@ from nctakt.sources import NO_SOURCE, unpack
 #: Commands that may stand between the motions in the plane that are held.
 MOST_BETWEEN = 1000
 
+#: Motions that a contour with G238 may have, which are all held.
+MOST_CLOSED = 200
+
 #: What ends a block within its line.
 _COMMENT = re.compile(r"[;(].*")
 
 #: A piece of the way: start, end, kind, centre, angle (``ToolPath.taken``).
 _Piece = tuple[float, ...]
-
-
-@dataclass(slots=True)
-class _Motion:
-    """A motion in the plane, and what comes behind it.
-
-    ``radius``: of the tool; ``misfit``: the message where there is no room for it. ``time_s``: how
-    long its block lasts under G93, 0 without. ``adapts``: F counts at the contour (G11).
-    """
-
-    number: int
-    segment: Segment
-    span: Span
-    radius: float
-    misfit: int
-    time_s: float
-    adapts: bool
-    between: list[Command] = field(default_factory=list)
 
 
 class Compensation:
@@ -76,7 +63,7 @@ class Compensation:
         self._state = values.state.path
         self._took_time = took_time
         self.tool = ToolPath()
-        self._motions: deque[_Motion] = deque()
+        self._motions: deque[HeldMotion] = deque()
         self._spans: deque[tuple[int, Span]] = deque(maxlen=2 * REACH + 2)
         self._between = 0
         self._distance = 0.0
@@ -93,12 +80,12 @@ class Compensation:
                 except StopIteration:
                     return
                 except DecodeError:
-                    yield from self._finish()
+                    yield from self._stop()
                     raise
                 try:
                     answer = yield from self._take(command)
                 except DecodeError:
-                    yield from self._finish()
+                    yield from self._stop()
                     raise
         finally:
             commands.close()
@@ -130,6 +117,10 @@ class Compensation:
             if distance == 0.0:
                 yield segment
                 return
+        if self._is_closed_one and distance != self._distance:
+            if distance != 0.0:
+                self._values.fail(900958, self._path.span)
+            yield from self._finish()
         self._took_time(segment)
         self._enter(segment, (x, y, x_2, y_2), distance)
         wanted.is_on_way = True
@@ -145,7 +136,10 @@ class Compensation:
         self._keep(segment)
         if tool.crossed:
             self._tell_crossing()
-        yield from self._release(REACH if self._waits_for_loops else 0)
+        if not self._is_closed_one:
+            yield from self._release(REACH if self._waits_for_loops else 0)
+        elif len(self._motions) > MOST_CLOSED:
+            self._values.fail(900956, self._path.span, count=MOST_CLOSED)
         if wanted.mode == ENDS_WITHOUT_WAY:
             wanted.end = tool.beside_end()
         if distance == 0.0:
@@ -192,7 +186,7 @@ class Compensation:
         misfit = 90019 if segment.arc is None else 90038
         if segment.arc is not None and not self.tool.latest_fits():
             misfit = 900871
-        motion = _Motion(
+        motion = HeldMotion(
             number,
             segment,
             self._path.span,
@@ -203,6 +197,11 @@ class Compensation:
         )
         self._motions.append(motion)
         self._spans.append((number, self._path.span))
+
+    @property
+    def _is_closed_one(self) -> bool:
+        """Whether the tool is beside a closed contour that begins in an inner corner (G238)."""
+        return self._state.compensation.mode == INNER_CORNER and self._distance != 0.0
 
     @property
     def _waits_for_loops(self) -> bool:
@@ -247,7 +246,9 @@ class Compensation:
         side = 1.0 if self._distance > 0.0 else -1.0
         is_left = wanted.side * wanted.radius * side <= 0.0
         failed = None
-        if tool.is_open and not tool.close(
+        if tool.is_open and self._is_closed_one:
+            self._enclose()
+        elif tool.is_open and not tool.close(
             self._distance != 0.0 and is_left and wanted.mode == PERPENDICULAR
         ):
             failed = self._motions.pop()
@@ -257,7 +258,30 @@ class Compensation:
         if failed is not None:
             self._fail(failed)
 
-    def _fail(self, motion: _Motion) -> NoReturn:
+    def _enclose(self) -> None:
+        """The contour of G238 is over: it ends where it begins."""
+        tool, first, last = self.tool, self._motions[0].segment, self._motions[-1]
+        if tool.number == tool.first:
+            tool.close(False)
+            return
+        if any(
+            abs(first.target[place] - last.segment.target[place]) > SAME_PLACE_MM
+            for place in PLANES[self._state.plane]
+        ):
+            self._values.fail(900955, last.span)
+        misfit = tool.enclose()
+        for motion in self._motions:
+            if motion.number == misfit:
+                self._fail(motion)
+
+    def _stop(self) -> Iterator[Command]:
+        """There is a mistake: the contour is run up to it; one of G238, not known yet, is not."""
+        if self._is_closed_one:
+            self._motions.clear()
+            self.tool.give_up()
+        yield from self._finish()
+
+    def _fail(self, motion: HeldMotion) -> NoReturn:
         """The contour cannot be passed with this tool (90019, 90038, 900871)."""
         self._values.fail(motion.misfit, motion.span, radius=abs(motion.radius))
 
@@ -287,7 +311,9 @@ class Compensation:
         wanted = self._state.compensation
         if not wanted.is_active:
             return True
-        if self._waits_for_loops or wanted.side * wanted.radius != self._distance:
+        if self._waits_for_loops or wanted.mode == INNER_CORNER:
+            return False
+        if wanted.side * wanted.radius != self._distance:
             return False
         if len(self._motions) != 1 or not self.tool.is_open:
             return False
@@ -381,7 +407,7 @@ class Compensation:
             yield from commands
             self.releases = False
 
-    def _commands(self, motion: _Motion) -> list[Command]:
+    def _commands(self, motion: HeldMotion) -> list[Command]:
         """The pieces of a motion, and what comes behind it."""
         commands: list[Command] = list(self._segments(motion, self._pieces(motion)))
         commands += [
@@ -389,7 +415,7 @@ class Compensation:
         ]
         return commands
 
-    def _pieces(self, motion: _Motion) -> list[tuple[_Piece, float]]:
+    def _pieces(self, motion: HeldMotion) -> list[tuple[_Piece, float]]:
         """The pieces of a motion with their ways; none where it is swallowed."""
         found = []
         while kind := self.tool.take(motion.number):
@@ -403,7 +429,9 @@ class Compensation:
             found.append(((*self._at, *self._at, 0.0), 0.0))
         return found
 
-    def _segments(self, motion: _Motion, pieces: list[tuple[_Piece, float]]) -> Iterator[Segment]:
+    def _segments(
+        self, motion: HeldMotion, pieces: list[tuple[_Piece, float]]
+    ) -> Iterator[Segment]:
         """The pieces of a motion; only the last one stops exactly."""
         first, second = PLANES[self._state.plane]
         segment = motion.segment
@@ -422,7 +450,7 @@ class Compensation:
                 row = arc.row
                 self._path.check_extremes(arc, start, motion.span)
                 if motion.adapts and feed > 0.0 and motion.time_s == 0.0:
-                    feed *= _share_of_contour(segment, row, start)
+                    feed *= share_of_contour(segment, row, start)
             self._path.check_limits(target, (first, second), motion.span)
             yield replace(
                 segment,
@@ -452,18 +480,3 @@ class Compensation:
         for place, value in zip(PLANES[self._state.plane], self._at, strict=True):
             start[place] = target[place] = value
         return replace(segment, start=tuple(start), target=tuple(target))
-
-
-def _share_of_contour(segment: Segment, arc: tuple[float, ...], start: list[float]) -> float:
-    """How much faster the tool's centre goes on an arc than the contour beside it (G11).
-
-    On an arc that the program does not have it goes as it does on lines.
-    """
-    if segment.arc is None or segment.arc[2:4] != arc[2:4]:
-        return 1.0
-    first, second = int(arc[0]), int(arc[1])
-    radii = []
-    for place in (start, segment.start):
-        x, y = place[first] - arc[2], place[second] - arc[3]
-        radii.append(arithmetic.square_root(x * x + y * y))
-    return radii[0] / radii[1]

@@ -30,7 +30,7 @@ WIDTH = 20
 
 
 class Corners:
-    """The motion that is known up to its end, and the one behind it.
+    """The motion that is known up to its end, the one behind it, and the first of the contour.
 
     ``by_arc``: around outer corners in an arc. ``is_direct``: to a contour and from it without a
     way around a corner. Found by ``join``: the tool passes the first motion up to ``end_x``,
@@ -39,7 +39,7 @@ class Corners:
     """
 
     def __init__(self) -> None:
-        self.motions = memoryview(bytearray(8 * 2 * WIDTH)).cast("d")
+        self.motions = memoryview(bytearray(8 * 3 * WIDTH)).cast("d")
         self.way = memoryview(bytearray(8 * 3 * pieces.WIDTH)).cast("d")
         self.way_count = 0
         self.by_arc = False

@@ -15,7 +15,7 @@ from nctakt.decoder.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius,
 from nctakt.decoder.commands import Answer, Command, Segment
 from nctakt.decoder.offsets import ALL
 from nctakt.decoder.pace import FEEDS, NO_OVERRIDE, PathPace
-from nctakt.decoder.state import DIRECT, ENDS_WITHOUT_WAY, INDIRECT, PERPENDICULAR
+from nctakt.decoder.state import DIRECT, ENDS_WITHOUT_WAY, INDIRECT, INNER_CORNER, PERPENDICULAR
 from nctakt.decoder.values import Values
 from nctakt.diagnostics import Span
 from nctakt.nc import syntax
@@ -41,6 +41,10 @@ class PathWords:
     centre: dict[str, tuple[Span, float]] = field(default_factory=dict)
     once: frozenset[int] = frozenset()
     offset_kinds: int = ALL
+
+
+#: How the tool comes to a contour (``state.py``).
+SELECTIONS = (DIRECT, INDIRECT, PERPENDICULAR, INNER_CORNER, ENDS_WITHOUT_WAY)
 
 
 class PathMotion:
@@ -72,7 +76,7 @@ class PathMotion:
             self._end_compensation()
         elif function in (25, 26):
             path.compensation.by_arc = function == 26
-        elif function in (DIRECT, INDIRECT, PERPENDICULAR, ENDS_WITHOUT_WAY):
+        elif function in SELECTIONS:
             path.compensation.mode = function
         elif function in (140, 141):
             path.compensation.masks = function == 141
@@ -92,6 +96,12 @@ class PathMotion:
         path = self._state.path
         if function != path.plane:
             self._values.fail(900873, span, word=f"G{function}", plane=path.plane)
+
+    def keep_selection(self, function: int, span: Span) -> None:
+        """While compensation is active its way to the contour stays G238, or another one."""
+        mode = self._state.path.compensation.mode
+        if function != mode and INNER_CORNER in (function, mode):
+            self._values.fail(900957, span, word=f"G{function}")
 
     def compensate(self, function: int, span: Span) -> None:
         """G41 or G42, with the tool that is active now."""

@@ -26,8 +26,9 @@ DEVIATION_MM = 1.0
 
 
 #: How the tool comes to a contour and from it: by motions of the program without a way around
-#: corners, with one, by ways of their own across the contour; by a motion, and not from it.
-DIRECT, INDIRECT, PERPENDICULAR, ENDS_WITHOUT_WAY = 138, 139, 237, 239
+#: corners, with one, by ways of their own across the contour, in an inner corner of a closed one;
+#: by a motion, and not from it.
+DIRECT, INDIRECT, PERPENDICULAR, INNER_CORNER, ENDS_WITHOUT_WAY = 138, 139, 237, 238, 239
 
 
 @dataclass(slots=True)
@@ -52,7 +53,7 @@ class CompensationState:
     @property
     def is_direct(self) -> bool:
         """Whether the tool comes to a contour and from it without a way around a corner."""
-        return self.mode in (DIRECT, ENDS_WITHOUT_WAY)
+        return self.mode in (DIRECT, INNER_CORNER, ENDS_WITHOUT_WAY)
 
     @property
     def is_active(self) -> bool:

@@ -14,6 +14,7 @@ cdef class ToolPath(Chain):
     cdef public bint parts
     cdef readonly double at_x
     cdef readonly double at_y
+    cdef readonly long long first
     cdef long long begun
     cdef double begun_x
     cdef double begun_y
@@ -26,7 +27,9 @@ cdef class ToolPath(Chain):
     cpdef bint arc(self, double x, double y, double x_2, double y_2, double distance, double centre_x, double centre_y, double angle) noexcept
     @cython.locals(at=Py_ssize_t)
     cpdef void begin(self, double x, double y, bint is_perpendicular) noexcept
-    @cython.locals(at=Py_ssize_t, meets=int)
+    @cython.locals(number=cython.longlong, meets=int, x=double, y=double, one=Py_ssize_t, base=Py_ssize_t)
+    cpdef long long enclose(self) noexcept
+    @cython.locals(at=Py_ssize_t, meets=int, i=Py_ssize_t)
     cpdef bint add(self) noexcept
     @cython.locals(at=Py_ssize_t, count=Py_ssize_t, barrier=Py_ssize_t, x=double, y=double)
     cdef bint try_add(self, double low_x, double high_x, double low_y, double high_y) noexcept

@@ -24,8 +24,8 @@ class ToolPath(Chain):
 
     ``is_open``: the latest motion is not known up to its end. ``at_x``, ``at_y``: where the tool is
     behind the pieces so far. ``parts``: what comes behind the latest motion is not compared with
-    what was. ``begun``: the first motion of the contour, 0 none; ``closed``: the one that has ended
-    where that begins.
+    what was. ``first``: the motion that the tool has begun with; ``begun``: the first one of the
+    contour, 0 none; ``closed``: the one that has ended where that begins.
     """
 
     def __init__(self) -> None:
@@ -38,6 +38,7 @@ class ToolPath(Chain):
         self.parts = False
         self.at_x = 0.0
         self.at_y = 0.0
+        self.first = 0
         self.begun = 0
         self.begun_x = 0.0
         self.begun_y = 0.0
@@ -94,6 +95,7 @@ class ToolPath(Chain):
         at = 20 - self.latest
         self.open(at)
         self.begun = 0
+        self.first = self.number
         if is_perpendicular:
             self.corners.place_start(at)
             self.put_line(0, x, y, self.corners.next_x, self.corners.next_y, 0)
@@ -113,6 +115,9 @@ class ToolPath(Chain):
         self.corners.motions[at + 15] = self.at_x
         self.corners.motions[at + 16] = self.at_y
         self.open(at)
+        if self.number == self.first + 1:
+            for i in range(20):
+                self.corners.motions[40 + i] = self.corners.motions[at + i]
         return True
 
     def try_add(self, low_x: float, high_x: float, low_y: float, high_y: float) -> bool:
@@ -154,6 +159,36 @@ class ToolPath(Chain):
             self.at_x = end_x
             self.at_y = end_y
         return True
+
+    def enclose(self) -> int:
+        """The latest motion ends where the contour begins: 0, or the motion that does not fit.
+
+        In an inner corner the tool begins the contour and ends it where the ways beside both meet.
+        The first motion has led there, and nothing is taken yet.
+        """
+        number = self.number
+        meets = self.corners.join(self.latest, 40)
+        if self.corners.is_outer(self.latest, 40, self.corners.motions[self.latest + 10]):
+            self.corners.place_end(self.latest)
+        x = self.corners.end_x
+        y = self.corners.end_y
+        self.corners.way_count = 0
+        self.corners.meet(x, y)
+        if not meets or not self.put_motion(1, -1):
+            return number
+        if self.corners.is_outer(self.latest, 40, self.corners.motions[self.latest + 10]):
+            return 0
+        one = 0
+        while one < self.count and self.rows[one * 16 + 9] <= self.first:
+            one += 1
+        base = one * 16
+        if one < 1 or one >= self.count or self.rows[base + 9] != self.first + 1:
+            return self.first + 1
+        if self.crossings.way_to(self.rows, base, x, y) < -1.0:
+            return self.first + 1
+        pieces.cut_end(self.rows, base - 16, x, y)
+        pieces.cut_start(self.rows, base, x, y)
+        return 0
 
     def beside_end(self) -> tuple[float, float]:
         """Where the latest motion ends if nothing joins it."""

@@ -27,7 +27,14 @@ from nctakt.decoder.commands import (
 )
 from nctakt.decoder.fixed_stops import fixed_stop, is_fixed_stop
 from nctakt.decoder.frames import MAIN_AXES, SAME_PLACE_MM
-from nctakt.decoder.motion import CENTRE_WORDS, CONTOURING, EXACT_STOP, PathMotion, PathWords
+from nctakt.decoder.motion import (
+    CENTRE_WORDS,
+    CONTOURING,
+    EXACT_STOP,
+    SELECTIONS,
+    PathMotion,
+    PathWords,
+)
 from nctakt.decoder.offsets import ALL, ZERO_GROUPS
 from nctakt.decoder.pace import NO_OVERRIDE, PathPace
 from nctakt.decoder.requests import MovedAxes
@@ -263,6 +270,8 @@ class Words:
         elif function != DWELL:
             if function in PLANES and state.path.compensation.is_active:
                 self.path.keep_plane(function, span)
+            elif function in SELECTIONS and state.path.compensation.is_active:
+                self.path.keep_selection(function, span)
             self.path.modal(function)
 
     def _edge_banding(self, function: int, span: Span) -> None:

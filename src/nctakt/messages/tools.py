@@ -197,8 +197,9 @@ _add(
     WARNING,
     "the closed contour begins in an inner corner: beside line {line} the tool cuts in here",
     "die geschlossene Kontur beginnt in einer Innenecke: neben Zeile {line} wird sie hier verletzt",
-    remedy_en="Begin and end the contour within a line or at an outer corner.",
-    remedy_de="Die Kontur innerhalb einer Geraden oder an einer Außenecke beginnen und beenden.",
+    remedy_en="Begin and end the contour within a line or at an outer corner, or use G238.",
+    remedy_de="Die Kontur innerhalb einer Geraden oder an einer Außenecke beginnen und beenden, "
+    "oder G238 verwenden.",
     cause_en=_BEGIN_EN,
     cause_de=_BEGIN_DE,
     parameters={"line": "the line that the contour begins with"},
@@ -209,9 +210,48 @@ _add(
     "the closed contour begins in an inner corner: beside line {line} the tool would cut in here",
     "die geschlossene Kontur beginnt in einer Innenecke: neben Zeile {line} würde sie hier "
     "verletzt",
-    remedy_en="Begin and end the contour within a line or at an outer corner.",
-    remedy_de="Die Kontur innerhalb einer Geraden oder an einer Außenecke beginnen und beenden.",
+    remedy_en="Begin and end the contour within a line or at an outer corner, or use G238.",
+    remedy_de="Die Kontur innerhalb einer Geraden oder an einer Außenecke beginnen und beenden, "
+    "oder G238 verwenden.",
     cause_en=f"{_BEGIN_EN} It is an error since P-CHAN-00219 is set.",
     cause_de=f"{_BEGIN_DE} Ein Fehler ist es, weil P-CHAN-00219 gesetzt ist.",
     parameters={"line": "the line that the contour begins with"},
+)
+_add(
+    900955,
+    ERROR,
+    "the contour does not end where it begins, as G238 wants it",
+    "die Kontur endet nicht, wo sie beginnt, wie es G238 verlangt",
+    remedy_en="Let the last motion before G40 end where the one behind G41 or G42 ends.",
+    remedy_de="Die letzte Bewegung vor G40 dort enden lassen, wo die hinter G41 oder G42 endet.",
+    cause_en="With G238 the tool begins and ends the contour where the ways beside its first and "
+    "its last motion meet.",
+    cause_de="Mit G238 beginnt und beendet das Werkzeug die Kontur dort, wo sich die Wege neben "
+    "ihrer ersten und ihrer letzten Bewegung treffen.",
+)
+_add(
+    900956,
+    ERROR,
+    "the contour has more than {count} motions, and with G238 all of them wait for the last one",
+    "die Kontur hat mehr als {count} Bewegungen, und mit G238 warten alle auf die letzte",
+    remedy_en="Begin it within a line or at an outer corner, with G138 or G139.",
+    remedy_de="Sie innerhalb einer Geraden oder an einer Außenecke beginnen, mit G138 oder G139.",
+    parameters={"count": "the most motions"},
+)
+_add(
+    900957,
+    ERROR,
+    "{word} comes while compensation is active: G238 is chosen and left only without it",
+    "{word} steht bei aktiver Korrektur: G238 wird nur ohne sie gewählt und verlassen",
+    remedy_en="Write it before G41 or G42, or behind G40 and the motion from the contour.",
+    remedy_de="Vor G41 oder G42 schreiben, oder hinter G40 und die Bewegung von der Kontur weg.",
+    parameters={"word": "the word as written"},
+)
+_add(
+    900958,
+    ERROR,
+    "with G238 the tool keeps its side and its radius up to G40",
+    "mit G238 behält das Werkzeug Seite und Radius bis G40",
+    remedy_en="Change between G41 and G42, or the radius, behind G40.",
+    remedy_de="Zwischen G41 und G42 wechseln oder den Radius ändern erst hinter G40.",
 )

@@ -168,7 +168,12 @@ G_FUNCTIONS = (
         ("G139", "S", "indirect begin of tool radius compensation", "indirekte Anwahl der WRK"),
         ("G236", "R", "begin of compensation on the path", "Anwahl der WRK auf der Bahn"),
         ("G237", "S", "perpendicular begin of compensation", "senkrechte Anwahl der WRK"),
-        ("G238", "R", "inner corner of compensation", "Innenecke der WRK"),
+        (
+            "G238",
+            "S",
+            "begin of compensation in an inner corner",
+            "Anwahl der WRK in einer Innenecke",
+        ),
         ("G239", "S", "end of compensation without motion", "Abwahl der WRK ohne Bewegung"),
         ("G05", "R", "tangential begin of compensation", "tangentiale Anwahl der WRK"),
     ),
@@ -309,14 +314,9 @@ INSTEAD = {
         "G138 leads to the contour directly, G139 around its corner, G237 across.",
         "G138 führt direkt an die Kontur, G139 um ihre Ecke, G237 quer.",
     ),
-    "G238": Text(
-        "Begin and end the closed contour within a line or at an outer corner (G138, G139).",
-        "Die geschlossene Kontur innerhalb einer Geraden oder an einer Außenecke beginnen und "
-        "beenden (G138, G139).",
-    ),
     "#TRC": Text(
-        "The ways of compensation are chosen by G25 and G26, G138, G139, G237 and G239, G140 and "
+        "The ways of compensation are chosen by G25 and G26, G138, G139, G237 … G239, G140 and "
         "G141.",
-        "Wie korrigiert wird, wählen G25 und G26, G138, G139, G237 und G239, G140 und G141.",
+        "Wie korrigiert wird, wählen G25 und G26, G138, G139, G237 … G239, G140 und G141.",
     ),
 }

@@ -86,6 +86,29 @@ def test_single_block_that_was_taken_back_long_ago_does_not_count(feed: int, bra
     assert_smooth(0, run_of(0, text, stimuli))
 
 
+@pytest.mark.parametrize("every", [2, 5])
+def test_a_hold_while_single_block_stops_the_path_in_front_of_a_bend(every: int) -> None:
+    """MO-1, MO-6: held again and again while it brakes for the end of N10, the path stands there.
+
+    Rounding had it that the stop came 1e-14 mm too late; the path was to come to the bend with a
+    lesser speed, and the one whose way is as long was far too high: 2.2 of the jerk.
+    """
+    text = """#SLOPE [TYPE=TRAPEZ]
+    #CONTOUR MODE [DEV PATH_DEV=0.05]
+    G261
+    N10 G01 X6 F9000
+    N20 X9 Y3
+    M30"""
+    for hold in range(66, 90, 4):
+        stimuli = [Stimulus(10_000, "HLI.SINGLE_BLOCK", 1.0)]
+        for tick in range(hold, hold + 60, 2 * every):
+            stimuli.append(Stimulus(tick * 1000, "HLI.FEED_HOLD", 1.0))
+            stimuli.append(Stimulus((tick + every) * 1000, "HLI.FEED_HOLD", 0.0))
+        stimuli.append(Stimulus(600_000, "HLI.SINGLE_BLOCK", 0.0))
+        stimuli.append(Stimulus(600_000, "HLI.START", 1.0))
+        assert_smooth(0, run_of(0, text, stimuli))
+
+
 def test_the_block_of_a_tick_is_the_one_in_which_it_ends() -> None:
     """MO-7: backward as forward, and where the path turns at a border between two blocks."""
     text = "N10 G01 X10 F6000\nN20 X20\nM30"

@@ -18,8 +18,10 @@ cdef class SmoothSpeed:
     cdef double own_j
 
     cdef void begin(self) noexcept nogil
-    @cython.locals(limit_a=double, limit_j=double, way=double, goal_v=double, goal_a=double, goal_j=double, stop_d=double, is_met=int, settles=bint)
+    @cython.locals(limit_a=double, limit_j=double, way=double, goal_v=double, goal_a=double, goal_j=double, is_met=int, settles=bint)
     cdef void plan(self, double[::1] row, Py_ssize_t head, Py_ssize_t tail, double rest_d, double speed_v, double limit_v, double factor, int is_single) noexcept nogil
+    @cython.locals(stop_d=double)
+    cdef int can_stop(self, double speed_v, double limit_a, double limit_j) noexcept nogil
     @cython.locals(is_met=int)
     cdef void stand_at_end(self, double speed_v, double limit_v, double limit_a, double limit_j) noexcept nogil
     @cython.locals(low_v=double, high_v=double, sign=double, _attempt=int)

@@ -64,15 +64,13 @@ class SmoothSpeed:
         self.ends_in_time = False
         settles = row[tail + 5] > 0.0
         if limit_v <= 0.0:
-            stop_d = self.course.stopping_d(speed_v, self.acceleration_a, limit_a, limit_j)
-            if settles and stop_d > rest_d:
+            if settles and not self.can_stop(speed_v, limit_a, limit_j):
                 self.fade_by_end(0.0, speed_v, limit_a, limit_j)
             else:
                 self.head_for(0.0, 0.0, speed_v, 0.0, limit_a, limit_j)
             return
         if is_single:
-            stop_d = self.course.stopping_d(speed_v, self.acceleration_a, limit_a, limit_j)
-            self.stands_at_end = stop_d <= rest_d + 1e-10
+            self.stands_at_end = self.can_stop(speed_v, limit_a, limit_j) > 0
             if self.stands_at_end:
                 self.stand_at_end(speed_v, limit_v, limit_a, limit_j)
                 return
@@ -90,6 +88,15 @@ class SmoothSpeed:
             self.stand_at_end(speed_v, limit_v, limit_a, limit_j)
         elif settles and not is_met:
             self.fade_by_end(goal_v, speed_v, limit_a, limit_j)
+
+    def can_stop(self, speed_v: float, limit_a: float, limit_j: float) -> int:
+        """Whether the path can still stand at the segment's end, up to what rounding leaves.
+
+        A path that brakes for that stand must not miss it where it is held, too: a lesser speed can
+        be a longer way, so it might find none up to the end but one that is far too high.
+        """
+        stop_d = self.course.stopping_d(speed_v, self.acceleration_a, limit_a, limit_j)
+        return 1 if stop_d <= self.rest_d + 1e-10 else 0
 
     def stand_at_end(self, speed_v: float, limit_v: float, limit_a: float, limit_j: float) -> None:
         """Plan to stand at the segment's end."""

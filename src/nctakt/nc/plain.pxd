@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 # C types of plain.py.
 cimport cython
+from nctakt.nc.scanning cimport LineScanner
 
-cdef class PlainScanner:
+cdef class PlainScanner(LineScanner):
     cdef long long[::1] places
     cdef readonly double[::1] values
     cdef readonly long long number
@@ -13,7 +14,6 @@ cdef class PlainScanner:
     cdef readonly long long axes
     cdef readonly unsigned long long shape
     cdef int words
-    cdef double value
 
     @cython.locals(end=Py_ssize_t, last=cython.ulonglong, what=int)
     cpdef Py_ssize_t pass_over(self, list lines, Py_ssize_t index, set shapes) except -1
@@ -22,9 +22,5 @@ cdef class PlainScanner:
     cdef Py_ssize_t blanks(self, str line, Py_ssize_t i, Py_ssize_t end)
     @cython.locals(first=Py_ssize_t)
     cdef Py_ssize_t digits(self, str line, Py_ssize_t i, Py_ssize_t end)
-    @cython.locals(depth=int, c=Py_UCS4)
-    cdef Py_ssize_t comment(self, str line, Py_ssize_t i, Py_ssize_t end)
     @cython.locals(letter=int, place=cython.longlong)
     cdef Py_ssize_t word(self, str line, Py_ssize_t i, Py_ssize_t end)
-    @cython.locals(sign=double, mantissa=cython.longlong, count=int, scale=double, has_point=bint, c=Py_UCS4)
-    cdef Py_ssize_t decimal(self, str line, Py_ssize_t i, Py_ssize_t end)

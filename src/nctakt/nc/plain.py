@@ -13,6 +13,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nctakt.nc.scanning import LineScanner
+
 #: What a line may be.
 OTHER = 0
 EMPTY = 1
@@ -34,7 +36,7 @@ def shape_code(shape: Sequence[str | float]) -> int:
     return code if len(shape) <= 12 else 0
 
 
-class PlainScanner:
+class PlainScanner(LineScanner):
     """Reads lines of a channel with these axes; the last line that was ``PLAIN`` is in the fields.
 
     ``number``: the N word, 0 without. ``column``: where the first word begins, from 1.
@@ -44,6 +46,7 @@ class PlainScanner:
     """
 
     def __init__(self, axes: Sequence[str]) -> None:
+        super().__init__()
         #: The place of the axis that a letter names, -1 for none.
         self.places = memoryview(bytearray(8 * 27)).cast("q")
         for i in range(27):
@@ -60,7 +63,6 @@ class PlainScanner:
         self.axes = 0
         self.shape = 0
         self.words = 0
-        self.value = 0.0
 
     def pass_over(self, lines: list[str], index: int, shapes: set[int]) -> int:
         """The first line from ``index`` on that is neither empty nor plain and of these shapes."""
@@ -124,22 +126,6 @@ class PlainScanner:
                 return -1
         return i if self.number > 0 else -1
 
-    def comment(self, line: str, i: int, end: int) -> int:
-        """The end of a comment in parentheses, which nest; -1 where a NUL stands in it."""
-        depth = 0
-        while i < end:
-            c = line[i]
-            i += 1
-            if c == "(":
-                depth += 1
-            elif c == ")":
-                depth -= 1
-                if depth == 0:
-                    return i
-            elif c == "\0":
-                return -1
-        return i
-
     def word(self, line: str, i: int, end: int) -> int:
         """A word; where it ends, -1 for one that no plain block has."""
         letter = ord(line[i])
@@ -149,7 +135,7 @@ class PlainScanner:
             return -1
         if self.shape == 0:
             self.column = i + 1
-        i = self.decimal(line, self.blanks(line, i + 1, end), end)
+        i = self.signed(line, self.blanks(line, i + 1, end), end)
         if i < 0:
             return -1
         self.shape = self.shape * 32 + letter - 64
@@ -171,32 +157,4 @@ class PlainScanner:
             self.feed = self.value
         else:
             return -1
-        return i
-
-    def decimal(self, line: str, i: int, end: int) -> int:
-        """A number with sign and point into ``value``; where it ends, -1 for none that is exact."""
-        sign = 1.0
-        if i < end and (line[i] == "-" or line[i] == "+"):
-            if line[i] == "-":
-                sign = -1.0
-            i += 1
-        mantissa = 0
-        count = 0
-        scale = 1.0
-        has_point = False
-        while i < end:
-            c = line[i]
-            if "0" <= c <= "9":
-                mantissa = mantissa * 10 + ord(c) - 48
-                count += 1
-                if has_point:
-                    scale *= 10.0
-            elif c == "." and not has_point:
-                has_point = True
-            else:
-                break
-            i += 1
-        if count == 0 or count > 15:
-            return -1
-        self.value = sign * (mantissa / scale)
         return i

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of shapes.py.
 cimport cython
+from nctakt.nc.scanning cimport LineScanner
 
 cdef class Shape:
     cdef readonly bytes key
@@ -12,7 +13,7 @@ cdef class Shape:
     @cython.locals(inside=Shape, run=list)
     cdef int is_of(self, set keys) except -1
 
-cdef class ShapeScanner:
+cdef class ShapeScanner(LineScanner):
     cdef bytearray room
     cdef unsigned char[::1] text
     cdef double[::1] numbers
@@ -24,7 +25,6 @@ cdef class ShapeScanner:
     cdef Py_ssize_t length
     cdef int opens
     cdef bint controls
-    cdef double value
     cdef bint is_name
 
     @cython.locals(end=Py_ssize_t, shape=Shape)
@@ -38,11 +38,9 @@ cdef class ShapeScanner:
     cdef int line(self, str line)
     cdef void put(self, Py_UCS4 c)
     cdef int is_sign(self, Py_UCS4 c)
-    cdef void place(self, unsigned char mark, Py_ssize_t end)
-    @cython.locals(depth=int, c=Py_UCS4)
-    cdef Py_ssize_t comment(self, str line, Py_ssize_t i, Py_ssize_t end)
+    cdef void place(self, unsigned char mark, double value, Py_ssize_t end)
     cdef Py_ssize_t digits(self, str line, Py_ssize_t i, Py_ssize_t end)
-    @cython.locals(first=Py_ssize_t, mantissa=cython.longlong, count=int, scale=double, has_point=bint, c=Py_UCS4)
+    @cython.locals(stop=Py_ssize_t)
     cdef Py_ssize_t number(self, str line, Py_ssize_t i, Py_ssize_t end, bint is_whole)
     @cython.locals(first=Py_ssize_t, stop=Py_ssize_t, c=Py_UCS4, is_one=bint, is_value=bint)
     cdef Py_ssize_t word(self, str line, Py_ssize_t i, Py_ssize_t end)

@@ -14,6 +14,8 @@ quotes, a ``#`` or a ``%`` has no shape, nor has what is long; it is for the par
 
 from __future__ import annotations
 
+from nctakt.nc.scanning import LineScanner
+
 #: In a shape: a number, a comment, a run.
 NUMBER = 1
 COMMENT = 2
@@ -55,10 +57,11 @@ class Shape:
         return 1
 
 
-class ShapeScanner:
+class ShapeScanner(LineScanner):
     """Finds shapes; ``shape``: the last one, ``None`` for none, behind ``index`` lines."""
 
     def __init__(self) -> None:
+        super().__init__()
         self.room = bytearray(MOST_TEXT + LONGEST_LINE + 4)
         self.text = memoryview(self.room)
         self.numbers = memoryview(bytearray(8 * (MOST_PLACES + LONGEST_LINE))).cast("d")
@@ -70,7 +73,6 @@ class ShapeScanner:
         self.length = 0
         self.opens = 0
         self.controls = False
-        self.value = 0.0
         self.is_name = False
 
     def pass_over(self, lines: list[str], index: int, keys: set[bytes]) -> int:
@@ -197,6 +199,7 @@ class ShapeScanner:
                 i = self.comment(line, i, end)
                 if i < 0:
                     return 0
+                self.place(2, 0.0, i)
                 before = " "
                 continue
             if c in " \t":
@@ -269,31 +272,13 @@ class ShapeScanner:
         """Whether it is a sign of expressions and words."""
         return c in "=+-*/,<>&|^!@"
 
-    def place(self, mark: int, end: int) -> None:
+    def place(self, mark: int, value: float, end: int) -> None:
         """A number or comment that ends here."""
         self.text[self.length] = mark
         self.length += 1
         self.ends[self.count] = end
-        self.numbers[self.count] = self.value
+        self.numbers[self.count] = value
         self.count += 1
-
-    def comment(self, line: str, i: int, end: int) -> int:
-        """The end of a comment in parentheses, which nest; -1 where a NUL stands in it."""
-        depth = 0
-        while i < end:
-            c = line[i]
-            i += 1
-            if c == "(":
-                depth += 1
-            elif c == ")":
-                depth -= 1
-                if depth == 0:
-                    break
-            elif c == "\0":
-                return -1
-        self.value = 0.0
-        self.place(2, i)
-        return i
 
     def digits(self, line: str, i: int, end: int) -> int:
         """Digits that belong to the shape; where they end."""
@@ -307,32 +292,15 @@ class ShapeScanner:
 
         ``is_whole``: it must not have a point.
         """
-        first = i
-        mantissa = 0
-        count = 0
-        scale = 1.0
-        has_point = False
-        while i < end:
-            c = line[i]
-            if "0" <= c <= "9":
-                mantissa = mantissa * 10 + ord(c) - 48
-                count += 1
-                if has_point:
-                    scale *= 10.0
-            elif c == "." and not has_point:
-                has_point = True
-            else:
-                break
-            i += 1
-        if count == 0 or count > 15 or (has_point and is_whole):
+        stop = self.decimal(line, i, end)
+        if stop < 0 or (self.has_point and is_whole):
             return -1
-        if i < end and (line[i] == "." or line[i] == "_"):
+        if stop < end and (line[stop] == "." or line[stop] == "_"):
             return -1
-        if mantissa == 0:
-            return self.digits(line, first, end)
-        self.value = mantissa / scale
-        self.place(1, i)
-        return i
+        if self.value == 0.0:
+            return self.digits(line, i, end)
+        self.place(1, self.value, stop)
+        return stop
 
     def word(self, line: str, i: int, end: int) -> int:
         """Letters with what belongs to them; where that ends, -1 where it has no shape.

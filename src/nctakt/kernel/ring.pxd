@@ -29,6 +29,8 @@ cdef class CommandRing:
     cdef void copy_row(self, Py_ssize_t number, Py_ssize_t to) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void begin_segment(self, Py_ssize_t base, double source, double number, int exact_stop, int limits_jerk) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void put_ends(self, Py_ssize_t base, double[::1] start, double[::1] target) noexcept nogil
     cdef void end_segment(self, Py_ssize_t base, double feed_v, int exact_stop, double deviation) noexcept nogil
     @cython.locals(base=Py_ssize_t, i=Py_ssize_t)
     cdef void put_line(self, double source, double number, double[::1] start, double[::1] target, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil

@@ -191,9 +191,7 @@ class CommandRing:
         """``put_segment`` of a line, without objects; there is room for it (``reserve``)."""
         base = self.tail % self.capacity * self.width
         self.begin_segment(base, source, number, exact_stop, limits_jerk)
-        for i in range(self.path.count):
-            self.queue[base + 12 + i] = start[i]
-            self.queue[base + 12 + self.path.count + i] = target[i]
+        self.put_ends(base, start, target)
         self.end_segment(base, feed_v, exact_stop, deviation)
 
     def put_arc(
@@ -211,9 +209,7 @@ class CommandRing:
         """``put_segment`` of an arc, without objects; there is room for it (``reserve``)."""
         base = self.tail % self.capacity * self.width
         self.begin_segment(base, source, number, exact_stop, limits_jerk)
-        for i in range(self.path.count):
-            self.queue[base + 12 + i] = start[i]
-            self.queue[base + 12 + self.path.count + i] = target[i]
+        self.put_ends(base, start, target)
         self.queue[base + 9] = 1.0
         for i in range(5):
             self.queue[base + 12 + 2 * self.path.count + 7 + i] = arc[i]
@@ -230,6 +226,12 @@ class CommandRing:
         self.queue[base + 2] = number
         self.queue[base + 8] = exact_stop
         self.queue[base + 10] = limits_jerk
+
+    def put_ends(self, base: int, start: memoryview[float], target: memoryview[float]) -> None:
+        """Where a segment begins and ends."""
+        for i in range(self.path.count):
+            self.queue[base + 12 + i] = start[i]
+            self.queue[base + 12 + self.path.count + i] = target[i]
 
     def end_segment(self, base: int, feed_v: float, exact_stop: int, deviation: float) -> None:
         """The segment stands in its row: it counts, and is prepared."""

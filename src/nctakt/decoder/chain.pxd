@@ -7,6 +7,8 @@ from nctakt.decoder.pieces cimport Crossing
 cdef class Chain:
     cdef Crossing crossings
     cdef double[::1] rows
+    cdef double[::1] hidden
+    cdef Py_ssize_t hidden_count
     cdef Py_ssize_t left
     cdef Py_ssize_t count
     cdef Py_ssize_t out
@@ -50,5 +52,9 @@ cdef class Chain:
     cdef void copy(self, Py_ssize_t one, Py_ssize_t other) noexcept
     @cython.locals(kind=int, noted=double, one=Py_ssize_t)
     cpdef int take(self, long long number) noexcept
+    @cython.locals(at=Py_ssize_t)
+    cdef void hide(self, double x, double y, double radius) noexcept
+    @cython.locals(base=Py_ssize_t, number=double, one=Py_ssize_t, at=Py_ssize_t, off=double)
+    cdef void find_hidden(self) noexcept
     cdef Py_ssize_t taken_place(self) noexcept
     cpdef bint goes_on(self, long long number) noexcept

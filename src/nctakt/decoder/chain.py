@@ -34,6 +34,8 @@ class Chain:
     def __init__(self) -> None:
         self.crossings = Crossing()
         self.rows = memoryview(bytearray(8 * 2 * _ROOM * pieces.WIDTH)).cast("d")
+        self.hidden = memoryview(bytearray(8 * 64 * 4)).cast("d")
+        self.hidden_count = 0
         self.left = 0
         self.count = 0
         self.out = 0
@@ -52,6 +54,7 @@ class Chain:
         """Compare nothing that comes with what was."""
         self.barrier = self.count
         self.left = 0
+        self.hidden_count = 0
 
     def take_back(self, count: int, barrier: int) -> None:
         """Let all be as it was with so many pieces, where nothing was crossed."""
@@ -266,8 +269,38 @@ class Chain:
             self.crossing = number
             for one in range(self.out, self.count):
                 self.rows[one * 16 + 15] = 0.0
+        elif self.hidden_count > 0 and self.rows[self.out * 16 + 10] != 0.0:
+            self.find_hidden()
         self.out += 1
         return kind + 1
+
+    def hide(self, x: float, y: float, radius: float) -> None:
+        """The latest motion, an arc that the tool does not fit into, begins or ends here.
+
+        No way leads beside it, so that what is taken is compared with its ends; 64 are known.
+        """
+        at = self.hidden_count % 64 * 4
+        self.hidden[at] = x
+        self.hidden[at + 1] = y
+        self.hidden[at + 2] = radius
+        self.hidden[at + 3] = self.number
+        self.hidden_count += 1
+
+    def find_hidden(self) -> None:
+        """Tell where the next piece comes too near to an end that no way leads beside.
+
+        A thousandth of the radius is left to rounding: ends of arcs, and corners that are none.
+        """
+        base = self.out * 16
+        number = self.rows[base + 9]
+        for one in range(min(self.hidden_count, 64)):
+            at = one * 4
+            if number - 50 <= self.hidden[at + 3] <= number + 50:
+                off = pieces.distance(self.rows, base, self.hidden[at], self.hidden[at + 1])
+                if off < 0.999 * self.hidden[at + 2]:
+                    self.crossed = int(self.hidden[at + 3])
+                    self.crossing = int(number)
+                    self.hidden[at + 2] = 0.0
 
     def goes_on(self, number: int) -> bool:
         """Whether there is one more piece of this motion."""

@@ -19,6 +19,8 @@ cdef double swept(double x, double y, double x_2, double y_2, double sense) noex
 @cython.locals(centre_x=double, centre_y=double, angle=double, turn_=double, before=double)
 cdef double angle_to(double[::1] rows, Py_ssize_t base, double x, double y) noexcept nogil
 
+@cython.locals(angle=double, whole=double, off_x=double, off_y=double, off=double, way_x=double, way_y=double, along=double, size2=double, least2=double, off2=double, end=Py_ssize_t)
+cdef double distance(double[::1] rows, Py_ssize_t base, double x, double y) noexcept nogil
 @cython.locals(sense=double)
 cdef double direction_x(double[::1] rows, Py_ssize_t base, double y) noexcept nogil
 @cython.locals(sense=double)

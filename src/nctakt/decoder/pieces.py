@@ -130,6 +130,35 @@ def angle_to(rows: memoryview[float], base: int, x: float, y: float) -> float:
     return angle - turn_ if -1e-6 <= before <= 1e-6 else angle
 
 
+def distance(rows: memoryview[float], base: int, x: float, y: float) -> float:
+    """How far a place is from a line or an arc."""
+    if rows[base + 4] == 1.0:
+        angle = angle_to(rows, base, x, y)
+        whole = rows[base + 7]
+        if (0.0 <= angle <= whole) or (whole <= angle <= 0.0):
+            off_x = x - rows[base + 5]
+            off_y = y - rows[base + 6]
+            off = arithmetic.square_root(off_x * off_x + off_y * off_y) - rows[base + 8]
+            return off if off > 0.0 else -off
+    else:
+        way_x = rows[base + 2] - rows[base]
+        way_y = rows[base + 3] - rows[base + 1]
+        along = (x - rows[base]) * way_x + (y - rows[base + 1]) * way_y
+        size2 = way_x * way_x + way_y * way_y
+        if 0.0 < along < size2:
+            off_x = x - rows[base] - way_x * along / size2
+            off_y = y - rows[base + 1] - way_y * along / size2
+            return arithmetic.square_root(off_x * off_x + off_y * off_y)
+    least2 = 0.0
+    for end in range(2):
+        off_x = x - rows[base + 2 * end]
+        off_y = y - rows[base + 2 * end + 1]
+        off2 = off_x * off_x + off_y * off_y
+        if end == 0 or off2 < least2:
+            least2 = off2
+    return arithmetic.square_root(least2)
+
+
 def direction_x(rows: memoryview[float], base: int, y: float) -> float:
     """The way's direction at a place, its part along the first axis."""
     if rows[base + 4] != 1.0:

@@ -39,7 +39,7 @@ cdef class ToolPath(Chain):
     cdef void open(self, Py_ssize_t at) noexcept
     @cython.locals(corners=Corners, at=Py_ssize_t, is_contour=int, base=Py_ssize_t, fits=int, k=int, i=Py_ssize_t)
     cdef int put_motion(self, int meets, Py_ssize_t other) noexcept
-    @cython.locals(corners=Corners, base=Py_ssize_t, i=Py_ssize_t, x=double, y=double, next_x=double, next_y=double)
+    @cython.locals(corners=Corners, base=Py_ssize_t, i=Py_ssize_t, x=double, y=double, next_x=double, next_y=double, radius=double)
     cdef void part(self, Py_ssize_t at, Py_ssize_t other, int is_contour) noexcept
     @cython.locals(motions=double[::1])
     cdef void note_ends(self, Py_ssize_t at, int is_contour) noexcept

@@ -272,6 +272,11 @@ class ToolPath(Chain):
         base = self.count * 16
         if not corners.put_own(at, self.rows, base):
             self.rows[base + 4] = 2.0
+            radius = corners.motions[at + 9]
+            if radius < 0.0:
+                radius = -radius
+            self.hide(corners.motions[at], corners.motions[at + 1], radius)
+            self.hide(corners.motions[at + 2], corners.motions[at + 3], radius)
 
     def note_ends(self, at: int, is_contour: int) -> None:
         """Note where the contour begins, and which motion ends there."""

@@ -273,16 +273,22 @@ def test_contours_are_full_of_plain_blocks(monkeypatch: pytest.MonkeyPatch) -> N
     assert taken > 0.5 * sum(len(queue) for queue, _ in found)
 
 
-def test_a_contour_that_is_damaged_is_told_at_its_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Diagnostics have the places of plain blocks that are over by now, without their comments."""
+@pytest.mark.parametrize(("back", "number"), [("Y18", 900950), ("Y20", 900953)])
+def test_a_contour_that_is_damaged_is_told_at_its_line(
+    back: str, number: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Diagnostics have the places of plain blocks that are over by now, without their comments.
+
+    Back to where it began the contour is a closed one with an inner corner there.
+    """
     content = "\n".join(
         (
             "V.G.WZ_AKT.R = 2\nG01 F6000 X5\nY1\nG41\nX20 Y20\nX60 ; the side that is crossed",
-            "F3000\nY50\nX20 Y50\n  N9 Y20 (back)\nX10\nG40\nX0 Y0\nX3\nM30",
+            f"F3000\nY50\nX20 Y50\n  N9 {back} (back)\nX10\nG40\nX0 Y0\nX3\nM30",
         )
     )
     found = rows(content)
-    assert [(one.id, str(one.span)) for one in found[1]] == [(900950, "p.nc:10:6")]
+    assert [(one.id, str(one.span)) for one in found[1]] == [(number, "p.nc:10:6")]
     assert found[1][0].span is not None
     assert found[1][0].span.end_column == 9
     by_tree(monkeypatch)

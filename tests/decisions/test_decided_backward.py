@@ -6,6 +6,7 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
 from decided import numbers
 
@@ -166,6 +167,37 @@ def test_the_walk_stops_in_front_of_a_block_whose_axis_moves_on_its_own() -> Non
     assert told(run)[-1][1] == "retrace start"
     assert at(run, 1000) == 0.0
     assert at(run, 2999, "BLOCK") == 20
+
+
+@pytest.mark.parametrize("slope", ["", "#SLOPE [TYPE=TRAPEZ]\n"])
+@pytest.mark.parametrize(("x", "found"), [(26.0, []), (20.1, [900435])])
+def test_an_axis_that_is_taken_in_front_of_its_block_does_not_stop_the_walk_in_a_step(
+    x: float, found: list[int], slope: str
+) -> None:
+    """MO-1, MO-7, MO-13: braking from 100 mm/s takes 1.25 mm, with a limit of the jerk some more.
+
+    On the way back a cycle takes Y, which N10 moves up to X20: at X26 the walk brakes to a stand at
+    that border, as at the start of the history; at X20.1 it cannot, brakes beyond it with X alone,
+    and the channel is in error state. X keeps its acceleration, 4 mm/s a tick.
+    """
+    text = (
+        f"#RT CYCLE [ID=1 SCOPE=PROG]\n$IF ONCE V.E.VALUE > 0 && V.RTA.ACS.ACT_POS.X < {x}\n"
+        f"Y[INDP G90 POS=5 G01 FEED=60]\n$ENDIF\n#RT CYCLE END\n{slope}"
+        "N10 G01 X20 Y0.02 F6000\nN20 G01 X60\nM30"
+    )
+    stimuli = [
+        Stimulus(500_000, "HLI.BACKWARD_MOTION", 1.0),
+        Stimulus(500_000, "V.E.VALUE", 1.0),
+    ]
+    run = Controller().run(NcText("p.nc", text), signals=SIGNALS, stimuli=stimuli, ticks=2000)
+    assert [number for number in numbers(run) if number != 900820] == found
+    assert run.trace is not None
+    path = np.asarray(run.trace["X.ACS.ACT_POS"])
+    assert np.abs(np.diff(path, 2)).max() <= 0.004 + 1e-9
+    if found:
+        assert 18.0 < path[-1] < 20.0
+    else:
+        assert (path[-1], told(run)[-1][1]) == (20.0, "retrace start")
 
 
 def test_an_axis_that_moves_when_the_path_wants_it_again_stops_the_channel() -> None:

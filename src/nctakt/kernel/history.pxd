@@ -22,6 +22,8 @@ cdef class History:
     cdef long long neighbour(self, long long place, int direction) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef int is_shut(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(found=int, i=Py_ssize_t)
+    cdef int note_foreign(self) noexcept nogil
     @cython.locals(first=Py_ssize_t, second=Py_ssize_t)
     cdef double passing_speed(self, long long place, long long other) noexcept nogil
     @cython.locals(tail=Py_ssize_t, count=Py_ssize_t, place=cython.longlong, other=cython.longlong)

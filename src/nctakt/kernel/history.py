@@ -56,6 +56,15 @@ class History:
                     return 1
         return 0
 
+    def note_foreign(self) -> int:
+        """Whether another axis has got a motion of its own in this tick: its blocks are shut."""
+        found = 0
+        for i in range(self.path.count):
+            if self.path.axes.independent[self.path.members[i]] and not self.foreign[i]:
+                self.foreign[i] = 1
+                found = 1
+        return found
+
     # --- stretches with a limit of the jerk -----------------------------------------------------
 
     def passing_speed(self, place: int, other: int) -> float:

@@ -22,6 +22,8 @@ cdef class PathAxes:
     cdef void claim(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void claim_again(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
+    cdef void claim_free(self, Py_ssize_t place) noexcept nogil
     @cython.locals(axis=Py_ssize_t, end=Py_ssize_t)
     cdef void claim_axis(self, Py_ssize_t i) noexcept nogil
     @cython.locals(k=Py_ssize_t)

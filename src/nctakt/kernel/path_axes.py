@@ -63,10 +63,23 @@ class PathAxes:
                 self.claim_axis(i)
 
     def claim_again(self) -> None:
-        """``claim`` anywhere on a segment, whose axes the path has had before (MO-7)."""
+        """``claim`` anywhere on a segment, whose axes the path has had before (MO-7).
+
+        But for those that have a motion of their own by now (MO-13).
+        """
         self.moved_count = 0
         for i in range(self.count):
-            self.claim_axis(i)
+            if not self.axes.independent[self.members[i]]:
+                self.claim_axis(i)
+
+    def claim_free(self, place: int) -> None:
+        """``claim`` for a segment that is entered where its axes stand at ``place`` (MO-7)."""
+        self.moved_count = 0
+        for i in range(self.count):
+            axis = self.members[i]
+            if not self.axes.independent[axis]:
+                if self.ring[place + i] == self.axes.command[axis]:
+                    self.claim_axis(i)
 
     def claim_axis(self, i: int) -> None:
         """An axis belongs to the path, if the segment moves it; its target is the way's end."""

@@ -28,6 +28,7 @@ cdef class Retrace(History):
     cdef bint was_paused
     cdef bint was_released
     cdef int fault
+    cdef bint has_failed
     cdef long long fault_source
     cdef double entered
 
@@ -52,7 +53,7 @@ cdef class Retrace(History):
     cdef double front_speed(self, int is_free) noexcept nogil
     @cython.locals(place=cython.longlong, stage=int, base=Py_ssize_t, most2=double, gained2=double, speed=double, other=cython.longlong, limit_a=double)
     cdef double border_speed(self, int is_free) noexcept nogil
-    @cython.locals(end_v=double, feed_v=double, least2=double)
+    @cython.locals(end_v=double, feed_v=double, speed2=double, least2=double)
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
     @cython.locals(rest_d=double, limit_a=double, end_v=double)
     cdef void replan(self, double limit_v) noexcept nogil
@@ -62,11 +63,14 @@ cdef class Retrace(History):
     cdef double border(self, int stage) noexcept nogil
     @cython.locals(way=double, i=int)
     cdef double length(self) noexcept nogil
-    @cython.locals(other=cython.longlong)
+    @cython.locals(other=cython.longlong, refusal=int)
     cdef int cross(self) noexcept nogil
     cdef int goes_on(self) noexcept nogil
-    @cython.locals(source=cython.longlong, base=Py_ssize_t, end=Py_ssize_t, i=Py_ssize_t, is_open=int)
-    cdef int may_enter(self, long long place) noexcept nogil
+    @cython.locals(base=Py_ssize_t, end=Py_ssize_t, i=Py_ssize_t, axis=Py_ssize_t)
+    cdef int refusal_into(self, long long place) noexcept nogil
+    @cython.locals(source=cython.longlong, other=cython.longlong)
+    cdef void stay(self, int refusal) noexcept nogil
+    cdef void fail(self, int refusal, long long place) noexcept nogil
     @cython.locals(now_t=double)
     cdef int advance(self, int is_stopping) noexcept nogil
     cdef void stop_between(self) noexcept nogil

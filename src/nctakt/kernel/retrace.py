@@ -54,6 +54,7 @@ class Retrace(History):
         self.was_released = False
         self.fault = 0
         self.fault_source = 0
+        self.has_failed = False
         self.entered = -1.0
 
     def takes_over(self) -> int:
@@ -94,6 +95,10 @@ class Retrace(History):
         halts = is_stopping or self.path.direction != wanted or self.panel.is_paused
         limit_v = 0.0 if halts else self.feed_speed(self.path.base, 0)
         is_changed = factor != self.factor or self.path.is_single != self.is_single
+        if self.note_foreign():
+            is_changed = True
+            if self.path.ring[self.path.base + 10] > 0.0:
+                self.survey(0)
         if limit_v != self.path.limit_v or is_changed:
             self.factor = factor
             self.is_single = self.path.is_single
@@ -108,6 +113,7 @@ class Retrace(History):
         """The path stands and goes back from here."""
         self.path.is_away = True
         self.path.is_front_over = not self.path.is_active
+        self.has_failed = False
         self.was_paused = self.panel.is_paused
         self.was_released = self.panel.is_released
         self.panel.is_paused = False
@@ -240,8 +246,11 @@ class Retrace(History):
         """The speed at the end of the stage: the override's, as far as braking comes to it."""
         end_v = self.border_speed(1)
         feed_v = self.border_speed(0)
+        speed2 = self.path.speed_v * self.path.speed_v
+        least2 = speed2 - 2.0 * limit_a * rest_d
+        if least2 > end_v * end_v + 1e-6 * speed2 + 1e-4:  # a block that was shut too late
+            return arithmetic.square_root(least2)
         if feed_v < end_v:
-            least2 = self.path.speed_v * self.path.speed_v - 2.0 * limit_a * rest_d
             end_v = min(end_v, max(feed_v, arithmetic.square_root(max(least2, 0.0))))
         return end_v
 
@@ -334,18 +343,26 @@ class Retrace(History):
             self.path.put_axes(shape.end_place(self.path.ring, self.path.base, self.path.count))
         else:
             self.path.put_axes(self.path.base + 12)
-        if not self.may_enter(other):
-            self.is_blocked = True
-            self.path.speed_v = 0.0
+        refusal = self.refusal_into(other)
+        if refusal and (self.path.speed_v == 0.0 or other < self.path.oldest):
+            self.stay(refusal)
             return 0
+        if refusal:
+            self.fail(refusal, other)
         self.place = other
         if other == self.front_place:
             self.return_to_front(0.0)
+            if refusal:
+                self.path.release()
+                self.path.claim()
             return self.goes_on()
         self.path.release()
         self.path.rest()
         self.path.base = self.path.row_of(other)
-        self.path.claim_again()
+        if self.path.direction > 0:
+            self.path.claim_free(self.path.base + 12)
+        else:
+            self.path.claim_free(shape.end_place(self.path.ring, self.path.base, self.path.count))
         self.path.covered_d = 0.0 if self.path.direction > 0 else self.length()
         self.enter_stage()
         return self.goes_on()
@@ -358,30 +375,52 @@ class Retrace(History):
             self.entered = self.path.block_number()
         return 1
 
-    def may_enter(self, place: int) -> int:
-        """Whether the walk may go on into a segment; backward the history starts behind it."""
-        source = int(self.path.ring[self.path.base + 1])
+    def refusal_into(self, place: int) -> int:
+        """Why the walk may not go on into a segment: 0 it may, -1 the history starts behind it.
+
+        Else the number of the message about ``refused_axis``, which something else has moved.
+        """
         if place < self.path.oldest:
-            self.record.retraced(source, 2)
-            return 0
+            return -1
         if place == self.front_place and (
             self.path.is_front_over or self.path.ring[self.path.front] == 2.0
         ):
-            return 1
+            return 0
         base = self.path.row_of(place)
         if self.path.direction > 0:
-            self.fault = self.path.refusal(base, self.path.ring)
-            self.fault_source = int(self.path.ring[base + 1])
-            return 1 if self.fault == 0 else 0
+            return self.path.refusal(base, self.path.ring)
         end = shape.end_place(self.path.ring, base, self.path.count)
-        is_open = 1 - self.is_shut(base)
         for i in range(self.path.count):
             if shape.moves(self.path.ring, base, self.path.count, i):
-                if self.path.ring[end + i] != self.path.axes.command[self.path.members[i]]:
-                    is_open = 0
-        if not is_open:
+                axis = self.path.members[i]
+                self.path.refused_axis = axis
+                if self.foreign[i] or self.path.axes.independent[axis]:
+                    return 900435
+                if self.path.ring[end + i] != self.path.axes.command[axis]:
+                    return 900420
+        return 0
+
+    def stay(self, refusal: int) -> None:
+        """The walk stands, and cannot go on: backward that is the start of the history."""
+        self.is_blocked = True
+        self.path.speed_v = 0.0
+        source = int(self.path.ring[self.path.base + 1])
+        if self.path.direction < 0:
             self.record.retraced(source, 2)
-        return is_open
+        else:
+            other = self.neighbour(self.place, 1)
+            self.fault = refusal
+            self.fault_source = int(self.path.ring[self.path.row_of(other) + 1])
+
+    def fail(self, refusal: int, place: int) -> None:
+        """With speed left the walk brakes on a segment that it may not enter (MO-1, MO-13).
+
+        With the axes that are free, as the path does forward; the channel is in error state.
+        """
+        if not self.has_failed:
+            self.has_failed = True
+            self.fault = refusal
+            self.fault_source = int(self.path.ring[self.path.row_of(place) + 1])
 
     def advance(self, is_stopping: int) -> int:
         """Go to where the plan is at the end of this tick, as ``Path.advance``."""
@@ -400,7 +439,9 @@ class Retrace(History):
             elif not self.path.is_away:
                 self.path.offset_t = self.path.left_t
                 self.factor = self.overrides.factor(self.path.ring, self.path.base)
-                return self.path.step_carried(self.factor, is_stopping)
+                return self.path.step_carried(self.factor, is_stopping or self.fault != 0)
+            elif self.fault != 0:
+                self.path.limit_v = 0.0
             elif self.path.limit_v > 0.0:
                 self.factor = self.overrides.factor(self.path.ring, self.path.base)
                 self.path.limit_v = self.feed_speed(self.path.base, 0)

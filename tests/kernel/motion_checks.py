@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 import numpy as np
-from motion_machines import AXES, Machine
+from motion_machines import AXES, Machine, machine
 from motion_programs import MotionProgram
 
+from nctakt.controller import Controller, NcText
 from nctakt.results.run import Run
+from nctakt.stimuli import Stimulus
 
 SIGNALS = [*(f"{name}.ACS.ACT_POS" for name in AXES), "BLOCK"]
 #: The deviation of a rounded corner is one in the linear axes.
@@ -149,3 +151,17 @@ def stop_violations(
         *off_the_way(program, places, numbers),
         *(["it does not stand"] if moves else []),
     ]
+
+
+def run_of(number: int, text: str, stimuli: list[Stimulus] | None = None) -> Run:
+    """The run of a program on a machine, to its end."""
+    controller = Controller(machine(number).configuration)
+    run = controller.run(NcText("p.nc", text), signals=SIGNALS, stimuli=stimuli or [])
+    assert run.state == "ended", run.diagnostics
+    return run
+
+
+def assert_smooth(number: int, run: Run) -> None:
+    """All limits hold, that of the jerk in each tick."""
+    places = positions(run)
+    assert broken_limits(places, machine(number), np.ones(len(places), dtype=bool)) == []

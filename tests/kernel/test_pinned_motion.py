@@ -3,28 +3,10 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
-from motion_checks import SIGNALS, blocks, broken_limits, positions
-from motion_machines import machine
+from motion_checks import assert_smooth, blocks, positions, run_of
 
-from nctakt.controller import Controller, NcText
-from nctakt.results.run import Run
 from nctakt.stimuli import Stimulus
-
-
-def run_of(number: int, text: str, stimuli: list[Stimulus] | None = None) -> Run:
-    """The run of a program on a machine, to its end."""
-    controller = Controller(machine(number).configuration)
-    run = controller.run(NcText("p.nc", text), signals=SIGNALS, stimuli=stimuli or [])
-    assert run.state == "ended", run.diagnostics
-    return run
-
-
-def assert_smooth(number: int, run: Run) -> None:
-    """All limits hold, that of the jerk in each tick."""
-    places = positions(run)
-    assert broken_limits(places, machine(number), np.ones(len(places), dtype=bool)) == []
 
 
 def test_a_corner_takes_of_each_axis_of_an_arc_what_it_uses_of_it() -> None:

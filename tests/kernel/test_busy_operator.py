@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+"""Short rounded corners, and an operator whose hands are never still (MO-1, MO-5, MO-6, MO-7).
+
+``NCTAKT_SEEDS=100000`` runs as many programs, else 240 run compiled and 12 plain.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+
+import pytest
+from motion_checks import assert_smooth, run_of
+
+from nctakt.mode import is_compiled
+from nctakt.stimuli import Stimulus
+
+MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("240" if is_compiled() else "12"))
+#: Programs of one test.
+CHUNK = 60
+
+#: What the operator uses in one program: single block, hold, override, backward motion.
+HABITS = (
+    ("SINGLE_BLOCK", "FEED_HOLD"),
+    ("SINGLE_BLOCK", "OVERRIDE"),
+    ("SINGLE_BLOCK", "FEED_HOLD", "OVERRIDE"),
+    ("BACKWARD_MOTION", "FEED_HOLD", "OVERRIDE"),
+    ("BACKWARD_MOTION", "SINGLE_BLOCK", "FEED_HOLD", "OVERRIDE"),
+)
+
+#: How often a switch is set to on.
+SHARES = {"SINGLE_BLOCK": 0.5, "FEED_HOLD": 0.4, "BACKWARD_MOTION": 0.4}
+
+#: When the operator lets go, in ms.
+CALM_MS = 1000
+
+
+def program(chance: random.Random) -> str:
+    """Three to five blocks with a limit of the jerk, so short that the operator is in time."""
+    deviation = chance.choice((0.01, 0.05, 0.2, 1.0))
+    lines = [
+        "#SLOPE [TYPE=TRAPEZ]",
+        f"#CONTOUR MODE [DEV PATH_DEV={deviation}]",
+        "G261 G91 G01 X5 F6000",
+    ]
+    for number in range(chance.randint(2, 4)):
+        x, y = chance.uniform(1, 12), chance.uniform(-12, 12)
+        z = chance.choice((0.0, 0.0, chance.uniform(-3, 3)))
+        feed = chance.choice((1000, 3000, 6000, 12000, 30000))
+        lines.append(f"N{10 * number + 10} X{x:.3f} Y{y:.3f} Z{z:.3f} F{feed}")
+    return "\n".join([*lines, "M30"])
+
+
+def hands(chance: random.Random) -> list[Stimulus]:
+    """What the operator does until ``CALM_MS``, then all that lets the path come to its end."""
+    habit = chance.choice(HABITS)
+    longest_ms = chance.choice((4, 10, 25)) * 2
+    found: list[Stimulus] = []
+    now_ms = 2 * chance.randint(1, 75)
+    while now_ms < CALM_MS:
+        what = chance.choice(habit)
+        if what == "OVERRIDE":
+            value = chance.choice((0.0, 20.0, 50.0, 90.0, 100.0, 110.0))
+        else:
+            value = float(chance.random() < SHARES[what])
+        found.append(Stimulus(now_ms * 1000, f"HLI.{what}", value))
+        if what == "SINGLE_BLOCK":
+            found.append(Stimulus((now_ms + 30) * 1000, "HLI.START", 1.0))
+        now_ms += 2 * chance.randint(1, longest_ms // 2)
+    found.append(Stimulus(CALM_MS * 1000, "HLI.OVERRIDE", 100.0))
+    found += [Stimulus(CALM_MS * 1000, f"HLI.{switch}", 0.0) for switch in SHARES]
+    return found + [Stimulus(second * 1_000_000, "HLI.START", 1.0) for second in (2, 4, 8, 16)]
+
+
+@pytest.mark.parametrize("first", range(0, MANY, CHUNK))
+def test_short_bends_keep_the_limits_whatever_is_commanded(first: int) -> None:
+    """Each axis keeps speed, acceleration and jerk in every tick, on four machines."""
+    for seed in range(first, min(first + CHUNK, MANY)):
+        chance = random.Random(seed)
+        number = chance.randrange(4)
+        assert_smooth(number, run_of(number, program(chance), hands(chance)))

@@ -164,4 +164,5 @@ def run_of(number: int, text: str, stimuli: list[Stimulus] | None = None) -> Run
 def assert_smooth(number: int, run: Run) -> None:
     """All limits hold, that of the jerk in each tick."""
     places = positions(run)
-    assert broken_limits(places, machine(number), np.ones(len(places), dtype=bool)) == []
+    wrong = broken_limits(places, machine(number), np.ones(len(places), dtype=bool))
+    assert not wrong, wrong

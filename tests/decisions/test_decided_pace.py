@@ -133,6 +133,25 @@ def test_g166_leaves_the_part_of_realtime_cycles() -> None:
     assert at(run, 300, "OVERRIDE.VEL.TOTAL") == 3
 
 
+@pytest.mark.parametrize("slope", ["", "#SLOPE [TYPE=TRAPEZ]\n"])
+@pytest.mark.parametrize(
+    ("first", "second", "speed"),
+    [
+        ("X20 F6000 G166", "X40 F3000", 25.0),
+        ("X20 F6000 G166", "X40", 50.0),
+        ("X20 F6000", "X40 F3000 G166", 50.0),
+    ],
+)
+def test_a_block_begins_with_its_own_override(
+    slope: str, first: str, second: str, speed: float
+) -> None:
+    """RC-305, MO-5: the operator's 50 % before or behind G166; the path has slowed down by then."""
+    run = moved(f"{slope}G261 G01\nN10 {first}\nN20 {second}", initial={"HLI.OVERRIDE": 50.0})
+    assert run.trace is not None
+    begin = list(run.trace["BLOCK"]).index(20)
+    assert at(run, begin, "PATH.SPEED") == pytest.approx(speed, abs=1e-9)
+
+
 def test_overrides_of_a_program_end_with_it() -> None:
     """The next program begins with 100 %."""
     controller = Controller()

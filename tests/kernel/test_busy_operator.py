@@ -36,7 +36,7 @@ CALM_MS = 1000
 
 
 def program(chance: random.Random) -> str:
-    """Three to five blocks with a limit of the jerk, so short that the operator is in time."""
+    """Three to five blocks, so short that the operator is in time; on some only cycles override."""
     deviation = chance.choice((0.01, 0.05, 0.2, 1.0))
     lines = [
         "#SLOPE [TYPE=TRAPEZ]",
@@ -47,7 +47,8 @@ def program(chance: random.Random) -> str:
         x, y = chance.uniform(1, 12), chance.uniform(-12, 12)
         z = chance.choice((0.0, 0.0, chance.uniform(-3, 3)))
         feed = chance.choice((1000, 3000, 6000, 12000, 30000))
-        lines.append(f"N{10 * number + 10} X{x:.3f} Y{y:.3f} Z{z:.3f} F{feed}")
+        own = " G166" if chance.random() < 0.25 else ""
+        lines.append(f"N{10 * number + 10} X{x:.3f} Y{y:.3f} Z{z:.3f} F{feed}{own}")
     return "\n".join([*lines, "M30"])
 
 

@@ -19,7 +19,7 @@ cdef class ArcSpeed(ArcLimits):
     @cython.locals(tail=Py_ssize_t)
     cdef void begin(self, double[::1] row, Py_ssize_t base) noexcept nogil
     @cython.locals(end_v=double, feed_v=double)
-    cdef void look_ahead(self, Py_ssize_t stage, double rest_d, double start_v, double factor, double rest_v) noexcept nogil
+    cdef void look_ahead(self, Py_ssize_t stage, double rest_d, double start_v, double factor, double ahead, double rest_v) noexcept nogil
     cdef void survey(self, double most_v, double wanted_v) noexcept nogil
     @cython.locals(k=Py_ssize_t)
     cdef void fill(self, double[::1] borders, double end_v) noexcept nogil

@@ -42,9 +42,17 @@ class ArcSpeed(ArcLimits):
         self.known_wanted_v = -1.0
 
     def look_ahead(
-        self, stage: int, rest_d: float, start_v: float, factor: float, rest_v: float
+        self,
+        stage: int,
+        rest_d: float,
+        start_v: float,
+        factor: float,
+        ahead: float,
+        rest_v: float,
     ) -> None:
         """``survey`` for an override as a factor; in single block with ``rest_v`` at the end.
+
+        ``ahead``: the override of the next segment.
 
         That is left out (``rest_v`` below 0), and where it cannot be had any more. Where the
         override has just changed, the arc may end faster than wanted, as fast as can be.
@@ -52,7 +60,7 @@ class ArcSpeed(ArcLimits):
         end_v = self.prepared_v
         if factor > 1.0:
             end_v = max(end_v, min(end_v * factor, self.free_v))
-        feed_v = self.next_feed_v * factor
+        feed_v = max(self.next_feed_v, 0.0 - self.next_feed_v) * ahead
         if 0.0 < feed_v < end_v:
             end_v = feed_v
         if rest_v >= 0.0:

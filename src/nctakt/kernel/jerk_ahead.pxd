@@ -23,7 +23,7 @@ cdef class JerkAhead(SegmentLimits):
     @cython.locals(is_new=int)
     cdef int keep(self, double[::1] row, Py_ssize_t here) noexcept nogil
     cdef void stop_before(self, double[::1] row, Py_ssize_t before, Py_ssize_t base) noexcept nogil
-    @cython.locals(is_feed=double)
+    @cython.locals(is_feed=double, leaves=int, is_other=bint)
     cdef void stop_at(self, double[::1] row, Py_ssize_t before, Py_ssize_t base, double top_v) noexcept nogil
     @cython.locals(change=double, ramp_t=double, ramp_v=double, time=double, way=double, from_v=double)
     cdef double reach(self, double speed) noexcept nogil

@@ -182,11 +182,13 @@ class JerkAhead(SegmentLimits):
     def stop_at(self, row: memoryview[float], before: int, base: int, top_v: float) -> None:
         """``stop_before``; ``top_v``: the highest speed from the one segment into the other."""
         is_feed = 0.0
+        leaves = shape.leaves_operator(row, base, self.count)
+        is_other = leaves != shape.leaves_operator(row, before, self.count)
         if row[base + 5] < self.speed_of(row, before):
             top_v = min(top_v, row[base + 5])
-        if row[base + 4] < row[before + 4] and row[base + 4] < top_v:
+        if (row[base + 4] < row[before + 4] or is_other) and row[base + 4] < top_v:
             top_v = row[base + 4]
-            is_feed = 1.0
+            is_feed = 2.0 if leaves else 1.0
         if row[before + 9] == 2.0 or row[base + 9] == 2.0:
             top_v = min(top_v, self.speed_of(row, before), self.speed_of(row, base))
         elif top_v > 1e299 or self.way <= self.reach(top_v):

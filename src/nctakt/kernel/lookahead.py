@@ -43,6 +43,8 @@ class LookAhead(Bends):
         """Settle how the path passes from the segment at ``before`` to that at ``base``."""
         tail = before + 12 + 2 * self.count
         row[tail + 12] = row[base + 4]
+        if shape.leaves_operator(row, base, self.count):
+            row[tail + 12] = 0.0 - row[base + 4]
         for i in range(self.count):
             self.steps[i] = self.entering[i] - self.leaving[i]
             if self.steps[i] < 0.0:

@@ -12,5 +12,7 @@ cdef class Overrides:
     cdef double total_pct
 
     cdef double none(self) noexcept nogil
+    cdef double common(self) noexcept nogil
+    cdef double without_operator(self) noexcept nogil
     @cython.locals(pace=Py_ssize_t, operator=double, pct=double, spindle=Py_ssize_t, speed_v=double)
     cdef double factor(self, double[::1] row, Py_ssize_t base) noexcept nogil

@@ -33,6 +33,14 @@ class Overrides:
         self.total_pct = min(self.operator_pct * self.cycle_pct / 100.0, self.most_pct)
         return self.total_pct / 100.0
 
+    def common(self) -> float:
+        """The factor of a segment on which all parts have their effect."""
+        return min(self.operator_pct * self.cycle_pct / 100.0, self.most_pct) / 100.0
+
+    def without_operator(self) -> float:
+        """The factor of one with G166."""
+        return min(100.0 * self.cycle_pct / 100.0, self.most_pct) / 100.0
+
     def factor(self, row: memoryview[float], base: int) -> float:
         """The factor of a segment."""
         pace = base + self.width - 4

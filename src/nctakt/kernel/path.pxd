@@ -34,6 +34,9 @@ cdef class Path(PathAxes):
     cdef int stage
     cdef double stage_end_d
     cdef double factor
+    cdef double common_factor
+    cdef double bare_factor
+    cdef double planned_factor
     cdef double covered_d
     cdef double plan_d
     cdef readonly double speed_v
@@ -64,10 +67,11 @@ cdef class Path(PathAxes):
     cdef void set_single(self, bint is_single) noexcept nogil
     cdef int step_carried(self, double factor, int is_stopping) noexcept nogil
     cdef double highest_speed(self, double factor, int is_stopping) noexcept nogil
-    @cython.locals(rest_d=double, limit_a=double, end_v=double, rest_v=double)
+    @cython.locals(rest_d=double, limit_a=double, end_v=double, rest_v=double, ahead=double)
     cdef void replan(self, double limit_v) noexcept nogil
     @cython.locals(end_v=double, limit_v=double, feed_v=double, least2=double)
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
+    cdef double factor_ahead(self, int leaves_operator) noexcept nogil
     @cython.locals(end_v=double, rest_v=double, stop_v=double, brake2=double, free_v=double)
     cdef double block_end_speed(self, double rest_d, double limit_a) noexcept nogil
     @cython.locals(rest_d=double, tail=Py_ssize_t, speed_v=double, limit_a=double, limit_j=double, need_d=double)

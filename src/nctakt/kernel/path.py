@@ -58,6 +58,9 @@ class Path(PathAxes):
         self.stage = 0
         self.stage_end_d = 0.0
         self.factor = 1.0
+        self.common_factor = 1.0
+        self.bare_factor = 1.0
+        self.planned_factor = 1.0
         self.covered_d = 0.0
         self.plan_d = 0.0
         self.speed_v = 0.0
@@ -192,7 +195,7 @@ class Path(PathAxes):
                 self.is_active = False
             return 0
         limit_v = self.highest_speed(factor, is_stopping)
-        if limit_v != self.limit_v:
+        if limit_v != self.limit_v or self.common_factor != self.planned_factor:
             self.offset_t = 0.0
             self.replan(limit_v)
         self.ticks += 1
@@ -224,6 +227,7 @@ class Path(PathAxes):
     def replan(self, limit_v: float) -> None:
         """Plan what is left of the stage from the present speed."""
         self.limit_v = limit_v
+        self.planned_factor = self.common_factor
         self.plan_d = self.covered_d
         self.ticks = 0
         if self.ring[self.base + 10] > 0.0:
@@ -234,14 +238,15 @@ class Path(PathAxes):
                 self.stage_end_d - self.covered_d,
                 self.speed_v,
                 limit_v,
-                self.factor,
+                self.factor_ahead(self.ring[self.base + 33 + 2 * self.count] > 1.0),
                 self.is_single and self.stands_smoothly(limit_v),
             )
             return
         rest_d = self.stage_end_d - self.covered_d
         if self.pieces > 0:
             rest_v = self.rest_speed() if self.is_single else -1.0
-            self.arc.look_ahead(self.stage, rest_d, self.speed_v, self.factor, rest_v)
+            ahead = self.factor_ahead(self.ring[self.base + 24 + 2 * self.count] < 0.0)
+            self.arc.look_ahead(self.stage, rest_d, self.speed_v, self.factor, ahead, rest_v)
             self.arc.plan(self.stage, rest_d, self.speed_v, limit_v)
             return
         limit_a = shape.stage_acceleration(self.ring, self.base, self.count, self.stage)
@@ -271,11 +276,21 @@ class Path(PathAxes):
             return shape.entry_speed(
                 self.ring, self.base, self.count, self.stage + 1, end_v, limit_v
             )
-        feed_v = self.ring[self.base + 24 + 2 * self.count] * self.factor
+        feed_v = self.ring[self.base + 24 + 2 * self.count]
+        feed_v = max(feed_v, 0.0 - feed_v) * self.factor_ahead(feed_v < 0.0)
         if 0.0 < feed_v < end_v:
             least2 = self.speed_v * self.speed_v - 2.0 * limit_a * rest_d
             end_v = min(end_v, max(feed_v, arithmetic.square_root(max(least2, 0.0))))
         return end_v
+
+    def factor_ahead(self, leaves_operator: int) -> float:
+        """The override of a segment ahead, which may leave out the operator's part (G166).
+
+        What a spindle does to its pace counts as for the current segment.
+        """
+        if leaves_operator == shape.leaves_operator(self.ring, self.base, self.count):
+            return self.factor
+        return self.bare_factor if leaves_operator else self.common_factor
 
     def block_end_speed(self, rest_d: float, limit_a: float) -> float:
         """The highest speed at the segment's end: a stand in single block, if it can still be had.

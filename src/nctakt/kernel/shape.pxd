@@ -9,6 +9,7 @@ cdef double way_with_bend(double[::1] row, Py_ssize_t base, Py_ssize_t count) no
 @cython.locals(place=Py_ssize_t)
 cdef Py_ssize_t end_place(double[::1] row, Py_ssize_t base, Py_ssize_t count) noexcept nogil
 cdef Py_ssize_t pieces(double[::1] row, Py_ssize_t base, Py_ssize_t count) noexcept nogil
+cdef int leaves_operator(double[::1] row, Py_ssize_t base, Py_ssize_t count) noexcept nogil
 @cython.locals(tail=Py_ssize_t, target=double, has_curve=bint)
 cdef int moves(double[::1] row, Py_ssize_t base, Py_ssize_t count, Py_ssize_t i) noexcept nogil
 @cython.locals(tail=Py_ssize_t)

@@ -20,12 +20,13 @@ t + 4  half the way of the curve that rounds the corner at the target (0: none)
 t + 5  highest speed and acceleration on this curve; with a jerk, where a bend follows: its way, and
        acceleration and jerk on it (t + 5 … 7)
 t + 7  arc: the plane's first and second axis, centre in them, angle in degrees
-t + 12 programmed speed of the next segment (0: none), end speed without regard to feeds
+t + 12 programmed speed of the next segment (0: none; below 0: the operator's override has no effect
+       on it), end speed without regard to feeds
 t + 14 how many commands before it the segment stands that it continues (0: none)
 t + 15 with a jerk: way from its end to the place that the path has to slow down for, the speed
        there, acceleration and jerk on this way (``jerk_ahead.py``)
 t + 19 with a jerk: acceleration and jerk that the segments behind it allow on it, and whether the
-       speed at t + 16 is a feed
+       speed at t + 16 is a feed: 1, or 2 where the operator's override has no effect on it
 t + 17 without a jerk, on an arc whose limits go by its angle: number of pieces (0: there is one
        acceleration for all of it), share of the acceleration that corners use at its begin, at
        its end, all along (``arc_limits.py``), speed at which it is walked backward
@@ -78,6 +79,11 @@ def end_place(row: memoryview[float], base: int, count: int) -> int:
 def pieces(row: memoryview[float], base: int, count: int) -> int:
     """Into how many pieces an arc is divided whose limits go by its angle: 0 none, or no arc."""
     return int(row[base + 12 + 2 * count + 17]) if row[base + 10] == 0.0 else 0
+
+
+def leaves_operator(row: memoryview[float], base: int, count: int) -> int:
+    """Whether the operator's override has no effect on a segment (G166)."""
+    return 1 if row[base + 35 + 3 * count] > 0.0 else 0
 
 
 def moves(row: memoryview[float], base: int, count: int, i: int) -> int:

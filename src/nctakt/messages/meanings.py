@@ -437,6 +437,12 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "lowest override": "kleinster Override",
         "highest override": "größter Override",
         "how many values are given": "wie viele Werte angegeben sind",
+        "the most motions": "die meisten Bewegungen",
+        "the line that the contour begins with": "die Zeile, mit der die Kontur beginnt",
+        "what to use in its place, in English, where there is something": "was man statt dessen "
+        "verwendet, auf Englisch, wo es etwas gibt",
+        "what to use in its place, in German, where there is something": "was man statt dessen "
+        "verwendet, auf Deutsch, wo es etwas gibt",
     }
 )
 

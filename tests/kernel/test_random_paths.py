@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Random programs keep every axis within its limits in every tick (MO-1, MO-5, MO-6).
 
-``NCTAKT_SEEDS=100000`` runs as many programs of each kind, else 300 of the plainest kind and 60
+``NCTAKT_SEEDS=100000`` runs as many programs of each kind, else 1000 of the plainest kind and 200
 of the others run compiled, 20 plain.
 """
 
@@ -22,8 +22,8 @@ from nctakt.mode import is_compiled
 from nctakt.results.run import Run
 
 SEEDS = os.environ.get("NCTAKT_SEEDS", "")
-MANY = int(SEEDS or ("300" if is_compiled() else "20"))
-SOME = int(SEEDS or ("60" if is_compiled() else "20"))
+MANY = int(SEEDS or ("1000" if is_compiled() else "20"))
+SOME = int(SEEDS or ("200" if is_compiled() else "20"))
 #: Programs of one test.
 CHUNK = 20
 

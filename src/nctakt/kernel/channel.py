@@ -276,8 +276,8 @@ class Channel(Commands):
         """
         self.overrides.operator_pct = self.panel.override_pct
         self.overrides.cycle_pct = self.cells[self.first_cell]
-        self.path.common_factor = self.overrides.common()
-        self.path.bare_factor = self.overrides.without_operator()
+        self.path.common_factor = self.overrides.parts(0) / 100.0
+        self.path.bare_factor = self.overrides.parts(1) / 100.0
         if self.path.is_active and not self.path.is_dwell:
             factor = self.overrides.factor(self.path.ring, self.path.base)
         else:

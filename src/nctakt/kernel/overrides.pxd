@@ -11,8 +11,8 @@ cdef class Overrides:
     cdef double cycle_pct
     cdef double total_pct
 
+    @cython.locals(operator=double)
+    cdef double parts(self, int leaves_operator) noexcept nogil
     cdef double none(self) noexcept nogil
-    cdef double common(self) noexcept nogil
-    cdef double without_operator(self) noexcept nogil
-    @cython.locals(pace=Py_ssize_t, operator=double, pct=double, spindle=Py_ssize_t, speed_v=double)
+    @cython.locals(pace=Py_ssize_t, pct=double, spindle=Py_ssize_t, speed_v=double)
     cdef double factor(self, double[::1] row, Py_ssize_t base) noexcept nogil

@@ -28,24 +28,20 @@ class Overrides:
         self.cycle_pct = 100.0
         self.total_pct = 100.0
 
+    def parts(self, leaves_operator: int) -> float:
+        """The parts of this tick together, in percent, with or without the operator's (G166)."""
+        operator = 100.0 if leaves_operator else self.operator_pct
+        return min(operator * self.cycle_pct / 100.0, self.most_pct)
+
     def none(self) -> float:
         """The factor where no segment is current."""
-        self.total_pct = min(self.operator_pct * self.cycle_pct / 100.0, self.most_pct)
+        self.total_pct = self.parts(0)
         return self.total_pct / 100.0
-
-    def common(self) -> float:
-        """The factor of a segment on which all parts have their effect."""
-        return min(self.operator_pct * self.cycle_pct / 100.0, self.most_pct) / 100.0
-
-    def without_operator(self) -> float:
-        """The factor of one with G166."""
-        return min(100.0 * self.cycle_pct / 100.0, self.most_pct) / 100.0
 
     def factor(self, row: memoryview[float], base: int) -> float:
         """The factor of a segment."""
         pace = base + self.width - 4
-        operator = self.operator_pct if row[pace + 1] == 0.0 else 100.0
-        pct = min(operator * self.cycle_pct / 100.0, self.most_pct)
+        pct = self.parts(row[pace + 1] != 0.0)
         self.total_pct = pct
         if row[pace] == 0.0:
             return pct / 100.0

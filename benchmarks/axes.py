@@ -15,11 +15,11 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from nctakt.kernel.axis import Axes
+from nctakt.base.mode import is_compiled
+from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.axes.single_axes import PLC_OWNER, SingleAxes
+from nctakt.kernel.base.record import Record
 from nctakt.kernel.kernel import Kernel
-from nctakt.kernel.record import Record
-from nctakt.kernel.single_axes import PLC_OWNER, SingleAxes
-from nctakt.mode import is_compiled
 
 REPEATS = 5
 TICKS = 1_000_000 if is_compiled() else 20_000

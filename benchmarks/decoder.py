@@ -33,14 +33,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from nctakt import loading
-from nctakt.controller import Controller
-from nctakt.decoder.commands import Segment, pack, waits
-from nctakt.decoder.plain_blocks import PlainRun
-from nctakt.feed import Feed
-from nctakt.kernel.ring import CommandRing
-from nctakt.loading import LoadedProgram
-from nctakt.mode import is_compiled
+from nctakt.base.mode import is_compiled
+from nctakt.decoder.fast.handover import PlainRun
+from nctakt.decoder.state.commands import Segment, pack, waits
+from nctakt.kernel.tick.command_queue import CommandRing
+from nctakt.run import program_loader
+from nctakt.run.controller import Controller
+from nctakt.run.program_loader import LoadedProgram
+from nctakt.run.queue_feeder import Feed
 
 LINES = 1_000_000
 #: Ordinary programs are a fifth as long.
@@ -230,7 +230,7 @@ def write(lines: Iterator[str], path: Path) -> int:
 def check(path: Path) -> tuple[Controller, LoadedProgram]:
     """Read and check a program."""
     controller = Controller()
-    loaded = loading.load(path, controller._machine, controller.diagnostics)
+    loaded = program_loader.load(path, controller._machine, controller.diagnostics)
     return controller, loaded
 
 

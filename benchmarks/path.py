@@ -16,10 +16,10 @@ import sys
 import time
 
 from benchmarks.tick import LAWS, REPEATS, program
-from nctakt.assembly import Machine
-from nctakt.controller import Controller, NcText
-from nctakt.lists.machine import load_machine
-from nctakt.mode import is_compiled
+from nctakt.base.mode import is_compiled
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.assembly import Machine
+from nctakt.run.controller import Controller, NcText
 
 #: Blocks that are put into the queue at once.
 CHUNK = 180

@@ -18,7 +18,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from nctakt.lists.rtconf import InterruptSource
+from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.model import Call, Execution, Model, Task, TaskClass, Train
 from nctakt.schedule.results import Simulation
 from nctakt.schedule.simulate import simulate

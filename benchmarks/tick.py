@@ -21,8 +21,8 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from nctakt.controller import Controller, NcText
-from nctakt.mode import is_compiled
+from nctakt.base.mode import is_compiled
+from nctakt.run.controller import Controller, NcText
 from nctakt.trace.sinks import CsvSink
 
 REPEATS = 5

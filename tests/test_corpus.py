@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.controller import Controller
+from nctakt.run.controller import Controller
 
 CORPUS = Path(os.environ.get("NCTAKT_CORPUS", ""))
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 CORPUS = Path(os.environ.get("NCTAKT_CORPUS", ""))
 

@@ -18,9 +18,9 @@ import trace_digests
 from program_generator import program
 from trace_digests import DEMO, MOST_TICKS, SEEDS, random_trace
 
-from nctakt import assembly
-from nctakt.controller import Controller, NcText
-from nctakt.kernel.record import Record
+from nctakt.kernel.base.record import Record
+from nctakt.run import assembly
+from nctakt.run.controller import Controller, NcText
 from nctakt.trace.sinks import CsvSink
 
 HERE = Path(__file__).parent

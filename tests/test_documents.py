@@ -17,11 +17,11 @@ import click
 import pytest
 
 from nctakt import __version__, cli
-from nctakt.controller import Controller
-from nctakt.diagnostics import Span
-from nctakt.kernel import record
+from nctakt.base.diagnostics import Span
+from nctakt.kernel.base import record
 from nctakt.messages import Collector
 from nctakt.plc import load_plc
+from nctakt.run.controller import Controller
 from nctakt.schedule.load import read_load
 from nctakt.trace.events import EventDecoder
 
@@ -245,7 +245,7 @@ def walked() -> list[str]:
     """The names of code in ``docs/architecture.md``, in their order, each once."""
     text = _FENCE.sub("", text_of("docs/architecture.md"))
     found = re.findall(r"`([a-z_]+(?:\.[A-Za-z_]\w*)+)`", text)
-    modules = {path.stem for path in PACKAGE.iterdir()}
+    modules = {path.stem for path in PACKAGE.iterdir() if not path.name.startswith("__")}
     names = [one for one in found if one.split(".")[0] in modules and not one.endswith(".py")]
     return list(dict.fromkeys(names))
 
@@ -258,39 +258,37 @@ def test_the_walks_name_what_exists() -> None:
 
 
 def listed() -> Iterator[str]:
-    """The files in the tree of ``docs/architecture.md``, relative to the package."""
+    """The folders and files in the tree of ``docs/architecture.md``, relative to the package."""
     (tree,) = fences("docs/architecture.md", "")
-    folder = ""
+    above: list[tuple[int, str]] = []
     for line in tree.splitlines()[1:]:
-        inner = line.startswith("    ")
-        folder = folder if inner else ""
+        depth = len(line) - len(line.lstrip())
+        above = [(outer, name) for outer, name in above if outer < depth]
+        folder = "".join(name for _, name in above)
         for word in line.split():
-            if word.endswith("/") and not inner:
-                folder = word
-            elif word.endswith((".py", ".txt")):
+            if word.endswith((".py", ".txt")):
+                yield f"{folder}{word}"
+            elif word.endswith("/"):
+                above.append((depth, word))
                 yield f"{folder}{word}"
             else:
                 break
 
 
-#: Folders of which the tree names each file; of the others it names the chief ones.
-WHOLE_FOLDERS = (".", "kernel", "decoder", "trace")
-
-
 def test_the_tree_of_the_house_is_the_folder() -> None:
-    """Each folder stands in the tree, and each file of the chief ones; what stands there exists."""
+    """Each folder stands in the tree, and each loose file of a divided one; all of them exist."""
     named = set(listed())
     assert sorted(one for one in named if not (PACKAGE / one).exists()) == []
-    folders = {one.name for one in PACKAGE.iterdir() if (one / "__init__.py").exists()}
-    tree = fences("docs/architecture.md", "")[0]
-    assert sorted(one for one in folders if f"\n  {one}/" not in tree) == []
-    present = {
+    folders = {path.parent for path in PACKAGE.rglob("__init__.py")} - {PACKAGE}
+    divided = {path.parent for path in folders}
+    needed = {f"{path.relative_to(PACKAGE).as_posix()}/" for path in folders}
+    needed |= {
         path.relative_to(PACKAGE).as_posix()
-        for folder in WHOLE_FOLDERS
-        for path in (PACKAGE / folder).glob("*.py")
-        if path.stem not in ("__init__", "__main__")
+        for folder in divided - {PACKAGE}
+        for path in folder.glob("*.py")
+        if path.stem != "__init__"
     }
-    assert sorted(present - named) == []
+    assert sorted(needed - named) == []
 
 
 @pytest.mark.parametrize("name", ["docs/architecture.md", "docs/conformance.md", "README.md"])

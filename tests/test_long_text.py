@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from nctakt import long_text
-from nctakt.controller import Controller
-from nctakt.long_text import LongText, read_lines
+from nctakt.base import long_text
+from nctakt.base.long_text import LongText, read_lines
+from nctakt.base.text import decode_text, split_lines
 from nctakt.nc import outline
-from nctakt.text import decode_text, split_lines
+from nctakt.run.controller import Controller
 
 RUNS = Path(__file__).parent / "runs"
 PIECES = (b"\n", b"\r\n", b"\r", b"\r\r\n", b"G01 X1", b"\xc3\xa9", b" ", b"(a)", b"\x0c")

@@ -20,42 +20,19 @@ import pytest
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "nctakt"
 KERNEL = PACKAGE / "kernel"
-MODULES = sorted(path.stem for path in KERNEL.glob("*.py") if path.stem != "__init__")
+#: The modules of the realtime part, relative to its folder and without an ending: ``path/path``.
+MODULES = sorted(
+    path.relative_to(KERNEL).with_suffix("").as_posix()
+    for path in KERNEL.rglob("*.py")
+    if path.stem != "__init__"
+)
 SOURCES = sorted(PACKAGE.rglob("*.py"))
 PXD = sorted(PACKAGE.rglob("*.pxd"))
 
-#: Who may import whom: only what stands in an earlier line. Modules of one line do not see another.
-STAGES = (
-    ("mode", "diagnostics"),
-    ("messages",),
-    ("failure", "text", "sources", "options"),
-    ("long_text",),
-    ("lists",),
-    ("schedule",),
-    ("machines",),
-    ("nc",),
-    ("kernel",),
-    ("decoder",),
-    ("trace",),
-    ("reference", "results", "plots"),
-    ("hli",),
-    ("access", "image", "spindles"),
-    ("budget", "registry"),
-    ("assembly",),
-    ("awaited", "interface", "loading", "runtime_errors", "stimuli"),
-    ("checking", "feed", "plc", "recording"),
-    ("channelrun",),
-    ("pace",),
-    ("controller",),
-    ("linux",),
-    ("cli", "testing"),
-    ("__main__",),
-)
-
 #: Longer than a file should be, with the reason.
 LONG_FILES = {
-    "kernel/expressions.py": "one small class for each operator and function",
-    "nc/syntax.py": "one small class for each node of the tree",
+    "kernel/cycles/expressions.py": "one small class for each operator and function",
+    "nc/tree.py": "one small class for each node of the tree",
 }
 
 #: The only remainders outside ``arithmetic``: places in rings, of numbers that are never negative.
@@ -148,7 +125,8 @@ def tick_functions(module: str) -> Iterator[tuple[str, ast.FunctionDef]]:
 
 def test_each_realtime_module_has_its_types() -> None:
     """Each module of the realtime part has a .pxd of the same name, and no .pxd is alone."""
-    assert sorted(path.stem for path in KERNEL.glob("*.pxd")) == MODULES
+    typed = (path.relative_to(KERNEL).with_suffix("") for path in KERNEL.rglob("*.pxd"))
+    assert sorted(path.as_posix() for path in typed) == MODULES
 
 
 @pytest.mark.parametrize("module", MODULES)
@@ -245,7 +223,7 @@ def is_ring_place(node: ast.BinOp) -> bool:
     return isinstance(node.op, ast.Mod) and ast.unparse(node.right) in RING_SIZES
 
 
-@pytest.mark.parametrize("module", [one for one in MODULES if one != "arithmetic"])
+@pytest.mark.parametrize("module", [one for one in MODULES if one != "base/arithmetic"])
 def test_delicate_arithmetic_stands_in_one_module(module: str) -> None:
     """What differs between compiled and plain (``%``, ``**``, ``hypot``) is in ``arithmetic``."""
     found = []
@@ -265,7 +243,7 @@ def test_delicate_arithmetic_stands_in_one_module(module: str) -> None:
 def test_the_compilers_directives_are_those_of_all(module: str) -> None:
     """Each realtime module carries the same directives behind its licence."""
     directives = directives_of(module)
-    assert directives == directives_of("arithmetic")
+    assert directives == directives_of("base/arithmetic")
     assert set(DIRECTIVES) <= set(directives)
 
 
@@ -297,7 +275,7 @@ def test_exactly_the_realtime_modules_are_built() -> None:
 
 
 @pytest.mark.parametrize(
-    "path", [one for one in PXD if one.parent != KERNEL], ids=lambda one: one.stem
+    "path", [one for one in PXD if KERNEL not in one.parents], ids=lambda one: one.stem
 )
 def test_types_fit_the_module(path: Path) -> None:
     """Outside of the realtime part, too, a .pxd fits the classes and methods of its module."""
@@ -370,7 +348,7 @@ def is_set(node: ast.expr, names: set[str]) -> bool:
 def test_nobody_walks_through_a_set(folder: str) -> None:
     """The order of a set changes from run to run, so none is walked through."""
     found = []
-    for path in sorted((PACKAGE / folder).glob("*.py")):
+    for path in sorted((PACKAGE / folder).rglob("*.py")):
         tree = tree_of(path)
         names = {
             ast.unparse(target)
@@ -387,35 +365,105 @@ def test_nobody_walks_through_a_set(folder: str) -> None:
 # --- the house ----------------------------------------------------------------------------------
 
 
-def stage_of(module: str) -> int:
-    """The number of the line in ``STAGES`` that holds a module of the package."""
-    first = module.split(".")[1] if "." in module else ""
-    for number, names in enumerate(STAGES):
-        if first in names:
+def rooms() -> list[str]:
+    """The folders and loose files of ``docs/architecture.md``, in the order of imports.
+
+    A folder whose line is followed by folders (``nc/``) is divided: its rooms and its loose files
+    have places of their own. The files that stand below a room only describe it.
+    """
+    text = (ROOT / "docs" / "architecture.md").read_text("utf-8")
+    tree = text.split("```\nsrc/nctakt/\n")[1].split("```")[0]
+    entries = [(len(one) - len(one.lstrip()), one.split()[0]) for one in tree.splitlines()]
+    divided = {
+        name.rstrip("/")
+        for depth, name in entries
+        if depth == TOP and any((PACKAGE / name / inner).is_dir() for _, inner in entries)
+    }
+    found: list[str] = []
+    folder = ""
+    for depth, name in entries:
+        if depth == TOP:
+            folder = name.rstrip("/")
+            if folder not in divided:
+                found.append(folder)
+        elif depth == INNER and folder in divided:
+            found.append(f"{folder}/{name}".rstrip("/").removesuffix(".py"))
+    return found
+
+
+#: How far folders and rooms are indented in the list of ``docs/architecture.md``.
+TOP, INNER = 2, 4
+
+ROOMS = rooms()
+
+
+def place_of(module: str) -> int:
+    """The place of a module of the package (``nctakt.nc.tree``) in ``ROOMS``."""
+    path = "/".join(module.split(".")[1:])
+    for number, room in enumerate(ROOMS):
+        if path == room or path.startswith(f"{room}/"):
             return number
-    raise AssertionError(f"{module} has no place in STAGES")
+    raise AssertionError(f"{module} has no place in docs/architecture.md")
+
+
+def module_of(name: str) -> str | None:
+    """The module that an imported name leads to: itself, or the one that holds the object."""
+    parts = name.split(".")
+    for count in range(len(parts), 1, -1):
+        path = PACKAGE.joinpath(*parts[1:count])
+        if path.with_suffix(".py").exists():
+            return ".".join(parts[:count])
+        if (path / "__init__.py").exists():
+            return ".".join((*parts[:count], "__init__"))
+    return None
+
+
+def imported_modules(path: Path) -> set[str]:
+    """The modules of the package that a file imports, also for its types only."""
+    return {
+        module
+        for name in imports(path)
+        if name.startswith("nctakt.") and (module := module_of(name)) is not None
+    }
+
+
+def own_name(path: Path) -> str:
+    """The dotted name of a file of the package."""
+    return ".".join(("nctakt", *path.relative_to(PACKAGE).with_suffix("").parts))
+
+
+#: The packages that only say which form of their modules is imported.
+FORM_CHOICE = ("kernel", "decoder", "nc")
 
 
 def test_imports_go_in_one_direction() -> None:
-    """A stage imports only stages above it, and the realtime part nothing but itself."""
+    """A room imports only rooms above it, and the realtime part nothing but itself."""
     wrong = []
     for path in SOURCES:
-        parts = path.relative_to(PACKAGE).with_suffix("").parts
-        own = parts[0]
-        if own in ("__init__", "machines"):
+        own = own_name(path)
+        if own.count(".") == 1 or (path.parent.name in FORM_CHOICE and path.stem == "__init__"):
             continue
-        for name in imports(path):
-            if not name.startswith("nctakt."):
+        for module in sorted(imported_modules(path)):
+            if module.removesuffix(".__init__") == "nctakt.base.mode":
                 continue
-            other = name.split(".")[1]
-            if not (PACKAGE / other).is_dir() and not (PACKAGE / f"{other}.py").exists():
+            if module.startswith(tuple(f"nctakt.{one}.__init__" for one in FORM_CHOICE)):
                 continue
-            allowed = other == own or stage_of(name) < stage_of(f"nctakt.{own}")
-            if own == "kernel":
-                allowed = other in (own, "mode")
-            if not allowed and not under_type_checking(path, name):
-                wrong.append(f"{'.'.join(parts)} -> {name}")
+            allowed = place_of(module) < place_of(own)
+            allowed |= ROOMS[place_of(module)] == ROOMS[place_of(own)]
+            if own.startswith("nctakt.kernel."):
+                allowed &= module.startswith("nctakt.kernel.")
+            if not allowed and not under_type_checking(path, module):
+                wrong.append(f"{own} -> {module}")
     assert wrong == []
+
+
+def test_no_files_import_each_other() -> None:
+    """No circle of files, not even for types only."""
+    left = {own_name(path): imported_modules(path) - {own_name(path)} for path in SOURCES}
+    while free := [name for name, needed in left.items() if not needed & left.keys()]:
+        for name in free:
+            del left[name]
+    assert sorted(left) == []
 
 
 def under_type_checking(path: Path, module: str) -> bool:
@@ -464,15 +512,15 @@ def test_files_stay_short() -> None:
 def test_numbers_of_the_queue_have_names() -> None:
     """The bounds of queue, record, interface, slots and ring are named where they stand."""
     bounds = {
-        "kernel/channel.py": ("LOW_WATER",),
-        "kernel/ring.py": ("TIMED_KINDS",),
-        "feed.py": ("HIGH_WATER",),
-        "kernel/hli.py": ("SLOT_COUNT",),
-        "lists/startup.py": ("LEAST_BACKWARD_MEMORY",),
-        "kernel/record.py": ("EVENT_WIDTH", "PROBE_WIDTH"),
-        "nc/expressions.py": ("EXPRESSION_DEPTH",),
+        "kernel/tick/channel.py": ("LOW_WATER",),
+        "kernel/tick/command_queue.py": ("TIMED_KINDS",),
+        "run/queue_feeder.py": ("HIGH_WATER",),
+        "kernel/plc/technology_slots.py": ("SLOT_COUNT",),
+        "lists/declared/startup.py": ("LEAST_BACKWARD_MEMORY",),
+        "kernel/base/record.py": ("EVENT_WIDTH", "PROBE_WIDTH"),
+        "nc/parse/expressions.py": ("EXPRESSION_DEPTH",),
         "decoder/program.py": ("MOST_BLOCKS_WITHOUT_TIME",),
-        "controller.py": ("DEFAULT_LIMIT_US", "PROGRESS_TICKS"),
+        "run/controller.py": ("DEFAULT_LIMIT_US", "PROGRESS_TICKS"),
     }
     for file, names in bounds.items():
         tree = tree_of(PACKAGE / file)

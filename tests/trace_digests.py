@@ -20,11 +20,11 @@ sys.path[:0] = [str(HERE), str(HERE / "runs")]
 import test_runs  # noqa: E402 - it stands in a folder of its own
 from program_generator import program  # noqa: E402
 
-from nctakt import mode  # noqa: E402
-from nctakt.controller import Controller, NcText  # noqa: E402
-from nctakt.lists.machine import load_machine  # noqa: E402
+from nctakt.base import mode  # noqa: E402
+from nctakt.lists.machine.machine import load_machine  # noqa: E402
 from nctakt.plc import load_plc  # noqa: E402
-from nctakt.stimuli import Stimulus  # noqa: E402
+from nctakt.run.controller import Controller, NcText  # noqa: E402
+from nctakt.run.stimuli import Stimulus  # noqa: E402
 from nctakt.trace.sinks import CsvSink  # noqa: E402
 
 SEEDS = range(30)

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from nctakt.hli.layout import AXIS, CHANNEL, COMMAND, HEADER, LINK, MAGIC, UNIT, VERSION
 from nctakt.hli.places import entries, entry, size_of, unit_offset
-from nctakt.kernel.hli import SLOT_COUNT
+from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 
 FORMATS = {"BOOLEAN": "=B", "UNS08": "=B", "UNS32": "=I", "UNS64": "=Q", "REAL64": "=d"}
 

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
+from nctakt.base.failure import Failure
 from nctakt.cli import main
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
-from nctakt.interface import Interface
-from nctakt.lists.machine import load_machine
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface
 from nctakt.trace import read_trace
 from nctakt.trace.sinks import file_sink
 

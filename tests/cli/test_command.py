@@ -188,7 +188,7 @@ def test_the_programs_plc_is_asked_after_each_tick(capsys: pytest.CaptureFixture
 @pytest.mark.parametrize("form", ["--plain", "--compiled"])
 def test_a_pipe_in_and_a_pipe_out(form: str) -> None:
     """A program from standard input; the output of both forms is the same."""
-    from nctakt.mode import is_compiled  # noqa: PLC0415 - only where it is asked
+    from nctakt.base.mode import is_compiled  # noqa: PLC0415 - only where it is asked
 
     if form == "--compiled" and not is_compiled():
         pytest.skip("the realtime part is not compiled here")

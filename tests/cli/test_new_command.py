@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from nctakt.cli import main
-from nctakt.lists.axis_configuration import AxisConfiguration
-from nctakt.lists.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
+from nctakt.lists.machine.machine import MachineConfiguration, load_machine
 from nctakt.machines.commented import DEMO
 
 

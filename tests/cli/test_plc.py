@@ -10,7 +10,7 @@ import pytest
 from nctakt.plc import PlcError, load_plc
 
 if TYPE_CHECKING:
-    from nctakt.interface import Interface
+    from nctakt.run.plc_view import Interface
 
 GOOD = """
 from __future__ import annotations
@@ -154,7 +154,7 @@ class Plc:
 def test_what_we_refuse_the_plc_is_told_with_its_remedy(tmp_path: Path) -> None:
     """A wrong name in the PLC's file shows the user's line and our diagnostic, not our files."""
     text = """
-from nctakt.stimuli import parse_time
+from nctakt.run.stimuli import parse_time
 class Plc:
     def cycle(self, hli):
         parse_time("soon")

@@ -17,12 +17,12 @@ from typing import Any
 
 import pytest
 
+from nctakt.base.failure import Failure
 from nctakt.cli import main
-from nctakt.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.plc import PlcError
 from nctakt.results.run import Run, SaidMessage
-from nctakt.stimuli import Stimulus
+from nctakt.run.stimuli import Stimulus
 from nctakt.trace import Event, Signal, TraceHeader
 
 
@@ -81,13 +81,13 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> Iterator[Asked]:
                 sink.open(TraceHeader(1000, (Signal("X.ACS.ACT_POS"),)))
             return noted.behave(**options)
 
-    module = types.ModuleType("nctakt.controller")
+    module = types.ModuleType("nctakt.run.controller")
     module.__dict__.update(Controller=Controller, NcText=NcText)
-    monkeypatch.setitem(sys.modules, "nctakt.controller", module)
-    mode = types.ModuleType("nctakt.mode")
+    monkeypatch.setitem(sys.modules, "nctakt.run.controller", module)
+    mode = types.ModuleType("nctakt.base.mode")
     mode.__dict__.update(use_plain=lambda: None, is_compiled=lambda: True)
-    monkeypatch.setitem(sys.modules, "nctakt.mode", mode)
-    monkeypatch.setattr("nctakt.mode", mode, raising=False)
+    monkeypatch.setitem(sys.modules, "nctakt.base.mode", mode)
+    monkeypatch.setattr("nctakt.base.mode", mode, raising=False)
     yield noted
 
 
@@ -364,7 +364,7 @@ def test_a_mode_that_cannot_be_had_is_wrong_usage(
     Who asks for plain Python, by option or by NCTAKT_PLAIN=1, is not told.
     """
     monkeypatch.delenv("NCTAKT_PLAIN", raising=False)
-    monkeypatch.setattr("nctakt.mode.is_compiled", lambda: False)
+    monkeypatch.setattr("nctakt.base.mode.is_compiled", lambda: False)
     assert main(["run", str(part), "--compiled"]) == 2
     assert "error 900530" in capsys.readouterr().err
     assert main(["run", str(part)]) == 0

@@ -3,8 +3,8 @@
 
 import pytest
 
-from nctakt.failure import Failure
-from nctakt.stimuli import Stimulus, parse_assignment, parse_stimulus, parse_time
+from nctakt.base.failure import Failure
+from nctakt.run.stimuli import Stimulus, parse_assignment, parse_stimulus, parse_time
 
 
 @pytest.mark.parametrize(

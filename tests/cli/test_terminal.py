@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from nctakt.base.failure import Failure
 from nctakt.cli import terminal
 from nctakt.cli.request import split_names
 from nctakt.cli.terminal import OutputFile, ProgressBar, show_at_the_end
-from nctakt.failure import Failure
 
 
 class Terminal(io.StringIO):

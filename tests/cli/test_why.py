@@ -13,7 +13,7 @@ import pytest
 
 import nctakt
 from nctakt.cli import main
-from nctakt.controller import Controller
+from nctakt.run.controller import Controller
 
 ROOT = Path(__file__).parent.parent.parent
 
@@ -144,7 +144,7 @@ def test_a_plc_that_fails_is_told(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_both_forms_of_the_realtime_part_give_the_same_report() -> None:
     """Compiled and plain."""
-    from nctakt.mode import is_compiled  # noqa: PLC0415 - only where it is asked
+    from nctakt.base.mode import is_compiled  # noqa: PLC0415 - only where it is asked
 
     if not is_compiled():
         pytest.skip("the realtime part is not compiled here")

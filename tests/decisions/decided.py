@@ -6,9 +6,9 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from nctakt.controller import Controller, NcText
-from nctakt.lists.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import MachineConfiguration, load_machine
 from nctakt.results.run import Run
+from nctakt.run.controller import Controller, NcText
 
 
 def machine(**limits: int) -> MachineConfiguration:

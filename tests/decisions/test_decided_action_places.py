@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 from decided import machine, numbers, perform, told
 
-from nctakt.controller import Controller
 from nctakt.results.run import Run
+from nctakt.run.controller import Controller
 
 SIGNALS = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS", "Z.ACS.ACT_POS"]
 

@@ -11,14 +11,14 @@ import pytest
 from decided import numbers
 
 import nctakt
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
-from nctakt.interface import Interface
-from nctakt.kernel import shape
-from nctakt.lists.machine import load_machine
-from nctakt.lists.startup import LEAST_BACKWARD_MEMORY
+from nctakt.base.failure import Failure
+from nctakt.kernel.path import geometry
+from nctakt.lists.declared.startup import LEAST_BACKWARD_MEMORY
+from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import Run
-from nctakt.stimuli import Stimulus
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface
+from nctakt.run.stimuli import Stimulus
 
 SIGNALS = ("X.ACS.ACT_POS", "Y.ACS.ACT_POS", "BLOCK", "HLI.RETRACE")
 
@@ -85,8 +85,8 @@ def test_too_little_memory_is_raised_and_said(tmp_path: Path) -> None:
     machine = with_memory(tmp_path, 1)
     assert [one.message.id for one in load_machine(machine).diagnostics] == [50450]
     controller = Controller(machine)
-    assert controller.hli.history_size == LEAST_BACKWARD_MEMORY // (8 * shape.width(4))
-    assert Controller().hli.history_size == 0x200000 // (8 * shape.width(4))
+    assert controller.hli.history_size == LEAST_BACKWARD_MEMORY // (8 * geometry.width(4))
+    assert Controller().hli.history_size == 0x200000 // (8 * geometry.width(4))
 
 
 def test_the_oldest_blocks_are_forgotten(tmp_path: Path) -> None:

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from decided import numbers, perform, told
 
-from nctakt.controller import Controller
-from nctakt.lists.machine import load_machine
-from nctakt.stimuli import Stimulus
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.controller import Controller
+from nctakt.run.stimuli import Stimulus
 
 PROBE = [Stimulus(500_000, "HLI.PROBE", 1.0)]
 BLOCK = "G108\nG01 X100 F6000 M116\n"

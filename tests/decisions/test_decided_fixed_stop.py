@@ -8,8 +8,8 @@ from dataclasses import replace
 import pytest
 from decided import numbers, perform, told
 
-from nctakt.controller import Controller
-from nctakt.lists.machine import load_machine
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.controller import Controller
 
 ON = "X[FIXED_STOP ON"
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from decided import left, machine, numbers, perform, told
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 COUNTING = """
 #RT CYCLE [ID=1 SCOPE={scope}]

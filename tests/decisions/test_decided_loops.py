@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from decided import numbers, perform, told
 
-from nctakt.controller import Controller
-from nctakt.lists.machine import load_machine
-from nctakt.stimuli import Stimulus
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.controller import Controller
+from nctakt.run.stimuli import Stimulus
 
 #: Ends the loop when so many passes are counted.
 COUNTED = """\

@@ -12,9 +12,9 @@ from __future__ import annotations
 import pytest
 from decided import numbers, perform, told
 
-from nctakt.controller import Controller, NcText
 from nctakt.results.run import Run
-from nctakt.stimuli import Stimulus
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.stimuli import Stimulus
 
 SIGNALS = ["Z.ACS.ACT_POS", "X.ACS.ACT_POS"]
 

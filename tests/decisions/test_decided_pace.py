@@ -9,8 +9,8 @@ import pytest
 from decided import numbers, perform
 from test_runs import changed_machine
 
-from nctakt.controller import Controller
 from nctakt.results.run import Run
+from nctakt.run.controller import Controller
 
 SIGNALS = ["X.ACS.ACT_POS", "PATH.SPEED", "OVERRIDE.VEL.TOTAL", "BLOCK"]
 

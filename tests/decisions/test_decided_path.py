@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 from decided import left, numbers, perform
 
-from nctakt.controller import Controller, NcText
-from nctakt.interface import Interface
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface
 
 
 def ticks_of(program: str) -> int:

@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 from decided import machine, numbers, perform, told
 
-from nctakt.assembly import INSTRUCTION_COST_NS
-from nctakt.controller import Controller, NcText
-from nctakt.interface import Interface
+from nctakt.run.assembly import INSTRUCTION_COST_NS
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface
 
 
 def test_a_program_with_a_static_mistake_does_not_begin() -> None:

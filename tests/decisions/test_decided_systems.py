@@ -9,7 +9,7 @@ import pytest
 from decided import left, numbers, perform
 from test_runs import changed_machine
 
-from nctakt.controller import Controller
+from nctakt.run.controller import Controller
 
 POSITIONS = [f"{axis}.{system}.ACT_POS" for system in ("ACS", "PCS") for axis in "XYZ"]
 

@@ -8,8 +8,8 @@ import math
 import pytest
 from decided import left, numbers, perform, told
 
-from nctakt.controller import Controller
-from nctakt.failure import Failure
+from nctakt.base.failure import Failure
+from nctakt.run.controller import Controller
 
 #: Characters of a STRING of the demo machine, whose variables list asks for long ones.
 LONGEST = 127

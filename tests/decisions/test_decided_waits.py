@@ -10,8 +10,8 @@ import pytest
 from decided import numbers, perform, told
 
 import nctakt
-from nctakt.controller import Controller, NcText
-from nctakt.stimuli import Stimulus
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.stimuli import Stimulus
 
 DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
 

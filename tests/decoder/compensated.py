@@ -8,11 +8,11 @@ from math import atan2, cos, dist, hypot, pi, radians, sin
 
 import pytest
 
-from nctakt import feed
-from nctakt.controller import Controller, NcText
-from nctakt.decoder.commands import Answer, Command, Segment
 from nctakt.decoder.program import ProgramDecoder
+from nctakt.decoder.state.commands import Answer, Command, Segment
 from nctakt.nc.outline import ProgramText
+from nctakt.run import queue_feeder
+from nctakt.run.controller import Controller, NcText
 
 Point = tuple[float, float]
 #: From a place to another one, about a centre by degrees, or in a line.
@@ -36,7 +36,7 @@ def decoded(text: str, patch: pytest.MonkeyPatch) -> tuple[list[Segment], list[i
                     seen.append(command)
                 answer = yield command
 
-    patch.setattr(feed, "ProgramDecoder", Watched)
+    patch.setattr(queue_feeder, "ProgramDecoder", Watched)
     run = Controller().run(NcText("p.nc", text + "M30\n"), signals=[])
     return seen, [one.id for one in run.errors]
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import struct
 
-from nctakt import loading
-from nctakt.controller import Controller, NcText
-from nctakt.diagnostics import Diagnostic
-from nctakt.failure import Failure
-from nctakt.feed import Feed
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.run import program_loader
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.queue_feeder import Feed
 
 Rows = tuple[list[bytes], list[Diagnostic]]
 
@@ -19,7 +19,7 @@ def rows(content: str, high_water: int = 100_000) -> Rows:
     controller = Controller()
     found = controller.diagnostics
     try:
-        loaded = loading.load(NcText("p.nc", content), controller._machine, found)
+        loaded = program_loader.load(NcText("p.nc", content), controller._machine, found)
     except Failure as failure:
         return [], failure.diagnostics
     feed = Feed(controller._machine, loaded, found.append)

@@ -17,7 +17,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from nctakt.kernel import arithmetic
+from nctakt.kernel.base import arithmetic
 
 Tree = tuple[Any, ...]
 

@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from nctakt.controller import Controller, NcText
 from nctakt.results.run import Run, SaidMessage
+from nctakt.run.controller import Controller, NcText
 
 
 def run(text: str, said: list[SaidMessage] | None = None) -> Run:

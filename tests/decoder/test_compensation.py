@@ -13,8 +13,8 @@ from math import asin, degrees, pi
 import pytest
 from compensated import decoded, distance, way
 
-from nctakt.controller import Controller, NcText
-from nctakt.stimuli import Stimulus
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.stimuli import Stimulus
 
 START = "D1 G01 F9000\n"
 

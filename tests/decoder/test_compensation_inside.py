@@ -11,7 +11,7 @@ from math import asin, degrees, sqrt
 import pytest
 from compensated import decoded, way
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 START = "D1 G01 F6000\nG00 X20 Y8\nG01\n"
 

@@ -12,8 +12,8 @@ from math import asin, degrees
 import pytest
 from compensated import decoded, way
 
-from nctakt.controller import Controller, NcText
-from nctakt.lists.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.run.controller import Controller, NcText
 
 START = "D1 G01 F6000\n"
 

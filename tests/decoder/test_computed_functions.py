@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import pytest
 
-from nctakt.controller import Controller, NcText
-from nctakt.interface import Interface
-from nctakt.lists.machine import load_machine
-from nctakt.stimuli import Stimulus
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface
+from nctakt.run.stimuli import Stimulus
 
 
 def events(text: str) -> list[str]:

@@ -21,8 +21,8 @@ from slow_expressions import (
     values,
 )
 
-from nctakt.controller import Controller, NcText
-from nctakt.lists.machine import load_machine
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.controller import Controller, NcText
 
 DEMO = load_machine(None)
 often = settings(max_examples=400, deadline=None, derandomize=True, database=None)

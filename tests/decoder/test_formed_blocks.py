@@ -2,7 +2,8 @@
 """Statements made from templates: the same commands, events and diagnostics as from the parser.
 
 Every program is checked and decoded in both ways, as a long one that is read from its text: once
-with templates (``nc/templates.py``) and forms (``decoder/forms.py``), once all by parser and tree.
+with templates (``nc/fast/templates.py``) and forms (``decoder/values/forms.py``), once all by
+parser and tree.
 """
 
 from __future__ import annotations
@@ -12,11 +13,11 @@ import random
 import pytest
 from decoded_rows import rows
 
-from nctakt.controller import Controller, NcText
-from nctakt.decoder.reading import Reading
+from nctakt.decoder.values.evaluation import Reading
 from nctakt.nc import outline
-from nctakt.nc.syntax import Expression
-from nctakt.nc.templates import Formed, Templates
+from nctakt.nc.fast.templates import Formed, Templates
+from nctakt.nc.tree import Expression
+from nctakt.run.controller import Controller, NcText
 
 #: Rows of the queue that are compared at most: some programs never end.
 MOST_ROWS = 3000

@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 
-from nctakt.decoder.expressions import ExpressionBuilder
-from nctakt.decoder.fusing import Built, constant, load
-from nctakt.kernel.memory import context_of
+from nctakt.decoder.values.expressions import ExpressionBuilder
+from nctakt.decoder.values.fusing import Built, constant, load
+from nctakt.kernel.cycles.context import context_of
 
 #: Values whose sums round, cancel, overflow, or are zeros of either sign.
 NUMBERS = (0.0, -0.0, 0.1, -0.1, 3e-324, 1e308, -7.25, 1 / 3)

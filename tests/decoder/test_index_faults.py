@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.controller import Controller, NcText
-from nctakt.lists.machine import load_machine
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.controller import Controller, NcText
 
 DEMO = load_machine(None)
 

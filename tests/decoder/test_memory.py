@@ -7,9 +7,9 @@ import dataclasses
 
 import pytest
 
-from nctakt.controller import Controller, NcText
-from nctakt.lists.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import MachineConfiguration, load_machine
 from nctakt.results.run import Run
+from nctakt.run.controller import Controller, NcText
 
 #: 64 for the cycle, 5 places of 16, two statements of 24, nine nodes of 8: the comparison and its
 #: two sides, the target, the sum and its left side, the product and its two sides.

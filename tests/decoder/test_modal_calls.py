@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 CALL = "LL CYCLE [NAME=SUB MODAL_{kind}]\n"
 SUB = '%L SUB\n#MSG ["s"]\nM17\n'

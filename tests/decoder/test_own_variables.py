@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.controller import Controller, NcText
 from nctakt.results.run import Run
+from nctakt.run.controller import Controller, NcText
 
 
 def run(*lines: str) -> Run:

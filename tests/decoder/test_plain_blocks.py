@@ -2,7 +2,7 @@
 """Plain blocks on their short way: the same commands, events and diagnostics as from the tree.
 
 Every program is decoded in both ways, as a long one that is read from its text: once with the short
-way (``decoder/plain_motion.py``), once with each block as a tree. Rows of the queue are compared as
+way (``decoder/fast/lines.py``), once with each block as a tree. Rows of the queue are compared as
 bits.
 """
 
@@ -17,16 +17,17 @@ from pathlib import Path
 import pytest
 from decoded_rows import rows
 
-from nctakt.controller import Controller, NcText
-from nctakt.decoder import plain_blocks, program
-from nctakt.kernel.ring import CommandRing
+from nctakt.decoder import program
+from nctakt.decoder.fast import handover
+from nctakt.kernel.tick.command_queue import CommandRing
 from nctakt.messages import Collector
 from nctakt.nc import outline
-from nctakt.nc.lexer import Lexer
-from nctakt.nc.parser import parse
-from nctakt.nc.plain import EMPTY, OTHER, PLAIN, PlainScanner, shape_code
+from nctakt.nc.fast.plain_lines import EMPTY, OTHER, PLAIN, PlainScanner, shape_code
+from nctakt.nc.parse.lexer import Lexer
+from nctakt.nc.parse.parser import parse
 from nctakt.nc.source import Source
-from nctakt.nc.syntax import AxisWord, Block, Number, Word
+from nctakt.nc.tree import AxisWord, Block, Number, Word
+from nctakt.run.controller import Controller, NcText
 
 #: Lines of all kinds: plain ones, nearly plain ones, and those that change what plain ones mean.
 OTHERS = (
@@ -158,7 +159,7 @@ def by_tree(monkeypatch: pytest.MonkeyPatch) -> None:
         return blocks
         yield
 
-    monkeypatch.setattr(plain_blocks.PlainBlocks, "decode", decode)
+    monkeypatch.setattr(handover.PlainBlocks, "decode", decode)
 
 
 @pytest.mark.parametrize("seed", range(150))
@@ -175,15 +176,15 @@ def test_many_random_programs_are_in_order_and_full_of_plain_blocks(
 ) -> None:
     """The comparison is worth something: rows of both ways in most of its programs."""
     taken = 0
-    fill = plain_blocks.PlainBlocks.fill
+    fill = handover.PlainBlocks.fill
 
-    def count(blocks: plain_blocks.PlainBlocks, ring: CommandRing, timed: int) -> None:
+    def count(blocks: handover.PlainBlocks, ring: CommandRing, timed: int) -> None:
         nonlocal taken
         before = ring.timed_count
         fill(blocks, ring, timed)
         taken += ring.timed_count - before
 
-    monkeypatch.setattr(plain_blocks.PlainBlocks, "fill", count)
+    monkeypatch.setattr(handover.PlainBlocks, "fill", count)
     found = [len(rows(text(seed))[0]) for seed in range(60)]
     assert sum(count > 5 for count in found) > 30
     assert 0.5 * sum(found) < taken < 0.95 * sum(found)
@@ -258,15 +259,15 @@ def test_both_ways_give_the_same_contours(seed: int, monkeypatch: pytest.MonkeyP
 def test_contours_are_full_of_plain_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
     """The comparison is worth something: most ways are put into the queue directly."""
     taken = 0
-    fill = plain_blocks.PlainBlocks.fill
+    fill = handover.PlainBlocks.fill
 
-    def count(blocks: plain_blocks.PlainBlocks, ring: CommandRing, timed: int) -> None:
+    def count(blocks: handover.PlainBlocks, ring: CommandRing, timed: int) -> None:
         nonlocal taken
         before = ring.timed_count
         fill(blocks, ring, timed)
         taken += ring.timed_count - before
 
-    monkeypatch.setattr(plain_blocks.PlainBlocks, "fill", count)
+    monkeypatch.setattr(handover.PlainBlocks, "fill", count)
     found = [rows(contour(seed)) for seed in range(150)]
     wrong = [one.id for _, diagnostics in found for one in diagnostics]
     assert {900950, 90019} <= set(wrong)

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.controller import Controller, NcText
-from nctakt.decoder import plans
-from nctakt.decoder.plans import Plans
+from nctakt.decoder.values import plans
+from nctakt.decoder.values.plans import Plans
+from nctakt.run.controller import Controller, NcText
 
 VALUES = ("0", "1.5", "-7", "0.1", "100")
 EXPRESSIONS = (
@@ -98,8 +98,8 @@ def test_a_variable_may_become_a_text() -> None:
 
 def test_an_expression_is_planned_when_it_comes_again() -> None:
     """Blocks that are decoded once need no plan."""
-    from nctakt.diagnostics import Span  # noqa: PLC0415
-    from nctakt.nc.syntax import Number  # noqa: PLC0415
+    from nctakt.base.diagnostics import Span  # noqa: PLC0415
+    from nctakt.nc.tree import Number  # noqa: PLC0415
 
     number = Number(Span("p.nc", 1, 1, 2), 2.0)
     made = Plans()

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.decoder.requests import LivingCycle, MovedAxes
+from nctakt.decoder.state.uncertain_axes import LivingCycle, MovedAxes
 
 
 def moved(*living: LivingCycle, moving: tuple[str, ...] = ()) -> MovedAxes:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import nctakt
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
 

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 import nctakt
-from nctakt.controller import Controller, NcText
-from nctakt.decoder.levels import MOST_LEVELS
+from nctakt.decoder.state.call_stack import MOST_LEVELS
 from nctakt.results.run import Run
+from nctakt.run.controller import Controller, NcText
 
 DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
 

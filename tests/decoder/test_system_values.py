@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.controller import Controller, NcText
-from nctakt.nc.system_names import ROWS, SystemRow
+from nctakt.nc.vocabulary.system_names import ROWS, SystemRow
 from nctakt.results.run import Run, SaidMessage
+from nctakt.run.controller import Controller, NcText
 
 
 def said(text: str, controller: Controller | None = None) -> tuple[Run, list[str]]:

@@ -18,9 +18,9 @@ from random import Random
 import pytest
 from compensated import Point, Way, distance, places
 
-from nctakt.decoder.arcs import arc_of_radius
-from nctakt.decoder.chain import ARC, GAP, REACH
-from nctakt.decoder.tool_path import ToolPath
+from nctakt.decoder.contour.chain import ARC, GAP, REACH
+from nctakt.decoder.contour.tool_path import ToolPath
+from nctakt.decoder.state.arcs import arc_of_radius
 
 #: How far from a contour the tool may be off: rounding, and corners that are none (0.01°).
 TOLERANCE_MM = 2e-6

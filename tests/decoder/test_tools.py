@@ -13,8 +13,8 @@ from pathlib import Path
 import pytest
 
 import nctakt
-from nctakt.controller import Controller, NcText
 from nctakt.results.run import Run, SaidMessage
+from nctakt.run.controller import Controller, NcText
 
 DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
 

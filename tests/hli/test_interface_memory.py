@@ -15,7 +15,6 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.controller import Controller, NcText
 from nctakt.hli.layout import (
     AXIS,
     CHANNEL,
@@ -30,8 +29,9 @@ from nctakt.hli.layout import (
     Structure,
 )
 from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
-from nctakt.image import InterfaceImage, describe_hli_c
 from nctakt.plc import PartnerPlc, PlcError
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.shared_image import InterfaceImage, describe_hli_c
 
 ROOT = Path(__file__).parent.parent.parent
 EXAMPLES = ROOT / "examples"

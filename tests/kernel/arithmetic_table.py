@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Prints the bits of many results of ``nctakt.kernel.arithmetic``, for two processes to compare."""
+"""Prints the bits of many results of ``nctakt.kernel.base.arithmetic``, for two processes to
+compare."""
 
 from __future__ import annotations
 
@@ -9,8 +10,8 @@ import random
 import struct
 import sys
 
-from nctakt import mode
-from nctakt.kernel import arithmetic
+from nctakt.base import mode
+from nctakt.kernel.base import arithmetic
 
 UNARY = (
     "floor",

@@ -11,12 +11,12 @@ import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
-from nctakt.assembly import Machine
-from nctakt.controller import Controller
-from nctakt.kernel import ring as kinds
-from nctakt.kernel.cycles import RealtimeCycle
-from nctakt.kernel.instructions import Statement
-from nctakt.lists.machine import load_machine
+from nctakt.kernel.cycles.cycles import RealtimeCycle
+from nctakt.kernel.cycles.instructions import Statement
+from nctakt.kernel.tick import command_queue as kinds
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.assembly import Machine
+from nctakt.run.controller import Controller
 
 DEMO = load_machine(None)
 TICK_T = 0.001

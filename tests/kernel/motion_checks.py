@@ -7,9 +7,9 @@ import numpy as np
 from motion_machines import AXES, Machine, machine
 from motion_programs import MotionProgram
 
-from nctakt.controller import Controller, NcText
 from nctakt.results.run import Run
-from nctakt.stimuli import Stimulus
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.stimuli import Stimulus
 
 SIGNALS = [*(f"{name}.ACS.ACT_POS" for name in AXES), "BLOCK"]
 #: The deviation of a rounded corner is one in the linear axes.

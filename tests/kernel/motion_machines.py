@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from kernel_rig import DEMO
 
-from nctakt.lists.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import MachineConfiguration, load_machine
 
 #: Path axes of all machines; A is a modulo axis.
 AXES = ("X", "Y", "Z", "A")

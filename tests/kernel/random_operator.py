@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import random
 
-from nctakt.interface import Interface
+from nctakt.run.plc_view import Interface
 
 #: The operator lets go behind so many ticks.
 PLAY_TICKS = 4000

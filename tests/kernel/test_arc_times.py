@@ -16,8 +16,8 @@ import pytest
 from best_times import Way, best_time
 from kernel_rig import ACCELERATION, DEMO, RAPID
 
-from nctakt.controller import Controller, NcText
-from nctakt.lists.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.run.controller import Controller, NcText
 
 SIGNALS = [f"{name}.ACS.ACT_POS" for name in "XYZ"]
 RADII = ((0.5, 500.0), (1.0, 50.0), (5.0, 100.0), (5.0, 500.0), (20.0, 300.0), (100.0, 450.0))

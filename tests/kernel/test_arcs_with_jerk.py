@@ -9,7 +9,7 @@ import pytest
 from kernel_rig import DEMO
 from random_paths import violations
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 SIGNALS = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS", "Z.ACS.ACT_POS"]
 MOST_JERK_MM = 8e-5

@@ -15,7 +15,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from nctakt.kernel import arithmetic
+from nctakt.kernel.base import arithmetic
 
 often = settings(max_examples=300, deadline=None, derandomize=True, database=None)
 

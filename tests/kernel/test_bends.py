@@ -16,10 +16,10 @@ from kernel_rig import DEMO
 from random_operator import Operator
 from random_paths import AXES, cornered, farthest, violations
 
-from nctakt.controller import Controller, NcText
-from nctakt.interface import Interface
-from nctakt.mode import is_compiled
+from nctakt.base.mode import is_compiled
 from nctakt.results.run import Run
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface
 
 MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("40" if is_compiled() else "6"))
 #: Programs of one test.

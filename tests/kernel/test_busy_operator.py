@@ -12,8 +12,8 @@ import random
 import pytest
 from motion_checks import assert_smooth, run_of
 
-from nctakt.mode import is_compiled
-from nctakt.stimuli import Stimulus
+from nctakt.base.mode import is_compiled
+from nctakt.run.stimuli import Stimulus
 
 MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("240" if is_compiled() else "12"))
 #: Programs of one test.

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from kernel_rig import ACCELERATION, DEMO
 
-from nctakt.controller import Controller, NcText
-from nctakt.interface import Interface
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface
 from nctakt.trace.sinks import CsvSink
 
 CYCLES = """#RT CYCLE [ID=1 SCOPE=GLOBAL]

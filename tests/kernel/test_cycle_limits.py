@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from kernel_rig import controller_with
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 
 def cycle(steps: int, keywords: str = "SCOPE=PROG") -> str:

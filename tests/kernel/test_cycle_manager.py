@@ -9,11 +9,12 @@ from pathlib import Path
 import pytest
 from kernel_rig import DEMO, Rig, controller_with
 
-from nctakt.controller import Controller, NcText
-from nctakt.kernel import cycles, record
-from nctakt.kernel import ring as kinds
-from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
-from nctakt.kernel.instructions import Statement
+from nctakt.kernel.base import record
+from nctakt.kernel.cycles import cycles
+from nctakt.kernel.cycles.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
+from nctakt.kernel.cycles.instructions import Statement
+from nctakt.kernel.tick import command_queue as kinds
+from nctakt.run.controller import Controller, NcText
 
 START, HOLD, CONTINUE, ABORT, DELETE = 1, 2, 3, 4, 5
 ID = 7

@@ -8,8 +8,8 @@ from collections.abc import Callable
 import pytest
 from kernel_rig import DEMO
 
-from nctakt.controller import Controller, NcText
-from nctakt.interface import Interface
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface
 
 
 class Script:

@@ -15,9 +15,9 @@ from motion_checks import SIGNALS, violations
 from motion_machines import machine
 from motion_programs import MotionProgram
 
-from nctakt.controller import Controller, NcText
-from nctakt.mode import is_compiled
-from nctakt.stimuli import Stimulus
+from nctakt.base.mode import is_compiled
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.stimuli import Stimulus
 
 FIRST = int(os.environ.get("NCTAKT_FIRST_SEED", "0"))
 MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("1000" if is_compiled() else "20"))

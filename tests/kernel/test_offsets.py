@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Offsets between ACS and PCS (MO-8, RC-407)."""
 
-from nctakt.kernel import coordinates
-from nctakt.kernel.axis import Axes
+from nctakt.kernel.axes import coordinates
+from nctakt.kernel.axes.axes import Axes
 
 
 def test_offsets_are_summed_by_their_kinds() -> None:

@@ -6,11 +6,11 @@ from __future__ import annotations
 import pytest
 from kernel_rig import DEMO, RAPID, Rig, assert_within_limits
 
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
-from nctakt.interface import Interface
-from nctakt.kernel.panel import SINGLE_BLOCK, START
-from nctakt.stimuli import Stimulus
+from nctakt.base.failure import Failure
+from nctakt.kernel.plc.panel import SINGLE_BLOCK, START
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface
+from nctakt.run.stimuli import Stimulus
 
 MOVES = NcText("p.nc", "N10 G00 X10\nN20 G00 X20\nM30")
 

@@ -12,9 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_rig import ACCELERATION, DEMO, RAPID, TICK_T, Rig, assert_within_limits
 
-from nctakt.controller import Controller, NcText
-from nctakt.kernel.cycles import BLOCK
-from nctakt.kernel.panel import FEED_HOLD, OVERRIDE
+from nctakt.kernel.cycles.cycles import BLOCK
+from nctakt.kernel.plc.panel import FEED_HOLD, OVERRIDE
+from nctakt.run.controller import Controller, NcText
 
 often = settings(max_examples=60, deadline=None, derandomize=True, database=None)
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from kernel_rig import ACCELERATION, DEMO, RAPID
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 JERK = ACCELERATION / 0.05
 

@@ -8,7 +8,7 @@ import struct
 import pytest
 from kernel_rig import DEMO
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 FORMS = [
     "V.E.VALUE > 2",

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
-from nctakt.kernel.motion import Profile
+from nctakt.kernel.path.trapezoid_profile import Profile
 
 often = settings(max_examples=300, deadline=None, derandomize=True, database=None)
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from kernel_rig import DEMO
 
-from nctakt.controller import Controller, NcText
-from nctakt.kernel.panel import OVERRIDE
-from nctakt.nc.names import AXIS_VARIABLES, CHANNEL_VARIABLES
+from nctakt.kernel.plc.panel import OVERRIDE
+from nctakt.nc.vocabulary.variable_table import AXIS_VARIABLES, CHANNEL_VARIABLES
+from nctakt.run.controller import Controller, NcText
 
 PROGRAM = """#RT CYCLE [SCOPE=PROG]
   V.RTG.OVERRIDE.VEL.CYCLE = 51

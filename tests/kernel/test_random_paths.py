@@ -16,10 +16,10 @@ import pytest
 from kernel_rig import DEMO
 from random_paths import AXES, flowing, program, violations
 
-from nctakt.controller import Controller, NcText
-from nctakt.interface import Interface
-from nctakt.mode import is_compiled
+from nctakt.base.mode import is_compiled
 from nctakt.results.run import Run
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface
 
 SEEDS = os.environ.get("NCTAKT_SEEDS", "")
 MANY = int(SEEDS or ("1000" if is_compiled() else "20"))

@@ -14,8 +14,8 @@ from pathlib import Path
 import pytest
 from kernel_rig import DEMO, Rig
 
-from nctakt.assembly import Machine
-from nctakt.lists.machine import load_machine
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.assembly import Machine
 from nctakt.trace.events import EventDecoder
 
 X, Y, Z, A = range(4)

@@ -14,8 +14,8 @@ from kernel_rig import DEMO
 from random_operator import Operator
 from random_paths import AXES, flowing, program, violations
 
-from nctakt.controller import Controller, NcText
-from nctakt.mode import is_compiled
+from nctakt.base.mode import is_compiled
+from nctakt.run.controller import Controller, NcText
 
 MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("40" if is_compiled() else "6"))
 #: Programs of one test.

@@ -17,8 +17,8 @@ from typing import Any
 
 import pytest
 
-from nctakt.kernel.trajectory import Trajectories
-from nctakt.mode import is_compiled
+from nctakt.base.mode import is_compiled
+from nctakt.kernel.axes.trajectory import Trajectories
 
 TICK_T = 0.001
 CASES = 10_000 if is_compiled() else 1_000

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from schedule_examples import EXAMPLE_1, TIGHT, change, load_text, make
 from schedule_models import models
 
-from nctakt.failure import Failure
+from nctakt.base.failure import Failure
 from nctakt.linux import area as layout
 from nctakt.linux import measure as measuring
 from nctakt.linux.measure import Measurement, late_wakes, measure

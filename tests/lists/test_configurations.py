@@ -7,13 +7,13 @@ from math import inf
 
 import pytest
 
-from nctakt.lists.axis import AXIS
-from nctakt.lists.axis_configuration import AxisConfiguration, AxisType, axis_configuration
-from nctakt.lists.channel import CHANNEL
-from nctakt.lists.channel_configuration import ChannelParameters, channel_parameters
-from nctakt.lists.parameter import Schema
-from nctakt.lists.schema import Values, load_list
-from nctakt.lists.startup import STARTUP, StartupConfiguration, startup_configuration
+from nctakt.lists.declared.axis import AXIS
+from nctakt.lists.declared.channel import CHANNEL
+from nctakt.lists.declared.startup import STARTUP, StartupConfiguration, startup_configuration
+from nctakt.lists.format.parameter import Schema
+from nctakt.lists.format.schema import Values, load_list
+from nctakt.lists.machine.axis_configuration import AxisConfiguration, AxisType, axis_configuration
+from nctakt.lists.machine.channel_configuration import ChannelParameters, channel_parameters
 from nctakt.messages import Collector
 
 

@@ -7,9 +7,9 @@ from math import inf
 
 import pytest
 
-from nctakt.lists.axis_configuration import AxisType
-from nctakt.lists.machine import MachineConfiguration, load_machine
-from nctakt.lists.variable_tree import AccessRights, Leaf
+from nctakt.lists.machine.axis_configuration import AxisType
+from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.variables import AccessRights, Leaf
 
 
 @pytest.fixture(scope="module")

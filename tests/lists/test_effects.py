@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 import nctakt
-from nctakt.lists.parameter import Effect
-from nctakt.lists.parameters import SCHEMAS
+from nctakt.lists.all_parameters import SCHEMAS
+from nctakt.lists.format.parameter import Effect
 
 SOURCES = Path(nctakt.__file__).parent
 DOCUMENT = Path(__file__).parents[2] / "docs/machine-folders.md"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.lists.machine import load_machine
+from nctakt.lists.machine.machine import load_machine
 
 STARTUP = "kanal_anzahl 1\nsda_mds[0] kanal.lis\nzahl_mds 1\nachs_mds[0] x.lis\nrtconf_lis rt.lis\n"
 CHANNEL = "gruppe[0].achse[0].bezeichnung X\ngruppe[0].achse[0].log_achs_nr 1\n"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.lists.machine import MachineConfiguration, MachineError, load_machine
+from nctakt.lists.machine.machine import MachineConfiguration, MachineError, load_machine
 
 STARTUP = """\
 kanal_anzahl 1

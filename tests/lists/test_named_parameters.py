@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.lists.parameter import Parameter, ValueType
-from nctakt.lists.parameters import SCHEMAS
+from nctakt.lists.all_parameters import SCHEMAS
+from nctakt.lists.format.parameter import Parameter, ValueType
 
 #: Kind of list -> what its IDs begin with, and their numbers.
 PROMISED = {

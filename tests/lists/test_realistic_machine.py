@@ -11,8 +11,8 @@ from collections import Counter
 from pathlib import Path
 
 from nctakt.checking.check import check_files
-from nctakt.controller import Controller, NcText
-from nctakt.lists.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.run.controller import Controller, NcText
 
 FOLDER = Path(__file__).parent.parent / "machines" / "centre"
 

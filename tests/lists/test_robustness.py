@@ -6,17 +6,17 @@ from __future__ import annotations
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nctakt.lists.axis import AXIS
-from nctakt.lists.axis_configuration import axis_configuration
-from nctakt.lists.channel import CHANNEL
-from nctakt.lists.channel_configuration import channel_parameters
-from nctakt.lists.parameter import Schema
-from nctakt.lists.parameters import SCHEMAS
-from nctakt.lists.rtconf_effective import load_rtconf
-from nctakt.lists.schema import load_list
-from nctakt.lists.startup import STARTUP, startup_configuration
-from nctakt.lists.variable_tree import variables_configuration
-from nctakt.lists.variables import VARIABLES
+from nctakt.lists.all_parameters import SCHEMAS
+from nctakt.lists.declared.axis import AXIS
+from nctakt.lists.declared.channel import CHANNEL
+from nctakt.lists.declared.startup import STARTUP, startup_configuration
+from nctakt.lists.declared.variables import VARIABLES
+from nctakt.lists.format.parameter import Schema
+from nctakt.lists.format.schema import load_list
+from nctakt.lists.machine.axis_configuration import axis_configuration
+from nctakt.lists.machine.channel_configuration import channel_parameters
+from nctakt.lists.machine.scheduling import load_rtconf
+from nctakt.lists.machine.variables import variables_configuration
 from nctakt.messages import Collector
 
 WORDS = ["0", "1", "-1", "7", "0x10", "99999999999", "TRUE", "MOS", "MOS | PLC_INFO", '"A', "A B"]

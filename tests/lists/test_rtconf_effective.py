@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.lists.rtconf import InterruptSource, RtconfConfiguration
-from nctakt.lists.rtconf_effective import load_rtconf
+from nctakt.lists.declared.rtconf import InterruptSource, RtconfConfiguration
+from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.messages import Collector
 
 GEO = """\

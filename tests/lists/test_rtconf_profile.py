@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.diagnostics import Severity
-from nctakt.lists.rtconf import InterruptSource, RtconfConfiguration
-from nctakt.lists.rtconf_checks import check_contexts
-from nctakt.lists.rtconf_effective import load_rtconf
-from nctakt.lists.rtconf_profile import PROFILES, RtconfOptions
-from nctakt.lists.rtconf_source import read_source
+from nctakt.base.diagnostics import Severity
+from nctakt.lists.declared.rtconf import InterruptSource, RtconfConfiguration
+from nctakt.lists.machine.scheduling import load_rtconf
+from nctakt.lists.machine.scheduling_checks import check_contexts
+from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
+from nctakt.lists.machine.scheduling_source import read_source
 from nctakt.messages import Collector
 
 HARDWARE, TIMER = InterruptSource.HARDWARE, InterruptSource.TIMER

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.lists.parameter import with_indices
-from nctakt.lists.rtconf import RTCONF
-from nctakt.lists.schema import Values, load_list
+from nctakt.lists.declared.rtconf import RTCONF
+from nctakt.lists.format.parameter import with_indices
+from nctakt.lists.format.schema import Values, load_list
 from nctakt.messages import Collector
 
 HASH_BLANK, HASH_INDENT, END_CASE, AFTER_END, NO_END = 900001, 900002, 900003, 900004, 900005

@@ -7,14 +7,14 @@ import re
 
 import pytest
 
-from nctakt.diagnostics import Text
-from nctakt.lists.axis import AXIS
-from nctakt.lists.channel import CHANNEL
-from nctakt.lists.parameter import Effect, Parameter, Schema, ValueType, shown
-from nctakt.lists.parameters import SCHEMAS, find_parameters
-from nctakt.lists.reader import ListDialect
-from nctakt.lists.schema import Values, load_list
-from nctakt.lists.variables import VARIABLES
+from nctakt.base.diagnostics import Text
+from nctakt.lists.all_parameters import SCHEMAS, find_parameters
+from nctakt.lists.declared.axis import AXIS
+from nctakt.lists.declared.channel import CHANNEL
+from nctakt.lists.declared.variables import VARIABLES
+from nctakt.lists.format.parameter import Effect, Parameter, Schema, ValueType, shown
+from nctakt.lists.format.reader import ListDialect
+from nctakt.lists.format.schema import Values, load_list
 from nctakt.messages import CATALOGUE, Collector
 
 

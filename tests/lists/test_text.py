@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.text import decode_text, split_lines
+from nctakt.base.text import decode_text, split_lines
 
 
 def test_byte_order_mark_is_dropped() -> None:

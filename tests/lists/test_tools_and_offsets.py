@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.lists.offsets import (
+from nctakt.lists.declared.offsets import (
     CLAMP_OFFSETS,
     ZERO_OFFSETS,
     ClampOffsets,
@@ -11,9 +11,9 @@ from nctakt.lists.offsets import (
     clamp_offsets_configuration,
     zero_offsets_configuration,
 )
-from nctakt.lists.parameter import Schema
-from nctakt.lists.schema import Values, load_list
-from nctakt.lists.tools import TOOLS, Tool, tools_configuration
+from nctakt.lists.declared.tools import TOOLS, Tool, tools_configuration
+from nctakt.lists.format.parameter import Schema
+from nctakt.lists.format.schema import Values, load_list
 from nctakt.messages import Collector
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.lists.schema import load_list
-from nctakt.lists.variable_tree import (
+from nctakt.lists.declared.variables import SCALARS, VARIABLES
+from nctakt.lists.format.schema import load_list
+from nctakt.lists.machine.variables import (
     MANAGEMENT_BYTES,
     MOST_LEAVES,
     AccessRights,
@@ -16,7 +17,6 @@ from nctakt.lists.variable_tree import (
     channel_memory_bytes,
     variables_configuration,
 )
-from nctakt.lists.variables import SCALARS, VARIABLES
 from nctakt.messages import Collector
 
 

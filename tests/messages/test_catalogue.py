@@ -12,7 +12,7 @@ from string import Formatter
 import pytest
 
 import nctakt
-from nctakt.diagnostics import Message, Severity, Text
+from nctakt.base.diagnostics import Message, Severity, Text
 from nctakt.messages import CATALOGUE, unreached
 from nctakt.messages.classes import CLEARINGS, REACTIONS
 

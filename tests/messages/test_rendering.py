@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.diagnostics import NOTHING, Span, number_text
+from nctakt.base.diagnostics import NOTHING, Span, number_text
+from nctakt.base.source_ids import statement_span
 from nctakt.messages import diagnostic
-from nctakt.nc.expressions import END_OF_BLOCK
-from nctakt.sources import statement_span
+from nctakt.nc.parse.expressions import END_OF_BLOCK
 
 
 @pytest.mark.parametrize(

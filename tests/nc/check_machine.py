@@ -7,15 +7,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
-from nctakt.diagnostics import Diagnostic, Severity
-from nctakt.lists.channel_configuration import ChannelParameters
-from nctakt.lists.machine import MachineConfiguration, load_machine
-from nctakt.lists.technology import TechnologyFunction
+from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.lists.declared.technology_functions import TechnologyFunction
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.lists.machine.machine import MachineConfiguration, load_machine
 from nctakt.messages import Collector
-from nctakt.nc.check_words import Role
+from nctakt.nc.check.blocks import Role
 from nctakt.nc.inspection import inspect
-from nctakt.nc.names import ChannelNames, Layout, NameTable
 from nctakt.nc.source import Source
+from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, NameTable
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,8 +13,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from nctakt.diagnostics import Diagnostic
-from nctakt.text import decode_text, split_lines
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.text import decode_text, split_lines
 
 FOLDER = Path(__file__).parent
 

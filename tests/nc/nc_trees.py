@@ -6,11 +6,11 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
-from nctakt.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.messages import Collector
-from nctakt.nc.parser import parse_program
+from nctakt.nc.parse.parser import parse_program
 from nctakt.nc.source import Source
-from nctakt.nc.syntax import (
+from nctakt.nc.tree import (
     Assignment,
     Binary,
     Call,

@@ -13,8 +13,8 @@ import pytest
 from check_machine import demo_channel, findings
 from nc_chunks import FOLDER, expected_messages, read_chunks
 
+from nctakt.base.text import decode_text, split_lines
 from nctakt.messages import CATALOGUE
-from nctakt.text import decode_text, split_lines
 
 CORPUS = Path(os.environ.get("NCTAKT_CORPUS", FOLDER.parents[2] / "corpus"))
 

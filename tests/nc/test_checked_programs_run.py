@@ -10,8 +10,8 @@ import pytest
 from check_machine import passes
 from nc_chunks import read_chunks
 
-from nctakt.controller import Controller, NcText
-from nctakt.nc.operators import FUNCTIONS, INFIX
+from nctakt.nc.vocabulary.operators import FUNCTIONS, INFIX
+from nctakt.run.controller import Controller, NcText
 
 PROGRAMS = 25
 _VALUES = (

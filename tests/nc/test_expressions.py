@@ -6,9 +6,8 @@ from __future__ import annotations
 import pytest
 from nc_trees import expression, grouped, numbers, shape
 
-from nctakt.nc.expressions import EXPRESSION_DEPTH
-from nctakt.nc.operators import FUNCTIONS, INFIX, PREFIX
-from nctakt.nc.syntax import (
+from nctakt.nc.parse.expressions import EXPRESSION_DEPTH
+from nctakt.nc.tree import (
     ArrayLiteral,
     Constant,
     Name,
@@ -17,6 +16,7 @@ from nctakt.nc.syntax import (
     StringLiteral,
     Variable,
 )
+from nctakt.nc.vocabulary.operators import FUNCTIONS, INFIX, PREFIX
 
 
 @pytest.mark.parametrize(

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from importlib.resources import files
 
-from nctakt.nc.controls import CONTROL_WORDS
-from nctakt.nc.expressions import EXPRESSION_DEPTH
-from nctakt.nc.hashes import CYCLE_ACTIONS
-from nctakt.nc.heads import SKIP_LEVELS
-from nctakt.nc.lexer import BLOCK_LENGTH, BLOCK_LENGTH_HARD
-from nctakt.nc.operators import CONSTANTS, INFIX, PREFIX
-from nctakt.nc.structure import STRUCTURE_DEPTH
+from nctakt.nc.parse.block_head import SKIP_LEVELS
+from nctakt.nc.parse.controls import CONTROL_WORDS
+from nctakt.nc.parse.expressions import EXPRESSION_DEPTH
+from nctakt.nc.parse.hash_commands import CYCLE_ACTIONS
+from nctakt.nc.parse.lexer import BLOCK_LENGTH, BLOCK_LENGTH_HARD
+from nctakt.nc.parse.structure_stack import STRUCTURE_DEPTH
+from nctakt.nc.vocabulary.operators import CONSTANTS, INFIX, PREFIX
 
 GRAMMAR = files("nctakt.nc").joinpath("grammar.txt").read_text(encoding="utf-8")
 TEXT = " ".join(GRAMMAR.split())

@@ -14,15 +14,15 @@ from check_machine import demo_channel, findings
 from nc_chunks import Chunk, compare, read_chunks
 
 from nctakt import machines
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.checking.program import check_program
-from nctakt.controller import Controller, NcText
-from nctakt.diagnostics import Diagnostic
-from nctakt.lists.tools import NO_TOOL
+from nctakt.lists.declared.tools import NO_TOOL
 from nctakt.messages import Collector
 from nctakt.messages import lints as lint_messages
-from nctakt.nc.lint import never_deleted
-from nctakt.nc.lint_cycle import Budget
+from nctakt.nc.lint.linter import never_deleted
+from nctakt.nc.lint.realtime_cycles import Budget
 from nctakt.nc.source import Source
+from nctakt.run.controller import Controller, NcText
 
 DEMO = Path(machines.__path__[0]) / "demo"
 LINTS = [message.id for message in lint_messages.MESSAGES]

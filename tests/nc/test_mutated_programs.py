@@ -15,11 +15,11 @@ from random import Random
 
 import pytest
 
-from nctakt.assembly import Machine
+from nctakt.base.text import decode_text
 from nctakt.checking.check import check_files
-from nctakt.controller import Controller, NcText
-from nctakt.lists.machine import load_machine
-from nctakt.text import decode_text
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.assembly import Machine
+from nctakt.run.controller import Controller, NcText
 
 ROOT = Path(__file__).parent.parent.parent
 DEMO = load_machine(None)

@@ -9,13 +9,14 @@ from typing import overload
 import pytest
 from nc_trees import numbers, read, shape, statement, statements
 
+from nctakt.base.text import decode_text, split_lines
 from nctakt.messages import Collector
-from nctakt.nc.lexer import BLOCK_LENGTH, BLOCK_LENGTH_HARD, without_comments
-from nctakt.nc.parser import parse, parse_program
-from nctakt.nc.printer import format_items, print_program
+from nctakt.nc.parse.lexer import BLOCK_LENGTH, BLOCK_LENGTH_HARD, without_comments
+from nctakt.nc.parse.parser import parse, parse_program
+from nctakt.nc.parse.printer import format_items, print_program
+from nctakt.nc.parse.structure_stack import STRUCTURE_DEPTH
 from nctakt.nc.source import Source
-from nctakt.nc.structure import STRUCTURE_DEPTH
-from nctakt.nc.syntax import (
+from nctakt.nc.tree import (
     Block,
     CycleControl,
     Flush,
@@ -32,7 +33,6 @@ from nctakt.nc.syntax import (
     UserMessage,
     VariableDeclarations,
 )
-from nctakt.text import decode_text, split_lines
 
 CYCLE = """N10 #RT CYCLE DEF[ID = 17 SCOPE = PROG]
 N20 $IF ONCE Vs.CH.A < 1

@@ -7,7 +7,7 @@ import pytest
 from nc_chunks import Chunk, compare, read_chunks
 
 from nctakt.messages import Collector
-from nctakt.nc.parser import parse_program
+from nctakt.nc.parse.parser import parse_program
 from nctakt.nc.source import Source
 
 

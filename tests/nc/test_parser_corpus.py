@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 from nc_trees import shape
 
+from nctakt.base.text import decode_text, split_lines
 from nctakt.messages import Collector
-from nctakt.nc.parser import parse, parse_program
-from nctakt.nc.printer import print_program
+from nctakt.nc.parse.parser import parse, parse_program
+from nctakt.nc.parse.printer import print_program
 from nctakt.nc.source import Source
-from nctakt.text import decode_text, split_lines
 
 ROOT = Path(__file__).parents[2]
 CORPUS = Path(os.environ.get("NCTAKT_CORPUS", ROOT.parent / "corpus"))

@@ -9,12 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from nc_trees import read, shape
 
-from nctakt.diagnostics import Span
-from nctakt.nc import syntax
-from nctakt.nc.operators import FUNCTIONS, INFIX
-from nctakt.nc.printer import format_expression, print_program
+from nctakt.base.diagnostics import Span
+from nctakt.nc import tree
+from nctakt.nc.parse.printer import format_expression, print_program
 from nctakt.nc.source import Source
-from nctakt.nc.syntax import (
+from nctakt.nc.tree import (
     NO_HEAD,
     ArrayLiteral,
     Assignment,
@@ -66,6 +65,7 @@ from nctakt.nc.syntax import (
     While,
     Word,
 )
+from nctakt.nc.vocabulary.operators import FUNCTIONS, INFIX
 
 SPAN = Span("", 1, 1, 2)
 
@@ -408,10 +408,8 @@ def test_each_kind_of_node_and_each_field_is_among_the_trees() -> None:
     gather()
     kinds = {
         name: kind
-        for name, kind in vars(syntax).items()
-        if isinstance(kind, type)
-        and kind.__module__ == syntax.__name__
-        and not kind.__subclasses__()
+        for name, kind in vars(tree).items()
+        if isinstance(kind, type) and kind.__module__ == tree.__name__ and not kind.__subclasses__()
     }
     assert met.keys() == kinds.keys() - NEVER_PRINTED
     places = ("span", "else_span", "end_span", "source")

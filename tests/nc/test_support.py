@@ -8,18 +8,22 @@ from collections import Counter
 import pytest
 from check_machine import demo_channel, findings
 
-from nctakt.diagnostics import Severity
-from nctakt.lists.technology import INTERNAL_M_FUNCTIONS, SYNCHRONISATIONS, TechnologyFunction
-from nctakt.nc import support
-from nctakt.nc.command_forms import FORMS
-from nctakt.nc.formats import places
-from nctakt.nc.operators import FUNCTIONS
-from nctakt.nc.support import Answer, Kind
+from nctakt.base.diagnostics import Severity
+from nctakt.lists.declared.technology_functions import (
+    INTERNAL_M_FUNCTIONS,
+    SYNCHRONISATIONS,
+    TechnologyFunction,
+)
+from nctakt.nc.vocabulary import support_level
+from nctakt.nc.vocabulary.command_forms import FORMS
+from nctakt.nc.vocabulary.message_formats import places
+from nctakt.nc.vocabulary.operators import FUNCTIONS
+from nctakt.nc.vocabulary.support_level import Answer, Kind
 
 
 def test_each_name_has_one_answer_and_two_texts() -> None:
     """The table can be printed: no name twice in its kind, a meaning in both languages."""
-    table = list(support.entries())
+    table = list(support_level.entries())
     names = Counter((entry.kind, entry.name) for entry in table)
     assert [name for name, count in names.items() if count > 1] == []
     assert all(entry.meaning.en and entry.meaning.de for entry in table)
@@ -28,7 +32,7 @@ def test_each_name_has_one_answer_and_two_texts() -> None:
 
 def test_the_table_covers_what_the_other_tables_name() -> None:
     """Synchronisation types, internal M functions, functions and control words have answers."""
-    known = {(entry.kind, entry.name) for entry in support.entries()}
+    known = {(entry.kind, entry.name) for entry in support_level.entries()}
     for name in SYNCHRONISATIONS:
         assert (Kind.TECHNOLOGY, name) in known
     for number in INTERNAL_M_FUNCTIONS:
@@ -41,18 +45,20 @@ def test_the_table_covers_what_the_other_tables_name() -> None:
 
 def test_g_functions_are_found_by_number() -> None:
     """``G1`` and ``G01`` are one function; what is not in the table nobody knows."""
-    rapid, unknown = support.answer_g(0), support.answer_g(7)
+    rapid, unknown = support_level.answer_g(0), support_level.answer_g(7)
     assert rapid is not None
     assert rapid.name == "G00"
     assert rapid.answer is Answer.SIMULATED
     assert unknown is None
-    assert support.answer_g(1.5) is None
+    assert support_level.answer_g(1.5) is None
 
 
 def test_technology_functions_are_answered_by_their_synchronisation() -> None:
     """An M function of the channel list is simulated if its synchronisation type is."""
     functions = demo_channel().parameters.m_functions
-    answers = {number: support.answer_m(number, functions) for number in (30, 100, 116, 200, 99)}
+    answers = {
+        number: support_level.answer_m(number, functions) for number in (30, 100, 116, 200, 99)
+    }
     assert answers[99] is None
     assert {number: entry.answer for number, entry in answers.items() if entry} == {
         30: Answer.SIMULATED,
@@ -75,13 +81,16 @@ def test_technology_functions_are_answered_by_their_synchronisation() -> None:
 )
 def test_commands_are_known_by_their_first_words(words: tuple[str, ...], name: str | None) -> None:
     """The longest row that fits answers."""
-    entry = support.answer_hash(words)
+    entry = support_level.answer_hash(words)
     assert (entry.name if entry else None) == name
 
 
 def test_what_ends_a_simulated_command_is_simulated() -> None:
     """The end of a realtime loop has the answer of its begin."""
-    found, begin = support.answer_hash(["RT", "ENDWHILE"]), support.answer_hash(["RT", "WHILE"])
+    found, begin = (
+        support_level.answer_hash(["RT", "ENDWHILE"]),
+        support_level.answer_hash(["RT", "WHILE"]),
+    )
     assert found is not None
     assert begin is not None
     assert found.answer == begin.answer
@@ -100,7 +109,7 @@ def test_a_text_tells_its_places_for_values() -> None:
 @pytest.mark.parametrize("command", FORMS)
 def test_the_forms_of_a_command_are_right(command: str) -> None:
     """Each form that a remedy and ``nctakt explain`` show passes the check."""
-    entry = support.answer_hash(command.removeprefix("#").split())
+    entry = support_level.answer_hash(command.removeprefix("#").split())
     assert entry is not None
     assert entry.answer is Answer.SIMULATED
     for form in FORMS[command]:
@@ -115,6 +124,6 @@ def test_functions_that_go_out_before_their_block_are_refused(
 ) -> None:
     """P-CHAN-00041: a way or a time before the block's end; refused by name, for axes as well."""
     functions = {7: TechnologyFunction(7, synchronisation, (), 0.0, axis)}
-    entry = support.answer_m(7, functions)
+    entry = support_level.answer_m(7, functions)
     assert entry is not None
     assert (entry.name, entry.answer) == (synchronisation, Answer.REFUSED)

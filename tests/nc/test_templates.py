@@ -17,15 +17,16 @@ from typing import Any
 import pytest
 from check_machine import demo_channel
 
-from nctakt.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.messages import Collector
-from nctakt.nc import outline, templates
+from nctakt.nc import outline
+from nctakt.nc.fast import templates
+from nctakt.nc.fast.shapes import ShapeScanner
+from nctakt.nc.fast.templates import Formed, Templates
 from nctakt.nc.inspection import inspect
-from nctakt.nc.parser import StatementReader
-from nctakt.nc.shapes import ShapeScanner
+from nctakt.nc.parse.parser import StatementReader
 from nctakt.nc.source import Source
-from nctakt.nc.syntax import Statement
-from nctakt.nc.templates import Formed, Templates
+from nctakt.nc.tree import Statement
 
 NUMBERS = re.compile(r"\d+\.?\d*|\.\d+")
 PROGRAMS = sorted(Path(__file__).parent.glob("*.nc"))

@@ -10,8 +10,8 @@ from __future__ import annotations
 import pytest
 from check_machine import findings
 
-from nctakt.nc import support
-from nctakt.nc.support import Answer, Entry, Kind
+from nctakt.nc.vocabulary import support_level
+from nctakt.nc.vocabulary.support_level import Answer, Entry, Kind
 
 #: The answers by the number of the message that tells them.
 REFUSED, ACCEPTED = 900200, 900201
@@ -25,7 +25,7 @@ def told(block: str) -> list[tuple[int, str]]:
 
 def rows(kind: Kind, answer: Answer) -> list[Entry]:
     """The rows of the table with this answer."""
-    return [one for one in support.entries() if (one.kind, one.answer) == (kind, answer)]
+    return [one for one in support_level.entries() if (one.kind, one.answer) == (kind, answer)]
 
 
 @pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Answer.REFUSED), ids=lambda one: one.name)

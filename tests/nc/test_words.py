@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 from nc_trees import shape, statement, statements
 
-from nctakt.nc.printer import format_expression, format_word
-from nctakt.nc.syntax import (
+from nctakt.nc.parse.printer import format_expression, format_word
+from nctakt.nc.tree import (
     Assignment,
     AxisWord,
     Block,

@@ -15,9 +15,7 @@ from pathlib import Path
 import pytest
 
 import nctakt
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
-from nctakt.interface import Interface
+from nctakt.base.failure import Failure
 from nctakt.plc import (
     NEGATIVE,
     POSITIVE,
@@ -32,6 +30,8 @@ from nctakt.plc import (
 )
 from nctakt.plc.axes import AxisBlock
 from nctakt.results.run import Run
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface
 
 WAIT = "G04 X0.500\nM30"
 STANDSTILL, DISCRETE, CONTINUOUS, STOPPING, ERROR_STOP, SYNCHRONIZED = 1, 2, 3, 4, 5, 6

@@ -7,9 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
-from nctakt.interface import Interface, SpindleEntry, TechnologyEntry
+from nctakt.base.failure import Failure
 from nctakt.plc import (
     ALL,
     NONE,
@@ -26,6 +24,8 @@ from nctakt.plc import (
     when,
 )
 from nctakt.results.run import Run
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface, SpindleEntry, TechnologyEntry
 
 FOUR = "#RT CYCLE\n$IF ONCE TRUE\nM100\nM101\nH100\n$ENDIF\n#RT CYCLE END\nM102\nG04 X0.020\nM30"
 

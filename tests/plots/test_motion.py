@@ -8,9 +8,8 @@ from pathlib import Path
 import numpy
 import pytest
 
+from nctakt.base.failure import Failure
 from nctakt.cli import main
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
 from nctakt.plots.motion import (
     ACCELERATION,
     JERK,
@@ -22,7 +21,8 @@ from nctakt.plots.motion import (
     thinned,
 )
 from nctakt.plots.picture import check_picture, write_picture
-from nctakt.schedule.opening import open_schedule
+from nctakt.run.controller import Controller, NcText
+from nctakt.schedule.open_schedule import open_schedule
 from nctakt.trace import read_trace
 
 PART = """\

@@ -7,12 +7,15 @@ from typing import get_args
 
 import pytest
 
-from nctakt.diagnostics import Text
+from nctakt.base.diagnostics import Text
 from nctakt.messages import CATALOGUE
 from nctakt.messages.meanings import is_translated
-from nctakt.nc import axis_commands, check_cycle, hashes, syntax
-from nctakt.nc.keywords import KEYWORDS
-from nctakt.nc.names import AXIS_VARIABLES, CHANNEL_VARIABLES
+from nctakt.nc import tree
+from nctakt.nc.check import realtime_cycles
+from nctakt.nc.parse import hash_commands
+from nctakt.nc.vocabulary import axis_commands
+from nctakt.nc.vocabulary.keywords import KEYWORDS
+from nctakt.nc.vocabulary.variable_table import AXIS_VARIABLES, CHANNEL_VARIABLES
 from nctakt.reference.article import Article, Topic
 from nctakt.reference.topics import TOPICS, explain, nearest_word
 
@@ -54,10 +57,10 @@ def test_what_parameters_of_messages_mean_is_translated() -> None:
 def test_keywords_are_those_that_the_checker_knows() -> None:
     """RC-101 … RC-111, RC-203: the explained keywords are those that are accepted."""
     accepted = {
-        *check_cycle.SCOPES,
-        *check_cycle.END_ACTIONS,
-        *hashes.CYCLE_ACTIONS,
-        *get_args(syntax.Frequency),
+        *realtime_cycles.SCOPES,
+        *realtime_cycles.END_ACTIONS,
+        *hash_commands.CYCLE_ACTIONS,
+        *get_args(tree.Frequency),
         *("ID", "SCOPE", "END_ACTION", "DEF"),
         *(word for word in axis_commands.KEYWORDS if word[0] != "G"),
         *axis_commands.OFFSETS,

@@ -11,13 +11,13 @@ import json
 
 import pytest
 
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
+from nctakt.base.failure import Failure
 from nctakt.results import probe_log
 from nctakt.results.coverage import BranchCounts, Coverage
 from nctakt.results.coverage_files import as_json, as_lcov, from_json
 from nctakt.results.coverage_text import CoverageText
-from nctakt.stimuli import Stimulus
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.stimuli import Stimulus
 from tests.results.why_runs import EDGE, NESTED, NESTED_AT, TOGGLE
 
 #: An error breaks the second condition off in tick 3: division by zero (RC-207).

@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import io
 
-from nctakt.controller import Controller, NcText
-from nctakt.diagnostics import Span
+from nctakt.base.diagnostics import Span
 from nctakt.results.run import CycleResult, FrozenValue, Run
 from nctakt.results.summary import MOST_FROZEN, print_summary
+from nctakt.run.controller import Controller, NcText
 
 
 def perform(text: str, **initial: float) -> Run:

@@ -3,7 +3,7 @@
 
 import pytest
 
-from nctakt.diagnostics import Span
+from nctakt.base.diagnostics import Span
 from nctakt.messages import diagnostic
 from nctakt.results.report import DIAGNOSIS_CAPACITY, DiagnosisReport, DiagnosisSink
 from nctakt.trace import Event, TraceHeader

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a run gives back, counted from its events."""
 
-from nctakt.diagnostics import Span
+from nctakt.base.diagnostics import Span
 from nctakt.results.run import (
     CycleResult,
     OutputCount,

@@ -3,7 +3,7 @@
 
 import io
 
-from nctakt.diagnostics import Span
+from nctakt.base.diagnostics import Span
 from nctakt.messages import diagnostic
 from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run
 from nctakt.results.summary import print_summary

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 import nctakt
+from nctakt.base.failure import Failure
 from nctakt.cli import main
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
 from nctakt.results.report import DiagnosisReport, DiagnosisSink
+from nctakt.run.controller import Controller, NcText
 
 DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from why_runs import EDGE, NESTED, NESTED_AT, ONCE, changes, series, why
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 
 def test_once_is_evaluated_until_it_is_true() -> None:

@@ -6,9 +6,9 @@ from __future__ import annotations
 import pytest
 from why_runs import EDGE, NESTED, NESTED_AT, ONCE, never, series, why
 
-from nctakt.controller import Controller, NcText
 from nctakt.results.histories import Reason
 from nctakt.results.reasons import why_branch_idle, why_cycle_idle, why_cycle_never
+from nctakt.run.controller import Controller, NcText
 
 
 def body(*lines: str, head: str = "#RT CYCLE", tail: str = "#TIME 0.01") -> str:

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from nctakt.controller import Controller, NcText
 from nctakt.results.histories import BranchHistory, CycleHistory, Reason, Times
 from nctakt.results.reasons import why_branch_never
 from nctakt.results.why import WhyReport
-from nctakt.stimuli import Stimulus
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.stimuli import Stimulus
 
 ONCE = """\
 #RT CYCLE [ID = 17 SCOPE = PROG]

@@ -14,10 +14,10 @@ from pathlib import Path
 import pytest
 
 from nctakt.cli import main
-from nctakt.controller import Controller, NcText
-from nctakt.decoder.cycles import CycleDefinition
-from nctakt.nc.cost import most_steps
+from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.nc.check.cost import most_steps
 from nctakt.results.instruction_tree import ListedCycle, list_cycle
+from nctakt.run.controller import Controller, NcText
 
 FOLDER = Path(__file__).parent
 PROGRAMS = sorted(FOLDER.glob("*.nc"))

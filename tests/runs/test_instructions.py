@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 
 def cost(*lines: str) -> int:

@@ -14,12 +14,12 @@ from random import Random
 import numpy as np
 import pytest
 
-from nctakt.controller import Controller
-from nctakt.interface import Interface
-from nctakt.loading import NcText
 from nctakt.plc import MC_Halt, MC_MoveAbsolute, MC_MoveRelative, MC_MoveVelocity, MC_Reset, Plc
 from nctakt.plc.axes import AxisBlock
 from nctakt.results.run import Run
+from nctakt.run.controller import Controller
+from nctakt.run.plc_view import Interface
+from nctakt.run.program_loader import NcText
 
 AXES = ("X", "Y", "Z", "A")
 #: Highest way of an axis in a tick of 1 ms: 500 mm/s, 360 degrees/s.

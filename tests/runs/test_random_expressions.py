@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 #: From strong to weak; ``**`` associates right, the others left.
 LEVELS = (

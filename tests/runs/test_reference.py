@@ -15,9 +15,9 @@ import pytest
 from reference import Assign, Branch, Command, Compute, Divide, Function, If, Reference, Statement
 from slow_expressions import FUNCTIONS, NUMBERS, PRECEDENCE, Tree, element, text_of
 
-from nctakt.controller import Controller, NcText
-from nctakt.lists.machine import load_machine
-from nctakt.stimuli import Stimulus
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.stimuli import Stimulus
 
 DEMO = load_machine(None)
 

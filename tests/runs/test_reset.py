@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 PROGRAM = """
 #RT CYCLE [ID = 1 SCOPE = GLOBAL]

@@ -22,11 +22,11 @@ from typing import Any
 import pytest
 
 import nctakt
-from nctakt.controller import Controller
 from nctakt.plc import load_plc
 from nctakt.results.run import Run
-from nctakt.schedule.opening import RunSchedule, open_schedule
-from nctakt.stimuli import Stimulus
+from nctakt.run.controller import Controller
+from nctakt.run.stimuli import Stimulus
+from nctakt.schedule.open_schedule import RunSchedule, open_schedule
 
 HERE = Path(__file__).parent
 FOLDERS = sorted(folder.parent.name for folder in HERE.glob("*/expected.trace"))

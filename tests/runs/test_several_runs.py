@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 GLOBAL = "#RT CYCLE [ID = 1 SCOPE = GLOBAL]\nV.CH.Total += 1\n#RT CYCLE END\n#TIME 0.002\nM30"
 

@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 from test_runs import FOLDERS, HERE, perform
 
-from nctakt.controller import Controller
 from nctakt.results.histories import BranchHistory, CycleHistory
 from nctakt.results.reasons import (
     truth_at,
@@ -20,6 +19,7 @@ from nctakt.results.reasons import (
 )
 from nctakt.results.run import Run
 from nctakt.results.why import WhyReport
+from nctakt.run.controller import Controller
 
 #: Ticks of a run that are looked at, at most.
 _TICKS = 400

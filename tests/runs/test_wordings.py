@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from test_runs import HERE, expectations, perform, settled
 
-from nctakt.controller import Controller, NcText
+from nctakt.run.controller import Controller, NcText
 
 FOLDERS = sorted(folder.parent.name for folder in HERE.glob("*/german"))
 

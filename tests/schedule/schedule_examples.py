@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from nctakt.lists.rtconf import RtconfConfiguration
-from nctakt.lists.rtconf_effective import load_rtconf
-from nctakt.lists.rtconf_profile import PROFILES, RtconfOptions
+from nctakt.lists.declared.rtconf import RtconfConfiguration
+from nctakt.lists.machine.scheduling import load_rtconf
+from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.messages import Collector
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.load import ASSUMED, read_load

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from hypothesis import strategies as st
 
-from nctakt.lists.rtconf import InterruptSource
+from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.model import Call, Execution, Model, Rules, Task, TaskClass, Train
 
 OVERFLOWS = ("skip", "pend", "queue")

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from nctakt.lists.rtconf import InterruptSource
+from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.model import Model, TaskClass
 
 

@@ -12,8 +12,8 @@ from schedule_models import models
 from test_scenarios import NOMINAL
 
 from nctakt.schedule.analyse import Analysis, analyse
-from nctakt.schedule.answers import find_answers, with_cycle, with_time, with_windows
 from nctakt.schedule.findings import analysis_findings, simulation_findings
+from nctakt.schedule.margins import find_answers, with_cycle, with_time, with_windows
 from nctakt.schedule.model import Execution, Model
 from nctakt.schedule.simulate import hyperperiod, simulate
 

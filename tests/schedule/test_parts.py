@@ -10,8 +10,8 @@ import pytest
 from schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
 
 from nctakt.cli import main
+from nctakt.schedule.interpolation_steps import dead_times, parts_of
 from nctakt.schedule.model import PARTS, Model
-from nctakt.schedule.parts import dead_times, parts_of
 from nctakt.schedule.simulate import simulate
 
 Capture = pytest.CaptureFixture[str]

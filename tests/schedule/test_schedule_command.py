@@ -11,7 +11,7 @@ import pytest
 from schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, german, load_text, with_line
 
 from nctakt.cli import main
-from nctakt.lists.rtconf_effective import load_rtconf
+from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.messages import Collector
 
 Capture = pytest.CaptureFixture[str]

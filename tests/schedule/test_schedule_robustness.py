@@ -7,18 +7,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, load_text, with_line
 
-from nctakt.diagnostics import Severity
-from nctakt.lists.rtconf_effective import load_rtconf
-from nctakt.lists.rtconf_profile import PROFILES, RtconfOptions
+from nctakt.base.diagnostics import Severity
+from nctakt.lists.machine.scheduling import load_rtconf
+from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.messages import Collector
 from nctakt.schedule.analyse import analyse
-from nctakt.schedule.answers import find_answers
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.effective_table import effective_rows
 from nctakt.schedule.figure import svg
 from nctakt.schedule.findings import analysis_findings, simulation_findings
 from nctakt.schedule.gantt import gantt
 from nctakt.schedule.load import ASSUMED, read_load
+from nctakt.schedule.margins import find_answers
 from nctakt.schedule.model import Rules
 from nctakt.schedule.report import analysis_report, simulation_report
 from nctakt.schedule.simulate import simulate

@@ -10,15 +10,15 @@ from pathlib import Path
 import pytest
 
 import nctakt
+from nctakt.base.failure import Failure
 from nctakt.cli import main
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
-from nctakt.interface import Interface
-from nctakt.lists.rtconf_profile import PROFILES, RtconfOptions
+from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.results.run import Run
 from nctakt.results.summary import print_summary
-from nctakt.schedule.opening import RunSchedule, open_schedule
-from nctakt.stimuli import Stimulus
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import Interface
+from nctakt.run.stimuli import Stimulus
+from nctakt.schedule.open_schedule import RunSchedule, open_schedule
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 LIST = """\

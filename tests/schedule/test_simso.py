@@ -16,7 +16,7 @@ from typing import Any
 
 import pytest
 
-from nctakt.lists.rtconf import InterruptSource
+from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.model import Call, Execution, Model, Rules, Task, TaskClass, Train
 from nctakt.schedule.results import EventKind
 from nctakt.schedule.simulate import simulate

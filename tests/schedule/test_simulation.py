@@ -13,7 +13,7 @@ from schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
 from schedule_models import call, models
 from stepwise import step
 
-from nctakt.lists.rtconf import InterruptSource
+from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.model import (
     ANY_CPU,
     Execution,

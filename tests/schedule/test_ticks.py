@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 
-from nctakt.lists.rtconf_effective import load_rtconf
-from nctakt.lists.rtconf_profile import PROFILES, RtconfOptions
+from nctakt.lists.machine.scheduling import load_rtconf
+from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.messages import Collector
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.load import read_load

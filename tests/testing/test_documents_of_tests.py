@@ -6,8 +6,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from nctakt.controller import Controller
 from nctakt.plc import load_plc
+from nctakt.run.controller import Controller
 
 ROOT = Path(__file__).parent.parent.parent
 EXAMPLES = ROOT / "examples"

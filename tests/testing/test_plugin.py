@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 import nctakt
-from nctakt.failure import Failure
+from nctakt.base.failure import Failure
 from nctakt.results.coverage_files import from_json
 from nctakt.testing.expectations import read_script
 

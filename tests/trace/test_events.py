@@ -5,9 +5,9 @@ import struct
 
 import pytest
 
-from nctakt.diagnostics import Span
-from nctakt.kernel import record
-from nctakt.sources import SourceFiles, pack
+from nctakt.base.diagnostics import Span
+from nctakt.base.source_ids import SourceFiles, pack
+from nctakt.kernel.base import record
 from nctakt.trace import Event, EventChunk, EventDecoder
 
 PLACE = Span("part.nc", 5, 3, 4)

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from nctakt.diagnostics import Span
+from nctakt.base.diagnostics import Span
 from nctakt.trace import Event, Signal, TraceHeader, file_sink, read_trace
 
 WORDS = st.text(st.characters(codec="utf-8"), max_size=12)

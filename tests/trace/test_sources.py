@@ -3,8 +3,8 @@
 
 import pytest
 
-from nctakt.diagnostics import Span
-from nctakt.sources import (
+from nctakt.base.diagnostics import Span
+from nctakt.base.source_ids import (
     FILE_LIMIT,
     LAST_COLUMN,
     LAST_LINE,

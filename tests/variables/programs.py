@@ -9,9 +9,9 @@ from pathlib import Path
 
 from machines import machine_with
 
-from nctakt.controller import Controller, NcText
-from nctakt.lists.machine import MachineConfiguration
+from nctakt.lists.machine.machine import MachineConfiguration
 from nctakt.results.run import Run
+from nctakt.run.controller import Controller, NcText
 
 
 @dataclass

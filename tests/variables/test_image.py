@@ -17,9 +17,9 @@ from pathlib import Path
 import pytest
 from machines import DEMO, NESTED, folder_with, machine_with
 
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
-from nctakt.image import InterfaceImage, describe, sections
+from nctakt.base.failure import Failure
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.shared_image import InterfaceImage, describe, sections
 
 SHARED_FOLDER = Path("/dev/shm")
 needs_shared_folder = pytest.mark.skipif(
@@ -388,7 +388,7 @@ def test_a_name_that_cannot_be_is_told(wrong: str) -> None:
 
 KILLED = """
 import sys, time
-from nctakt.controller import Controller
+from nctakt.run.controller import Controller
 controller = Controller()
 image = controller.interface_image(sys.argv[1])
 print("ready", flush=True)

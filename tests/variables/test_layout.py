@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 from machines import NESTED, folder_with, machine_with
 
-from nctakt.image import Field, describe, describe_c, image_bytes, sections
-from nctakt.lists.machine import load_machine
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.shared_image import Field, describe, describe_c, image_bytes, sections
 
 COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
 

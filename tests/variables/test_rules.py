@@ -13,10 +13,10 @@ import pytest
 from machines import folder_with
 from programs import Machine, demo, errors, machine, messages
 
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
-from nctakt.lists.machine import load_machine
+from nctakt.base.failure import Failure
+from nctakt.lists.machine.machine import load_machine
 from nctakt.plc import AnyPlc
+from nctakt.run.controller import Controller, NcText
 
 #: V.E of the channel, V.E GLOBAL and V.CH: each synchronous and asynchronous, as number, array and
 #: nested structure.

@@ -9,9 +9,9 @@ from random import Random
 import pytest
 from programs import Machine, demo, errors, machine, messages
 
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
-from nctakt.stimuli import Stimulus, parse_assignment
+from nctakt.base.failure import Failure
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.stimuli import Stimulus, parse_assignment
 
 TEXTS = """
 number_used_variables 6

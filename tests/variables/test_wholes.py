@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from programs import Machine, demo, errors, machine
 
-from nctakt.controller import NcText
+from nctakt.run.controller import NcText
 
 TREE = """
 struct[0].name TREE

@@ -12,22 +12,22 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from nctakt.assembly import Machine
+from nctakt.base.diagnostics import Diagnostic, Severity, Span
+from nctakt.base.long_text import read_lines
+from nctakt.base.text import decode_text, split_lines
 from nctakt.checking.inputs import Found, gather
 from nctakt.checking.program import check_program
 from nctakt.checking.targets import Target, Targets
-from nctakt.diagnostics import Diagnostic, Severity, Span
-from nctakt.lists.files import find_file, startup_list_around
-from nctakt.lists.kinds import check_list_alone, kind_of, references
-from nctakt.lists.machine import MachineError, load_machine
-from nctakt.lists.parameters import SCHEMAS
-from nctakt.loading import NcText
-from nctakt.long_text import read_lines
+from nctakt.lists.all_parameters import SCHEMAS
+from nctakt.lists.machine.files import find_file, startup_list_around
+from nctakt.lists.machine.list_kinds import check_list_alone, kind_of, references
+from nctakt.lists.machine.machine import MachineError, load_machine
 from nctakt.messages import Collector, diagnostic
-from nctakt.nc.check_words import Role
-from nctakt.nc.lint import GlobalCycles, never_deleted
+from nctakt.nc.check.blocks import Role
+from nctakt.nc.lint.linter import GlobalCycles, never_deleted
 from nctakt.nc.source import Source
-from nctakt.text import decode_text, split_lines
+from nctakt.run.assembly import Machine
+from nctakt.run.program_loader import NcText
 
 #: The kind of a program; lists have the kinds of their schemas (``channel``, ``axis``, …).
 PROGRAM = "program"

@@ -14,8 +14,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from nctakt.diagnostics import Diagnostic
-from nctakt.lists.files import STARTUP_NAMES, find_entry
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.lists.machine.files import STARTUP_NAMES, find_entry
 from nctakt.messages import diagnostic
 
 #: How names of programs end, for those that are found in folders.

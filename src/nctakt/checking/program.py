@@ -12,18 +12,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from nctakt.diagnostics import Diagnostic, Span
-from nctakt.lists.channel_configuration import ChannelParameters
-from nctakt.lists.tools import Tool
-from nctakt.loading import find_program, missing, search_folders
+from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.lists.declared.tools import Tool
+from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
-from nctakt.nc.check_words import Role
+from nctakt.nc.check.blocks import Role
 from nctakt.nc.inspection import inspect
-from nctakt.nc.lint import GlobalCycles, Linter
-from nctakt.nc.lint_cycle import Budget
-from nctakt.nc.names import NameTable
+from nctakt.nc.lint.linter import GlobalCycles, Linter
+from nctakt.nc.lint.realtime_cycles import Budget
 from nctakt.nc.source import Source
-from nctakt.nc.syntax import StringLiteral
+from nctakt.nc.tree import StringLiteral
+from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.run.program_loader import find_program, missing, search_folders
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,12 +12,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from nctakt.assembly import Machine
-from nctakt.lists.channel_configuration import ChannelParameters
-from nctakt.lists.machine import MachineConfiguration
-from nctakt.loading import program_folder
-from nctakt.nc.lint_cycle import Budget
-from nctakt.nc.names import NameTable
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.lists.machine.machine import MachineConfiguration
+from nctakt.nc.lint.realtime_cycles import Budget
+from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.run.assembly import Machine
+from nctakt.run.program_loader import program_folder
 
 
 class Target:

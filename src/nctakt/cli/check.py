@@ -15,19 +15,19 @@ from typing import Any, Literal
 
 import click
 
-from nctakt.assembly import Machine
+from nctakt.base.diagnostics import Language, Severity
+from nctakt.base.failure import Failure
+from nctakt.base.text import decode_text
 from nctakt.checking.check import CheckResult, check_files
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.formats import as_github, as_json, as_text, closing_line
 from nctakt.cli.sarif import as_sarif
 from nctakt.cli.selection import Selection, read_selection
 from nctakt.cli.terminal import OutputFile, print_diagnostics, show_at_the_end
-from nctakt.diagnostics import Language, Severity
-from nctakt.failure import Failure
-from nctakt.lists.machine import MachineError, load_machine
-from nctakt.loading import NcText
+from nctakt.lists.machine.machine import MachineError, load_machine
 from nctakt.messages import diagnostic
-from nctakt.text import decode_text
+from nctakt.run.assembly import Machine
+from nctakt.run.program_loader import NcText
 
 _STANDARD_INPUT = "-"
 _EPILOG = """\b

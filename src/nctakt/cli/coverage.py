@@ -18,12 +18,12 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt.base.diagnostics import Language, Severity
+from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
 from nctakt.cli.terminal import OutputFile, print_diagnostics, show_at_the_end
-from nctakt.diagnostics import Language, Severity
-from nctakt.failure import Failure
 from nctakt.messages import diagnostic
 
 if TYPE_CHECKING:

@@ -11,9 +11,9 @@ from collections.abc import Iterator, Sequence
 
 import click
 
+from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
-from nctakt.diagnostics import Diagnostic, Language
 from nctakt.messages import diagnostic
 from nctakt.reference.layout import article_lines, list_lines, topic_lines
 from nctakt.reference.topics import TOPICS, explain, nearest_word, topic

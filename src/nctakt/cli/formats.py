@@ -16,10 +16,10 @@ from pathlib import Path
 import click
 
 from nctakt import __version__
+from nctakt.base.diagnostics import Language, Severity, Text
 from nctakt.checking.check import CheckResult
 from nctakt.checking.inputs import Found
 from nctakt.cli.selection import RULE_PREFIX
-from nctakt.diagnostics import Language, Severity, Text
 
 COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.NOTE: None}
 _GITHUB = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "notice"}

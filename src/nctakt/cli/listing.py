@@ -14,18 +14,18 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
-from nctakt.diagnostics import Diagnostic, Severity
-from nctakt.failure import Failure
 from nctakt.messages import diagnostic
 
 if TYPE_CHECKING:
-    from nctakt.controller import Controller
-    from nctakt.decoder.cycles import CycleDefinition
+    from nctakt.decoder.cycles.builder import CycleDefinition
     from nctakt.results.run import Run
+    from nctakt.run.controller import Controller
 
 _EPILOG = """\b
 A variable that is not synchronous is read when the definition is decoded: the
@@ -70,7 +70,7 @@ def _lister(
     options: Options, controller: Controller, lines: list[str]
 ) -> Callable[[str, CycleDefinition], None]:
     """What adds the lines of a definition to ``lines``, an empty one between two definitions."""
-    from nctakt.decoder.memory import memory_bytes  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.decoder.cycles.memory_budget import memory_bytes  # noqa: PLC0415 - the mode is chosen before
     from nctakt.results.listing import Listing  # noqa: PLC0415
 
     listing = Listing(options.language)

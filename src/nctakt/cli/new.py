@@ -11,10 +11,10 @@ from pathlib import Path
 
 import click
 
+from nctakt.base.diagnostics import Language
+from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.terminal import print_diagnostics
-from nctakt.diagnostics import Language
-from nctakt.failure import Failure
 from nctakt.machines.commented import commented_lists
 from nctakt.messages import diagnostic
 

@@ -14,12 +14,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from nctakt.base.failure import Failure
 from nctakt.cli.request import Options, Request
-from nctakt.failure import Failure
 from nctakt.messages import diagnostic
 
 if TYPE_CHECKING:
-    from nctakt.controller import Controller
+    from nctakt.run.controller import Controller
     from nctakt.trace.sinks import Sink
 
 

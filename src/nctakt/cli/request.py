@@ -15,15 +15,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
-from nctakt.diagnostics import Diagnostic, Language
-from nctakt.failure import Failure
+from nctakt.base.diagnostics import Diagnostic, Language
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.nc.heads import SKIP_LEVELS
-from nctakt.stimuli import Stimulus, parse_assignment, parse_stimulus, parse_time
+from nctakt.nc.parse.block_head import SKIP_LEVELS
+from nctakt.run.stimuli import Stimulus, parse_assignment, parse_stimulus, parse_time
 
 if TYPE_CHECKING:
-    from nctakt.controller import NcText
     from nctakt.plc import AnyPlc
+    from nctakt.run.controller import NcText
 
 STANDARD_INPUT = "-"
 
@@ -180,8 +180,8 @@ def _check_machine(machine: str) -> None:
 def _program(program: str) -> Path | NcText:
     if program != STANDARD_INPUT:
         return Path(program)
-    from nctakt.controller import NcText  # noqa: PLC0415 - the mode is chosen before its import
-    from nctakt.text import decode_text  # noqa: PLC0415
+    from nctakt.base.text import decode_text  # noqa: PLC0415
+    from nctakt.run.controller import NcText  # noqa: PLC0415 - the mode is chosen before its import
 
     data = sys.stdin.buffer.read() if sys.stdin is not None else b""
     return NcText("<stdin>", decode_text(data).text)

@@ -17,6 +17,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt.base.diagnostics import Severity
+from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.plotting import Plot
 from nctakt.cli.request import Options, Request, read_request
@@ -29,13 +31,11 @@ from nctakt.cli.terminal import (
     show_at_the_end,
 )
 from nctakt.cli.waiting import waiter
-from nctakt.diagnostics import Severity
-from nctakt.failure import Failure
 
 if TYPE_CHECKING:
-    from nctakt.controller import Controller
     from nctakt.results.report import DiagnosisSink
     from nctakt.results.run import Run, SaidMessage
+    from nctakt.run.controller import Controller
     from nctakt.trace.sinks import Sink
 
 #: Seconds of wall-clock time for a PLC in another process: to come, and to answer a tick.

@@ -14,18 +14,18 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
 from nctakt.cli.request import Options, Request
 from nctakt.cli.terminal import InterruptRequest, ProgressBar, print_diagnostics
-from nctakt.diagnostics import Diagnostic
-from nctakt.failure import Failure
-from nctakt.lists.files import startup_list_around
+from nctakt.lists.machine.files import startup_list_around
 from nctakt.messages import diagnostic
 
 if TYPE_CHECKING:
-    from nctakt.controller import Controller
-    from nctakt.decoder.cycles import CycleDefinition
+    from nctakt.decoder.cycles.builder import CycleDefinition
     from nctakt.results.run import Run, SaidMessage
-    from nctakt.schedule.opening import RunSchedule
+    from nctakt.run.controller import Controller
+    from nctakt.schedule.open_schedule import RunSchedule
     from nctakt.trace.sinks import Sink
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
@@ -113,7 +113,7 @@ def run_options(stimulus: str, language_of: str) -> Callable[[_Command], _Comman
 
 def choose_mode(options: Options) -> None:
     """Compiled or plain: before anything of the realtime part is imported."""
-    from nctakt import mode  # noqa: PLC0415 - a command that only shows its help does not load it
+    from nctakt.base import mode  # noqa: PLC0415 - a command that only shows its help does not load it
 
     if options.compiled is False:
         mode.use_plain()
@@ -127,7 +127,7 @@ def choose_mode(options: Options) -> None:
 
 def start_controller(options: Options) -> Controller:
     """A controller of the machine that was asked for; a note where another one may be meant."""
-    from nctakt.controller import Controller  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.run.controller import Controller  # noqa: PLC0415 - the mode is chosen before
 
     if options.machine is None and not options.quiet:
         print_diagnostics(_machines_around(options), options.language)
@@ -145,8 +145,8 @@ def _machines_around(options: Options) -> Iterator[Diagnostic]:
 
 def _schedule(options: Options) -> RunSchedule | None:
     """The schedule of the words, if there is one; raises ``Failure``."""
-    from nctakt.lists.rtconf_profile import PROFILES, RtconfOptions  # noqa: PLC0415
-    from nctakt.schedule.opening import open_schedule  # noqa: PLC0415 - as above
+    from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
+    from nctakt.schedule.open_schedule import open_schedule  # noqa: PLC0415 - as above
 
     if options.rtconf is None:
         for option, word in (("--load", options.load), ("--os", options.system)):

@@ -15,10 +15,10 @@ from pathlib import Path
 from urllib.parse import quote
 
 from nctakt import __version__
+from nctakt.base.diagnostics import Language, Message, Severity
 from nctakt.checking.check import CheckResult
 from nctakt.checking.inputs import Found
 from nctakt.cli.formats import relative, rule_of, text_with_remedy
-from nctakt.diagnostics import Language, Message, Severity
 
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 #: What paths are relative to: the folder of the checkout, whatever it is called there.

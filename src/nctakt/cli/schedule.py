@@ -13,6 +13,7 @@ from typing import Any
 
 import click
 
+from nctakt.base.diagnostics import Language
 from nctakt.cli.schedule_options import (
     LIST_OPTIONS,
     MODEL_OPTIONS,
@@ -30,7 +31,6 @@ from nctakt.cli.schedule_options import (
     write_outputs,
 )
 from nctakt.cli.schedule_run import run
-from nctakt.diagnostics import Language
 from nctakt.messages import Collector
 
 _EPILOG = """\b
@@ -110,8 +110,8 @@ def _simulate(words: dict[str, Any]) -> int:
 
 def _analyse(words: dict[str, Any]) -> int:
     from nctakt.schedule.analyse import analyse as analyse_model  # noqa: PLC0415
-    from nctakt.schedule.answers import find_answers  # noqa: PLC0415
     from nctakt.schedule.findings import analysis_findings  # noqa: PLC0415
+    from nctakt.schedule.margins import find_answers  # noqa: PLC0415
     from nctakt.schedule.report import analysis_report  # noqa: PLC0415
     from nctakt.schedule.simulate import simulate as run_model  # noqa: PLC0415
 

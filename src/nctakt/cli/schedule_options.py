@@ -14,15 +14,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.terminal import print_diagnostics
-from nctakt.diagnostics import Diagnostic, Severity
-from nctakt.failure import Failure
 from nctakt.messages import Collector, diagnostic
 
 if TYPE_CHECKING:
-    from nctakt.lists.rtconf import RtconfConfiguration
-    from nctakt.lists.rtconf_profile import RtconfOptions
+    from nctakt.lists.declared.rtconf import RtconfConfiguration
+    from nctakt.lists.machine.scheduling_profile import RtconfOptions
     from nctakt.schedule.load import Load
     from nctakt.schedule.model import Model
     from nctakt.schedule.results import Simulation
@@ -134,9 +134,9 @@ def guarded(function: Callable[[dict[str, Any]], int], words: dict[str, Any]) ->
 
 def read_list(words: dict[str, Any]) -> ListRead:
     """The list that the words name, and what was found in it; raises ``Failure``."""
-    from nctakt.lists.rtconf_effective import load_rtconf  # noqa: PLC0415 - not for the help
-    from nctakt.lists.rtconf_profile import PROFILES, RtconfOptions  # noqa: PLC0415
-    from nctakt.schedule.opening import read_file  # noqa: PLC0415
+    from nctakt.lists.machine.scheduling import load_rtconf  # noqa: PLC0415 - not for the help
+    from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
+    from nctakt.schedule.open_schedule import read_file  # noqa: PLC0415
 
     options = RtconfOptions(
         PROFILES[words["system"]],
@@ -170,9 +170,9 @@ def exit_code(listed: list[Diagnostic], found: list[Diagnostic], words: dict[str
 
 def read_model_load(read: ListRead, words: dict[str, Any], collector: Collector) -> Load:
     """The load that the words name, else the assumed one; raises ``Failure``."""
+    from nctakt.base.text import decode_text  # noqa: PLC0415
     from nctakt.schedule.load import ASSUMED, read_load  # noqa: PLC0415
-    from nctakt.schedule.opening import read_file  # noqa: PLC0415
-    from nctakt.text import decode_text  # noqa: PLC0415
+    from nctakt.schedule.open_schedule import read_file  # noqa: PLC0415
 
     if words["load"] is None:
         return ASSUMED
@@ -187,7 +187,7 @@ def make_model(read: ListRead, load: Load, words: dict[str, Any], collector: Col
     """The model; raises ``Failure`` when list or load leave nothing to schedule."""
     from nctakt.schedule.assemble import assemble  # noqa: PLC0415
     from nctakt.schedule.model import Rules  # noqa: PLC0415
-    from nctakt.schedule.opening import PLACED  # noqa: PLC0415
+    from nctakt.schedule.open_schedule import PLACED  # noqa: PLC0415
 
     rules = Rules(words["overflow"], words["calls"], words["suspension"])
     profile = read.options.profile
@@ -202,8 +202,8 @@ def make_model(read: ListRead, load: Load, words: dict[str, Any], collector: Col
 
 def wanted_cycles(model: Model, words: dict[str, Any]) -> int:
     """How many NC cycles are simulated."""
+    from nctakt.run.stimuli import parse_time  # noqa: PLC0415
     from nctakt.schedule.model import NS_PER_US  # noqa: PLC0415
-    from nctakt.stimuli import parse_time  # noqa: PLC0415
 
     if words["cycles"] is not None:
         return int(words["cycles"])

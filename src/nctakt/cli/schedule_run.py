@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt.base.failure import Failure
 from nctakt.cli.schedule_options import (
     LIST_OPTIONS,
     MODEL_OPTIONS,
@@ -29,7 +30,6 @@ from nctakt.cli.schedule_options import (
     with_options,
     write_outputs,
 )
-from nctakt.failure import Failure
 from nctakt.messages import Collector, diagnostic
 
 if TYPE_CHECKING:
@@ -110,7 +110,7 @@ def _plan(read: ListRead, model: Model, words: dict[str, Any], collector: Collec
     """What runs where; raises ``Failure`` (900687, 900688)."""
     from nctakt.linux.machine import fifo_refusal  # noqa: PLC0415
     from nctakt.linux.plan import crowded_cpus, make_plan  # noqa: PLC0415
-    from nctakt.lists.rtconf import InterruptSource  # noqa: PLC0415
+    from nctakt.lists.declared.rtconf import InterruptSource  # noqa: PLC0415
 
     source: str | None = None
     if model.source is InterruptSource.HARDWARE:

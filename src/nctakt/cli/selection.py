@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from nctakt.failure import Failure
+from nctakt.base.failure import Failure
 from nctakt.messages import CATALOGUE, diagnostic
 
 #: In front of a message's number wherever rules of many tools stand beside each other.

@@ -21,8 +21,8 @@ from typing import TYPE_CHECKING, Self, TextIO
 
 import click
 
-from nctakt.diagnostics import Diagnostic, Language, Severity
-from nctakt.failure import Failure
+from nctakt.base.diagnostics import Diagnostic, Language, Severity
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 
 if TYPE_CHECKING:
@@ -101,7 +101,7 @@ class OutputFile:
         self._is_new = False
 
     def write(self, text: str) -> None:
-        """Append ``text`` to what this command has written."""
+        """Append ``base.text`` to what this command has written."""
         try:
             if not self._is_new and stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
                 self._file.truncate(0)

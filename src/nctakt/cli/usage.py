@@ -12,10 +12,10 @@ from typing import cast
 
 import click
 
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Text
+from nctakt.base.text import nearest
 from nctakt.cli.terminal import print_diagnostics
-from nctakt.diagnostics import NOTHING, Diagnostic, Language, Text
 from nctakt.messages import diagnostic
-from nctakt.text import nearest
 
 
 def tell_usage(error: click.ClickException, words: Sequence[str]) -> None:

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt.base.diagnostics import Severity
+from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
-from nctakt.diagnostics import Severity
-from nctakt.failure import Failure
-from nctakt.stimuli import parse_time
+from nctakt.run.stimuli import parse_time
 
 if TYPE_CHECKING:
     from nctakt.results.run import Run

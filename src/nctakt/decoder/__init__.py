@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Checked program -> commands; ``nctakt.mode`` decides in which form its modules are imported."""
+"""Checked program -> commands; ``nctakt.base.mode`` decides in which form its modules are
+imported."""
 
-from nctakt import mode as mode
+from nctakt.base import mode as mode

@@ -21,22 +21,22 @@ from collections.abc import Callable, Generator, Iterator
 from dataclasses import replace
 from typing import NoReturn
 
-from nctakt.decoder.arcs import PLANES, SAME_PLACE_MM, Arc
-from nctakt.decoder.chain import ARC, GAP, REACH
-from nctakt.decoder.commands import Answer, Command, ProgramEnd, Segment, pack, waits
-from nctakt.decoder.held import HeldMotion, share_of_contour
-from nctakt.decoder.motion import PathMotion
-from nctakt.decoder.plain_beside import PlainBeside
-from nctakt.decoder.plain_blocks import PlainRun
-from nctakt.decoder.state import ENDS_WITHOUT_WAY, INNER_CORNER, PERPENDICULAR
-from nctakt.decoder.surroundings import DecodeError
-from nctakt.decoder.tool_path import ToolPath
-from nctakt.decoder.values import Values
-from nctakt.diagnostics import Span
-from nctakt.kernel import arithmetic
-from nctakt.kernel.ring import TIMED_KINDS
+from nctakt.base.diagnostics import Span
+from nctakt.base.source_ids import NO_SOURCE, unpack
+from nctakt.decoder.blocks.path_motion import PathMotion
+from nctakt.decoder.contour.chain import ARC, GAP, REACH
+from nctakt.decoder.contour.tool_path import ToolPath
+from nctakt.decoder.fast.compensated_lines import PlainBeside
+from nctakt.decoder.fast.handover import PlainRun
+from nctakt.decoder.pending_motion import HeldMotion, share_of_contour
+from nctakt.decoder.state.arcs import PLANES, SAME_PLACE_MM, Arc
+from nctakt.decoder.state.commands import Answer, Command, ProgramEnd, Segment, pack, waits
+from nctakt.decoder.state.environment import DecodeError
+from nctakt.decoder.state.modal_state import ENDS_WITHOUT_WAY, INNER_CORNER, PERPENDICULAR
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.tick.command_queue import TIMED_KINDS
 from nctakt.messages import diagnostic
-from nctakt.sources import NO_SOURCE, unpack
 
 #: Commands that may stand between the motions in the plane that are held.
 MOST_BETWEEN = 1000
@@ -304,7 +304,7 @@ class Compensation:
     # --- plain blocks ----------------------------------------------------------------------------
 
     def can_hand_over(self) -> bool:
-        """Whether plain blocks may go on with the contour (``plain_beside.py``).
+        """Whether plain blocks may go on with the contour (``compensated_lines.py``).
 
         Then one line is held and nothing behind it, and only what comes next can end it.
         """

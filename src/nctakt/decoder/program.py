@@ -9,8 +9,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable, Sequence
 
-from nctakt.decoder.calls import Calls, returns
-from nctakt.decoder.commands import (
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.block_decoder import Words
+from nctakt.decoder.blocks.user_errors import user_error
+from nctakt.decoder.compensation import Compensation
+from nctakt.decoder.cycles.builder import SCOPES, CycleBuilder, CycleDefinition
+from nctakt.decoder.fast.handover import PlainBlocks
+from nctakt.decoder.flow.calls import Calls, returns
+from nctakt.decoder.flow.computed_blocks import is_as_written, with_numbers
+from nctakt.decoder.flow.flow import Decoded, Flow, Jump, Return, Signal
+from nctakt.decoder.flow.hash_commands import Hashes
+from nctakt.decoder.flow.macros import Macros
+from nctakt.decoder.flow.modal_calls import ModalCalls
+from nctakt.decoder.flow.realtime_loops import RealtimeLoops
+from nctakt.decoder.state.call_stack import MOST_LEVELS, MOST_NESTED, Level
+from nctakt.decoder.state.commands import (
     CONTROL_ACTIONS,
     Answer,
     BlockMark,
@@ -24,30 +37,17 @@ from nctakt.decoder.commands import (
     UserMessage,
     is_block,
 )
-from nctakt.decoder.compensation import Compensation
-from nctakt.decoder.cycles import SCOPES, CycleBuilder, CycleDefinition
-from nctakt.decoder.flow import Decoded, Flow, Jump, Return, Signal
-from nctakt.decoder.hashes import Hashes
-from nctakt.decoder.levels import MOST_LEVELS, MOST_NESTED, Level
-from nctakt.decoder.loops import RealtimeLoops
-from nctakt.decoder.macros import Macros
-from nctakt.decoder.modal import ModalCalls
-from nctakt.decoder.offsets import ALL, left_over
-from nctakt.decoder.plain_blocks import PlainBlocks
-from nctakt.decoder.requests import MovedAxes
-from nctakt.decoder.rewriting import is_as_written, with_numbers
-from nctakt.decoder.state import ModalState
-from nctakt.decoder.surroundings import Surroundings
-from nctakt.decoder.texts import FormatError, format_text
-from nctakt.decoder.user_errors import user_error
-from nctakt.decoder.values import Values
-from nctakt.decoder.words import Words
-from nctakt.diagnostics import Span
-from nctakt.kernel import arithmetic
-from nctakt.kernel.cycles import BLOCK, GLOBAL, PROG
-from nctakt.nc import syntax
-from nctakt.nc.check_cycle import HIGHEST_ID
-from nctakt.nc.check_path import FORMS, command_name
+from nctakt.decoder.state.environment import Surroundings
+from nctakt.decoder.state.modal_state import ModalState
+from nctakt.decoder.state.offsets import ALL, left_over
+from nctakt.decoder.state.uncertain_axes import MovedAxes
+from nctakt.decoder.values.texts import FormatError, format_text
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.cycles.cycles import BLOCK, GLOBAL, PROG
+from nctakt.nc import tree
+from nctakt.nc.check.path_commands import FORMS, command_name
+from nctakt.nc.check.realtime_cycles import HIGHEST_ID
 from nctakt.nc.outline import ProgramText, SectionReader, leads_to
 
 #: Blocks that may be decoded in a row without one that takes time (a loop that never moves).
@@ -177,7 +177,7 @@ class ProgramDecoder:
 
     def _statements(
         self,
-        statements: Iterable[syntax.Statement],
+        statements: Iterable[tree.Statement],
         label: str | None = None,
         *,
         is_part: bool = False,
@@ -242,7 +242,7 @@ class ProgramDecoder:
         if self._nested > MOST_NESTED:
             self._values.fail(900308, span, limit=MOST_NESTED)
 
-    def _statement(self, statement: syntax.Statement) -> Decoded:
+    def _statement(self, statement: tree.Statement) -> Decoded:
         self._count(statement.span)
         if statement.head.skip in self._surroundings.skip_levels:
             return ""
@@ -257,48 +257,41 @@ class ProgramDecoder:
         if self._surroundings.tells_blocks:
             yield BlockMark(self._surroundings.place(statement.span), number)
         match statement:
-            case syntax.Block():
+            case tree.Block():
                 return (yield from self._block(statement, number))
-            case syntax.OffsetCommand() if statement.name == "SUPPRESS OFFSETS":
-                block = syntax.Block(statement.span, statement.head, statement.words)
+            case tree.OffsetCommand() if statement.name == "SUPPRESS OFFSETS":
+                block = tree.Block(statement.span, statement.head, statement.words)
                 return (yield from self._block(block, number, left_over(statement)))
-            case syntax.OffsetCommand():
+            case tree.OffsetCommand():
                 yield from self._words.presets(statement, number)
-            case syntax.Assignment():
+            case tree.Assignment():
                 yield from self._values.assign(statement, number)
-            case syntax.VariableBlock():
+            case tree.VariableBlock():
                 yield from self._values.evaluate_any(statement.variable, number)
-            case syntax.Break():
+            case tree.Break():
                 return "break"
-            case syntax.Continue():
+            case tree.Continue():
                 return "continue"
-            case syntax.Goto():
+            case tree.Goto():
                 return Jump(statement.label, statement.span)
-            case syntax.SubprogramCall():
+            case tree.SubprogramCall():
                 if statement.words:
-                    words = syntax.Block(statement.span, syntax.NO_HEAD, statement.words)
+                    words = tree.Block(statement.span, tree.NO_HEAD, statement.words)
                     signal = yield from self._block(words, number)
                     if signal:
                         return signal
                 level = yield from self._calls.call(statement, number)
                 self._modal.begin(statement, level)
                 return (yield from self._call(level, statement.span))
-            case (
-                syntax.If()
-                | syntax.For()
-                | syntax.While()
-                | syntax.Do()
-                | syntax.Repeat()
-                | syntax.Switch()
-            ):
+            case tree.If() | tree.For() | tree.While() | tree.Do() | tree.Repeat() | tree.Switch():
                 return (yield from self._flow.structure(statement, number))
-            case syntax.Unreadable():
+            case tree.Unreadable():
                 self._values.fail(900311, statement.span)
             case _:
                 yield from self._command(statement, number)
         return ""
 
-    def _block(self, block: syntax.Block, number: int, kinds: int = ALL) -> Decoded:
+    def _block(self, block: tree.Block, number: int, kinds: int = ALL) -> Decoded:
         """Words; then what they call, then the end of a program among them.
 
         ``kinds``: which offsets the block's positions have.
@@ -328,48 +321,48 @@ class ProgramDecoder:
 
     # --- commands -------------------------------------------------------------------------------
 
-    def _command(self, statement: syntax.Statement, number: int) -> Generator[Command, Answer]:
+    def _command(self, statement: tree.Statement, number: int) -> Generator[Command, Answer]:
         source = self._surroundings.place(statement.span)
         match statement:
-            case syntax.RealtimeCycle():
+            case tree.RealtimeCycle():
                 yield from self._define(statement, source, number)
-            case syntax.CycleControl():
+            case tree.CycleControl():
                 yield from self._control(statement, source, number)
-            case syntax.RealtimeLoop():
+            case tree.RealtimeLoop():
                 yield from self._loops.loop(statement, number)
-            case syntax.Flush():
+            case tree.Flush():
                 self._values.empties_channel("#FLUSH", statement.span)
                 if statement.mode != "CONTINUE":
                     yield Flush(source, number, statement.mode == "WAIT")
-            case syntax.Time():
+            case tree.Time():
                 seconds = yield from self._values.evaluate(statement.seconds, number)
                 yield from self._words.dwell(seconds, statement.span, number)
-            case syntax.UserError():
+            case tree.UserError():
                 yield from user_error(self._values, statement, number)
-            case syntax.UserMessage():
+            case tree.UserMessage():
                 yield from self._message(statement, source, number)
-            case syntax.HashCommand() if [word.name for word in statement.words] == EXPLICIT:
+            case tree.HashCommand() if [word.name for word in statement.words] == EXPLICIT:
                 yield from self._words.technology.explicit()
-            case syntax.HashCommand() if command_name(statement) in FORMS:
+            case tree.HashCommand() if command_name(statement) in FORMS:
                 yield from self._words.path.command(statement, number)
-            case syntax.VariableDeclarations():
+            case tree.VariableDeclarations():
                 for declaration in statement.declarations:
                     yield from self._values.declare(declaration, number)
-            case syntax.MacroDefinition():
+            case tree.MacroDefinition():
                 self._macros.define(statement)
-            case syntax.Timer():
+            case tree.Timer():
                 yield from self._hashes.timer(statement, number)
-            case syntax.HashCommand() if [word.name for word in statement.words] == NO_MODAL:
+            case tree.HashCommand() if [word.name for word in statement.words] == NO_MODAL:
                 self._modal.end()
-            case syntax.HashCommand():
+            case tree.HashCommand():
                 yield from self._hashes.command(statement, number)
-            case syntax.ProgramStart():
+            case tree.ProgramStart():
                 pass  # a comment
             case _:
                 raise AssertionError(statement)
 
     def _define(
-        self, statement: syntax.RealtimeCycle, source: int, number: int
+        self, statement: tree.RealtimeCycle, source: int, number: int
     ) -> Generator[Command, Answer]:
         identity = yield from self._identity(statement, number)
         scope_word = _keyword(statement.keywords, "SCOPE")
@@ -390,7 +383,7 @@ class ProgramDecoder:
             yield Freeze(place, number, serial, one.name, one.value)
 
     def _control(
-        self, statement: syntax.CycleControl, source: int, number: int
+        self, statement: tree.CycleControl, source: int, number: int
     ) -> Generator[Command, Answer]:
         identity = yield from self._identity(statement, number)
         assert identity is not None
@@ -407,7 +400,7 @@ class ProgramDecoder:
             self._moved.deleted(identity, self._surroundings.moving_axes())
 
     def _identity(
-        self, statement: syntax.RealtimeCycle | syntax.CycleControl, number: int
+        self, statement: tree.RealtimeCycle | tree.CycleControl, number: int
     ) -> Generator[Command, Answer, int | None]:
         keyword = _keyword(statement.keywords, "ID")
         if keyword is None or keyword.value is None:
@@ -418,7 +411,7 @@ class ProgramDecoder:
         return int(value)
 
     def _message(
-        self, statement: syntax.UserMessage, source: int, number: int
+        self, statement: tree.UserMessage, source: int, number: int
     ) -> Generator[Command, Answer]:
         layout = yield from self._values.evaluate_any(statement.format, number)
         if not isinstance(layout, str):
@@ -441,15 +434,13 @@ class ProgramDecoder:
         )
 
 
-def _keyword(
-    keywords: Sequence[syntax.Keyword | syntax.Expression], name: str
-) -> syntax.Keyword | None:
+def _keyword(keywords: Sequence[tree.Keyword | tree.Expression], name: str) -> tree.Keyword | None:
     for keyword in keywords:
-        if isinstance(keyword, syntax.Keyword) and keyword.name == name:
+        if isinstance(keyword, tree.Keyword) and keyword.name == name:
             return keyword
     return None
 
 
-def _word(keyword: syntax.Keyword) -> str:
-    assert isinstance(keyword.value, syntax.Name)
+def _word(keyword: tree.Keyword) -> str:
+    assert isinstance(keyword.value, tree.Name)
     return keyword.value.name

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from nctakt.hli.layout import MAGIC, STRUCTURES, UNIT, VERSION, Entry, Structure
 from nctakt.hli.places import entries, size_of, unit_offset
-from nctakt.kernel.hli import SLOT_COUNT
+from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 
 _TYPES = {
     "BOOLEAN": "uint8_t",

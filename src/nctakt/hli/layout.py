@@ -2,10 +2,10 @@
 """What stands in the HLI: one declaration of each value, from which all else is made.
 
 Structures of values, as a PLC sees them in memory (``hli/places.py`` gives each its bytes). Made
-from them are the table that the tick works with (``image.py``), the C header (``hli/header.py``),
-the document ``docs/reference/hli.md``. ``PANEL`` are the operator's commands and ``LAMPS`` what the
-channel shows for them; each has a cell in the memory, in this order (``kernel/panel.py``). From
-outside they are called ``HLI.OVERRIDE``, ``HLI.STATE`` …
+from them are the table that the tick works with (``run.shared_image.py``), the C header
+(``hli/header.py``), the document ``docs/reference/hli.md``. ``PANEL`` are the operator's commands
+and ``LAMPS`` what the channel shows for them; each has a cell in the memory, in this order
+(``kernel/plc/panel.py``). From outside they are called ``HLI.OVERRIDE``, ``HLI.STATE`` …
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from nctakt.kernel.hli import SLOT_COUNT
+from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 
 #: What stands in front of the names of operator's values: ``HLI.FEED_HOLD``.
 PREFIX = "HLI."
@@ -41,7 +41,7 @@ class Entry:
     """A value of the HLI: name, type as in variables lists (and UNS64), unit, meaning.
 
     ``count``: elements of an array, 0 for none. ``source``: the variable of the channel or axis
-    that it shows (``nc/names.py``); nothing for what has a way of its own.
+    that it shows (``nc/vocabulary/variable_table.py``); nothing for what has a way of its own.
     """
 
     name: str

@@ -26,9 +26,9 @@ from nctakt.hli.layout import (
     Entry,
     Structure,
 )
-from nctakt.kernel.hli import SLOT_COUNT
-from nctakt.lists.machine import MachineConfiguration
-from nctakt.lists.variable_memory import image_bytes
+from nctakt.hli.variables_memory import image_bytes
+from nctakt.kernel.plc.technology_slots import SLOT_COUNT
+from nctakt.lists.machine.machine import MachineConfiguration
 
 #: Areas begin at multiples of this: a cache line.
 AREA_ALIGNMENT = 64

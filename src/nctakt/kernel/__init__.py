@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
-"""The realtime part; ``nctakt.mode`` decides in which form its modules are imported."""
+"""The realtime part; ``nctakt.base.mode`` decides in which form its modules are imported."""
 
-from nctakt import mode as mode
+from nctakt.base import mode as mode

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 # C types of kernel.py.
 cimport cython
-from nctakt.kernel.axis cimport Axes
-from nctakt.kernel.axis_requests cimport AxisRequests
-from nctakt.kernel.channel cimport Channel
-from nctakt.kernel.image cimport InterfaceImage
-from nctakt.kernel.record cimport Record
-from nctakt.kernel.single_axes cimport SingleAxes
+from nctakt.kernel.axes.axes cimport Axes
+from nctakt.kernel.plc.axis_requests cimport AxisRequests
+from nctakt.kernel.tick.channel cimport Channel
+from nctakt.kernel.plc.interface_image cimport InterfaceImage
+from nctakt.kernel.base.record cimport Record
+from nctakt.kernel.axes.single_axes cimport SingleAxes
 
 cdef class Lane:
     cdef int needs_python(self) noexcept nogil

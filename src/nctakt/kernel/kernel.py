@@ -14,12 +14,12 @@ import struct
 
 import cython
 
-from nctakt.kernel.axis import Axes
-from nctakt.kernel.axis_requests import AxisRequests
-from nctakt.kernel.channel import Channel
-from nctakt.kernel.image import InterfaceImage
-from nctakt.kernel.record import Record
-from nctakt.kernel.single_axes import SingleAxes
+from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.axes.single_axes import SingleAxes
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.plc.axis_requests import AxisRequests
+from nctakt.kernel.plc.interface_image import InterfaceImage
+from nctakt.kernel.tick.channel import Channel
 
 # Why ``run`` returned.
 DONE = 0

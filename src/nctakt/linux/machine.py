@@ -12,7 +12,7 @@ import os
 import sys
 from pathlib import Path
 
-from nctakt.failure import Failure
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.schedule.load import MOST_CPUS
 

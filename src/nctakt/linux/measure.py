@@ -11,7 +11,7 @@ from array import array
 from bisect import bisect_right
 from dataclasses import dataclass, replace
 
-from nctakt.failure import Failure
+from nctakt.base.failure import Failure
 from nctakt.linux import area as layout
 from nctakt.linux.recording import RecordOfRun
 from nctakt.linux.run import RunLog

@@ -14,8 +14,8 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
-from nctakt.diagnostics import Diagnostic
-from nctakt.failure import Failure
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
 from nctakt.linux.area import NAME_SIZE
 from nctakt.messages import diagnostic
 

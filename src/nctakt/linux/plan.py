@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from nctakt.lists.rtconf import InterruptSource
+from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.chance import Chance
 from nctakt.schedule.model import ANY_CPU, Model, Task, TaskClass
 from nctakt.schedule.work import Work

@@ -7,7 +7,7 @@ times in µs.
 
 from __future__ import annotations
 
-from nctakt.diagnostics import Language, Text
+from nctakt.base.diagnostics import Language, Text
 from nctakt.linux.measure import Measurement, tolerated
 from nctakt.linux.plan import Plan, PlannedTask
 from nctakt.schedule.findings import us

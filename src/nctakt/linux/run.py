@@ -15,8 +15,8 @@ from dataclasses import dataclass
 from types import FrameType
 from typing import Any
 
-from nctakt.diagnostics import Diagnostic, Text
-from nctakt.failure import Failure
+from nctakt.base.diagnostics import Diagnostic, Text
+from nctakt.base.failure import Failure
 from nctakt.linux import area as layout
 from nctakt.linux.area import AreaPart, Entries, SharedArea, TaskPart
 from nctakt.linux.names import SemaphoreNames

@@ -12,9 +12,9 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
 
-from nctakt.diagnostics import Language
-from nctakt.lists.kinds import kind_of
-from nctakt.lists.parameter import Parameter, Schema
+from nctakt.base.diagnostics import Language
+from nctakt.lists.format.parameter import Parameter, Schema
+from nctakt.lists.machine.list_kinds import kind_of
 
 DEMO = Path(__file__).parent / "demo"
 

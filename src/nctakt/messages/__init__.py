@@ -21,8 +21,8 @@ of ours, from 900000 on. One module per stage declares them:
 ``memory``            texts, wholes and the packed image of V.E (900340 … 900359)
 ``realtime``          the realtime part (900400 … 900499)
 ``user_errors``       ``#ERROR`` (900280 … 900281, 900460 … 900469)
-``pace``              feeds, overrides of the program (60131, 900819, 900835 … 900839)
-``spindles``          spindles (900282, 900470 … 900479)
+``run.scheduled_run``              feeds, overrides of the program (60131, 900819, 900835 … 900839)
+``run.spindle_setup``          spindles (900282, 900470 … 900479)
 ``outside``           command line, files, PLC, stimuli (900500 … 900549, 900570 … 900579, 900816 …)
 ``checking``          the command ``nctakt check`` (900580 … 900599, 900815)
 ``scheduled_runs``    a controller that a schedule gives its time (900730 … 900739)
@@ -43,7 +43,7 @@ A number of the controller stands where the stage that reports it has its own.
 
 from __future__ import annotations
 
-from nctakt.diagnostics import Diagnostic, Severity, Span
+from nctakt.base.diagnostics import Diagnostic, Severity, Span
 from nctakt.messages import (
     backward,
     checked_axes,

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nctakt.diagnostics import Message, Severity, Text
+from nctakt.base.diagnostics import Message, Severity, Text
 
 NOTE, WARNING, ERROR = Severity.NOTE, Severity.WARNING, Severity.ERROR
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from nctakt.diagnostics import Text
+from nctakt.base.diagnostics import Text
 
 #: What an error does.
 REACTIONS: Mapping[int, Text] = MappingProxyType(

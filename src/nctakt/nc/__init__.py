@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""NC text -> checked program; ``nctakt.mode`` decides in which form its modules are imported."""
+"""NC text -> checked program; ``nctakt.base.mode`` decides in which form its modules are
+imported."""
 
-from nctakt import mode as mode
+from nctakt.base import mode as mode

@@ -7,7 +7,7 @@ text. No more than one statement is in memory at a time, so a program of any len
 Long programs come from CAM systems: blocks of letters and numbers, few shapes of them. What is
 checked of such a block depends on its letters and on the numbers of its functions, never on how far
 its axes go; so a shape that was found in order is not checked again. Nor is a statement of a shape
-whose check depends on nothing else (``silence.py``).
+whose check depends on nothing else (``shape_checks.py``).
 """
 
 from __future__ import annotations
@@ -15,18 +15,17 @@ from __future__ import annotations
 from difflib import get_close_matches
 from typing import Protocol
 
-from nctakt.diagnostics import Diagnostic, Span
-from nctakt.lists.channel_configuration import ChannelParameters
+from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
-from nctakt.nc.branches import realtime_cycles
-from nctakt.nc.check import PROGRAM_ENDS, SUBPROGRAM_ENDS, Checker, Role, ends
-from nctakt.nc.names import NameTable
+from nctakt.nc.check.branches import realtime_cycles
+from nctakt.nc.check.checker import PROGRAM_ENDS, SUBPROGRAM_ENDS, Checker, Role, ends
+from nctakt.nc.fast.plain_lines import PlainScanner, shape_code
+from nctakt.nc.fast.shapes import Shape
 from nctakt.nc.outline import ProgramText, Section, labels_in
-from nctakt.nc.parser import StatementReader, sections
-from nctakt.nc.plain import PlainScanner, shape_code
-from nctakt.nc.shapes import Shape
+from nctakt.nc.parse.parser import StatementReader, sections
 from nctakt.nc.source import Source
-from nctakt.nc.syntax import (
+from nctakt.nc.tree import (
     AxisWord,
     Block,
     Number,
@@ -36,6 +35,7 @@ from nctakt.nc.syntax import (
     SubprogramCall,
     Word,
 )
+from nctakt.nc.vocabulary.variable_table import NameTable
 
 #: Words whose numbers mean nothing for a check.
 _FREE_WORDS = ("F",)

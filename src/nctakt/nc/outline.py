@@ -11,11 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from nctakt.diagnostics import Span
+from nctakt.base.diagnostics import Span
 from nctakt.messages import Collector
-from nctakt.nc.parser import StatementReader
+from nctakt.nc.fast.templates import Templates
+from nctakt.nc.parse.parser import StatementReader
 from nctakt.nc.source import LineReader, Source
-from nctakt.nc.syntax import (
+from nctakt.nc.tree import (
     Do,
     For,
     If,
@@ -28,7 +29,6 @@ from nctakt.nc.syntax import (
     Switch,
     While,
 )
-from nctakt.nc.templates import Templates
 
 #: Statements of a section that are kept; a longer section is read from its text each time.
 KEPT_STATEMENTS = 1000

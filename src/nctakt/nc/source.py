@@ -10,8 +10,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
-from nctakt.diagnostics import Span
-from nctakt.long_text import LongText
+from nctakt.base.diagnostics import Span
+from nctakt.base.long_text import LongText
 
 
 @dataclass(frozen=True, slots=True)

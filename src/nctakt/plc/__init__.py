@@ -14,10 +14,11 @@ from nctakt.plc.axes import (
     MC_MoveVelocity,
     MC_Reset,
 )
-from nctakt.plc.loading import AnyPlc, PlcError, load_plc
+from nctakt.plc.loading import PlcError, load_plc
 from nctakt.plc.partner import PartnerPlc
 from nctakt.plc.policies import ALL, NONE, Policy, SpindlePolicy, after, only, run_up
 from nctakt.plc.script import Plc, at, on, when
+from nctakt.run.plc_view import AnyPlc
 
 __all__ = [
     "ALL",

@@ -15,10 +15,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from nctakt.kernel.axis_requests import ABSOLUTE, CLEAR_FAULT, HALT, RELATIVE, VELOCITY
+from nctakt.kernel.plc.axis_requests import ABSOLUTE, CLEAR_FAULT, HALT, RELATIVE, VELOCITY
 
 if TYPE_CHECKING:
-    from nctakt.interface import Interface
+    from nctakt.run.plc_view import Interface
 
 #: Directions of modulo axes and of endless motions.
 POSITIVE, NEGATIVE, CURRENT, SHORTEST = 1, -1, 0, 2

@@ -12,10 +12,10 @@ import csv
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from nctakt.diagnostics import Diagnostic
-from nctakt.failure import Failure
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.stimuli import Stimulus, parse_assignment, parse_time
+from nctakt.run.stimuli import Stimulus, parse_assignment, parse_time
 
 
 def read_inputs(path: Path) -> tuple[Stimulus, ...]:

@@ -14,24 +14,18 @@ import sys
 import traceback
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
-from nctakt.diagnostics import Diagnostic
-from nctakt.failure import Failure
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.run.plc_view import AnyPlc
 
 if TYPE_CHECKING:
-    from nctakt.interface import Interface
+    from nctakt.run.plc_view import Interface
 
 
 _OUR_FOLDER = Path(__file__).parent.parent
-
-
-class AnyPlc(Protocol):
-    """What plays the PLC; a class of the user's need not derive from it."""
-
-    def cycle(self, hli: Interface) -> None:
-        """Called after each tick with the interface image."""
 
 
 class PlcError(Failure):

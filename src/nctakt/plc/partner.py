@@ -16,15 +16,15 @@ from nctakt.messages import diagnostic
 from nctakt.plc.loading import PlcError
 
 if TYPE_CHECKING:
-    from nctakt.image import InterfaceImage
-    from nctakt.interface import Interface
+    from nctakt.run.plc_view import Interface
+    from nctakt.run.shared_image import InterfaceImage
 
 #: Waits until a condition holds; False when that takes too long.
 Wait = Callable[[Callable[[], bool]], bool]
 
 
 class PartnerPlc:
-    """The PLC that looks at ``image`` from another process.
+    """The PLC that looks at ``run.shared_image`` from another process.
 
     ``cycle`` raises ``PlcError`` where it does not answer in time (900651) or has gone (900652).
     """

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
-    from nctakt.interface import Interface, SpindleEntry, TechnologyEntry
+    from nctakt.run.plc_view import Interface, SpindleEntry, TechnologyEntry
 
 
 class Policy(Protocol):

@@ -13,8 +13,8 @@
         def clamp(self, hli, function):
             ...
 
-Spindles that the PLC turns get their jobs in the same way: ``spindles`` says when they are done,
-``@on("S3")`` gets each one.
+Spindles that the PLC turns get their jobs in the same way: ``run.spindle_setup`` says when they are
+done, ``@on("S3")`` gets each one.
 
 What is done behind tick n counts from tick n + 1 on (RC-002). Behind each tick come, in this order:
 inputs from the file, ``at``, ``when``, ``on``, ``each_tick``, acknowledgements; among methods of
@@ -31,10 +31,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
 
 from nctakt.plc.inputs import read_inputs
 from nctakt.plc.policies import ALL, Policy, SpindlePolicy
-from nctakt.stimuli import Stimulus, parse_time
+from nctakt.run.stimuli import Stimulus, parse_time
 
 if TYPE_CHECKING:
-    from nctakt.interface import Interface, SpindleEntry, TechnologyEntry
+    from nctakt.run.plc_view import Interface, SpindleEntry, TechnologyEntry
 
 _Method = TypeVar("_Method", bound=Callable[..., Any])
 
@@ -97,7 +97,7 @@ class _Memory:
 class Plc:
     """Derive from it. ``acknowledge``: a policy; ``inputs``: a CSV file beside the PLC's own.
 
-    ``spindles``: the policy for the jobs of spindles that the PLC turns.
+    ``run.spindle_setup``: the policy for the jobs of spindles that the PLC turns.
     """
 
     acknowledge: ClassVar[Policy] = ALL

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy
 
-from nctakt.lists.axis_configuration import AxisConfiguration
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
 

@@ -16,8 +16,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from nctakt.diagnostics import Language, Text
-from nctakt.failure import Failure
+from nctakt.base.diagnostics import Language, Text
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.plots.motion import ACCELERATION, JERK, SPEED, AxisMotion, Curve, Lane, Motion, thinned
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from nctakt.diagnostics import Text
+from nctakt.base.diagnostics import Text
 
 
 @dataclass(frozen=True, slots=True)

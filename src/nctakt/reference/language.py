@@ -7,13 +7,13 @@ import re
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from nctakt.diagnostics import Text
-from nctakt.nc import support
-from nctakt.nc.command_forms import FORMS, forms_of
-from nctakt.nc.keywords import KEYWORDS, KeywordMeaning
-from nctakt.nc.operators import CONSTANTS, FUNCTIONS, INFIX, PREFIX, Function, Operator
-from nctakt.nc.support import Answer, Entry, Kind
-from nctakt.nc.system_names import BY_NAME
+from nctakt.base.diagnostics import Text
+from nctakt.nc.vocabulary import support_level
+from nctakt.nc.vocabulary.command_forms import FORMS, forms_of
+from nctakt.nc.vocabulary.keywords import KEYWORDS, KeywordMeaning
+from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS, INFIX, PREFIX, Function, Operator
+from nctakt.nc.vocabulary.support_level import Answer, Entry, Kind
+from nctakt.nc.vocabulary.system_names import BY_NAME
 from nctakt.reference.article import Article, Fact, Topic, fact
 from nctakt.reference.variables import UNITS
 
@@ -159,7 +159,7 @@ def entry_article(entry: Entry) -> Article:
     if entry.group:
         others = ", ".join(
             other.name
-            for other in support.entries()
+            for other in support_level.entries()
             if other.group == entry.group and other.name != entry.name
         )
         facts.append(fact("Not together with", "Nicht zusammen mit", others))
@@ -167,7 +167,7 @@ def entry_article(entry: Entry) -> Article:
 
 
 def _entries() -> Iterator[Entry]:
-    return (entry for entry in support.entries() if entry.kind is not Kind.FUNCTION)
+    return (entry for entry in support_level.entries() if entry.kind is not Kind.FUNCTION)
 
 
 def _all_words() -> Iterator[Article]:
@@ -252,7 +252,7 @@ def function_article(function: Function) -> Article:
         fact("Written", "Schreibweise", f"{function.name}[{letters}]"),
         fact("Values", "Werte", function.domain),
     ]
-    entry = support.answer_function(function.name)
+    entry = support_level.answer_function(function.name)
     assert entry is not None
     if function.decoder_only:
         place = Text("not in realtime cycles", "nicht in Echtzeit-Zyklen")

@@ -6,7 +6,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterator, Sequence
 
-from nctakt.diagnostics import Language, Text
+from nctakt.base.diagnostics import Language, Text
 from nctakt.reference.article import Article, Topic
 
 WIDTH = 100

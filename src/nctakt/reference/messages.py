@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nctakt.diagnostics import Message, Severity, Text
+from nctakt.base.diagnostics import Message, Severity, Text
 from nctakt.messages import CATALOGUE
 from nctakt.messages.classes import CLEARINGS, REACTIONS
 from nctakt.messages.meanings import german

@@ -5,9 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from nctakt.diagnostics import Text
-from nctakt.lists.parameter import Effect, Parameter, Schema, ValueType, shown
-from nctakt.lists.parameters import SCHEMAS, DeclaredParameter, find_parameters, similar_parameters
+from nctakt.base.diagnostics import Text
+from nctakt.lists.all_parameters import (
+    SCHEMAS,
+    DeclaredParameter,
+    find_parameters,
+    similar_parameters,
+)
+from nctakt.lists.format.parameter import Effect, Parameter, Schema, ValueType, shown
 from nctakt.reference.article import Article, Fact, Topic, fact
 
 _NUMBERS = frozenset(

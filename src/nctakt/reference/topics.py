@@ -7,12 +7,12 @@ word.
 
 from __future__ import annotations
 
+from nctakt.base.text import nearest
 from nctakt.reference.article import Article, Topic
 from nctakt.reference.language import EXPRESSIONS, KEYWORDS_TOPIC, WORDS
 from nctakt.reference.messages import MESSAGES
 from nctakt.reference.parameters import PARAMETERS
 from nctakt.reference.variables import VARIABLES
-from nctakt.text import nearest
 
 #: In the order in which they are shown.
 TOPICS: tuple[Topic, ...] = (

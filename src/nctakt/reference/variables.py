@@ -5,9 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nctakt.diagnostics import Text
-from nctakt.nc.names import AXIS_VARIABLES, CHANNEL_VARIABLES, Access, RealtimeVariable
-from nctakt.nc.realtime_variables import meaning_of
+from nctakt.base.diagnostics import Text
+from nctakt.nc.vocabulary.realtime_variables import meaning_of
+from nctakt.nc.vocabulary.variable_table import (
+    AXIS_VARIABLES,
+    CHANNEL_VARIABLES,
+    Access,
+    RealtimeVariable,
+)
 from nctakt.reference.article import Article, Fact, Topic, fact
 
 _RIGHTS = {

@@ -10,11 +10,12 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 
-from nctakt.decoder.cycles import BuiltReaction, Frozen
-from nctakt.kernel import conditions
-from nctakt.nc.branches import BranchPlace, accesses_in, combined
-from nctakt.nc.printer import format_expression
-from nctakt.nc.syntax import Expression
+from nctakt.base.source_ids import begins_at
+from nctakt.decoder.cycles.builder import BuiltReaction, Frozen
+from nctakt.kernel.cycles import conditions
+from nctakt.nc.check.branches import BranchPlace, accesses_in, combined
+from nctakt.nc.parse.printer import format_expression
+from nctakt.nc.tree import Expression
 from nctakt.results.histories import (
     BranchHistory,
     Change,
@@ -24,7 +25,6 @@ from nctakt.results.histories import (
     Series,
     Times,
 )
-from nctakt.sources import begins_at
 
 #: Changes of truth that are kept for each condition.
 CHANGES_KEPT = 1000
@@ -187,7 +187,8 @@ class BranchLog:
         frozen: Sequence[Frozen],
         fault: LifeEvent | None,
     ) -> BranchHistory:
-        """What was gathered; ``text`` is the source line, ``frozen`` what the whole cycle froze.
+        """What was gathered; ``base.text`` is the source line, ``frozen`` what the whole cycle
+        froze.
 
         ``fault`` is the error that ended the cycle.
         """

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
-from nctakt.nc.branches import BranchWord
+from nctakt.nc.check.branches import BranchWord
 from nctakt.results.histories import BranchHistory, ConditionHistory, CycleHistory
 
 #: What became of a branch: ``ran`` its body did; ``never false`` it did, in each evaluation of a

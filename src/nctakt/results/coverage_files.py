@@ -13,9 +13,9 @@ import json
 from collections.abc import Callable, Iterator
 from typing import Any, TypeVar, get_args
 
-from nctakt.failure import Failure
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.nc.branches import BranchWord
+from nctakt.nc.check.branches import BranchWord
 from nctakt.results.coverage import (
     BranchCounts,
     ConditionCounts,

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from nctakt.diagnostics import Language, Text
+from nctakt.base.diagnostics import Language, Text
 from nctakt.results.coverage import (
     BranchCounts,
     BranchState,

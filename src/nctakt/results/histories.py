@@ -11,9 +11,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from nctakt.decoder.cycles import Frozen
-from nctakt.diagnostics import Span
-from nctakt.nc.branches import BranchWord
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.cycles.builder import Frozen
+from nctakt.nc.check.branches import BranchWord
 
 #: Why a branch's body, or a cycle, did not run.
 #:
@@ -160,8 +160,8 @@ class ConditionHistory:
 class BranchHistory:
     """One branch of a cycle; the condition of ``$ELSE`` is empty.
 
-    ``text`` is its source line without blanks around. ``outer`` and ``earlier`` are positions in
-    the cycle's branches. ``parts`` are what ``&&`` and ``||`` combine in the condition. In the
+    ``base.text`` is its source line without blanks around. ``outer`` and ``earlier`` are positions
+    in the cycle's branches. ``parts`` are what ``&&`` and ``||`` combine in the condition. In the
     ticks ``evaluated`` the condition was, in the ticks ``bodies`` the body ran. ``frozen`` are the
     asynchronous values in the condition (RC-302). ``commands`` are the statements of the body that
     stand in no further branch.

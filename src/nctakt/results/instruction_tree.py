@@ -13,11 +13,11 @@ import dataclasses
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from nctakt.decoder.cycles import CycleDefinition, Frozen
-from nctakt.diagnostics import Span
-from nctakt.nc import syntax
-from nctakt.nc.printer import format_expression, format_word, print_statement
-from nctakt.nc.resolution import indices_of
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.cycles.builder import CycleDefinition, Frozen
+from nctakt.nc import tree
+from nctakt.nc.parse.printer import format_expression, format_word, print_statement
+from nctakt.nc.vocabulary.resolution import indices_of
 from nctakt.trace.events import number_text
 
 
@@ -80,12 +80,12 @@ class _Lister:
         self.listed: list[ListedStatement] = []
         self._frozen = {one.span: one for one in frozen}
 
-    def sequence(self, statements: Sequence[syntax.Statement], depth: int) -> int:
+    def sequence(self, statements: Sequence[tree.Statement], depth: int) -> int:
         """Statements one after another."""
         return sum(self._statement(statement, depth) for statement in statements)
 
-    def _statement(self, statement: syntax.Statement, depth: int) -> int:
-        if isinstance(statement, syntax.If):
+    def _statement(self, statement: tree.Statement, depth: int) -> int:
+        if isinstance(statement, tree.If):
             return self._if(statement, depth)
         text = " ".join(line.strip() for line in print_statement(_bare(statement)))
         return self._add(statement.span, depth, text, self._instructions(statement))
@@ -95,7 +95,7 @@ class _Lister:
         self.listed.append(listed)
         return listed.count
 
-    def _if(self, statement: syntax.If, depth: int) -> int:
+    def _if(self, statement: tree.If, depth: int) -> int:
         """All conditions up to the branch whose way costs most, and its body."""
         frequency = f" {statement.frequency}" if statement.frequency else ""
         asked = self._condition(statement.span, depth, f"$IF{frequency}", statement.condition)
@@ -109,33 +109,33 @@ class _Lister:
             asked += self.sequence(statement.else_body, depth + 1)
         return max(most, asked)
 
-    def _condition(self, span: Span, depth: int, word: str, condition: syntax.Expression) -> int:
+    def _condition(self, span: Span, depth: int, word: str, condition: tree.Expression) -> int:
         text = f"{word} {format_expression(condition)}"
         return self._add(span, depth, text, self._above(word, 0, condition))
 
-    def _instructions(self, statement: syntax.Statement) -> Iterator[Instruction]:
+    def _instructions(self, statement: tree.Statement) -> Iterator[Instruction]:
         match statement:
-            case syntax.Assignment():
+            case tree.Assignment():
                 yield from self._assignment(statement)
-            case syntax.VariableBlock():
+            case tree.VariableBlock():
                 yield from self._expression(statement.variable, 0)
-            case syntax.Block():
+            case tree.Block():
                 for word in statement.words:
                     yield from self._action(format_word(word), word)
             case _:
                 words = next(print_statement(_bare(statement))).split("[", maxsplit=1)[0]
                 yield from self._action(words.strip(), statement)
 
-    def _action(self, text: str, node: syntax.Node) -> Iterator[Instruction]:
+    def _action(self, text: str, node: tree.Node) -> Iterator[Instruction]:
         """One instruction, below it what is computed for it in the tick."""
         yield Instruction(text, 1, 0)
         for expression in _expressions(node):
-            if not isinstance(expression, syntax.Number | syntax.Name):
+            if not isinstance(expression, tree.Number | tree.Name):
                 yield from self._expression(expression, 1)
 
-    def _assignment(self, node: syntax.Assignment) -> Iterator[Instruction]:
+    def _assignment(self, node: tree.Assignment) -> Iterator[Instruction]:
         """Store; below it the indices of the target and the value."""
-        assert isinstance(node.target, syntax.Variable)
+        assert isinstance(node.target, tree.Variable)
         indices = indices_of(node.target)
         yield from self._above(f"store {format_expression(node.target)}", 0, *indices)
         if node.operator == "=":
@@ -143,41 +143,41 @@ class _Lister:
         else:
             yield from self._above(node.operator[0], 1, node.target, node.value)
 
-    def _above(self, text: str, depth: int, *operands: syntax.Expression) -> Iterator[Instruction]:
+    def _above(self, text: str, depth: int, *operands: tree.Expression) -> Iterator[Instruction]:
         """A node and its operands."""
         yield Instruction(text, 1, depth)
         for operand in operands:
             yield from self._expression(operand, depth + 1)
 
-    def _expression(self, node: syntax.Expression, depth: int) -> Iterator[Instruction]:
+    def _expression(self, node: tree.Expression, depth: int) -> Iterator[Instruction]:
         frozen = self._frozen.get(node.span)
         match node:
-            case syntax.Variable() | syntax.Parameter() if frozen is not None:
+            case tree.Variable() | tree.Parameter() if frozen is not None:
                 text = f"{frozen.name} = {number_text(frozen.value)}"
                 yield Instruction(text, 1, depth, is_frozen=True)
-            case syntax.Variable():
+            case tree.Variable():
                 yield from self._above(format_expression(node), depth, *indices_of(node))
-            case syntax.Unary():
+            case tree.Unary():
                 yield from self._above(node.operator, depth, node.operand)
-            case syntax.Binary():
+            case tree.Binary():
                 yield from self._above(node.operator, depth, node.left, node.right)
-            case syntax.Call():
+            case tree.Call():
                 yield from self._above(node.function, depth, *node.arguments)
             case _:
                 yield Instruction(format_expression(node), 0, depth)
 
 
-def _bare(statement: syntax.Statement) -> syntax.Statement:
+def _bare(statement: tree.Statement) -> tree.Statement:
     """The statement without block number and label."""
-    return dataclasses.replace(statement, head=syntax.NO_HEAD)
+    return dataclasses.replace(statement, head=tree.NO_HEAD)
 
 
-def _expressions(node: syntax.Node) -> Iterator[syntax.Expression]:
+def _expressions(node: tree.Node) -> Iterator[tree.Expression]:
     """The outermost expressions in a node, in their order."""
     for field in dataclasses.fields(node):
         value = getattr(node, field.name)
         for item in value if isinstance(value, tuple) else (value,):
-            if isinstance(item, syntax.Expression):
+            if isinstance(item, tree.Expression):
                 yield item
-            elif isinstance(item, syntax.Node):
+            elif isinstance(item, tree.Node):
                 yield from _expressions(item)

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nctakt.decoder.cycles import CycleDefinition
-from nctakt.diagnostics import Language, Span, Text
+from nctakt.base.diagnostics import Language, Span, Text
+from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.results.instruction_tree import ListedCycle, ListedStatement, list_cycle
 from nctakt.trace.events import number_text
 

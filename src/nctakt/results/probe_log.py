@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Gathers what realtime cycles and their conditions do in a run: record bytes -> histories.
 
-In: the probe and event rows of ``kernel/record.py`` as they come, the definitions of the cycles, at
-the end the counters of their nodes. Out: ``CycleHistory`` for each cycle. Memory is bounded by the
-constants here and in ``branch_log.py``, the newest is kept, and histories say how much was dropped.
+In: the probe and event rows of ``kernel/base/record.py`` as they come, the definitions of the
+cycles, at the end the counters of their nodes. Out: ``CycleHistory`` for each cycle. Memory is
+bounded by the constants here and in ``branch_log.py``, the newest is kept, and histories say how
+much was dropped.
 """
 
 from __future__ import annotations
@@ -14,17 +15,17 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
-from nctakt.decoder.cycles import CycleDefinition
-from nctakt.diagnostics import Span
-from nctakt.kernel import record
-from nctakt.kernel.cycles import DEFINED, HELD
-from nctakt.nc.branches import (
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.kernel.base import record
+from nctakt.kernel.cycles.cycles import DEFINED, HELD
+from nctakt.nc.check.branches import (
     branch_places,
     lines_without_branch,
 )
 from nctakt.nc.outline import ProgramText
-from nctakt.nc.printer import format_expression
-from nctakt.nc.syntax import Expression, RealtimeCycle
+from nctakt.nc.parse.printer import format_expression
+from nctakt.nc.tree import Expression, RealtimeCycle
 from nctakt.results.branch_log import BranchLog, ConditionLog, SeriesLog, continued
 from nctakt.results.coverage import Coverage, CycleCounts, added, counts_of
 from nctakt.results.histories import (

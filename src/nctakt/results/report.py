@@ -13,7 +13,7 @@ from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nctakt.diagnostics import Diagnostic, Language, Span, Text
+from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.messages import CATALOGUE, diagnostic
 from nctakt.results.user_errors import user_message
 from nctakt.trace.events import Event

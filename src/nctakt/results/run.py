@@ -11,12 +11,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from nctakt.diagnostics import Diagnostic, Severity, Span
+from nctakt.base.diagnostics import Diagnostic, Severity, Span
 from nctakt.results.coverage import Coverage
 from nctakt.results.starving import OverflowCount, ScheduleStatistics, Starvation
 from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.results.why import WhyReport
-from nctakt.schedule.opening import RunSchedule
+from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
 from nctakt.trace.sinks import TraceHeader

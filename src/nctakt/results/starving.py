@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from nctakt.diagnostics import Language, Span, Text
+from nctakt.base.diagnostics import Language, Span, Text
 from nctakt.schedule.findings import us
-from nctakt.schedule.opening import RunSchedule
+from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.schedule.report import chosen_report
 from nctakt.trace.events import Event
 

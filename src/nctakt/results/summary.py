@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TextIO
 
-from nctakt.diagnostics import Diagnostic, Language, Severity, Span, Text
+from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span, Text
 from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run
 from nctakt.results.starving import schedule_lines
 from nctakt.trace.events import number_text

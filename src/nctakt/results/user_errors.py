@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from nctakt.diagnostics import Diagnostic, Span
+from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.base.source_ids import statement_span
 from nctakt.messages import diagnostic
-from nctakt.sources import statement_span
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from nctakt.diagnostics import Diagnostic, Language
-from nctakt.failure import Failure
+from nctakt.base.diagnostics import Diagnostic, Language
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.results.histories import CycleHistory
 from nctakt.results.why_text import render_report, render_state

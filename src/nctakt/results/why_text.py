@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from nctakt.diagnostics import Text
+from nctakt.base.diagnostics import Text
 from nctakt.results.histories import (
     BranchHistory,
     ConditionHistory,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nctakt.diagnostics import Language, Span, Text
+from nctakt.base.diagnostics import Language, Span, Text
 from nctakt.results.histories import (
     BranchHistory,
     Change,

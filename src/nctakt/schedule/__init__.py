@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """What rtconf.lis means beyond its list: the schedule simulated, analysed and drawn.
 
-In: the effective configuration (``lists.rtconf``) and a load, the threads' execution times. Out:
-response times, overflows, suspensions, Windows' share; pictures and traces. All times inside are
-integer nanoseconds; same inputs give the same results.
+In: the effective configuration (``lists.declared.rtconf``) and a load, the threads' execution
+times. Out: response times, overflows, suspensions, Windows' share; pictures and traces. All times
+inside are integer nanoseconds; same inputs give the same results.
 """
 
-from nctakt import mode as mode
+from nctakt.base import mode as mode

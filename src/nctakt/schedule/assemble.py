@@ -7,16 +7,16 @@ not fit the list, and processors that do not exist (P-RTCF-00015), go to the col
 
 from __future__ import annotations
 
-from nctakt.diagnostics import Text
-from nctakt.lists.rtconf import (
+from nctakt.base.diagnostics import Text
+from nctakt.lists.declared.rtconf import (
     REALTIME_FUNCTION,
     InterruptSource,
     RtconfConfiguration,
     SchedulerThread,
     ThreadFunction,
 )
-from nctakt.lists.rtconf_checks import is_realtime
-from nctakt.lists.rtconf_profile import Profile
+from nctakt.lists.machine.scheduling_checks import is_realtime
+from nctakt.lists.machine.scheduling_profile import Profile
 from nctakt.messages import Collector
 from nctakt.schedule.load import ASSUMED_EXTERNAL, ASSUMED_FUNCTION, Load
 from nctakt.schedule.model import (

@@ -11,8 +11,8 @@ import importlib.util
 from html import escape
 from pathlib import Path
 
-from nctakt.diagnostics import Language
-from nctakt.failure import Failure
+from nctakt.base.diagnostics import Language
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.schedule.figure import svg
 from nctakt.schedule.gantt import gantt

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from nctakt.diagnostics import Diagnostic, Language
-from nctakt.lists.parameter import Parameter, shown, with_indices
-from nctakt.lists.reader import BLANKS, Entry, read_list
-from nctakt.lists.rtconf import RTCONF, RtconfConfiguration
+from nctakt.base.diagnostics import Diagnostic, Language
+from nctakt.lists.declared.rtconf import RTCONF, RtconfConfiguration
+from nctakt.lists.format.parameter import Parameter, shown, with_indices
+from nctakt.lists.format.reader import BLANKS, Entry, read_list
 from nctakt.messages import Collector
 
 #: A parameter of the list: its pattern and its indices.

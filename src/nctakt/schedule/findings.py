@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nctakt.diagnostics import Diagnostic, Text
+from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.messages import diagnostic
 from nctakt.schedule.analyse import Analysis
 from nctakt.schedule.model import NS_PER_US, Model

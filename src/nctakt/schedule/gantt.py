@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nctakt.diagnostics import Language, Text
-from nctakt.lists.rtconf import InterruptSource
+from nctakt.base.diagnostics import Language, Text
+from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.figure import Box, Figure, Label, Shape, Stroke
 from nctakt.schedule.findings import us
+from nctakt.schedule.interpolation_steps import has_parts, parts_of
 from nctakt.schedule.model import NS_PER_US, Model, TaskClass, suspension_point
-from nctakt.schedule.parts import has_parts, parts_of
 from nctakt.schedule.results import EventKind, Simulation
 from nctakt.schedule.tracebits import BITS, trace_bits
 

@@ -40,7 +40,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from nctakt.diagnostics import Text
+from nctakt.base.diagnostics import Text
 from nctakt.messages import Collector
 from nctakt.schedule.model import NO_OVERHEADS, NS_PER_US, PARTS, Execution, Overheads
 

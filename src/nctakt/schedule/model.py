@@ -11,7 +11,7 @@ import enum
 from dataclasses import dataclass
 from typing import Literal
 
-from nctakt.lists.rtconf import InterruptSource
+from nctakt.lists.declared.rtconf import InterruptSource
 
 NS_PER_US = 1000
 

@@ -8,10 +8,32 @@ kept, a newer one after 1, 2, 4, 8 … hyperperiods (Brent), so that memory is c
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Protocol
 
-if TYPE_CHECKING:
-    from nctakt.schedule.simulate import SchedulerState
+from nctakt.schedule.counters import Counters
+from nctakt.schedule.model import Model
+
+
+class RepeatingState(Protocol):
+    """The part of the scheduler's state that tells a repetition and can be moved in time."""
+
+    @property
+    def hyperperiod(self) -> int:
+        """The cycles after which all periods begin together again."""
+
+    @property
+    def model(self) -> Model:
+        """The threads and processors of the schedule."""
+
+    @property
+    def counters(self) -> Counters:
+        """The numbers counted so far."""
+
+    def key(self, now: int) -> tuple[object, ...]:
+        """Return what the future depends on, relative to the time ``now`` in ns."""
+
+    def shift(self, distance: int) -> None:
+        """Move all pending times by ``distance`` ns."""
 
 
 class Repetition:
@@ -26,7 +48,7 @@ class Repetition:
         self._patience = 1
         self._seen = 0
 
-    def cycles_to_skip(self, state: SchedulerState, cycle: int, cycles: int, now: int) -> int:
+    def cycles_to_skip(self, state: RepeatingState, cycle: int, cycles: int, now: int) -> int:
         """How many of the remaining cycles are whole repetitions; they are counted already."""
         if self.period is not None or cycle % state.hyperperiod:
             return 0

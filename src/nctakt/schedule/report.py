@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nctakt.diagnostics import Language, Text
+from nctakt.base.diagnostics import Language, Text
 from nctakt.schedule.analyse import Analysis
-from nctakt.schedule.answers import Answers
 from nctakt.schedule.effective_table import EffectiveRow
 from nctakt.schedule.findings import culprits, us
+from nctakt.schedule.interpolation_steps import dead_times
+from nctakt.schedule.margins import Answers
 from nctakt.schedule.model import ANY_CPU, Model, TaskClass
-from nctakt.schedule.parts import dead_times
 from nctakt.schedule.results import Simulation, TaskNumbers
 
 NONE = "–"

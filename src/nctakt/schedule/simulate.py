@@ -24,7 +24,7 @@ from nctakt.schedule.model import ANY_CPU, Model, TaskClass, suspension_point
 from nctakt.schedule.recorder import Recorder
 from nctakt.schedule.repetition import Repetition
 from nctakt.schedule.results import Event, EventKind, Simulation
-from nctakt.schedule.shared import Places
+from nctakt.schedule.shared_cores import Places
 from nctakt.schedule.work import Work
 
 #: No job: the work left of a task that waits.

@@ -13,12 +13,12 @@ from collections import deque
 from pathlib import Path
 from typing import Any
 
-from nctakt.failure import Failure
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.schedule.findings import us
 from nctakt.schedule.gantt import tick_times, windows_times
+from nctakt.schedule.interpolation_steps import parts_of
 from nctakt.schedule.model import NS_PER_US, PARTS
-from nctakt.schedule.parts import parts_of
 from nctakt.schedule.results import EventKind, Simulation
 from nctakt.schedule.tracebits import BITS, calls_of, trace_bits
 

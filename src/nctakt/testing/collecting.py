@@ -9,15 +9,15 @@ from typing import Any
 
 import pytest
 
-from nctakt.controller import Controller, NcText
-from nctakt.failure import Failure
-from nctakt.lists.machine import MachineConfiguration
+from nctakt.base.failure import Failure
+from nctakt.base.text import decode_text
+from nctakt.lists.machine.machine import MachineConfiguration
 from nctakt.plc import load_plc
+from nctakt.run.controller import Controller, NcText
 from nctakt.testing.coverage import note_coverage, session_coverage
 from nctakt.testing.expectations import Script, read_script
-from nctakt.testing.shop import NcRun, configured_machine, machine_of, values_before
+from nctakt.testing.queries import NcRun, configured_machine, machine_of, values_before
 from nctakt.testing.verdict import differences
-from nctakt.text import decode_text
 
 
 class UnmetError(Exception):

@@ -19,7 +19,7 @@ from nctakt.results.coverage import Coverage
 from nctakt.results.coverage_files import as_json, as_lcov, from_json
 from nctakt.results.coverage_text import CoverageText
 from nctakt.results.run import Run
-from nctakt.testing.shop import TEXT_NAME
+from nctakt.testing.queries import TEXT_NAME
 
 _NAME = "nctakt-coverage"
 _WRITERS: dict[str, Callable[[Coverage], str]] = {

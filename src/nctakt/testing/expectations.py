@@ -28,10 +28,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
-from nctakt.diagnostics import Diagnostic, Span
-from nctakt.failure import Failure
+from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.stimuli import Stimulus, parse_assignment, parse_time
+from nctakt.run.stimuli import Stimulus, parse_assignment, parse_time
 
 #: How far a value may be from the expected one unless the expectation says so.
 TOLERANCE = 1e-6
@@ -75,7 +75,7 @@ class Moment:
 
 @dataclass(frozen=True, slots=True)
 class Expectation:
-    """One thing that has to happen. ``line`` is where it stands, ``text`` as it is written.
+    """One thing that has to happen. ``line`` is where it stands, ``base.text`` as it is written.
 
     ``about``: the line that it is about, ``None``: any. ``at``: exactly these moments, all of
     them; ``count``: how often, ``None``: at least once.

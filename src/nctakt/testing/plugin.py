@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The pytest plugin: fixtures ``machine``, ``controller``, ``run_nc``; NC files as tests; coverage.
+"""The pytest plugin: fixtures ``machine``, ``run.controller``, ``run_nc``; NC files as tests;
+coverage.
 
 pytest loads it by its entry point in each session, so nothing of nctakt is imported before a test
 asks for it.
@@ -15,9 +16,9 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
-    from nctakt.controller import Controller
-    from nctakt.lists.machine import MachineConfiguration
-    from nctakt.testing.shop import NcRun
+    from nctakt.lists.machine.machine import MachineConfiguration
+    from nctakt.run.controller import Controller
+    from nctakt.testing.queries import NcRun
 
 _EXPECTS = re.compile(rb";\s*expect:", re.IGNORECASE)
 
@@ -72,7 +73,7 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
 @pytest.fixture
 def machine(pytestconfig: pytest.Config) -> MachineConfiguration:
     """The machine under test: ``nctakt_machine`` of the configuration, else the demo machine."""
-    from nctakt.testing.shop import configured_machine  # noqa: PLC0415 - see above
+    from nctakt.testing.queries import configured_machine  # noqa: PLC0415 - see above
 
     return configured_machine(pytestconfig)
 
@@ -80,7 +81,7 @@ def machine(pytestconfig: pytest.Config) -> MachineConfiguration:
 @pytest.fixture
 def controller(machine: MachineConfiguration) -> Controller:
     """A controller of the machine, just started."""
-    from nctakt.controller import Controller  # noqa: PLC0415 - see above
+    from nctakt.run.controller import Controller  # noqa: PLC0415 - see above
 
     return Controller(machine)
 
@@ -89,7 +90,7 @@ def controller(machine: MachineConfiguration) -> Controller:
 def run_nc(controller: Controller, request: pytest.FixtureRequest) -> Callable[..., NcRun]:
     """Runs a program on the controller: ``run_nc("part.nc")``, ``run_nc(text, plc=…)``."""
     from nctakt.testing.coverage import note_coverage, session_coverage  # noqa: PLC0415 - see above
-    from nctakt.testing.shop import run_program  # noqa: PLC0415
+    from nctakt.testing.queries import run_program  # noqa: PLC0415
 
     config, folder = request.config, request.path.parent
 

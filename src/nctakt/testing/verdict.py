@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from nctakt.diagnostics import Diagnostic, Severity
+from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.testing.expectations import Expectation, Moment
-from nctakt.testing.shop import NcRun, Occurrences, seconds
+from nctakt.testing.queries import NcRun, Occurrences, seconds
 from nctakt.trace.events import number_text
 
 

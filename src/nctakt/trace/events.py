@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """What happened in a tick: the realtime part's event rows -> ``Event`` objects with text.
 
-In: rows of ``EVENT_WIDTH`` float64 (``kernel/record.py``) and ``EventNames``, which knows what the
-numbers stand for. Out: events in the order of their occurrence. A chunk of rows is decoded when it
-is looked at, not before: a run that nobody asks for its events pays nothing for them.
+In: rows of ``EVENT_WIDTH`` float64 (``kernel/base/record.py``) and ``EventNames``, which knows what
+the numbers stand for. Out: events in the order of their occurrence. A chunk of rows is decoded when
+it is looked at, not before: a run that nobody asks for its events pays nothing for them.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol, overload
 
-from nctakt.diagnostics import Severity, Span
-from nctakt.kernel import record
+from nctakt.base.diagnostics import Severity, Span
+from nctakt.kernel.base import record
 from nctakt.messages import CATALOGUE
-from nctakt.nc.check_user_errors import KEYWORDS
+from nctakt.nc.check.user_errors import KEYWORDS
 
 _ROW = struct.Struct(f"={record.EVENT_WIDTH}d")
 
@@ -56,11 +56,11 @@ _MOTION_CHANGED = {
 class Event:
     """One thing that happened in tick ``tick``, which begins at ``time_us``.
 
-    ``kind`` is a word, ``text`` its particulars (``fired``, ``17 line 5``). ``span`` is the place
-    in a program that it comes from. ``cycle`` is the realtime cycle it comes from: its programmed
-    ID, or ``#1`` for the first cycle without ID; empty for the path, the decoder and the manager.
-    ``channel`` is the number of its channel where the machine has more than one, else 0; cycles are
-    called ``2:17`` there.
+    ``kind`` is a word, ``base.text`` its particulars (``fired``, ``17 line 5``). ``span`` is the
+    place in a program that it comes from. ``cycle`` is the realtime cycle it comes from: its
+    programmed ID, or ``#1`` for the first cycle without ID; empty for the path, the decoder and the
+    manager. ``channel`` is the number of its channel where the machine has more than one, else 0;
+    cycles are called ``2:17`` there.
     """
 
     tick: int

@@ -17,8 +17,8 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from nctakt.diagnostics import Span
-from nctakt.failure import Failure
+from nctakt.base.diagnostics import Span
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol, TextIO, cast
 
-from nctakt.failure import Failure
+from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.trace.events import Event
 from nctakt.trace.texts import (

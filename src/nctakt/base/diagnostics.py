@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: MIT
+"""What went wrong, where, and what to do about it.
+
+In: a message of the catalogue (``messages.py``), a place, the values of the message's parameters.
+Out: a ``Diagnostic``, and its rendering with number, file, line, column, source line, caret and
+remedy. Everything that a user, a list or the PLC can cause is a diagnostic; what only we can cause
+is an ``assert``.
+"""
+
+from __future__ import annotations
+
+import enum
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+Language = Literal["en", "de"]
+
+#: The value of a parameter where there is none: no name is similar, a list is empty.
+NOTHING = "–"
+
+#: Longest part of a source line that is shown above the caret, in characters.
+EXCERPT_WIDTH = 120
+
+
+_SENTENCE_END = re.compile(r"(?<=[.?!;]) ")
+
+
+class Severity(enum.IntEnum):
+    """How bad it is; an error keeps a program from running, a warning does not."""
+
+    NOTE = 0
+    WARNING = 1
+    ERROR = 2
+
+    def label(self, language: Language) -> str:
+        """The word in front of the number."""
+        return _LABELS[language][self]
+
+
+_LABELS: dict[Language, tuple[str, str, str]] = {
+    "en": ("note", "warning", "error"),
+    "de": ("Hinweis", "Warnung", "Fehler"),
+}
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Span:
+    """A place in a text: lines and columns count from 1, ``end_column`` is exclusive.
+
+    ``file`` is the name as the user gave it; a span never covers more than one line.
+    """
+
+    file: str
+    line: int
+    column: int
+    end_column: int
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}:{self.column}"
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """One text in both languages."""
+
+    en: str
+    de: str
+
+    def get(self, language: Language) -> str:
+        """The text in the language that the user asked for."""
+        return self.de if language == "de" else self.en
+
+
+_NOTHING_SIMILAR = Text(
+    "Check the spelling; nothing that is known here is similar.",
+    "Die Schreibweise prüfen; nichts, was hier bekannt ist, ist ähnlich.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """An entry of the catalogue.
+
+    ``id`` is its identity: the controller's own number, or one of ours from 900000 on.
+    ``base.text`` and ``remedy`` are format strings over the names in ``parameters``, whose values
+    say what each one means. ``reaction`` and ``clearing`` are the controller's classes for what an
+    error does and what clears it (0: it has none; ``messages/classes.py`` says what they mean).
+    ``cause`` tells, for explanation, what text and remedy do not; ``known_as`` are other numbers
+    that it has.
+    """
+
+    id: int
+    severity: Severity
+    text: Text
+    remedy: Text
+    parameters: Mapping[str, str] = field(default_factory=dict)
+    reaction: int = 0
+    clearing: int = 0
+    cause: Text = field(default_factory=lambda: Text("", ""))
+    known_as: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One finding: a message, its place (``None``: no file involved) and its parameters' values.
+
+    ``source_line`` is the whole text line of the span, without its end, for the excerpt.
+    """
+
+    message: Message
+    span: Span | None
+    values: Mapping[str, object]
+    source_line: str = ""
+
+    @property
+    def id(self) -> int:
+        """The message's number."""
+        return self.message.id
+
+    @property
+    def severity(self) -> Severity:
+        """The message's severity."""
+        return self.message.severity
+
+    def text(self, language: Language = "en") -> str:
+        """The message with its parameters filled in."""
+        return self.message.text.get(language).format_map(self._shown_values(language))
+
+    def remedy(self, language: Language = "en") -> str:
+        """The remedy with the parameters filled in; without what would tell of ``NOTHING``."""
+        template = self.message.remedy.get(language)
+        values = self._shown_values(language)
+        empty = {name for name, value in values.items() if value == NOTHING}
+        if not any(f"{{{name}}}" in template for name in empty):
+            return template.format_map(values)
+        sentences = [
+            sentence.format_map(values)
+            for sentence in _SENTENCE_END.split(template)
+            if not any(f"{{{name}}}" in sentence for name in empty)
+        ]
+        if not sentences:
+            return _NOTHING_SIMILAR.get(language)
+        told = " ".join(sentences).removesuffix(";")
+        return told[0].upper() + told[1:]
+
+    def _shown_values(self, language: Language) -> dict[str, object]:
+        """The values as a reader of this language writes them."""
+        return {name: _shown_value(value, language) for name, value in self.values.items()}
+
+    def headline(self, language: Language = "en") -> str:
+        """``file:line:column: error 22009: text``, without the excerpt."""
+        place = f"{self.span}: " if self.span is not None else ""
+        return f"{place}{self.severity.label(language)} {self.id}: {self.text(language)}"
+
+    def render(self, language: Language = "en") -> str:
+        """Headline, source line with caret, remedy; several lines, no newline at the end."""
+        lines = [self.headline(language)]
+        if self.span is not None and self.source_line:
+            lines += excerpt(self.source_line, self.span.column, self.span.end_column)
+        remedy = self.remedy(language)
+        if remedy:
+            label = "Abhilfe" if language == "de" else "remedy"
+            lines.append(f"  {label}: {remedy}")
+        return "\n".join(lines)
+
+
+def _shown_value(value: object, language: Language) -> object:
+    if isinstance(value, Text):
+        return value.get(language)
+    return number_text(value) if isinstance(value, float) else value
+
+
+def number_text(value: float) -> str:
+    """A number for a reader: whole ones without ``.0``, others to twelve digits."""
+    return f"{value + 0.0:.12g}"
+
+
+def excerpt(line: str, column: int, end_column: int) -> list[str]:
+    """The source line and a line with carets under ``column`` … ``end_column``.
+
+    A long line is cut around the place; what does not print is shown as a dot, a tab as a blank.
+    """
+    start = max(0, min(column - 1 - EXCERPT_WIDTH // 2, len(line) - EXCERPT_WIDTH))
+    end = start + EXCERPT_WIDTH
+    shown = "".join(_shown(character) for character in line[start:end])
+    before = "…" if start else ""
+    after = "…" if end < len(line) else ""
+    offset = column - 1 - start + len(before)
+    width = max(1, min(end_column, end + 1) - column)
+    return [f"    {before}{shown}{after}", f"    {' ' * offset}{'^' * width}"]
+
+
+def _shown(character: str) -> str:
+    if character == "\t":
+        return " "
+    return character if character.isprintable() else "·"

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""Text files of any length -> their lines, without having all of them in memory.
+
+In: a file. Out: a sequence of lines. The rules are those of ``base.text.py``; a short file is read
+at once. Of a long one the encoding and the places of some lines are found in one pass, then lines
+are read where they are asked for: forward without delay, elsewhere by a step back to the last known
+place.
+"""
+
+from __future__ import annotations
+
+import codecs
+import re
+from array import array
+from collections.abc import Iterator, Sequence
+from itertools import accumulate
+from pathlib import Path
+from typing import BinaryIO, overload
+
+from nctakt.base.text import WINDOWS_1252, decode_text, split_lines
+
+#: Bytes of a file that is read at once.
+SHORT_FILE_BYTES = 1_000_000
+
+#: Lines between two places that are remembered.
+LINES_PER_PLACE = 512
+
+_CHUNK_BYTES = 1 << 20
+_LINE_END = re.compile(rb"\r\n|\n|\r")
+_UTF8_MARK = b"\xef\xbb\xbf"
+_UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
+
+
+def read_lines(path: Path) -> Sequence[str]:
+    """The lines of a file; raises ``OSError``."""
+    size = path.stat().st_size if path.is_file() else 0
+    if size > SHORT_FILE_BYTES:
+        with path.open("rb") as file:
+            long_enough = not file.read(2).startswith(_UTF16_MARKS)
+        if long_enough:
+            return LongText(path)
+    return split_lines(decode_text(path.read_bytes()).text)
+
+
+class LongText(Sequence[str]):
+    """The lines of one file; equal to another if path, size and time of change are."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        state = path.stat()
+        self._identity = (str(path), state.st_size, state.st_mtime_ns)
+        self._places = array("Q")
+        self._count = 0
+        self._is_utf8 = True
+        with path.open("rb") as file:
+            self._scan(file)
+        self._group = -1
+        self._lines: list[str] = []
+
+    def _scan(self, file: BinaryIO) -> None:
+        """Find encoding, number of lines, and the places of every so many lines."""
+        decoder = codecs.getincrementaldecoder("utf-8")()
+        place = len(_UTF8_MARK) if file.read(3) == _UTF8_MARK else 0
+        file.seek(place)
+        begin, rest = place, b""  # where the bytes at hand begin; what is left of the last ones
+        line_begin = place
+        while True:
+            chunk = file.read(_CHUNK_BYTES)
+            self._check_encoding(decoder, chunk)
+            data = rest + chunk
+            # A carriage return at the very end may be half of a line end.
+            usable = len(data) - 1 if chunk and data.endswith(b"\r") else len(data)
+            if b"\r" not in data:
+                line_begin = self._add_lines(data, begin, line_begin)
+            else:
+                for found in _LINE_END.finditer(data, 0, usable):
+                    self._add_line(line_begin)
+                    line_begin = begin + found.end()
+            if not chunk:
+                end = begin + len(data)
+                break
+            rest = data[usable:]
+            begin += usable
+        if line_begin < end:
+            self._add_line(line_begin)
+        self._places.append(end)
+
+    def _add_line(self, begin: int) -> None:
+        if self._count % LINES_PER_PLACE == 0:
+            self._places.append(begin)
+        self._count += 1
+
+    def _add_lines(self, data: bytes, begin: int, line_begin: int) -> int:
+        """Add the lines that a newline in ``data`` ends; where the one begins that is open.
+
+        ``data`` stands at ``begin`` in the file, its first line begins at ``line_begin``.
+        """
+        lengths = list(accumulate(map(len, data.split(b"\n"))))
+        count = len(lengths) - 1
+        for line in range(-self._count % LINES_PER_PLACE, count, LINES_PER_PLACE):
+            self._places.append(begin + lengths[line - 1] + line if line else line_begin)
+        self._count += count
+        return begin + lengths[count - 1] + count if count else line_begin
+
+    def _check_encoding(self, decoder: codecs.IncrementalDecoder, chunk: bytes) -> None:
+        if not self._is_utf8:
+            return
+        try:
+            decoder.decode(chunk, final=not chunk)
+        except UnicodeDecodeError:
+            self._is_utf8 = False
+
+    def _read(self, file: BinaryIO, group: int) -> list[str]:
+        """The lines from a known place to the next one."""
+        begin, end = self._places[group], self._places[group + 1]
+        file.seek(begin)
+        data = file.read(end - begin)
+        if self._is_utf8:
+            return split_lines(data.decode("utf-8", errors="replace"))
+        return split_lines(data.decode("latin-1").translate(WINDOWS_1252))
+
+    def __len__(self) -> int:
+        return self._count
+
+    def __iter__(self) -> Iterator[str]:
+        return self.from_line(0)
+
+    def from_line(self, first: int) -> Iterator[str]:
+        """The lines from index ``first`` on."""
+        for group in self.groups(first):
+            yield from group
+
+    def groups(self, first: int) -> Iterator[list[str]]:
+        """The lines from index ``first`` on, some at a time."""
+        with self._path.open("rb") as file:
+            for group in range(first // LINES_PER_PLACE, len(self._places) - 1):
+                lines = self._read(file, group)
+                yield lines[max(0, first - group * LINES_PER_PLACE) :]
+
+    @overload
+    def __getitem__(self, index: int) -> str: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[str]: ...
+
+    def __getitem__(self, index: int | slice) -> str | list[str]:
+        if isinstance(index, slice):
+            return [self[number] for number in range(*index.indices(self._count))]
+        if index < 0:
+            index += self._count
+        if not 0 <= index < self._count:
+            raise IndexError(index)
+        group = index // LINES_PER_PLACE
+        if group != self._group:
+            with self._path.open("rb") as file:
+                self._lines = self._read(file, group)
+            self._group = group
+        return self._lines[index % LINES_PER_PLACE]
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, LongText) and self._identity == other._identity
+
+    def __hash__(self) -> int:
+        return hash(self._identity)

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+"""Bytes of a list or an NC program -> text -> lines, tolerantly; and misspelt names.
+
+In: the bytes of a file. Out: its text, which encoding was taken and whether that was a guess; then
+its lines. Nothing here fails: each byte sequence has a reading. The rules are those of the ASCII
+lists, and NC programs share them: a byte order mark decides; else UTF-8 if it fits; else
+Windows-1252, in which each byte is a character. Lines end at CR LF, LF or CR and nowhere else.
+``nearest`` finds the known name that a misspelt one may have meant.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+_UTF8_MARK = b"\xef\xbb\xbf"
+_UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
+
+#: Where Windows-1252 differs from Latin-1. The five bytes that it leaves open stay control
+#: characters, as in browsers, so that no file is unreadable.
+WINDOWS_1252 = {
+    byte: character
+    for byte in range(0x80, 0xA0)
+    if (character := bytes([byte]).decode("cp1252", errors="ignore"))
+}
+
+
+#: So many bytes at the start of a file tell whether it is a text.
+_LOOKED_AT_BYTES = 8192
+#: As many control characters are an accident in a text.
+_FEW_CONTROLS = 4
+
+
+@dataclass(frozen=True, slots=True)
+class DecodedText:
+    """A file's text (without byte order mark) and how it was read.
+
+    ``encoding`` is ``utf-8``, ``utf-8-sig``, ``utf-16`` or ``cp1252``. ``guessed`` says that
+    the bytes were no UTF-8 and Windows-1252 was taken for want of anything better: worth a note.
+    """
+
+    text: str
+    encoding: str
+    guessed: bool = False
+
+
+def decode_text(data: bytes) -> DecodedText:
+    """Read ``data`` by its byte order mark, else as UTF-8, else as Windows-1252."""
+    if data.startswith(_UTF16_MARKS):
+        return DecodedText(data.decode("utf-16", errors="replace"), "utf-16")
+    body = data.removeprefix(_UTF8_MARK)
+    try:
+        text = body.decode("utf-8")
+    except UnicodeDecodeError:
+        return DecodedText(body.decode("latin-1").translate(WINDOWS_1252), "cp1252", guessed=True)
+    return DecodedText(text, "utf-8" if len(body) == len(data) else "utf-8-sig")
+
+
+def is_binary(data: bytes) -> bool:
+    """Whether a file is no text: it has NULs and more control characters than any text would.
+
+    A text with a few NULs, such as one that is filled up with them at its end, is one.
+    """
+    begin = data[:_LOOKED_AT_BYTES].rstrip(b"\0")
+    if b"\0" not in begin or data.startswith(_UTF16_MARKS):
+        return False
+    controls = sum(byte < 32 and byte not in b"\t\n\r\f\v\x1a" for byte in begin)
+    return controls > _FEW_CONTROLS and controls * 50 > len(begin)
+
+
+def split_lines(text: str) -> list[str]:
+    r"""The lines of ``base.text`` without their ends, which are ``\r\n``, ``\n`` and ``\r`` only.
+
+    ``str.splitlines`` would also split at form feeds and other separators that may stand inside a
+    comment. A line end at the very end of the text does not begin another line.
+    """
+    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    if not lines[-1]:
+        lines.pop()
+    return lines
+
+
+def nearest(wanted: str, known: Iterable[str]) -> str:
+    """The known name that ``wanted`` is nearest to, in whatever letter case; empty if none is."""
+    by_fold = {name.casefold(): name for name in known}
+    found = difflib.get_close_matches(wanted.casefold(), by_fold, n=1)
+    return by_fold[found[0]] if found else ""

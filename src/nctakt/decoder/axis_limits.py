@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+"""The limits of the machine's axes -> contour preparation, independent motion (MO-1, MO-4, MO-11).
+
+The preparation itself runs compiled, in the queue (``kernel/path/lookahead.py``).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.axes.single_axes import SingleAxes
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.path import geometry
+from nctakt.kernel.path.lookahead import LookAhead
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
+from nctakt.lists.machine.machine import MachineConfiguration
+
+
+def look_ahead(
+    axes: Sequence[AxisConfiguration], cycle_time_us: int, blocks: int, max_override_pct: float
+) -> LookAhead:
+    """Contour preparation for a channel with these axes."""
+    ahead = LookAhead(len(axes), cycle_time_us, blocks, max_override_pct / 100.0)
+    for index, axis in enumerate(axes):
+        ahead.limit(
+            index,
+            axis.is_linear,
+            (axis.rapid_speed, axis.max_speed),
+            (axis.dynamics.rapid_acceleration, axis.dynamics.feed_acceleration),
+        )
+        ahead.limit_slope(index, axis.dynamics.smooth_accelerations, axis.dynamics.smooth_jerks)
+    return ahead
+
+
+def history_blocks(memory_bytes: int, axis_count: int) -> int:
+    """How many blocks behind the current one fit into the memory of backward motion (MO-7)."""
+    return memory_bytes // (8 * geometry.width(axis_count))
+
+
+def single_axes(configuration: MachineConfiguration, axes: Axes, record: Record) -> SingleAxes:
+    """What moves the axes on their own, with the limits of their lists."""
+    made = SingleAxes(axes, record, configuration.cycle_time_us)
+    jerky = {
+        axis.index
+        for channel in configuration.channels
+        if channel.parameters.program_start.slope_profile != 0
+        for axis in channel.axes
+    }
+    for index, axis in enumerate(configuration.axes):
+        axes.set_override(index, axis.override_mode, axis.max_override_pct)
+        if axis.is_modulo:
+            axes.set_modulo(index, axis.dynamics.modulo_low, axis.modulo_range)
+        if axis.obstacle != 0.0:
+            axes.set_stop(index, axis.obstacle)
+        if not axis.follows_exactly:
+            _let_lag(axes, index, axis, configuration.cycle_time_us)
+        slope = axis.dynamics.jerk_slope
+        has_jerk = index in jerky and slope.jerk > 0.0
+        if axis.enable_single_axis:
+            made.configure(
+                index,
+                low=axis.software_limit_low,
+                high=axis.software_limit_high,
+                speed=axis.max_speed,
+                acceleration=(
+                    min(slope.least_acceleration, axis.dynamics.max_acceleration)
+                    if has_jerk
+                    else axis.max_acceleration
+                ),
+                jerk=slope.jerk if has_jerk else 0.0,
+            )
+    return made
+
+
+def _let_lag(axes: Axes, index: int, axis: AxisConfiguration, cycle_time_us: int) -> None:
+    """The lag of an axis in each tick (MO-10); a share of 1 leaves none."""
+    reach = axis.kv * cycle_time_us / 1e6
+    kept = math.exp(-reach)
+    share = axis.feed_forward_share
+    axes.set_lag(index, kept, (1.0 - share) * (1.0 - kept) / reach)

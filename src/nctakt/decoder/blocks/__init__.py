@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""The words of a block turned into commands."""

@@ -1,0 +1,475 @@
+# SPDX-License-Identifier: MIT
+"""The words of a block -> commands: G, F, axis words, M and H functions.
+
+Order within a block: modal G functions and F take effect, then functions that come before the
+motion, the motion, functions that come after it, the program's end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Generator, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.feed import NO_OVERRIDE, PathPace
+from nctakt.decoder.blocks.fixed_stops import fixed_stop, is_fixed_stop
+from nctakt.decoder.blocks.path_motion import (
+    CENTRE_WORDS,
+    CONTOURING,
+    EXACT_STOP,
+    SELECTIONS,
+    PathMotion,
+    PathWords,
+)
+from nctakt.decoder.blocks.spindles import SpindleWords, names_of
+from nctakt.decoder.blocks.technology_output import Issued, TechnologyOutputs, process_ticks
+from nctakt.decoder.state.arcs import PLANES
+from nctakt.decoder.state.commands import (
+    Answer,
+    AwaitAcknowledge,
+    Command,
+    Dwell,
+    FixedStop,
+    FixedStopEnd,
+    Measure,
+    MeasureEnd,
+    PositionRequest,
+    ProgramStop,
+    Segment,
+    TechnologyOutput,
+)
+from nctakt.decoder.state.coordinate_systems import MAIN_AXES, SAME_PLACE_MM
+from nctakt.decoder.state.offsets import ALL, ZERO_GROUPS
+from nctakt.decoder.state.uncertain_axes import MovedAxes
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.base import arithmetic
+from nctakt.lists.declared.offsets import MOST_GROUPS
+from nctakt.lists.declared.technology_functions import TechnologyFunction
+from nctakt.nc import tree
+from nctakt.nc.check.blocks import LEAST_VALUE, MOST_VALUE
+from nctakt.nc.vocabulary.spindle_commands import split
+
+#: The G functions that set a reference point offset, and select a zero offset by its number.
+REFERENCE = 92
+FURTHER_ZERO = 159
+
+#: The G function whose own value is the radius of arcs, as R.
+RADIUS = 163
+
+#: The G function whose X, or whose own value, is a time.
+DWELL = 4
+
+#: G functions for one block only.
+ONE_BLOCK = frozenset((EXACT_STOP, CONTOURING, NO_OVERRIDE))
+
+#: Tool radius compensation, left and right of the contour: with the tool of its own block.
+COMPENSATIONS = frozenset((41, 42))
+
+#: Edge banding off and on.
+EDGE_BANDING = (107, 108)
+
+#: M functions that end the main program, and those that stop it until START.
+PROGRAM_ENDS = (2, 30)
+PROGRAM_STOPS = (0, 1)
+
+
+@dataclass(slots=True)
+class _Content:
+    """A block's words sorted by what they do; ``turns_tool``: its offsets may be other ones."""
+
+    axes: list[tuple[tree.AxisWord, float]] = field(default_factory=list)
+    path: PathWords = field(default_factory=PathWords)
+    functions: list[Issued] = field(default_factory=list)
+    dwell_s: float | None = None
+    zero_group: int | None = None
+    is_reference: bool = False
+    turns_tool: bool = False
+    stops: tuple[tuple[tree.BracketCommand, FixedStop], ...] = ()
+    program_stops: tuple[ProgramStop, ...] = ()
+    ends_program: bool = False
+
+
+class Words:
+    """Decodes the blocks of one program; ``has_motion``: the latest one had a motion command."""
+
+    def __init__(self, values: Values, moved: MovedAxes) -> None:
+        self._moved = moved
+        self._values = values
+        self._surroundings = values.surroundings
+        self._state = values.state
+        self._is_linear = [axis.is_linear for axis in self._surroundings.axes]
+        self._spindles = SpindleWords(values)
+        self.path = PathMotion(values, PathPace(values, self._spindles))
+        self.technology = TechnologyOutputs()
+        self.has_motion = False
+        self._spindle_names = names_of(self._surroundings.parameters.spindles)
+
+    def presets(self, command: tree.OffsetCommand, number: int) -> Generator[Command, Answer]:
+        """``#PSET``, ``#PRESET``."""
+        offsets = self._surroundings.offsets
+        source = self._surroundings.place(command.span)
+        for axis in range(len(self._state.positions)) if not command.words else ():
+            yield from offsets.release(axis, source, number)
+        for word in command.words:
+            assert isinstance(word, tree.AxisWord)
+            assert word.value is not None
+            axis = self._surroundings.axis_numbers[word.name]
+            if command.name == "PRESET":
+                yield from offsets.release(axis, source, number)
+                continue
+            programmed = yield from self._values.evaluate(word.value, number)
+            value = self._in_axis_unit(axis, programmed)
+            yield from self.request([word.name], command.span, number)
+            position = offsets.inside(self._state.positions)[axis]
+            yield from offsets.preset(axis, position, value, source, number)
+
+    def block(
+        self, block: tree.Block, number: int, kinds: int = ALL
+    ) -> Generator[Command, Answer, bool]:
+        """The commands of a block; true when it ends the program.
+
+        ``kinds``: which offsets its absolute positions have.
+        """
+        self.has_motion = False
+        content = yield from self._sort(block, number)
+        content.path.offset_kinds = kinds
+        if content.zero_group is not None or content.is_reference:
+            yield from self._offsets(content, self._surroundings.place(block.span), number)
+        if content.turns_tool:
+            yield from self._values.tool.offsets(block.span, number)
+        if content.functions:
+            yield from self.technology.before(content.functions)
+        measured = self.technology.measuring(content.functions) if self._state.measures else None
+        if measured is not None:
+            yield from self._measure(content, measured, block.span, number)
+        elif content.stops:
+            yield from self._to_stop(content, block.span, number)
+        else:
+            yield from self._motion(content, block.span, number)
+        if content.dwell_s is not None:
+            yield from self.dwell(content.dwell_s, block.span, number)
+        if content.functions:
+            yield from self.technology.behind(content.functions)
+        if content.program_stops:
+            yield from content.program_stops
+        return content.ends_program
+
+    def _sort(self, block: tree.Block, number: int) -> Generator[Command, Answer, _Content]:
+        """Evaluate the words; G and F act at once, in whatever order they stand."""
+        content = _Content()
+        numbers: dict[int, Span] = {}
+        for word in block.words:
+            if isinstance(word, tree.Word) and word.name == "G":
+                if isinstance(word.value, tree.Number):
+                    numbers[round(word.value.value)] = word.span
+        if numbers:
+            self._functions(numbers, content)
+        rest: Sequence[tree.BlockWord] = block.words
+        if DWELL in numbers:
+            rest = [word for word in rest if not _is_revolutions(word)]
+            content.dwell_s = yield from self._revolutions(block, number)
+        commands, words = split(rest, self._spindle_names)
+        for word in words:
+            if isinstance(word, tree.AxisWord):
+                if word.value is not None:
+                    known = self._values.known(word.value)
+                    if known is None:
+                        known = yield from self._values.evaluate(word.value, number)
+                    content.axes.append((word, known))
+                continue
+            if isinstance(word, tree.BracketCommand):
+                axis = self._surroundings.axis_numbers[word.name]
+                if is_fixed_stop(word):
+                    stop = yield from fixed_stop(self._values, word, axis, number)
+                    content.stops += ((word, stop),)
+                    continue
+                yield from self.path.pace.override(word.items, number, axis)
+                continue
+            assert isinstance(word, tree.Word), word
+            if word.name == "G":
+                if word.additional is not None:
+                    value = yield from self._values.evaluate(word.additional, number)
+                    self._additional(word, value, content)
+                continue
+            assert word.value is not None, word
+            known = self._values.known(word.value)
+            if known is None:
+                known = yield from self._values.evaluate(word.value, number)
+            extra = None
+            if word.additional is not None:
+                extra = yield from self._values.evaluate(word.additional, number)
+            self._word(word, known, extra, number, content)
+        if numbers:
+            for function in COMPENSATIONS.intersection(numbers):
+                self.path.compensate(function, numbers[function])
+        for command in commands:
+            content.functions += yield from self._spindles.issued(command, number)
+        if DWELL in numbers and content.axes:
+            content.dwell_s = content.axes.pop()[1]
+        return content
+
+    def _functions(self, numbers: Mapping[int, Span], content: _Content) -> None:
+        """G functions: the modal ones act at once."""
+        content.turns_tool = any(function in PLANES for function in numbers)
+        for function, span in numbers.items():
+            self._modal(function, span)
+            content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
+        content.is_reference = REFERENCE in numbers
+        content.path.once = ONE_BLOCK.intersection(numbers)
+
+    def _revolutions(
+        self, block: tree.Block, number: int
+    ) -> Generator[Command, Answer, float | None]:
+        """``G04 S10``: the time of revolutions of the main spindle."""
+        for word in filter(_is_revolutions, block.words):
+            assert isinstance(word, tree.Word)
+            assert word.value is not None
+            count = yield from self._values.evaluate(word.value, number)
+            return self._spindles.revolutions_s(count, word.span)
+        return None
+
+    def _additional(self, word: tree.Word, value: float, content: _Content) -> None:
+        """The value of a G function: the group of G159, the radius of G163, the time of G04."""
+        assert isinstance(word.value, tree.Number)
+        if word.value.value == RADIUS:
+            self._state.path.radius = value * self._state.length_unit_mm
+            return
+        if word.value.value != FURTHER_ZERO:
+            content.dwell_s = value
+            return
+        group = arithmetic.round_half_even(value)
+        if not 0 <= group < MOST_GROUPS:
+            self._values.fail(900774, word.span, group=value, highest=MOST_GROUPS - 1)
+        content.zero_group = int(group)
+
+    def _offsets(self, content: _Content, source: int, number: int) -> Iterator[Command]:
+        """Zero offsets, and G92, whose axis words are offsets and no motion (MO-8)."""
+        offsets = self._surroundings.offsets
+        if content.zero_group is not None:
+            yield from offsets.select_group(content.zero_group, source, number)
+        if content.is_reference:
+            for word, value in content.axes:
+                axis = self._surroundings.axis_numbers[word.name]
+                shift = self._in_axis_unit(axis, value)
+                relative = not self._state.absolute
+                yield from offsets.add_zero(axis, shift, relative, source, number)
+            content.axes.clear()
+
+    def _in_axis_unit(self, axis: int, value: float) -> float:
+        """A programmed value in mm or degrees."""
+        return value * self._state.length_unit_mm if self._is_linear[axis] else value
+
+    def _modal(self, function: int, span: Span) -> None:
+        state = self._state
+        if function in (70, 71):
+            state.inch = function == 70
+        elif function in (90, 91):
+            state.absolute = function == 90
+        elif function in EDGE_BANDING:
+            self._edge_banding(function, span)
+        elif function != DWELL:
+            if function in PLANES and state.path.compensation.is_active:
+                self.path.keep_plane(function, span)
+            elif function in SELECTIONS and state.path.compensation.is_active:
+                self.path.keep_selection(function, span)
+            self.path.modal(function)
+
+    def _edge_banding(self, function: int, span: Span) -> None:
+        """G108 lets the next block with a function of the type MNE_SNS look for an edge."""
+        if function == EDGE_BANDING[1] and self._surroundings.parameters.edge_across_blocks:
+            self._values.fail(900884, span)
+        self._state.measures = function == EDGE_BANDING[1]
+
+    def _word(
+        self,
+        word: tree.Word,
+        value: float,
+        extra: float | None,
+        block: int,
+        content: _Content,
+    ) -> None:
+        if word.name == "F":
+            self.path.pace.feed_word(value)
+            return
+        if word.name in ("T", "D"):
+            self._values.tool.word(word, value)
+            content.turns_tool = True
+            return
+        if word.name == "R":
+            self._state.path.radius = value * self._state.length_unit_mm
+            return
+        if word.name in CENTRE_WORDS:
+            content.path.centre[word.name] = (word.span, value)
+            return
+        number = int(arithmetic.round_half_even(value))
+        if word.name == "M" and number in PROGRAM_ENDS:
+            content.ends_program = True
+        if word.name == "M" and number in PROGRAM_STOPS:
+            source = self._surroundings.place(word.span)
+            content.program_stops += (ProgramStop(source, block, number == 1),)
+        parameters = self._surroundings.parameters
+        table = parameters.m_functions if word.name == "M" else parameters.h_functions
+        if number in table:
+            given = None if extra is None else self._given(word, number, extra)
+            content.functions.append(self._issued(word, number, table[number], given, block))
+
+    def _given(self, word: tree.Word, function: int, value: float) -> int:
+        """The value that the PLC finds beside a function: a whole number of 32 bits."""
+        whole = int(arithmetic.round_half_even(value))
+        if not LEAST_VALUE <= whole <= MOST_VALUE:
+            name = f"{word.name}{function}"
+            self._values.fail(
+                900847, word.span, word=name, value=whole, least=LEAST_VALUE, most=MOST_VALUE
+            )
+        return whole
+
+    def _issued(
+        self,
+        word: tree.Word,
+        number: int,
+        function: TechnologyFunction,
+        given: int | None,
+        block: int,
+    ) -> Issued:
+        source = self._surroundings.place(word.span)
+        code = number if word.name == "M" else -number - 1
+        ticks = process_ticks(function, self._surroundings.cycle_time_us)
+        output = TechnologyOutput(source, block, code, ticks, given)
+        return Issued(function.synchronisation, output, AwaitAcknowledge(source, block, code))
+
+    def _motion(self, content: _Content, span: Span, number: int) -> Generator[Command, Answer]:
+        """The path to the programmed position; a centre without a target is a full circle."""
+        if not content.axes and not (content.path.centre and self._state.motion > 1):
+            return
+        self.has_motion = True
+        if not self._moved.is_quiet:
+            yield from self.request(self._programmed(content), span, number)
+        start = self._state.positions
+        target = self._target(content, span)
+        segment = self.path.segment(start, target, content.path, span, number)
+        self._state.positions = target
+        if segment is None:
+            return
+        if segment.feed > 0.0 and self.technology.awaits_feed:
+            yield from self.technology.before_feed()
+        yield segment
+
+    def _measure(
+        self, content: _Content, measured: Issued, span: Span, number: int
+    ) -> Generator[Command, Answer]:
+        """A motion on whose way the edge of the strip is found (G108, V.RTG.MEAS_DELTA)."""
+        self._state.measures = False
+        source = self._surroundings.place(span)
+        output = measured.output
+        assert isinstance(output, TechnologyOutput)
+        residual = self._surroundings.parameters.residual_path_mm
+        function, ticks, value = output.function, output.ticks, output.value
+        yield Measure(source, number, function, ticks, residual, value)
+        yield from self._motion(content, span, number)
+        yield MeasureEnd(source, number)
+
+    def _to_stop(self, content: _Content, span: Span, number: int) -> Generator[Command, Answer]:
+        """A motion to a fixed stop, or away from it: where it ends only the axes know (MO-12)."""
+        moved = self._programmed(content)
+        monitored = False
+        for word, stop in content.stops:
+            if stop.is_on and word.name not in moved:
+                self._values.fail(21966, word.span, axis=word.name)
+            if stop.is_on:
+                self._values.empties_channel(f"{word.name}[FIXED_STOP]", word.span)
+            monitored = monitored or stop.is_on
+            yield stop
+        yield from self._motion(content, span, number)
+        if monitored:
+            source = self._surroundings.place(span)
+            yield FixedStopEnd(source, number)
+            answer = yield PositionRequest(source, number)
+            assert isinstance(answer, tuple)
+            self._state.positions = list(answer)
+
+    def _programmed(self, content: _Content) -> list[str]:
+        """Names of the axes that the block programs; an arc moves both axes of its plane."""
+        names = [word.name for word, _ in content.axes]
+        if self._state.motion > 1:
+            plane = PLANES[self._state.path.plane]
+            for name, place in self._surroundings.axis_numbers.items():
+                if place in plane and name not in names:
+                    names.append(name)
+        if self._surroundings.offsets.systems.is_active:
+            main = list(self._surroundings.axis_numbers)[:MAIN_AXES]
+            names += [name for name in main if name not in names]
+        return names
+
+    def request(self, axes: Sequence[str], span: Span, number: int) -> Generator[Command, Answer]:
+        """Ask for the positions of those of these axes that cycles may have moved (RC-409)."""
+        doubtful = self._moved.doubtful(axes)
+        if not doubtful:
+            return
+        self._values.empties_channel(", ".join(doubtful), span)
+        source = self._surroundings.place(span)
+        places = [self._surroundings.axis_numbers[name] for name in doubtful]
+        numbers = (self._surroundings.names.axis(name) for name in doubtful)
+        answer = yield PositionRequest(
+            source, number, tuple(axis.number for axis in numbers if axis is not None)
+        )
+        assert isinstance(answer, tuple)
+        for place in places:
+            self._state.positions[place] = answer[place]
+        self._moved.told(doubtful)
+
+    def moved_by(self, command: Command) -> list[str]:
+        """Names of the axes that a command moves with the path."""
+        if not isinstance(command, Segment):
+            return []
+        plane = () if command.arc is None else command.arc[:2]
+        return [
+            name
+            for name, place in self._surroundings.axis_numbers.items()
+            if command.start[place] != command.target[place] or place in plane
+        ]
+
+    def _target(self, content: _Content, span: Span) -> list[float]:
+        """Where the block ends: positions of the axes."""
+        offsets, kinds = self._surroundings.offsets, content.path.offset_kinds
+        target = offsets.inside(self._state.positions, kinds)
+        spans = {}
+        for word, value in content.axes:
+            index = self._surroundings.axis_numbers[word.name]
+            begin = offsets.total(index, kinds) if self._state.absolute else target[index]
+            target[index] = begin + self._in_axis_unit(index, value)
+            spans[index] = word.span
+        if offsets.systems.is_active:
+            target = self._outside(target, spans, kinds)
+            if any(index < MAIN_AXES for index in spans):
+                spans = {index: span for index in range(MAIN_AXES)} | spans
+        for index, place in spans.items():
+            self.path.check_limit(index, target[index], place)
+        return target
+
+    def _outside(self, target: list[float], programmed: Container[int], kinds: int) -> list[float]:
+        """A target in a coordinate system of the program as positions of the axes.
+
+        What rounding alone would move stays.
+        """
+        start = self._state.positions
+        found = self._surroundings.offsets.outside(target, kinds)
+        turns = any(axis in programmed for axis in range(MAIN_AXES))
+        for index, before in enumerate(start):
+            moves = turns if index < MAIN_AXES else index in programmed
+            if not moves or abs(found[index] - before) < SAME_PLACE_MM:
+                found[index] = before
+        return found
+
+    def dwell(self, seconds: float, span: Span, number: int) -> Generator[Command, Answer]:
+        """Standing still; ``ceil(d / T)`` ticks (RC-005)."""
+        if seconds < 0.0:
+            self._values.fail(900305, span, seconds=seconds)
+        ticks = seconds * 1e6 / self._surroundings.cycle_time_us
+        count = int(arithmetic.ceiling(ticks - 1e-6))
+        if count > 0:
+            yield Dwell(self._surroundings.place(span), number, count)
+
+
+def _is_revolutions(word: tree.BlockWord) -> bool:
+    """Whether the word of a block with G04 is its time in revolutions."""
+    return isinstance(word, tree.Word) and word.name == "S"

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: MIT
+"""``#CS`` of the main program -> the coordinate system that is active, as commands (MO-8).
+
+In: the tree of a checked command. Stored systems have numbers; what is not stored gets the next
+free one, which ends with it. Up to five are stored at a time. Systems with names (``#CS ADD``) lie
+on each other in a stack; ``#CS SELECT`` activates the stack from its bottom up to one of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.state.coordinate_systems import MAIN_AXES
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.base import arithmetic
+from nctakt.nc import tree
+from nctakt.nc.check.coordinate_systems import SystemCommand, system_command
+
+#: So many systems are stored at a time.
+MOST_STORED = 5
+
+
+class SystemCommands:
+    """The ``#CS`` commands of one program."""
+
+    def __init__(self, values: Values) -> None:
+        self._values = values
+        self._surroundings = values.surroundings
+        self._stored: dict[int, tuple[float, ...]] = {}
+        self._latest = 0
+        self._stack: dict[str, tuple[float, ...]] = {}
+        self._selected = 0
+
+    def command(self, statement: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """One command."""
+        command = system_command(statement)
+        assert command is not None
+        source = self._surroundings.place(statement.span)
+        offsets = self._surroundings.offsets
+        compensation = self._values.state.path.compensation
+        if compensation.is_active:
+            self._values.fail(900846, statement.span, command=f"#CS {command.action}")
+        if command.action.startswith("OFF"):
+            if command.action == "OFF" and not offsets.systems.is_active:
+                self._values.fail(900841, statement.span)
+            count = offsets.systems.count
+            if command.action == "OFF":
+                count = 1 if count > self._selected else self._selected
+            yield from self._leave(count, source, number)
+            return
+        self._check_axes(statement.span)
+        if command.action == "ADD":
+            yield from self._add(command, statement.span, number)
+            return
+        if command.action == "SELECT":
+            yield from self._select(command.name, statement.span, number)
+            return
+        components = yield from self._components(command, statement.span, number)
+        if command.action == "ON":
+            yield from offsets.enter_system(components, source, number)
+
+    def _leave(self, count: int, source: int, number: int) -> Generator[Command, Answer]:
+        """So many systems are off, the innermost first; a selected stack as a whole."""
+        offsets = self._surroundings.offsets
+        for _ in range(count):
+            yield from offsets.leave_system(source, number)
+        self._selected = min(self._selected, offsets.systems.count)
+
+    def _add(self, command: SystemCommand, span: Span, number: int) -> Generator[Command, Answer]:
+        """``#CS ADD``: the stack has one system more on its top; nothing else changes."""
+        if command.name in self._stack or len(self._stack) >= MOST_STORED:
+            names = ", ".join(self._stack)
+            self._values.fail(900930, span, name=command.name, most=MOST_STORED, known=names)
+        assert command.components is not None
+        self._stack[command.name] = yield from self._evaluated(command.components, number)
+
+    def _select(self, name: str, span: Span, number: int) -> Generator[Command, Answer]:
+        """``#CS SELECT``: the systems of the stack from its bottom up to this one are active."""
+        offsets = self._surroundings.offsets
+        if name not in self._stack:
+            known = ", ".join(self._stack) or "–"
+            self._values.fail(900931, span, name=name, known=known)
+        if offsets.systems.count > self._selected:
+            self._values.fail(900932, span)
+        source = self._surroundings.place(span)
+        yield from self._leave(self._selected, source, number)
+        for other, components in self._stack.items():
+            yield from offsets.enter_system(components, source, number)
+            self._selected += 1
+            if other == name:
+                return
+
+    def _evaluated(
+        self, components: Sequence[tree.Expression], number: int
+    ) -> Generator[Command, Answer, tuple[float, ...]]:
+        """Shift in mm and angles."""
+        found: list[float] = []
+        for place, component in enumerate(components):
+            value = yield from self._values.evaluate(component, number)
+            found.append(value * self._values.state.length_unit_mm if place < 3 else value)
+        return tuple(found)
+
+    def _check_axes(self, span: Span) -> None:
+        axes = self._surroundings.axes
+        if len(axes) < MAIN_AXES or not all(axis.is_linear for axis in axes[:MAIN_AXES]):
+            self._values.fail(900843, span)
+
+    def _components(
+        self, command: SystemCommand, span: Span, number: int
+    ) -> Generator[Command, Answer, tuple[float, ...]]:
+        """The components of the system that is meant, stored where it has a number."""
+        identity = self._latest
+        if command.identity is not None:
+            value = yield from self._values.evaluate(command.identity, number)
+            identity = int(arithmetic.round_half_even(value))
+        if command.components is None:
+            if identity not in self._stored:
+                known = ", ".join(map(str, self._stored)) or "–"
+                self._values.fail(900840, span, id=identity, known=known)
+            return self._stored[identity]
+        found = yield from self._evaluated(command.components, number)
+        if command.identity is None:
+            if command.action == "ON":
+                return found
+            identity = next(free for free in range(1, 7) if free not in self._stored)
+        if identity not in self._stored and len(self._stored) >= MOST_STORED:
+            self._values.fail(900844, span, most=MOST_STORED)
+        self._stored[identity] = found
+        self._latest = identity
+        return found

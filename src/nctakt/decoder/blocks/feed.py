@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: MIT
+"""How fast a block goes: F under G93, G94, G95, and overrides of the program (MO-4, MO-5, MO-17).
+
+In: F, the G functions of the feed, ``#OVERRIDE``, ``X[OVERRIDE …]``, the way of a block. Out: its
+feed in mm/s, degrees/s where only rotary axes move, below 0 rapid, and a ``Pace`` where more than
+that counts. Each of G93 … G95 has an F of its own, which comes back with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.spindles import DEGREES_PER_S, SpindleWords
+from nctakt.decoder.state.arcs import Arc
+from nctakt.decoder.state.commands import Answer, Command, Pace
+from nctakt.decoder.state.modal_state import PaceState
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.base import arithmetic
+from nctakt.nc import tree
+from nctakt.nc.vocabulary.spindle_commands import STOP
+
+#: The G functions that tell what F is: the time of a block, a feed per minute, per revolution.
+FEEDS = (93, 94, 95, 194)
+
+#: The highest F of G194.
+MOST_SHARE_PCT = 100.0
+
+#: The G function for one block without operator's and programmed override.
+NO_OVERRIDE = 166
+
+#: Bounds of programmed overrides, %, and their keywords: of feed blocks, of rapid ones.
+LEAST_PCT, MOST_PCT = 0.1, 200.0
+FACTORS = ("FEED_FACT", "RAPID_FACT")
+
+
+class PathPace:
+    """Decodes what the speed of the blocks of one program depends on."""
+
+    def __init__(self, values: Values, spindles: SpindleWords) -> None:
+        self._values = values
+        self._surroundings = values.surroundings
+        self._state = values.state
+        self._spindles = spindles
+
+    def feed_word(self, value: float) -> None:
+        """F, in inch under G70: per minute whatever P-CHAN-00108 says, or per revolution."""
+        state = self._state
+        match state.pace.feed_mode:
+            case 93:
+                state.pace.time_s = value
+            case 95:
+                state.pace.per_revolution_mm = value * state.length_unit_mm
+            case 194:
+                state.pace.share_pct = value
+            case _ if state.inch:
+                state.feed_mm_s = value * state.length_unit_mm / 60.0
+            case _:
+                unit = self._surroundings.parameters.program_start.feed_unit_mm_min
+                state.feed_mm_s = value * unit / 60.0
+
+    # --- overrides ------------------------------------------------------------------------------
+
+    def override(
+        self,
+        items: Sequence[tree.Keyword | tree.Expression],
+        number: int,
+        axis: int | None = None,
+    ) -> Generator[Command, Answer]:
+        """``#OVERRIDE``, or ``X[OVERRIDE …]`` for the axis at this place of the channel."""
+        pace = self._state.pace
+        feed, rapid = pace.path_override
+        if axis is not None:
+            feed, rapid = pace.axis_overrides.get(axis, (1.0, 1.0))
+        for item in items:
+            if not isinstance(item, tree.Keyword) or item.value is None:
+                continue
+            pct = yield from self._values.evaluate(item.value, number)
+            if not LEAST_PCT <= pct <= MOST_PCT:
+                self._values.fail(
+                    900835, item.value.span, word=item.name, value=pct, low=LEAST_PCT, high=MOST_PCT
+                )
+            if item.name == FACTORS[0]:
+                feed = pct / 100.0
+            else:
+                rapid = pct / 100.0
+        if axis is None:
+            pace.path_override = (feed, rapid)
+        else:
+            pace.axis_overrides[axis] = (feed, rapid)
+
+    # --- a block --------------------------------------------------------------------------------
+
+    def of(
+        self,
+        start: Sequence[float],
+        target: Sequence[float],
+        arc: Arc | None,
+        is_exempt: bool,
+        span: Span,
+    ) -> tuple[float, Pace | None]:
+        """Feed and pace of a block; ``is_exempt``: without overrides (G166)."""
+        rapid = self._state.rapid
+        pace = self._state.pace
+        override = 1.0
+        if not is_exempt:
+            override = pace.path_override[rapid]
+            if pace.axis_overrides:
+                override *= self._least_of_axes(start, target, arc)
+        feed, spindle, spindle_v = (
+            (-1.0, -1, 0.0) if rapid else self._feed(start, target, arc, span)
+        )
+        if override == 1.0 and not is_exempt and spindle < 0:
+            return feed, None
+        return feed, Pace(override, is_exempt, spindle, spindle_v)
+
+    def _least_of_axes(
+        self, start: Sequence[float], target: Sequence[float], arc: Arc | None
+    ) -> float:
+        """Of the axes that move: the least of their overrides."""
+        plane = () if arc is None else (arc.first, arc.second)
+        return min(
+            (
+                factors[self._state.rapid]
+                for axis, factors in self._state.pace.axis_overrides.items()
+                if start[axis] != target[axis] or axis in plane
+            ),
+            default=1.0,
+        )
+
+    def _feed(
+        self, start: Sequence[float], target: Sequence[float], arc: Arc | None, span: Span
+    ) -> tuple[float, int, float]:
+        """The feed, the spindle that it follows (-1: none), at which speed of it."""
+        pace = self._state.pace
+        match pace.feed_mode:
+            case 93:
+                self._need(pace.time_s, span)
+                return self._way(start, target, arc) / pace.time_s, -1, 0.0
+            case 95:
+                self._need(pace.per_revolution_mm, span)
+                return self._per_revolution(pace, span)
+            case 194:
+                self._need(pace.share_pct, span)
+                if pace.share_pct > MOST_SHARE_PCT:
+                    self._values.fail(900925, span, value=pace.share_pct, most=MOST_SHARE_PCT)
+                return self._highest(start, target, arc) * pace.share_pct / 100.0, -1, 0.0
+        self._need(self._state.feed_mm_s, span)
+        return self._state.feed_mm_s, -1, 0.0
+
+    def _need(self, value: float, span: Span) -> None:
+        """F 0 or below, or none at all (MO-17)."""
+        if value < 0.0:
+            self._values.fail(900926, span)
+        if value == 0.0:
+            self._values.fail(20008, span)
+
+    def _per_revolution(self, pace: PaceState, span: Span) -> tuple[float, int, float]:
+        """Under G95; of a spindle of the PLC only what is programmed is known."""
+        for index, spindle in enumerate(self._surroundings.parameters.spindles):
+            if not spindle.is_main:
+                continue
+            modal = self._spindles.modal.get(index)
+            if modal is None or modal.function == STOP or modal.speed <= 0.0:
+                self._values.fail(60131, span, spindle=spindle.name)
+            feed = pace.per_revolution_mm * modal.speed / 60.0
+            if spindle.plc_controlled:
+                return feed, -1, 0.0
+            return feed, index, modal.speed * DEGREES_PER_S
+        self._values.fail(900836, span)
+
+    def _highest(self, start: Sequence[float], target: Sequence[float], arc: Arc | None) -> float:
+        """The speed at which one axis of the block goes at its highest (P-AXIS-00212), none above.
+
+        In the plane of an arc that is the slower axis, wherever the arc begins and ends.
+        """
+        way = self._way(start, target, arc)
+        highest = []
+        for index, axis in enumerate(self._surroundings.axes):
+            part = abs(target[index] - start[index])
+            if arc is not None and index in (arc.first, arc.second):
+                part = arc.length(start)
+            if part > 0.0:
+                highest.append(axis.max_speed * way / part)
+        return min(highest, default=0.0)
+
+    def _way(self, start: Sequence[float], target: Sequence[float], arc: Arc | None) -> float:
+        """The way of a block: of the linear axes, else of the rotary ones (``measure`` has it)."""
+        linear2 = rotary2 = 0.0
+        for index, axis in enumerate(self._surroundings.axes):
+            if arc is not None and index in (arc.first, arc.second):
+                continue
+            rise = target[index] - start[index]
+            if axis.is_linear:
+                linear2 += rise * rise
+            else:
+                rotary2 += rise * rise
+        if arc is not None:
+            turn = arc.length(start)
+            return arithmetic.square_root(linear2 + turn * turn)
+        is_rotary = linear2 < 1e-12 and rotary2 > 0.0
+        return arithmetic.square_root(rotary2 if is_rotary else linear2)

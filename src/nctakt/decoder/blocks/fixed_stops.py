@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: MIT
+"""``X[FIXED_STOP ON …]``: what a block says of an axis that runs into a fixed stop (MO-12)."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+
+from nctakt.decoder.state.commands import Answer, Command, FixedStop
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.base import arithmetic
+from nctakt.nc import tree
+
+#: The first keyword of the command.
+WORD = "FIXED_STOP"
+#: Without POS_LAG_LIMIT, in mm or degrees: the default of P-AXIS-00712.
+DEFAULT_LIMIT = 2.0
+
+
+def is_fixed_stop(command: tree.BracketCommand) -> bool:
+    """Whether a command for an axis is this one."""
+    first = command.items[0] if command.items else None
+    return isinstance(first, tree.Keyword) and first.name == WORD
+
+
+def fixed_stop(
+    values: Values, command: tree.BracketCommand, axis: int, number: int
+) -> Generator[Command, Answer, FixedStop]:
+    """The command of the axis at this place of the channel; START and END are percents."""
+    found: dict[str, float] = {}
+    for item in command.items:
+        if isinstance(item, tree.Keyword) and item.value is not None:
+            found[item.name] = yield from values.evaluate(item.value, number)
+    begin, end = found.get("START", 0.0), found.get("END", 100.0)
+    if not 0.0 <= begin < end <= 100.0:
+        values.fail(21968, command.span, start=begin, end=end)
+    limit = found.get("POS_LAG_LIMIT", DEFAULT_LIMIT)
+    if "POS_LAG_LIMIT" in found and values.surroundings.axes[axis].is_linear:
+        limit *= values.state.length_unit_mm
+    return FixedStop(
+        values.surroundings.place(command.span),
+        number,
+        axis,
+        not any(isinstance(item, tree.Keyword) and item.name == "OFF" for item in command.items),
+        limit,
+        max(1, int(arithmetic.round_half_even(found.get("CYCLES", 1.0)))),
+        begin / 100.0,
+        end / 100.0,
+        arithmetic.is_true(found.get("ERR_NOT_DETECTED", 1.0)),
+    )

@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: MIT
+"""The path of a block: lines and arcs, how they end, within the software limits (MO-1, MO-3, MO-4).
+
+In: the modal state, the block's target and words. Out: one ``Segment``, or none where nothing
+moves. Mistakes are a ``DecodeError``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+from dataclasses import dataclass, field
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks import segments
+from nctakt.decoder.blocks.feed import FEEDS, NO_OVERRIDE, PathPace
+from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
+from nctakt.decoder.state.commands import Answer, Command, Segment
+from nctakt.decoder.state.modal_state import (
+    DIRECT,
+    ENDS_WITHOUT_WAY,
+    INDIRECT,
+    INNER_CORNER,
+    PERPENDICULAR,
+)
+from nctakt.decoder.state.offsets import ALL
+from nctakt.decoder.values.variables import Values
+from nctakt.nc import tree
+from nctakt.nc.check.path_commands import keywords
+
+#: The words of a centre, one for each of the first three axes.
+CENTRE_WORDS = ("I", "J", "K")
+
+#: The type of slope with a limit of the jerk.
+JERK_LIMITED = "TRAPEZ"
+
+#: G functions for one block only.
+EXACT_STOP, CONTOURING = 60, 61
+
+
+@dataclass(slots=True)
+class PathWords:
+    """What a block says of its path beside the target: words of a centre, G60, G61, G166.
+
+    ``offset_kinds``: which offsets its absolute positions have.
+    """
+
+    centre: dict[str, tuple[Span, float]] = field(default_factory=dict)
+    once: frozenset[int] = frozenset()
+    offset_kinds: int = ALL
+
+
+#: How the tool comes to a contour (``modal_state.py``).
+SELECTIONS = (DIRECT, INDIRECT, PERPENDICULAR, INNER_CORNER, ENDS_WITHOUT_WAY)
+
+
+class PathMotion:
+    """Makes the segments of one program; ``span``: the block of the last one."""
+
+    def __init__(self, values: Values, pace: PathPace) -> None:
+        self._values = values
+        self.pace = pace
+        self._surroundings = values.surroundings
+        self._state = values.state
+        self.span: Span
+
+    def modal(self, function: int) -> None:
+        """A modal G function of the path."""
+        path = self._state.path
+        if function <= 3:
+            self._state.motion = function
+        elif function in PLANES:
+            path.plane = function
+        elif function in FEEDS:
+            self._state.pace.feed_mode = function
+        elif function in (161, 162):
+            path.absolute_centre = function == 161
+        elif function in (260, 261):
+            path.contouring = function == 261
+        elif function in (359, 360):
+            path.exact_stop = function == 360
+        elif function == 40:
+            self._end_compensation()
+        elif function in (25, 26):
+            path.compensation.by_arc = function == 26
+        elif function in SELECTIONS:
+            path.compensation.mode = function
+        elif function in (140, 141):
+            path.compensation.masks = function == 141
+        elif function in (10, 11):
+            path.compensation.adapts_feed = function == 11
+
+    def _end_compensation(self) -> None:
+        """G40; with G239 the program goes on from where the tool is."""
+        compensation = self._state.path.compensation
+        compensation.side = 0
+        if compensation.is_on_way and compensation.mode == ENDS_WITHOUT_WAY:
+            for place, value in zip(PLANES[self._state.path.plane], compensation.end, strict=True):
+                self._state.positions[place] = value
+
+    def keep_plane(self, function: int, span: Span) -> None:
+        """While compensation is active there is no other plane."""
+        path = self._state.path
+        if function != path.plane:
+            self._values.fail(900873, span, word=f"G{function}", plane=path.plane)
+
+    def keep_selection(self, function: int, span: Span) -> None:
+        """While compensation is active its way to the contour stays G238, or another one."""
+        mode = self._state.path.compensation.mode
+        if function != mode and INNER_CORNER in (function, mode):
+            self._values.fail(900957, span, word=f"G{function}")
+
+    def compensate(self, function: int, span: Span) -> None:
+        """G41 or G42, with the tool that is active now."""
+        compensation = self._state.path.compensation
+        radius = self._state.tool.tool.radius
+        if radius == 0.0:
+            self._values.fail(900869, span, word=f"G{function}")
+        path = self._state.path
+        if not self._surroundings.offsets.systems.keeps_plane(path.plane):
+            self._values.fail(900845, span, word=f"G{function}", plane=path.plane)
+        compensation.radius = radius
+        compensation.side = 1 if function == 41 else -1
+
+    def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """``#CONTOUR MODE``, ``#SLOPE``, ``#OVERRIDE``."""
+        path = self._state.path
+        if command.words[0].name == "OVERRIDE":
+            yield from self.pace.override(keywords(command), number)
+            return
+        if command.words[0].name == "SLOPE":
+            path.limits_jerk = self._limits_jerk(keywords(command))
+            return
+        for keyword in keywords(command):
+            if keyword.name == "PATH_DEV" and keyword.value is not None:
+                value = yield from self._values.evaluate(keyword.value, number)
+                if value <= 0.0:
+                    self._values.fail(900707, keyword.value.span, value=value)
+                path.deviation = value * self._state.length_unit_mm
+        switch = command.words[-1].name
+        if switch in ("ON", "OFF"):
+            path.contouring = switch == "ON"
+
+    def _limits_jerk(self, items: Sequence[tree.Keyword]) -> bool:
+        """What ``#SLOPE`` chooses: without a type, the slope of the program's start."""
+        for keyword in items:
+            assert isinstance(keyword.value, tree.Name)
+            return keyword.value.name == JERK_LIMITED
+        return self._surroundings.parameters.program_start.slope_profile > 0
+
+    def segment(
+        self, start: list[float], target: list[float], words: PathWords, span: Span, number: int
+    ) -> Segment | None:
+        """The segment from ``start`` to ``target``, ``None`` where nothing moves."""
+        state = self._state
+        arc = None
+        if state.motion >= 2:
+            arc = self._arc(start, target, words, span)
+        if arc is None and start == target:
+            return None
+        if arc is not None:
+            self.check_extremes(arc, start, span)
+        is_exempt = NO_OVERRIDE in words.once
+        feed, pace = self.pace.of(start, target, arc, is_exempt, span)
+        exact = self._stops_exactly(words)
+        self.span = span
+        rounds = state.path.contouring or CONTOURING in words.once
+        return segments.segment(
+            self._surroundings.place(span),
+            number,
+            start,
+            target,
+            feed,
+            exact,
+            state.path.deviation if rounds and not exact else 0.0,
+            state.path.limits_jerk,
+            None if arc is None else arc.row,
+            pace,
+        )
+
+    def _stops_exactly(self, words: PathWords) -> bool:
+        state = self._state
+        if state.rapid and self._surroundings.parameters.exact_stop_after_g00:
+            return True
+        return state.path.exact_stop or EXACT_STOP in words.once
+
+    def _arc(
+        self, start: list[float], target: list[float], words: PathWords, span: Span
+    ) -> Arc | None:
+        """The arc of the block; ``None`` where only its radius stands in it."""
+        path = self._state.path
+        clockwise = self._state.motion == 2
+        if max(PLANES[path.plane]) >= len(start):
+            self._values.fail(900703, span, plane=path.plane)
+        offsets = self._surroundings.offsets
+        begin = offsets.inside(start, words.offset_kinds)
+        end = offsets.inside(target, words.offset_kinds)
+        try:
+            if words.centre:
+                centre = self._centre(begin, words)
+                arc = arc_about(begin, end, path.plane, centre, clockwise)
+            elif path.radius == 0.0:
+                raise ArcError(900700)
+            elif start == target:
+                return None
+            else:
+                arc = arc_of_radius(begin, end, path.plane, path.radius, clockwise)
+        except ArcError as error:
+            self._values.fail(error.message, span, **error.values)
+        if not offsets.systems.is_active:
+            return arc
+        outside = offsets.systems.arc(arc, begin, start)
+        if outside is None:
+            self._values.fail(900842, span, plane=path.plane)
+        return outside
+
+    def _centre(self, start: list[float], words: PathWords) -> tuple[float, float]:
+        """The centre in the plane: from the start on (G162), or absolute (G161); missing is 0."""
+        plane = PLANES[self._state.path.plane]
+        for name, (span, _) in words.centre.items():
+            if CENTRE_WORDS.index(name) not in plane:
+                self._values.fail(900704, span, word=name, plane=self._state.path.plane)
+        place = []
+        for axis in plane:
+            _, value = words.centre.get(CENTRE_WORDS[axis], (None, 0.0))
+            begin = start[axis]
+            if self._state.path.absolute_centre:
+                begin = self._surroundings.offsets.total(axis, words.offset_kinds)
+            place.append(begin + value * self._state.length_unit_mm)
+        return (place[0], place[1])
+
+    def check_extremes(self, arc: Arc, start: Sequence[float], span: Span) -> None:
+        """The arc may leave the software limits between two ends that are within them."""
+        for index, position in extremes(arc, start):
+            axis = self._surroundings.axes[index]
+            low, high = axis.software_limit_low, axis.software_limit_high
+            if not axis.is_modulo and not low <= position <= high:
+                self._values.fail(
+                    900705, span, axis=axis.name, position=position, low=low, high=high
+                )
+
+    def check_limits(self, target: Sequence[float], places: Sequence[int], span: Span) -> None:
+        """These axes of a target have to be within their software limits."""
+        for place in places:
+            self.check_limit(place, target[place], span)
+
+    def check_limit(self, place: int, position: float, span: Span) -> None:
+        """The target of an axis has to be within its software limits."""
+        axis = self._surroundings.axes[place]
+        low, high = axis.software_limit_low, axis.software_limit_high
+        if not low <= position <= high and not axis.is_modulo:
+            self._values.fail(900306, span, axis=axis.name, position=position, low=low, high=high)

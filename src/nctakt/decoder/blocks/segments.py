@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""A ``Segment`` of an ordinary block, filled slot by slot.
+
+The constructor of a frozen dataclass takes as long as finding out all that it is given.
+"""
+
+from __future__ import annotations
+
+from nctakt.decoder.state.commands import Command, Pace, Segment
+from nctakt.nc.fast import raw_nodes
+
+_SOURCE = Command.__dict__["source"]
+_NUMBER = Command.__dict__["number"]
+_START = Segment.__dict__["start"]
+_TARGET = Segment.__dict__["target"]
+_FEED = Segment.__dict__["feed"]
+_EXACT_STOP = Segment.__dict__["exact_stop"]
+_DEVIATION = Segment.__dict__["deviation"]
+_LIMITS_JERK = Segment.__dict__["limits_jerk"]
+_ARC = Segment.__dict__["arc"]
+_PACE = Segment.__dict__["pace"]
+_GOES_ON = Segment.__dict__["goes_on"]
+
+
+def segment(
+    source: int,
+    number: int,
+    start: list[float],
+    target: list[float],
+    feed: float,
+    exact_stop: bool,
+    deviation: float,
+    limits_jerk: bool,
+    arc: tuple[float, ...] | None,
+    pace: Pace | None,
+) -> Segment:
+    """The segment of a whole block."""
+    made: Segment = raw_nodes.fresh(Segment, 0)
+    raw_nodes.put(_SOURCE, made, source)
+    raw_nodes.put(_NUMBER, made, number)
+    raw_nodes.put(_START, made, tuple(start))
+    raw_nodes.put(_TARGET, made, tuple(target))
+    raw_nodes.put(_FEED, made, feed)
+    raw_nodes.put(_EXACT_STOP, made, exact_stop)
+    raw_nodes.put(_DEVIATION, made, deviation)
+    raw_nodes.put(_LIMITS_JERK, made, limits_jerk)
+    raw_nodes.put(_ARC, made, arc)
+    raw_nodes.put(_PACE, made, pace)
+    raw_nodes.put(_GOES_ON, made, False)
+    return made

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: MIT
+"""Commands to spindles, of the main program and of realtime cycles (RC-404).
+
+The main program's direction and speed are modal, for each spindle; without any a spindle has M5. A
+new speed alone is a job of the direction that is active. Which moment a job has in its block, and
+what waits for it, is that of the channel list (``spindel[i].m3_synch`` and its kin); a spindle of
+the CNC turns whatever they say, one of the PLC gets no job that is not put out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+from dataclasses import dataclass, field
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.technology_output import Issued, process_ticks
+from nctakt.decoder.state.commands import Answer, AwaitSpindle, Command, SpindleJob
+from nctakt.decoder.values.expressions import ExpressionBuilder
+from nctakt.decoder.values.fusing import Built, constant
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.cycles.instructions import Statement
+from nctakt.kernel.cycles.spindle_commands import CommandSpindle
+from nctakt.lists.machine.channel_configuration import Spindle
+from nctakt.messages import diagnostic
+from nctakt.nc import tree
+from nctakt.nc.vocabulary.spindle_commands import (
+    CLOCKWISE,
+    COUNTER_CLOCKWISE,
+    POSITION,
+    STOP,
+    SpindleCommand,
+)
+
+#: Degrees per second of a revolution per minute.
+DEGREES_PER_S = 6.0
+
+_DIRECTIONS = {CLOCKWISE: 1, COUNTER_CLOCKWISE: -1}
+
+
+@dataclass(slots=True)
+class _Modal:
+    """What stays of a spindle's words: the direction, the speed in revolutions per minute."""
+
+    function: int = STOP
+    speed: float = 0.0
+
+
+@dataclass(slots=True)
+class SpindleWords:
+    """The commands to spindles of one program."""
+
+    values: Values
+    modal: dict[int, _Modal] = field(default_factory=dict)
+
+    def issued(
+        self, command: SpindleCommand, number: int
+    ) -> Generator[Command, Answer, list[Issued]]:
+        """The job of a command, if it makes one."""
+        index, spindle = self._spindle(command)
+        modal = self.modal.setdefault(index, _Modal())
+        if command.speed is not None:
+            modal.speed = yield from self._speed(command.speed, number)
+            warn_of_speed(self.values, index, modal.speed, command.speed.span)
+        position = 0.0
+        if command.position is not None:
+            position = yield from self.values.evaluate(command.position, number)
+        turns = [one for one in command.functions if one in _DIRECTIONS]
+        key = f"m{modal.function}"
+        if POSITION in command.functions:
+            key, modal.function = "m19", STOP
+            if modal.speed <= 0.0:
+                self.values.fail(900471, command.span)
+        elif command.functions:
+            modal.function = command.functions[0]
+            key = f"m{modal.function}"
+        elif modal.function == STOP:
+            return []
+        else:
+            key = "s"
+        function = POSITION if key == "m19" else modal.function
+        direction = _DIRECTIONS[turns[0]] if turns else 0
+        speed = 0.0 if function == STOP else modal.speed
+        return self._issue(
+            command, number, (index, spindle, key), (function, speed, position, direction)
+        )
+
+    def revolutions_s(self, count: float, span: Span) -> float:
+        """Seconds that the main spindle takes for so many revolutions, as it was programmed."""
+        for index, spindle in enumerate(self.values.surroundings.parameters.spindles):
+            modal = self.modal.get(index)
+            if spindle.is_main and modal is not None and modal.function in _DIRECTIONS:
+                if modal.speed > 0.0:
+                    return 60.0 * count / modal.speed
+        self.values.fail(900813, span)
+
+    def _issue(
+        self,
+        command: SpindleCommand,
+        number: int,
+        target: tuple[int, Spindle, str],
+        job: tuple[int, float, float, int],
+    ) -> list[Issued]:
+        index, spindle, key = target
+        function, speed, position, direction = job
+        way = spindle.functions[key]
+        if spindle.plc_controlled and way.synchronisation == "NO_SYNCH":
+            return []
+        synchronisation = "MOS" if way.synchronisation == "NO_SYNCH" else way.synchronisation
+        ticks = process_ticks(way, self.values.surroundings.cycle_time_us)
+        source = self.values.surroundings.place(command.span)
+        speed_v = DEGREES_PER_S * speed
+        output = SpindleJob(source, number, index, function, speed_v, position, direction, ticks)
+        return [Issued(synchronisation, output, AwaitSpindle(source, number, index))]
+
+    def _speed(self, expression: tree.Expression, number: int) -> Generator[Command, Answer, float]:
+        value = yield from self.values.evaluate(expression, number)
+        if value < 0.0:
+            self.values.fail(900470, expression.span, value=value)
+        return value
+
+    def _spindle(self, command: SpindleCommand) -> tuple[int, Spindle]:
+        return find(self.values, command.name, command.span)
+
+
+def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
+    """The spindle with this name, the main one for an empty name, and its place in the channel."""
+    for index, spindle in enumerate(values.surroundings.parameters.spindles):
+        if spindle.name == name or (spindle.is_main and not name):
+            if not spindle.plc_controlled and index not in values.surroundings.turning:
+                values.fail(50955, span, spindle=spindle.name, logical=spindle.logical_number)
+            return index, spindle
+    raise AssertionError(name)
+
+
+def warn_of_speed(values: Values, index: int, speed: float, span: Span) -> None:
+    """Tell where the spindle is slower (P-AXIS-00212) than the speed that is asked for in 1/min."""
+    limit = values.surroundings.turning.get(index)
+    if limit is None or speed * DEGREES_PER_S <= limit * (1.0 + 1e-9):
+        return
+    name = values.surroundings.parameters.spindles[index].name
+    line = values.surroundings.line(span)
+    told = diagnostic(900905, span, line, spindle=name, limit=limit / DEGREES_PER_S, speed=speed)
+    values.surroundings.notice(told)
+
+
+def cycle_statement(
+    values: Values, builder: ExpressionBuilder, command: SpindleCommand, cost: int
+) -> Statement:
+    """The instruction of a checked command in a realtime cycle."""
+    index, spindle = find(values, command.name, command.span)
+    function = next((one for one in (POSITION, STOP) if one in command.functions), 0)
+    turns = [one for one in command.functions if one in _DIRECTIONS]
+    direction = _DIRECTIONS[turns[0]] if turns else 0
+    function = function or turns[0]
+    ticks = process_ticks(spindle.functions[f"m{function}"], values.surroundings.cycle_time_us)
+    speed = _built(builder, command.speed)
+    if command.speed is not None and speed.constant is not None:
+        warn_of_speed(values, index, speed.constant, command.speed.span)
+    position = _built(builder, command.position)
+    source = values.surroundings.place(command.span)
+    return CommandSpindle(
+        index, function, speed.node, position.node, direction, ticks, source, cost
+    )
+
+
+def _built(builder: ExpressionBuilder, expression: tree.Expression | None) -> Built:
+    return constant(0.0) if expression is None else builder.build(expression)
+
+
+def names_of(spindles: Sequence[Spindle]) -> tuple[str, ...]:
+    """What programs call the spindles."""
+    return tuple(spindle.name for spindle in spindles)

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""``#ERROR`` of the main program and of realtime cycles (RC-402).
+
+In: the checked statement. Out: its parts, and for the main program the commands that tell the error
+where it stands in the queue. The values of a warning or error stand in the order of the program.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import dataclass
+
+from nctakt.decoder.state.commands import (
+    Answer,
+    Command,
+    UserErrorStop,
+    UserErrorTold,
+    UserErrorValue,
+)
+from nctakt.decoder.values.variables import Values
+from nctakt.nc import tree
+from nctakt.nc.check.user_errors import KEYWORDS
+
+#: RC where none is given: an error that a reset clears.
+DEFAULT_REACTION = 2.0
+
+HIGHEST_ID = 1000
+HIGHEST_REACTION = 7
+
+
+@dataclass(frozen=True, slots=True)
+class UserErrorParts:
+    """What the keywords of one ``#ERROR`` give.
+
+    ``values``: of each keyword whose value is told its place in ``KEYWORDS`` and its value.
+    """
+
+    identity: tree.Expression
+    reaction: tree.Expression
+    values: tuple[tuple[int, tree.Expression], ...]
+
+
+def parts(statement: tree.UserError) -> UserErrorParts:
+    """The parts of a checked statement."""
+    given: dict[str, tree.Expression] = {}
+    for keyword in statement.keywords:
+        assert isinstance(keyword, tree.Keyword)
+        assert keyword.value is not None
+        given[keyword.name] = keyword.value
+    reaction = given.get("RC", tree.Number(statement.span, DEFAULT_REACTION))
+    told = [name for name in given if name not in ("ID", "RC")]
+    values = tuple((KEYWORDS.index(name), given[name]) for name in told)
+    return UserErrorParts(given["ID"], reaction, values)
+
+
+def user_error(
+    values: Values, statement: tree.UserError, number: int
+) -> Generator[Command, Answer]:
+    """The commands of an ``#ERROR`` of the main program."""
+    given = parts(statement)
+    identity = yield from _whole(values, given.identity, number, 1, HIGHEST_ID, 900460)
+    reaction = yield from _whole(values, given.reaction, number, 0, HIGHEST_REACTION, 900461)
+    told: list[tuple[int, float | str]] = []
+    for code, expression in given.values:
+        told.append((code, (yield from values.evaluate_any(expression, number))))
+    source = values.surroundings.place(statement.span)
+    yield UserErrorTold(source, number, identity, reaction)
+    for code, value in told:
+        is_text = isinstance(value, str)
+        content = values.surroundings.text_number(value) if isinstance(value, str) else value
+        yield UserErrorValue(source, number, code, content, is_text)
+    if reaction > 0:
+        yield UserErrorStop(source, number, reaction)
+
+
+def _whole(
+    values: Values, expression: tree.Expression, number: int, low: int, high: int, message: int
+) -> Generator[Command, Answer, int]:
+    """A whole number from ``low`` to ``high``, or the message that refuses it."""
+    value = yield from values.evaluate(expression, number)
+    if not (low <= value <= high and value == int(value)):
+        values.fail(message, expression.span, value=value)
+    return int(value)

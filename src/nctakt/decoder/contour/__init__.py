@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Geometry of the tool's centre path; compiled."""

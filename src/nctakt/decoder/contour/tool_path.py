@@ -1,0 +1,301 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The way of the tool's centre beside a contour, motion by motion (MO-9).
+
+In: motions of a plane in their order, each with the distance of the tool. Out: the pieces of each
+motion: the way beside it and, around an outer corner, what joins it with the next one. So a motion
+is known up to its end when the next one is there.
+
+Where the way crosses itself the tool cuts what it has made or will make (``chain.py``). Where that
+is left out (``masks``), a motion that does not fit leaves a gap, which such a loop takes away, or
+which is found when its motion is taken.
+"""
+
+from __future__ import annotations
+
+from nctakt.decoder.contour import pieces
+from nctakt.decoder.contour.chain import Chain
+from nctakt.decoder.contour.corners import Corners
+
+
+class ToolPath(Chain):
+    """The way of one contour.
+
+    ``is_open``: the latest motion is not known up to its end. ``at_x``, ``at_y``: where the tool is
+    behind the pieces so far. ``parts``: what comes behind the latest motion is not compared with
+    what was. ``first``: the motion that the tool has begun with; ``begun``: the first one of the
+    contour, 0 none; ``closed``: the one that has ended where that begins.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.corners = Corners()
+        self.rest = memoryview(bytearray(8 * pieces.WIDTH)).cast("d")
+        self.rest_number = 0
+        self.is_open = False
+        self.latest = 0
+        self.parts = False
+        self.at_x = 0.0
+        self.at_y = 0.0
+        self.first = 0
+        self.begun = 0
+        self.begun_x = 0.0
+        self.begun_y = 0.0
+        self.closed = 0
+
+    def set_corners(self, by_arc: bool, is_direct: bool) -> None:
+        """How the next corner is passed (``Corners``)."""
+        self.corners.by_arc = by_arc
+        self.corners.is_direct = is_direct
+
+    # --- motions ---------------------------------------------------------------------------------
+
+    def line(
+        self,
+        x: float,
+        y: float,
+        x_2: float,
+        y_2: float,
+        begin_d: float,
+        end_d: float,
+        is_contour: bool,
+    ) -> None:
+        """The next motion is a line; ``is_contour``: its way is compared with others."""
+        at = 20 - self.latest
+        self.corners.enter(at, x, y, x_2, y_2, begin_d, end_d)
+        self.corners.motions[at + 18] = is_contour
+
+    def arc(
+        self,
+        x: float,
+        y: float,
+        x_2: float,
+        y_2: float,
+        distance: float,
+        centre_x: float,
+        centre_y: float,
+        angle: float,
+    ) -> bool:
+        """The next motion is an arc: false where its radius is not greater than the tool's."""
+        at = 20 - self.latest
+        motions = self.corners.motions
+        motions[at] = x
+        motions[at + 1] = y
+        motions[at + 2] = x_2
+        motions[at + 3] = y_2
+        motions[at + 9] = distance
+        motions[at + 10] = distance
+        motions[at + 18] = 1.0
+        self.corners.bend(at, centre_x, centre_y, angle)
+        return motions[at + 17] == 0.0
+
+    def begin(self, x: float, y: float, is_perpendicular: bool) -> None:
+        """The motion is the first one: the tool is here; it may first go beside its start."""
+        at = 20 - self.latest
+        self.open(at)
+        self.begun = 0
+        self.first = self.number
+        if is_perpendicular:
+            self.corners.place_start(at)
+            self.put_line(0, x, y, self.corners.next_x, self.corners.next_y, 0)
+            x = self.corners.next_x
+            y = self.corners.next_y
+        self.corners.motions[at + 15] = x
+        self.corners.motions[at + 16] = y
+        self.at_x = x
+        self.at_y = y
+
+    def add(self) -> bool:
+        """Join the motion with the one before it: false where that one does not fit."""
+        at = 20 - self.latest
+        meets = self.corners.join(self.latest, at)
+        if not self.put_motion(meets, at):
+            return False
+        self.corners.motions[at + 15] = self.at_x
+        self.corners.motions[at + 16] = self.at_y
+        self.open(at)
+        if self.number == self.first + 1:
+            for i in range(20):
+                self.corners.motions[40 + i] = self.corners.motions[at + i]
+        return True
+
+    def try_add(self, low_x: float, high_x: float, low_y: float, high_y: float) -> bool:
+        """Join the motion with the one before it if there is nothing to tell of that.
+
+        False, and all is as it was: that one does not fit, or its way crosses another one, or it
+        may come near to these bounds.
+        """
+        at = 20 - self.latest
+        if not self.corners.join(self.latest, at):
+            return False
+        if not self.corners.is_within(self.latest, low_x, high_x, low_y, high_y):
+            return False
+        self.make_room()
+        count = self.count
+        barrier = self.barrier
+        x = self.at_x
+        y = self.at_y
+        if self.put_motion(1, at) and self.crossed == 0:
+            self.corners.motions[at + 15] = self.at_x
+            self.corners.motions[at + 16] = self.at_y
+            self.open(at)
+            return True
+        self.take_back(count, barrier)
+        self.at_x = x
+        self.at_y = y
+        self.is_open = True
+        return False
+
+    def close(self, is_perpendicular: bool) -> bool:
+        """The latest motion ends beside its end, or goes back from there to the contour."""
+        self.corners.place_end(self.latest)
+        if not self.put_motion(1, -1):
+            return False
+        if is_perpendicular:
+            end_x = self.corners.motions[self.latest + 2]
+            end_y = self.corners.motions[self.latest + 3]
+            self.put_line(0, self.at_x, self.at_y, end_x, end_y, 0)
+            self.at_x = end_x
+            self.at_y = end_y
+        return True
+
+    def enclose(self) -> int:
+        """The latest motion ends where the contour begins: 0, or the motion that does not fit.
+
+        In an inner corner the tool begins the contour and ends it where the ways beside both meet.
+        The first motion has led there, and nothing is taken yet.
+        """
+        number = self.number
+        meets = self.corners.join(self.latest, 40)
+        if self.corners.is_outer(self.latest, 40, self.corners.motions[self.latest + 10]):
+            self.corners.place_end(self.latest)
+        x = self.corners.end_x
+        y = self.corners.end_y
+        self.corners.way_count = 0
+        self.corners.meet(x, y)
+        if not meets or not self.put_motion(1, -1):
+            return number
+        if self.corners.is_outer(self.latest, 40, self.corners.motions[self.latest + 10]):
+            return 0
+        one = 0
+        while one < self.count and self.rows[one * 16 + 9] <= self.first:
+            one += 1
+        base = one * 16
+        if one < 1 or one >= self.count or self.rows[base + 9] != self.first + 1:
+            return self.first + 1
+        if self.crossings.way_to(self.rows, base, x, y) < -1.0:
+            return self.first + 1
+        pieces.cut_end(self.rows, base - 16, x, y)
+        pieces.cut_start(self.rows, base, x, y)
+        return 0
+
+    def beside_end(self) -> tuple[float, float]:
+        """Where the latest motion ends if nothing joins it."""
+        self.corners.place_end(self.latest)
+        return (self.corners.end_x, self.corners.end_y)
+
+    def latest_fits(self) -> bool:
+        """Whether the latest motion is no arc that is too small for the tool."""
+        return self.corners.motions[self.latest + 17] == 0.0
+
+    def give_up(self) -> None:
+        """The latest motion is none."""
+        self.is_open = False
+
+    def open(self, at: int) -> None:
+        """The motion in this row is the latest one."""
+        self.latest = at
+        self.count_motion()
+        self.is_open = True
+
+    # --- pieces ----------------------------------------------------------------------------------
+
+    def put_motion(self, meets: int, other: int) -> int:
+        """The pieces of the latest motion up to its end: 0 it does not fit.
+
+        ``other``: the motion that it has been joined with, -1 none.
+        """
+        corners = self.corners
+        self.make_room()
+        self.is_open = False
+        at = self.latest
+        is_contour = 1 if corners.motions[at + 18] != 0.0 else 0
+        self.note_ends(at, is_contour)
+        base = self.count * 16
+        fits = corners.put_own(at, self.rows, base)
+        if not self.masks and not (fits and meets):
+            return 0
+        if not fits:
+            self.part(at, other, is_contour)
+            base = self.count * 16
+        if self.masks:
+            self.keep_rest(at, other)
+        if pieces.length(self.rows, base) > 0.0:
+            self.put(is_contour)
+        for k in range(corners.way_count):
+            base = self.count * 16
+            for i in range(9):
+                self.rows[base + i] = corners.way[k * 16 + i]
+            self.put(is_contour)
+        self.at_x = corners.next_x
+        self.at_y = corners.next_y
+        if self.parts or not is_contour:
+            self.separate()
+            self.parts = False
+        return 1
+
+    def part(self, at: int, other: int, is_contour: int) -> None:
+        """The latest motion does not fit between its neighbours: all three are passed whole.
+
+        So the way of one neighbour crosses that of another one where they really meet. The way
+        beside the latest motion is the row behind the pieces then, or a gap.
+        """
+        corners = self.corners
+        if self.rest_number == self.number:
+            base = self.count * 16
+            for i in range(9):
+                self.rows[base + i] = self.rest[i]
+            x = self.rest[2]
+            y = self.rest[3]
+            self.put(is_contour)
+            next_x = corners.next_x
+            next_y = corners.next_y
+            corners.place_start(at)
+            corners.motions[at + 15] = corners.next_x
+            corners.motions[at + 16] = corners.next_y
+            self.put_line(2, x, y, corners.next_x, corners.next_y, is_contour)
+            corners.next_x = next_x
+            corners.next_y = next_y
+        if other >= 0 and corners.meets_inside(at, other):
+            corners.part(at, other)
+        base = self.count * 16
+        if not corners.put_own(at, self.rows, base):
+            self.rows[base + 4] = 2.0
+            radius = corners.motions[at + 9]
+            if radius < 0.0:
+                radius = -radius
+            self.hide(corners.motions[at], corners.motions[at + 1], radius)
+            self.hide(corners.motions[at + 2], corners.motions[at + 3], radius)
+
+    def note_ends(self, at: int, is_contour: int) -> None:
+        """Note where the contour begins, and which motion ends there."""
+        motions = self.corners.motions
+        if not is_contour:
+            self.begun = 0
+        elif self.begun == 0:
+            self.begun = self.number
+            self.begun_x = motions[at]
+            self.begun_y = motions[at + 1]
+        elif abs(motions[at + 2] - self.begun_x) + abs(motions[at + 3] - self.begun_y) <= 1e-6:
+            self.closed = self.number
+
+    def closes_contour(self) -> bool:
+        """Whether what crosses is the begin of a closed contour and its end."""
+        return self.crossed == self.begun and self.crossing == self.closed
+
+    def keep_rest(self, at: int, other: int) -> None:
+        """Keep what the meeting with the next motion cuts off; that one may not fit."""
+        if other >= 0 and self.corners.meets_inside(at, other):
+            self.corners.put_rest(at, self.rest, 0)
+            self.rest_number = self.number + 1

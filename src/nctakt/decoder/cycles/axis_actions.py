@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""Single-axis commands of a checked cycle -> the statements that run in the tick (RC-405 … RC-410).
+
+Units are those of the cycle's definition: positions and feeds of linear axes in mm or inch, feeds
+per minute, in the unit of P-CHAN-00108 under G71. Rotary axes: degrees, degrees per minute.
+"""
+
+from __future__ import annotations
+
+from nctakt.decoder.values.expressions import ExpressionBuilder
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.axes.coordinates import KINDS
+from nctakt.kernel.cycles import actions
+from nctakt.kernel.cycles.expressions import Constant, Expression
+from nctakt.kernel.cycles.instructions import Statement
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
+from nctakt.nc import tree
+from nctakt.nc.check.cost import word_steps
+from nctakt.nc.vocabulary.axis_commands import DIRECTIONS, OFFSETS, AxisCommand, read_axis_command
+
+#: All kinds of offsets as bits.
+ALL_OFFSETS = (1 << KINDS) - 1
+
+
+class ActionBuilder:
+    """Builds the single-axis commands of one cycle; ``axes`` are those that it names."""
+
+    def __init__(self, values: Values, expressions: ExpressionBuilder) -> None:
+        self._surroundings = values.surroundings
+        self._state = values.state
+        self._expressions = expressions
+        self._feeds: dict[str, actions.FeedMemory] = {}
+        self.axes: dict[str, None] = {}
+
+    def build(self, bracket: tree.BracketCommand) -> Statement:
+        """The statement of one command."""
+        command, wrong = read_axis_command(bracket)
+        assert not wrong, wrong
+        self.axes[command.axis] = None
+        source = self._surroundings.place(bracket.span)
+        cost = word_steps(bracket, self._surroundings.names)
+        nature = self._surroundings.names.axis(command.axis)
+        assert nature is not None
+        if command.stops:
+            return actions.StopAxis(nature.number, source, cost)
+        speed = self._speed(command)
+        direction, has_direction = self._direction(command)
+        moving = (nature.number, speed, direction, has_direction, command.buffered, source, cost)
+        if command.position is None:
+            return actions.RunAxis(*moving)
+        position = self._expressions.build(command.position).node
+        offsets = 0
+        if command.offset:
+            offsets = ALL_OFFSETS if command.offset == "ALL" else 1 << OFFSETS.index(command.offset)
+        unit = self._state.length_unit_mm if nature.is_linear else 1.0
+        return actions.MoveAxis(*moving, position, unit, bool(command.absolute), offsets)
+
+    def _speed(self, command: AxisCommand) -> actions.Speed:
+        """FEED of the command, else of an earlier one with G01, else the rapid speed."""
+        axis = self._axis(command.axis)
+        memory = self._feeds.setdefault(command.axis, actions.FeedMemory())
+        if command.feed is not None:
+            expression = self._expressions.build(command.feed).node
+            return actions.Feed(axis.max_speed, memory, expression, self._feed_unit(axis))
+        if command.rapid is False:
+            return actions.EarlierFeed(axis.max_speed, memory)
+        return actions.Speed(axis.rapid_speed, memory)
+
+    def _feed_unit(self, axis: AxisConfiguration) -> float:
+        """What FEED=1 is in mm/s or degrees/s."""
+        if not axis.is_linear:
+            return 1.0 / 60.0
+        if self._state.inch:
+            return self._state.length_unit_mm / 60.0
+        return self._surroundings.parameters.program_start.feed_unit_mm_min / 60.0
+
+    def _direction(self, command: AxisCommand) -> tuple[Expression, bool]:
+        direction = command.direction
+        if direction is None:
+            return Constant(0.0), False
+        if isinstance(direction, tree.Name):
+            return Constant(DIRECTIONS[direction.name]), True
+        return self._expressions.build(direction).node, True
+
+    def _axis(self, name: str) -> AxisConfiguration:
+        return self._surroundings.axes[self._surroundings.axis_numbers[name]]

@@ -1,0 +1,351 @@
+# SPDX-License-Identifier: MIT
+"""A checked realtime cycle -> the tree that runs in the tick (RC-2xx, RC-302, RC-403, RC-501).
+
+Synchronous variables become loads and stores; asynchronous ones are read now and stand in the tree
+as constants (``frozen``). The unit of length is the one that is active at the definition (RC-410).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.spindles import cycle_statement, names_of
+from nctakt.decoder.blocks.technology_output import process_ticks
+from nctakt.decoder.blocks.user_errors import parts
+from nctakt.decoder.cycles.axis_actions import ActionBuilder
+from nctakt.decoder.cycles.memory_budget import memory_bytes
+from nctakt.decoder.values.expressions import ExpressionBuilder
+from nctakt.decoder.values.fusing import Built, constant, load
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.cycles import branches, expressions, fused, instructions, user_errors
+from nctakt.kernel.cycles.branches import Branch, Reaction
+from nctakt.kernel.cycles.conditions import Combination, Condition
+from nctakt.kernel.cycles.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
+from nctakt.kernel.cycles.instructions import Statement
+from nctakt.lists.declared.variables import SCALARS
+from nctakt.nc import tree
+from nctakt.nc.check.cost import command_steps, condition_steps, most_steps
+from nctakt.nc.parse.printer import format_expression
+from nctakt.nc.vocabulary.spindle_commands import split
+from nctakt.nc.vocabulary.system_variables import is_decoder_data
+from nctakt.nc.vocabulary.variable_table import Location
+
+SCOPES = {"BLOCK": BLOCK, "PROG": PROG, "GLOBAL": GLOBAL}
+
+#: What ``kernel/base/timers.py`` calls the actions of ``#TIMER``.
+TIMER_ACTIONS = {"START": 1, "STOP": 2, "READ": 3, "CLEAR": 4}
+
+#: Events that a cycle can record in a tick beside those of its statements.
+_OWN_EVENTS = 3
+
+_REACTIONS = {
+    "ONCE": branches.IfOnce,
+    "EDGE": branches.IfEdge,
+    "ALWAYS": branches.IfAlways,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Frozen:
+    """An asynchronous variable that became a constant: its text, its value, its place."""
+
+    name: str
+    value: float
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class BuiltReaction:
+    """A branch of a cycle: its place and frequency, and the node that counts its firings."""
+
+    span: Span
+    frequency: str
+    node: Reaction
+
+
+@dataclass(slots=True)
+class CycleDefinition:
+    """What is known of a built cycle: for results, listings and diagnosis.
+
+    ``axes``: those that its single-axis commands name.
+    """
+
+    serial: int
+    identity: int
+    scope: str
+    span: Span
+    cycle: RealtimeCycle
+    statement: tree.RealtimeCycle
+    reactions: list[BuiltReaction] = field(default_factory=list)
+    frozen: tuple[Frozen, ...] = ()
+    axes: tuple[str, ...] = ()
+
+
+def _kind_of(location: Location) -> type[instructions.Assignment]:
+    """The assignment to a variable of this name and type."""
+    scalar = SCALARS[location.type]
+    if location.name.startswith(("V.RTG.OVERRIDE", "V.RTA.OVERRIDE")):
+        return instructions.AssignOverride
+    if scalar.name == "BOOLEAN":
+        return instructions.AssignBoolean
+    return instructions.AssignInteger if scalar.is_integer else instructions.AssignReal
+
+
+#: Probe rows that a condition can record in a tick: a change, and the begins of two series.
+_PROBES_OF_A_CONDITION = 3
+
+
+class CycleBuilder:
+    """Builds one cycle; ``first_probe`` is its number in the probe rows.
+
+    Its conditions have the numbers behind it, ``$ELSE`` among them.
+    """
+
+    def __init__(self, values: Values, first_probe: int) -> None:
+        self._values = values
+        self._place = values.surroundings.place
+        self._names = values.surroundings.names
+        self._builder = ExpressionBuilder(self._leaf, macro=values.no_macro)
+        self._actions = ActionBuilder(values, self._builder)
+        self._conditions = 0
+        self._statements = 0
+        self._first_probe = first_probe
+        self._reactions: list[BuiltReaction] = []
+        self._frozen: list[Frozen] = []
+
+    def build(
+        self, statement: tree.RealtimeCycle, serial: int, identity: int, scope: str
+    ) -> CycleDefinition:
+        """The cycle of a definition."""
+        body = self._sequence(statement.body)
+        events = self._statements + _OWN_EVENTS
+        places = self._values.surroundings.parameters.realtime_cycles.buffers
+        size = memory_bytes(statement, places)
+        probes = 1 + _PROBES_OF_A_CONDITION * self._conditions
+        cycle = RealtimeCycle(body, serial, events, probes, size)
+        cycle.probe = self._first_probe
+        return CycleDefinition(
+            serial,
+            identity,
+            scope,
+            statement.span,
+            cycle,
+            statement,
+            sorted(self._reactions, key=lambda one: one.span),
+            self._distinct_frozen(),
+            tuple(self._actions.axes),
+        )
+
+    def _distinct_frozen(self) -> tuple[Frozen, ...]:
+        """In the order of the text, each access once: ``+=`` builds its target's index twice."""
+        by_span = {one.span: one for one in self._frozen}
+        return tuple(by_span[span] for span in sorted(by_span))
+
+    # --- statements -----------------------------------------------------------------------------
+
+    def _sequence(self, statements: Sequence[tree.Statement]) -> Statement:
+        built: list[Statement] = []
+        for statement in statements:
+            built += self._statement(statement)
+        return instructions.sequence(built)
+
+    def _statement(self, statement: tree.Statement) -> list[Statement]:
+        self._statements += 1
+        match statement:
+            case tree.Assignment():
+                return [self._assignment(statement)]
+            case tree.If():
+                return [self._if(statement)]
+            case tree.Block():
+                return self._technology(statement)
+            case tree.Timer():
+                return [self._timer(statement)]
+            case tree.UserError():
+                return [self._user_error(statement)]
+            case tree.VariableBlock():
+                built = self._builder.build(statement.variable)
+                source = self._place(statement.span)
+                return [instructions.Read(built.node, source, self._cost(statement))]
+        raise AssertionError(statement)
+
+    def _technology(self, block: tree.Block) -> list[Statement]:
+        """The M and H functions and single-axis commands of a block, in their order (RC-403)."""
+        surroundings = self._values.surroundings
+        built: list[Statement] = []
+        commands, words = split(block.words, names_of(surroundings.parameters.spindles))
+        for command in commands:
+            cost = command_steps(command, self._names)
+            built.append(cycle_statement(self._values, self._builder, command, cost))
+        self._statements += len(commands)
+        for word in words:
+            if isinstance(word, tree.BracketCommand):
+                built.append(self._actions.build(word))
+                continue
+            assert isinstance(word, tree.Word)
+            assert isinstance(word.value, tree.Number)
+            number = int(word.value.value)
+            is_m = word.name == "M"
+            table = (
+                surroundings.parameters.m_functions if is_m else surroundings.parameters.h_functions
+            )
+            ticks = process_ticks(table[number], surroundings.cycle_time_us)
+            function = number if is_m else -number - 1
+            built.append(instructions.IssueTechnology(function, ticks, self._place(word.span), 1))
+        self._statements += len(built)
+        return built
+
+    def _timer(self, timer: tree.Timer) -> Statement:
+        """``#TIMER`` of a cycle; timer 0 without ID (RC-401)."""
+        identity: tree.Expression = tree.Number(timer.span, 0.0)
+        for keyword in timer.keywords:
+            assert isinstance(keyword, tree.Keyword)
+            assert keyword.value is not None
+            identity = keyword.value
+        built = self._builder.build(identity)
+        source = self._place(timer.span)
+        action = TIMER_ACTIONS[timer.action]
+        return instructions.CommandTimer(action, built.node, source, self._cost(timer))
+
+    def _user_error(self, error: tree.UserError) -> Statement:
+        """``#ERROR`` of a cycle (RC-402)."""
+        given = parts(error)
+        identity = self._builder.build(given.identity).node
+        reaction = self._builder.build(given.reaction).node
+        values = user_errors.UserValue()
+        for code, value in reversed(given.values):
+            if isinstance(value, tree.StringLiteral):
+                text = self._values.surroundings.text_number(value.value)
+                values = user_errors.TextValue(code, text, values)
+            else:
+                values = user_errors.NumberValue(code, self._builder.build(value).node, values)
+        self._statements += len(given.values)
+        source = self._place(error.span)
+        return user_errors.RaiseUserError(identity, reaction, values, source, self._cost(error))
+
+    def _cost(self, statement: tree.Statement) -> int:
+        return most_steps((statement,), self._names)
+
+    def _if(self, statement: tree.If) -> Statement:
+        frequency = statement.frequency
+        if frequency is not None:
+            node = self._condition(self._builder.condition(statement.condition))
+            cost = condition_steps(statement.condition, self._names)
+            body = self._sequence(statement.body)
+            source = self._place(statement.span)
+            made = _REACTIONS[frequency](node, body, source, cost)
+            self._reactions.append(BuiltReaction(statement.span, frequency, made))
+            return made
+        alternatives = [self._branch(statement.span, statement.condition, statement.body)]
+        for elseif in statement.elseifs:
+            alternatives.append(self._branch(elseif.span, elseif.condition, elseif.body))
+        if statement.else_body is not None:
+            alternatives.append(self._otherwise(statement))
+        return branches.branches(alternatives)
+
+    def _branch(
+        self, span: Span, condition: tree.Expression, body: Sequence[tree.Statement]
+    ) -> Branch:
+        node = self._condition(self._builder.condition(condition))
+        cost = condition_steps(condition, self._names)
+        made = Branch(node, self._sequence(body), self._place(span), cost)
+        self._reactions.append(BuiltReaction(span, "", made))
+        self._statements += 1
+        return made
+
+    def _otherwise(self, statement: tree.If) -> Branch:
+        """``$ELSE``: a branch that is always taken; it costs nothing of its own."""
+        assert statement.else_body is not None
+        assert statement.else_span is not None
+        body = self._sequence(statement.else_body)
+        condition = self._condition(Condition())
+        made = Branch(condition, body, self._place(statement.else_span), 0)
+        self._reactions.append(BuiltReaction(statement.else_span, "", made))
+        self._statements += 1
+        return made
+
+    def _condition(self, node: Condition) -> Condition:
+        self._conditions += 1
+        node.probe = self._first_probe + self._conditions
+        if isinstance(node, Combination):
+            self._condition(node.first)
+            self._condition(node.second)
+        return node
+
+    def _assignment(self, statement: tree.Assignment) -> Statement:
+        assert isinstance(statement.target, tree.Variable)
+        location = self._values.locate(statement.target)
+        value = self._builder.build(statement.value)
+        source, cost = self._place(statement.span), self._cost(statement)
+        if statement.operator != "=":
+            target = self._builder.build(statement.target)
+            if (
+                statement.operator == "+="
+                and target.cell is not None
+                and _kind_of(location) is instructions.AssignReal
+            ):
+                return instructions.AddToReal(target.cell, value.node, source, cost)
+            value = self._builder.combine(statement.operator[0], target, value)
+        return self._store(statement.target, location, value, source, cost)
+
+    def _store(
+        self, target: tree.Variable, location: Location, value: Built, source: int, cost: int
+    ) -> Statement:
+        scalar = SCALARS[location.type]
+        cell, index = self._index(target, location)
+        kind = _kind_of(location)
+        made: instructions.Assignment
+        if issubclass(kind, instructions.BoundedAssignment):
+            made = kind(cell, value.node, scalar.low, scalar.high, source, cost)
+        else:
+            made = kind(cell, value.node, source, cost)
+        if index is None:
+            return made
+        return instructions.AssignElement(index, made, source, cost)
+
+    # --- variables ------------------------------------------------------------------------------
+
+    def _leaf(self, node: tree.Variable | tree.Parameter) -> Built:
+        if isinstance(node, tree.Parameter):
+            return self._freeze(node)
+        if is_decoder_data(node):
+            return self._freeze(node)
+        location = self._values.locate(node)
+        if not (location.synchronous or node.synchronous):
+            return self._freeze(node)
+        cell, index = self._index(node, location)
+        built = load(cell)
+        if index is not None:
+            built = Built(expressions.LoadElement(cell, index))
+        unit = self._values.state.length_unit_mm
+        if location.is_length and unit != 1.0:
+            return Built(fused.DivideExpressionConstant(built.node, unit))
+        return built
+
+    def _freeze(self, node: tree.Variable | tree.Parameter) -> Built:
+        """An asynchronous value: that of now, a constant from now on."""
+        value = self._values.evaluate_now(node)
+        self._frozen.append(Frozen(format_expression(node), value, node.span))
+        return constant(value)
+
+    def _index(
+        self, variable: tree.Variable, location: Location
+    ) -> tuple[int, expressions.Expression | None]:
+        """Cell and computed part of an array access; constant indices are in the cell."""
+        cell = location.cell
+        further: expressions.Expression | None = None
+        indices = [index for part in variable.parts for index in part.indices]
+        for index, dimension in reversed(list(zip(indices, location.dimensions, strict=True))):
+            built = self._builder.build(index)
+            if built.constant is not None and 0 <= round(built.constant) < dimension.count:
+                cell += round(built.constant) * dimension.stride
+                continue
+            further = expressions.Index(
+                built.node,
+                dimension.stride,
+                dimension.count,
+                further or expressions.Constant(0.0),
+                self._place(index.span),
+            )
+        return cell, further

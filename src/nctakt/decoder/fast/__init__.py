@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Plain blocks decoded without a tree; compiled."""

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""Plain blocks beside which the tool goes -> its ways in the channel's queue, without objects.
+
+In: the lines of plain blocks while a contour is compensated, one motion behind (``tool_path.py``).
+Out: rows of the queue, equal to the bit to those of the tree's way (``compensation.py``), which
+hands its contour over and takes it back. A line with which there is something to tell is not taken.
+"""
+
+from __future__ import annotations
+
+from nctakt.decoder.contour.tool_path import ToolPath
+from nctakt.kernel.tick.command_queue import CommandRing
+
+
+class PlainBeside:
+    """The contour of one channel with so many axes.
+
+    ``is_on``: plain blocks are compensated. ``first``, ``second``: the axes of the plane, at the
+    ``distance`` to the left of whose lines the tool goes. What is held: the motion that is known
+    but for its end, ``source`` … ``stops``, from ``start`` to ``target``; ``is_begun``: its first
+    piece is in the queue. ``deviation``, ``limits_jerk``: as of all lines. ``waits``: a line has
+    come behind it, the next one, and it is not yet in the queue as a whole.
+    """
+
+    def __init__(self, tool: ToolPath, count: int) -> None:
+        self.tool = tool
+        self.count = count
+        self.is_on = False
+        self.first = 0
+        self.second = 1
+        self.distance = 0.0
+        size = 8 * max(1, count)
+        self.start = memoryview(bytearray(size)).cast("d")
+        self.target = memoryview(bytearray(size)).cast("d")
+        self.begin = memoryview(bytearray(size)).cast("d")
+        self.end = memoryview(bytearray(size)).cast("d")
+        self.arc = memoryview(bytearray(8 * 5)).cast("d")
+        #: The places of the latest motions, by the last digits of their numbers.
+        self.sources = memoryview(bytearray(8 * 64)).cast("d")
+        self.source = 0
+        self.number = 0
+        self.feed_v = 0.0
+        self.stops = False
+        self.deviation = 0.0
+        self.limits_jerk = False
+        self.is_begun = False
+        self.waits = False
+        self.next_target = memoryview(bytearray(size)).cast("d")
+        self.next_source = 0
+        self.next_number = 0
+        self.next_feed_v = 0.0
+        self.next_stops = False
+
+    def set_way(self, axis: int, start: float, target: float) -> None:
+        """The way of an axis in the motion that is held."""
+        self.start[axis] = start
+        self.target[axis] = target
+
+    def way_of(self, axis: int) -> tuple[float, float]:
+        """As ``set_way``."""
+        return (self.start[axis], self.target[axis])
+
+    def source_of(self, number: int) -> int:
+        """The place of one of the latest motions."""
+        return int(self.sources[number & 63])
+
+    def fits(
+        self,
+        start: memoryview[float],
+        target: memoryview[float],
+        lows: memoryview[float],
+        highs: memoryview[float],
+        is_contour: bool,
+    ) -> int:
+        """Join a line with the motion that is held; 0: that is not for here."""
+        x = start[self.first]
+        y = start[self.second]
+        x_2 = target[self.first]
+        y_2 = target[self.second]
+        if -1e-9 <= x_2 - x <= 1e-9 and -1e-9 <= y_2 - y <= 1e-9:
+            return 0
+        self.tool.line(x, y, x_2, y_2, self.distance, self.distance, is_contour)
+        return (
+            1
+            if self.tool.try_add(
+                lows[self.first], highs[self.first], lows[self.second], highs[self.second]
+            )
+            else 0
+        )
+
+    def put(self, ring: CommandRing, timed: int) -> int:
+        """The pieces of the motion that is held into the queue, up to so many commands in it.
+
+        0: not all of them fit. Behind the last one the line that came then is held.
+        """
+        before = self.tool.number - 1
+        while ring.timed_count < timed:
+            kind = self.tool.take(before)
+            if kind != 0:
+                self.put_piece(ring, kind, before)
+            if not self.tool.goes_on(before):
+                self.follow(before)
+                return 1
+        return 0
+
+    def follow(self, before: int) -> None:
+        """The line that came is held; the one that was is over."""
+        self.sources[before & 63] = self.source
+        self.waits = False
+        self.is_begun = False
+        self.source = self.next_source
+        self.number = self.next_number
+        self.feed_v = self.next_feed_v
+        self.stops = self.next_stops
+        for i in range(self.count):
+            self.start[i] = self.target[i]
+            self.target[i] = self.next_target[i]
+
+    def put_piece(self, ring: CommandRing, kind: int, before: int) -> None:
+        """One piece; other axes move on the first one, and only the last one stops exactly."""
+        place = self.tool.taken_place()
+        for i in range(self.count):
+            self.begin[i] = self.target[i] if self.is_begun else self.start[i]
+            self.end[i] = self.target[i]
+        self.is_begun = True
+        self.begin[self.first] = self.tool.rows[place]
+        self.begin[self.second] = self.tool.rows[place + 1]
+        self.end[self.first] = self.tool.rows[place + 2]
+        self.end[self.second] = self.tool.rows[place + 3]
+        goes_on = self.tool.goes_on(before)
+        stops = self.stops and not goes_on
+        deviation = 0.0 if self.stops else self.deviation
+        if kind == 1:
+            ring.put_line(
+                self.source,
+                self.number,
+                self.begin,
+                self.end,
+                self.feed_v,
+                stops,
+                deviation,
+                self.limits_jerk,
+            )
+        else:
+            self.arc[0] = self.first
+            self.arc[1] = self.second
+            for i in range(3):
+                self.arc[2 + i] = self.tool.rows[place + 5 + i]
+            ring.put_arc(
+                self.source,
+                self.number,
+                self.begin,
+                self.end,
+                self.arc,
+                self.feed_v,
+                stops,
+                deviation,
+                self.limits_jerk,
+            )
+        if goes_on:
+            ring.block_goes_on()
+
+    def come(
+        self, source: int, number: int, target: memoryview[float], feed_v: float, stops: int
+    ) -> None:
+        """A line has come, to be held when the one before it is in the queue."""
+        self.waits = True
+        self.next_source = source
+        self.next_number = number
+        self.next_feed_v = feed_v
+        self.next_stops = stops != 0
+        for i in range(self.count):
+            self.next_target[i] = target[i]

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""Plain blocks -> lines in the channel's queue, without objects in between.
+
+In: lines, and the modal state in numbers (``handover.py`` hands it over and takes it back).
+Out: rows of the queue, equal to the bit to those of the tree's way (``block_decoder.py``,
+``path_motion.py``). Whatever that way would refuse or not do alone is left to it: the line is not
+taken.
+"""
+
+from __future__ import annotations
+
+from nctakt.decoder.fast.compensated_lines import PlainBeside
+from nctakt.kernel.tick.command_queue import CommandRing
+from nctakt.nc.fast.plain_lines import PlainScanner
+
+
+class PlainMotion:
+    """Takes plain blocks of one channel.
+
+    Modal state: ``motion`` 0 … 3, ``feed_v`` mm/s, 0 none yet, ``is_absolute``; ``feed_factor``:
+    F -> mm per minute; how blocks end. ``place``: the number of the text's line 0, column 0, -1 for
+    a text whose places have none. ``blocks``: how many were decoded since the last one that takes
+    time, ``most_blocks`` how many may be.
+    """
+
+    def __init__(self, scanner: PlainScanner, count: int, beside: PlainBeside) -> None:
+        self.scanner = scanner
+        self.beside = beside
+        self.count = count
+        size = 8 * max(1, count)
+        #: Where the axes are; where the latest block begins and ends: mm or degrees.
+        self.positions = memoryview(bytearray(size)).cast("d")
+        self.start = memoryview(bytearray(size)).cast("d")
+        self.target = memoryview(bytearray(size)).cast("d")
+        #: Of each axis: zero of absolute positions, mm or degrees per unit, software limits.
+        self.offsets = memoryview(bytearray(size)).cast("d")
+        self.factors = memoryview(bytearray(size)).cast("d")
+        self.lows = memoryview(bytearray(size)).cast("d")
+        self.highs = memoryview(bytearray(size)).cast("d")
+        self.motion = 0
+        self.feed_v = 0.0
+        self.feed_factor = 1.0
+        self.is_absolute = True
+        self.stops_exactly = False
+        self.rapid_stops_exactly = False
+        self.deviation = 0.0
+        self.limits_jerk = False
+        self.place = 0
+        self.blocks = 0
+        self.most_blocks = 0
+        self.source = 0
+
+    def set_axis(
+        self, axis: int, position: float, offset: float, factor: float, low: float, high: float
+    ) -> None:
+        """An axis: where it is, the zero of absolute positions, its unit and software limits."""
+        self.positions[axis] = position
+        self.offsets[axis] = offset
+        self.factors[axis] = factor
+        self.lows[axis] = low
+        self.highs[axis] = high
+
+    def places(self) -> list[float]:
+        """Where the axes are."""
+        return [self.positions[i] for i in range(self.count)]
+
+    def fill(self, ring: CommandRing, timed: int, lines: list[str], index: int, number: int) -> int:
+        """Fill the queue up to so many commands that take time with the blocks of these lines.
+
+        From ``lines[index]`` on, which is line ``number`` of the text; the first line that was not
+        taken. There is room in the queue.
+        """
+        end = len(lines)
+        while index < end and ring.timed_count < timed:
+            what = self.take(lines[index], number)
+            if what == 0:
+                return index
+            index += 1
+            number += 1
+            if what == 2:
+                feed_v = -1.0 if self.motion == 0 else self.feed_v
+                stops = self.stops_exactly or (self.motion == 0 and self.rapid_stops_exactly)
+                if self.beside.is_on:
+                    self.beside.come(self.source, self.scanner.number, self.target, feed_v, stops)
+                    if not self.beside.put(ring, timed):
+                        return index
+                else:
+                    ring.put_line(
+                        self.source,
+                        self.scanner.number,
+                        self.start,
+                        self.target,
+                        feed_v,
+                        stops,
+                        0.0 if stops else self.deviation,
+                        self.limits_jerk,
+                    )
+        return index
+
+    def resume(self, ring: CommandRing, timed: int) -> bool:
+        """Go on with the pieces of a line that the queue had no room for: true when it has."""
+        return not self.beside.waits or self.beside.put(ring, timed) != 0
+
+    def take(self, line: str, number: int) -> int:
+        """Decode the line of this number: 0 not taken, 1 nothing moves, 2 a line is due."""
+        scanner = self.scanner
+        what = scanner.read(line)
+        if what != 2:
+            return what
+        if self.blocks >= self.most_blocks:
+            return 0
+        motion = self.motion if scanner.motion < 0 else scanner.motion
+        feed_v = self.feed_v
+        if scanner.has_feed:
+            feed_v = scanner.feed * self.feed_factor / 60.0
+        moves = 0
+        if scanner.axes != 0:
+            moves = self.aim()
+            if moves < 0 or motion > 1 or (moves == 1 and motion == 1 and feed_v <= 0.0):
+                return 0
+            if self.beside.is_on and moves == 1 and not self.fits(motion):
+                return 0
+            for i in range(self.count):
+                self.start[i] = self.positions[i]
+                self.positions[i] = self.target[i]
+        self.motion = motion
+        self.feed_v = feed_v
+        self.blocks += 1
+        if moves == 0:
+            return 1
+        self.blocks = 0
+        self.source = 0
+        if self.place >= 0:
+            self.source = self.place + min(number, 16777215) * 1048576 + scanner.column
+        return 2
+
+    def fits(self, motion: int) -> int:
+        """Whether the tool can go beside the scanned block, with nothing to tell of it."""
+        return self.beside.fits(self.positions, self.target, self.lows, self.highs, motion != 0)
+
+    def aim(self) -> int:
+        """Put the target of the scanned block: 1 it is elsewhere, 0 it is not, -1 out of limits."""
+        scanner = self.scanner
+        moves = 0
+        for i in range(self.count):
+            position = self.positions[i]
+            if scanner.axes >> i & 1:
+                begin = self.offsets[i] if self.is_absolute else position
+                place = begin + scanner.values[i] * self.factors[i]
+                if not self.lows[i] <= place <= self.highs[i]:
+                    return -1
+                if place != position:
+                    moves = 1
+                position = place
+            self.target[i] = position
+        return moves

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: MIT
+"""Calls of subprograms and the ends of them: what is called, with what, and where it goes on.
+
+In: calls in the tree, M17 with its options, M6 and G80 … G819 with programs of the channel list.
+Out: ``Level`` and ``Return`` for ``program.py``, which runs them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import replace
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.flow.flow import Return
+from nctakt.decoder.state.call_stack import Level
+from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.values.variables import Values
+from nctakt.lists.machine.channel_configuration import ImplicitPrograms
+from nctakt.nc import tree
+from nctakt.nc.check.calls import parameter_number
+from nctakt.nc.outline import ProgramText
+from nctakt.nc.parse.block_head import number_label
+
+#: M functions that end a subprogram.
+RETURNS = (17, 29)
+
+_RETURN_COMMANDS = ("M17", "M29")
+
+
+class Calls:
+    """Makes levels of calls; the texts come from ``Surroundings.subprogram``.
+
+    ``may_imply``: some words of blocks call programs.
+    """
+
+    def __init__(self, values: Values) -> None:
+        self._values = values
+        self._surroundings = values.surroundings
+        programs = self._surroundings.parameters.implicit_programs
+        self.may_imply = bool(programs.m6 or programs.g800)
+
+    # --- what is called -------------------------------------------------------------------------
+
+    def call(self, call: tree.SubprogramCall, number: int) -> Generator[Command, Answer, Level]:
+        """The level of a call with the values that it hands over."""
+        name = yield from self._values.evaluate_any(call.name, number)
+        assert isinstance(name, str)
+        arguments: dict[int, float | str] | None = None
+        if call.cycle:
+            arguments = {}
+            for keyword in call.keywords:
+                assert isinstance(keyword, tree.Keyword)
+                index = parameter_number(keyword)
+                if index is None:
+                    continue  # MODAL_MOVE, MODAL_BLOCK
+                assert keyword.value is not None
+                arguments[index] = yield from self._values.evaluate_any(keyword.value, number)
+        text = self._values.state.levels.top.text
+        if not call.local:
+            called = self._file(name, call.span)
+            return Level(called, called.main, arguments)
+        section = text.subprograms.get(name)
+        if section is None:
+            self._values.fail(900129, call.span, name=name, nearest=_names(text))
+        return Level(text, section, arguments)
+
+    def _file(self, name: str, span: Span) -> ProgramText:
+        caller = self._values.state.levels.top.text.source.file
+        return self._surroundings.subprogram(name, caller, span)
+
+    def implicit(self, name: str, span: Span) -> Level:
+        """The level of a program that the channel list names."""
+        text = self._file(name, span)
+        return Level(text, text.main)
+
+    def implied(
+        self, block: tree.Block, number: int
+    ) -> Generator[Command, Answer, tuple[tree.Block, Level | None]]:
+        """The block without M6 or G80 … that call a program of the list, and that program."""
+        programs = self._surroundings.parameters.implicit_programs
+        for word in block.words:
+            name = implied_program(word, programs)
+            if not name:
+                continue
+            assert isinstance(word, tree.Word)
+            level = self.implicit(name, word.span)
+            if word.arguments:
+                level.arguments = {}
+            for index, argument in enumerate(word.arguments, start=1):
+                assert level.arguments is not None
+                level.arguments[index] = yield from self._values.evaluate_any(argument, number)
+            others = tuple(other for other in block.words if other is not word)
+            return replace(block, words=others), level
+        return block, None
+
+    # --- ends -----------------------------------------------------------------------------------
+
+    def returning(
+        self, block: tree.Block, number: int
+    ) -> Generator[Command, Answer, tuple[tree.Block, Return]]:
+        """The block without its M17 or M29, and where that leads."""
+        calls: int | None = 1
+        label: str | None = None
+        others: list[tree.BlockWord] = []
+        for word in block.words:
+            if isinstance(word, tree.BracketCommand) and _is_return(word):
+                calls, label = yield from self._options(word, number)
+            elif isinstance(word, tree.Word) and word.name == "N":
+                assert isinstance(word.value, tree.Number)
+                label = number_label(f"{word.value.value:.0f}")
+            elif not _is_return(word) or self._is_put_out(word):
+                others.append(word)
+        rest = replace(block, words=tuple(others))
+        return rest, Return(calls, label, block.span)
+
+    def _is_put_out(self, word: tree.BlockWord) -> bool:
+        """Whether M17 or M29 stands in the channel list (P-CHAN-00041): then the PLC gets it."""
+        assert isinstance(word, tree.Word)
+        assert isinstance(word.value, tree.Number)
+        return int(word.value.value) in self._surroundings.parameters.m_functions
+
+    def _options(
+        self, command: tree.BracketCommand, number: int
+    ) -> Generator[Command, Answer, tuple[int | None, str | None]]:
+        """``[MAIN]``, ``[JUMPS=2]`` and a label."""
+        calls: int | None = 1
+        label: str | None = None
+        for item in command.items:
+            if isinstance(item, tree.Keyword) and item.name == "MAIN":
+                calls = None
+            elif isinstance(item, tree.Keyword) and item.name == "JUMPS":
+                assert item.value is not None
+                value = yield from self._values.evaluate(item.value, number)
+                if not 1 <= value <= len(self._values.state.levels.stack) - 1:
+                    most = len(self._values.state.levels.stack) - 1
+                    self._values.fail(900310, item.span, count=value, most=most)
+                calls = int(value)
+            else:
+                label = label_of(item)
+        return calls, label
+
+
+def returns(block: tree.Block) -> bool:
+    """Whether M17 or M29 stands in a block."""
+    for word in block.words:  # no generator: this is asked of each block
+        if _is_return(word):
+            return True
+    return False
+
+
+def label_of(item: tree.Keyword | tree.Expression) -> str | None:
+    """The label that stands in the brackets of M17."""
+    if isinstance(item, tree.Name):
+        return item.name
+    if isinstance(item, tree.Keyword):
+        if item.name == "N" and isinstance(item.value, tree.Number):
+            return number_label(f"{item.value.value:.0f}")
+        if item.value is None:
+            return item.name
+    return None
+
+
+def _is_return(word: tree.BlockWord) -> bool:
+    if isinstance(word, tree.AxisWord):
+        return False
+    if isinstance(word, tree.BracketCommand):
+        return word.name in _RETURN_COMMANDS
+    return (
+        isinstance(word, tree.Word)
+        and word.name == "M"
+        and isinstance(word.value, tree.Number)
+        and word.value.value in RETURNS
+    )
+
+
+def implied_program(word: tree.BlockWord, programs: ImplicitPrograms) -> str:
+    """The program of the channel list that a word calls; empty for none."""
+    if not isinstance(word, tree.Word) or not isinstance(word.value, tree.Number):
+        return ""
+    number = word.value.value
+    if word.name == "M" and number == 6:
+        return programs.m6
+    return programs.of_g(int(number)) if word.name == "G" else ""
+
+
+def _names(text: ProgramText) -> str:
+    return ", ".join(text.subprograms) or "–"

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: MIT
+"""Control structures of the main program: conditions, loops, branches, and the ways out of them.
+
+In: structures of the tree. Out: the commands of the branches that are taken, and a ``Signal`` for
+what is around. A jump goes up to its program, which begins again at the statement that holds the
+label; that statement is then entered here, whatever its conditions say.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Iterable
+from dataclasses import dataclass
+from typing import Literal
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.base import arithmetic
+from nctakt.messages import diagnostic
+from nctakt.nc import tree
+from nctakt.nc.outline import bodies_of, leads_to
+
+
+@dataclass(frozen=True, slots=True)
+class Jump:
+    """To a label of the program that decodes."""
+
+    label: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Return:
+    """Back over so many calls, ``None`` for all of them, and on at a label if there is one."""
+
+    calls: int | None
+    label: str | None
+    span: Span
+
+
+#: What statements say to the structure around them; empty: it goes on.
+Signal = Literal["", "break", "continue", "end"] | Jump | Return
+Decoded = Generator[Command, Answer, Signal]
+
+Structure = tree.If | tree.For | tree.While | tree.Do | tree.Repeat | tree.Switch
+
+
+class Flow:
+    """Decodes structures; ``run`` decodes statements, ``count`` counts a pass of a loop."""
+
+    def __init__(
+        self,
+        values: Values,
+        run: Callable[[Iterable[tree.Statement], str | None], Decoded],
+        count: Callable[[Span], None],
+    ) -> None:
+        self._values = values
+        self._run = run
+        self._count = count
+
+    def structure(self, statement: Structure, number: int) -> Decoded:
+        """A structure from its beginning; ``number`` is the N word of its first line."""
+        match statement:
+            case tree.If():
+                return (yield from self._if(statement, number))
+            case tree.For():
+                return (yield from self._for(statement, number))
+            case tree.While():
+                return (yield from self._while(statement, number))
+            case tree.Do() | tree.Repeat():
+                return (yield from self._do(statement, number))
+            case tree.Switch():
+                return (yield from self._switch(statement, number))
+
+    def enter(self, statement: tree.Statement, label: str) -> Decoded:
+        """A structure from a label inside it on, as if its conditions had led there."""
+        bodies = list(bodies_of(statement))
+        first = next(i for i, body in enumerate(bodies) if any(leads_to(s, label) for s in body))
+        signal = yield from self._run(bodies[first], label)
+        if isinstance(statement, tree.Switch):
+            return (yield from self._fall_through(signal, bodies[first + 1 :]))
+        return signal
+
+    def _truth(self, condition: tree.Expression, number: int) -> Generator[Command, Answer, bool]:
+        value = self._values.known(condition)
+        if value is None:
+            value = yield from self._values.evaluate(condition, number)
+        return arithmetic.is_true(value)
+
+    def _if(self, statement: tree.If, number: int) -> Decoded:
+        if (yield from self._truth(statement.condition, number)):
+            return (yield from self._run(statement.body, None))
+        for elseif in statement.elseifs:
+            if (yield from self._truth(elseif.condition, number)):
+                return (yield from self._run(elseif.body, None))
+        if statement.else_body is not None:
+            return (yield from self._run(statement.else_body, None))
+        return ""
+
+    # --- loops ----------------------------------------------------------------------------------
+
+    def _round(
+        self, loop: tree.While | tree.Do | tree.Repeat | tree.For
+    ) -> Generator[Command, Answer, tuple[bool, Signal]]:
+        """One run through a loop's body: whether the loop goes on, and what it says if not."""
+        self._count(loop.span)
+        signal = yield from self._run(loop.body, None)
+        if signal in ("", "continue"):
+            return True, ""
+        return False, "" if signal == "break" else signal
+
+    def _while(self, loop: tree.While, number: int) -> Decoded:
+        while (yield from self._truth(loop.condition, number)):
+            goes_on, signal = yield from self._round(loop)
+            if not goes_on:
+                return signal
+        return ""
+
+    def _do(self, loop: tree.Do | tree.Repeat, number: int) -> Decoded:
+        """``$DO`` goes on while its condition holds, ``$REPEAT`` until it does."""
+        while True:
+            goes_on, signal = yield from self._round(loop)
+            if not goes_on:
+                return signal
+            holds = yield from self._truth(loop.condition, number)
+            if holds == isinstance(loop, tree.Repeat):
+                return ""
+
+    def _for(self, loop: tree.For, number: int) -> Decoded:
+        """``$FOR``: the end value included; a negative step counts down."""
+        values = self._values
+        value = yield from values.evaluate(loop.start, number)
+        yield from values.store(loop.variable, value, number)
+        end = yield from values.evaluate(loop.end, number)
+        step = yield from values.evaluate(loop.step, number)
+        if step == 0.0:
+            line = values.surroundings.line(loop.step.span)
+            values.surroundings.notice(diagnostic(900302, loop.step.span, line))
+        while True:
+            value = yield from values.evaluate(loop.variable, number)
+            if (value > end) if step >= 0.0 else (value < end):
+                return ""
+            goes_on, signal = yield from self._round(loop)
+            if not goes_on:
+                return signal
+            value = yield from values.evaluate(loop.variable, number)
+            yield from values.store(loop.variable, value + step, number)
+
+    # --- branches by value ----------------------------------------------------------------------
+
+    def _switch(self, switch: tree.Switch, number: int) -> Decoded:
+        """``$SWITCH``: from the first ``$CASE`` with the value on, until ``$BREAK``."""
+        subject = yield from self._values.evaluate(switch.subject, number)
+        chosen = None
+        for index, case in enumerate(switch.cases):
+            if case.value is None:
+                continue
+            value = yield from self._values.evaluate(case.value, number)
+            if value == subject:
+                chosen = index
+                break
+        if chosen is None:
+            chosen = next((i for i, case in enumerate(switch.cases) if case.value is None), None)
+        if chosen is None:
+            return ""
+        return (yield from self._fall_through("", list(bodies_of(switch))[chosen:]))
+
+    def _fall_through(self, signal: Signal, bodies: list[tuple[tree.Statement, ...]]) -> Decoded:
+        """Branch after branch, until one is left."""
+        for body in bodies:
+            if signal:
+                break
+            signal = yield from self._run(body, None)
+        return "" if signal == "break" else signal

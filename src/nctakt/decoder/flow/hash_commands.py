@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: MIT
+"""``#`` commands of the main program that have no file of their own.
+
+In: nodes that the checker has let pass. Out: commands, or an effect on the decoder's state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+
+from nctakt.decoder.blocks.cs_commands import SystemCommands
+from nctakt.decoder.cycles.builder import TIMER_ACTIONS
+from nctakt.decoder.state.commands import (
+    Answer,
+    ClearHistory,
+    Command,
+    Flush,
+    PositionRequest,
+    ProgramTimer,
+)
+from nctakt.decoder.values.variables import Values
+from nctakt.nc import tree
+from nctakt.nc.vocabulary.system_variables import TIMERS
+
+
+class Hashes:
+    """Decodes them for one program."""
+
+    def __init__(self, values: Values) -> None:
+        self._values = values
+        self._surroundings = values.surroundings
+        self._systems = SystemCommands(values)
+
+    def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """``#DELETE``, ``#CS``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``.
+
+        Others have no effect.
+        """
+        words = tuple(word.name for word in command.words)
+        if words == ("DELETE",):
+            for argument in command.arguments:
+                assert isinstance(argument, tree.Variable)
+                self._values.own.delete(argument)
+        elif words[0] == "CS":
+            yield from self._systems.command(command, number)
+        elif words in (("FILENAME",), ("FILE", "NAME")):
+            yield from self._file(command, number)
+        elif words == ("BACKWARD", "STORAGE", "CLEAR"):
+            yield ClearHistory(self._surroundings.place(command.span), number)
+        elif words == ("CHANNEL", "INIT"):
+            source = self._surroundings.place(command.span)
+            self._values.empties_channel("#CHANNEL INIT", command.span)
+            answer = yield PositionRequest(source, number)
+            assert isinstance(answer, tuple)
+            self._values.state.positions = list(answer)
+
+    def _file(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        (bracket,) = command.arguments
+        assert isinstance(bracket, tree.Bracket)
+        for item in bracket.items:
+            assert isinstance(item, tree.Keyword)
+            assert item.value is not None
+            if isinstance(item.value, tree.Name):
+                self._values.state.message_file = item.value.text
+            else:
+                text = yield from self._values.evaluate_any(item.value, number)
+                assert isinstance(text, str)
+                self._values.state.message_file = text
+
+    def timer(self, timer: tree.Timer, number: int) -> Generator[Command, Answer]:
+        """``#TIMER``: at once, or with SYN in its place among the blocks."""
+        identity = 0.0
+        for keyword in timer.keywords:
+            assert isinstance(keyword, tree.Keyword)
+            assert keyword.value is not None
+            identity = yield from self._values.evaluate(keyword.value, number)
+            if not 0 <= identity == int(identity) < TIMERS:
+                most = TIMERS - 1
+                self._values.fail(900318, keyword.value.span, id=f"{identity:g}", most=most)
+        index = int(identity)
+        timers = self._surroundings.system.timers
+        if not timer.options:
+            timers.command(timer.action, index)
+            return
+        source = self._surroundings.place(timer.span)
+        yield ProgramTimer(source, number, index, TIMER_ACTIONS[timer.action])
+        if timer.action == "READ":
+            self._values.empties_channel("#TIMER READ SYN", timer.span)
+            yield Flush(source, number, True)
+            timers.take_over(index)

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+"""Macros: a text in quotes stands for NC text, or for a part of an expression.
+
+In: definitions ``"NAME" = "text"``, and blocks that use them. Out: the statements that the block
+then is. The text is read and checked when the block is decoded, since only then it is known. Upper
+and lower case of names count. Within a text other macros stand between ``\\"`` and ``\\"``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import NoReturn
+
+from nctakt.base.diagnostics import Span
+from nctakt.base.text import nearest
+from nctakt.decoder.flow.computed_blocks import check
+from nctakt.decoder.state.environment import Surroundings
+from nctakt.nc import tree
+from nctakt.nc.check.macros import MacroPlaces, placed
+from nctakt.nc.parse.block_words import parse_content
+from nctakt.nc.parse.expressions import parse_expression, unreadable
+from nctakt.nc.parse.lexer import BlockError, BlockText, Piece
+from nctakt.nc.parse.printer import format_word
+
+#: Macros inside each other in an expression.
+MOST_MACROS = 20
+
+#: Statements whose meaning is remembered; then all are forgotten.
+MOST_REMEMBERED = 4096
+
+
+class Macros:
+    """The macros of one run of a program; ``fail`` gives it up."""
+
+    def __init__(self, surroundings: Surroundings, fail: Callable[..., NoReturn]) -> None:
+        self._surroundings = surroundings
+        self._fail = fail
+        self._texts: dict[str, str] = {}
+        self._places = MacroPlaces(surroundings.names, self._meaning)
+        self._meant: dict[int, tuple[tree.Statement, tree.Statement]] = {}
+        self._depth = 0
+
+    def define(self, definition: tree.MacroDefinition) -> None:
+        """A later definition of a name replaces an earlier one."""
+        self._texts[definition.name] = definition.text
+        self._meant.clear()
+
+    @property
+    def are_defined(self) -> bool:
+        """Whether there are any."""
+        return bool(self._texts)
+
+    def meant(self, statement: tree.Statement) -> tree.Statement:
+        """The statement with what macros stand for in its expressions."""
+        known = self._meant.get(id(statement))
+        if known is None:
+            changed = self._places.statement(statement)
+            if changed is not statement:
+                line = partial(self._surroundings.line, statement.span)
+                check(self._surroundings, self._fail, [changed], statement.span, line)
+            if len(self._meant) == MOST_REMEMBERED:
+                self._meant.clear()
+            known = self._meant[id(statement)] = (statement, changed)
+        return known[1]
+
+    def _meaning(self, name: tree.StringLiteral) -> tree.Expression | None:
+        """What a macro stands for in an expression: a whole term."""
+        content = self._texts.get(name.value)
+        if content is None:
+            return None
+        text = BlockText(name.span.file, content, [Piece(0, name.span.line, content)])
+        try:
+            expression = parse_expression(text)
+            if not text.at_end():
+                raise unreadable(text)
+        except BlockError as error:
+            self._fail(error.number, name.span, **error.values)
+        self._depth += 1
+        if self._depth > MOST_MACROS:
+            self._fail(900848, name.span, name=name.value, limit=MOST_MACROS)
+        meaning = self._places.number(placed(expression, name.span))
+        self._depth -= 1
+        return meaning
+
+    def expand(self, block: tree.Block) -> list[tree.Statement] | None:
+        """The statements of a block with macros; ``None`` for one without."""
+        if not any(isinstance(word, tree.StringWord) for word in block.words):
+            return None
+        content = " ".join(self._text(word, block.span) for word in block.words)
+        text = BlockText(block.span.file, content, [Piece(0, block.span.line, content)])
+        try:
+            statements = parse_content(text, replace(block.head, skip=None, label=None))
+        except BlockError as error:
+            self._fail(error.number, block.span, **error.values)
+        check(self._surroundings, self._fail, statements, block.span, lambda: content)
+        return statements
+
+    def _text(self, word: tree.BlockWord, span: Span) -> str:
+        """The text of a word; that of a macro is what it stands for."""
+        if not isinstance(word, tree.StringWord):
+            return format_word(word)
+        if word.text not in self._texts:
+            near = nearest(word.text, self._texts) or "–"
+            self._fail(900319, span, name=word.text, nearest=near)
+        return self._texts[word.text]

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: MIT
+"""Realtime loops: a body that is decoded once and then repeated by the realtime part.
+
+In: the commands that the statements of the body yield. Out: the same between the loop's two ends,
+after a look at them all: a pass ends where it began and fits into the history of the path.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Iterable
+
+from nctakt.decoder.blocks.block_decoder import Words
+from nctakt.decoder.flow.flow import Decoded
+from nctakt.decoder.state.commands import (
+    Answer,
+    BlockMark,
+    Command,
+    LoopBegin,
+    LoopEnd,
+    LoopPass,
+    Segment,
+    WriteVariable,
+)
+from nctakt.decoder.values.variables import Values
+from nctakt.nc import tree
+
+#: How far the end of a pass may be from its begin, in mm or degrees: a rounding.
+CLOSE_ENOUGH = 1e-9
+
+
+class RealtimeLoops:
+    """Decodes loops; ``run`` decodes statements."""
+
+    def __init__(
+        self,
+        values: Values,
+        words: Words,
+        run: Callable[[Iterable[tree.Statement], str | None], Decoded],
+    ) -> None:
+        self._values = values
+        self._surroundings = values.surroundings
+        self._state = values.state
+        self._words = words
+        self._run = run
+
+    def loop(self, loop: tree.RealtimeLoop, number: int) -> Generator[Command, Answer]:
+        """The commands of a loop; the decoder goes on when the realtime part has left it."""
+        size = self._surroundings.history_size
+        if self._state.path.compensation.is_active:
+            self._values.fail(22158, loop.span)
+        if size == 0:
+            self._values.fail(900881, loop.span)
+        source = self._surroundings.place(loop.span)
+        yield from self._words.request(tuple(self._surroundings.axis_numbers), loop.span, number)
+        yield from self._words.technology.before_feed()
+        begin = tuple(self._state.positions)
+        body = self._body(loop)
+        motions = sum(isinstance(command, Segment) for command in body)
+        if motions == 0:
+            self._values.fail(900883, loop.span)
+        if motions > size:
+            self._values.fail(900882, loop.span, count=motions, size=size)
+        for axis, before, behind in zip(
+            self._surroundings.axis_numbers, begin, self._state.positions, strict=True
+        ):
+            if abs(behind - before) > CLOSE_ENOUGH:
+                off = abs(behind - before)
+                self._values.fail(50991, loop.span, off=f"{off:.6g}", axis=axis)
+        yield LoopBegin(source, number)
+        yield from body
+        yield LoopPass(source, number)
+        yield LoopEnd(source, number)
+
+    def _body(self, loop: tree.RealtimeLoop) -> list[Command]:
+        """All commands of the body; none that the decoder would have to wait for."""
+        found: list[Command] = []
+        decoded = self._run(loop.body, None)
+        while True:
+            try:
+                command = next(decoded)
+            except StopIteration:
+                return found
+            if not isinstance(command, Segment | WriteVariable | BlockMark):
+                self._values.fail(22073, loop.span, command="#RT WHILE")
+            found.append(command)

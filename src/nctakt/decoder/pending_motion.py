@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+"""A motion of a contour that is held until the next one shows where it ends (MO-9)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.state.commands import Command, Segment
+from nctakt.kernel.base import arithmetic
+
+
+@dataclass(slots=True)
+class HeldMotion:
+    """A motion in the plane, and what comes behind it.
+
+    ``radius``: of the tool; ``misfit``: the message where there is no room for it. ``time_s``: how
+    long its block lasts under G93, 0 without. ``adapts``: F counts at the contour (G11).
+    """
+
+    number: int
+    segment: Segment
+    span: Span
+    radius: float
+    misfit: int
+    time_s: float
+    adapts: bool
+    between: list[Command] = field(default_factory=list)
+
+
+def share_of_contour(segment: Segment, arc: tuple[float, ...], start: list[float]) -> float:
+    """How much faster the tool's centre goes on an arc than the contour beside it (G11).
+
+    On an arc that the program does not have it goes as it does on lines.
+    """
+    if segment.arc is None or segment.arc[2:4] != arc[2:4]:
+        return 1.0
+    first, second = int(arc[0]), int(arc[1])
+    radii = []
+    for place in (start, segment.start):
+        x, y = place[first] - arc[2], place[second] - arc[3]
+        radii.append(arithmetic.square_root(x * x + y * y))
+    return radii[0] / radii[1]

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: MIT
+"""Arcs of the program -> centre and angle in their plane (MO-4).
+
+The plane is that of two of the channel's first three axes, G17 X Y, G18 Z X, G19 Y Z; G03 turns
+from the first of the two to the second one. An arc is given by its centre, or by its radius, where
+a negative one means the longer of the two arcs. Lengths are mm, angles degrees.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from nctakt.kernel.base import arithmetic
+
+#: G function of a plane -> its first and second axis.
+PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
+
+#: Radians of a degree.
+RADIANS = 0.017453292519943295
+
+#: How far an end may be off the circle: mm, and as a share of the radius where that is more.
+TOLERANCE_MM = 0.01
+TOLERANCE_SHARE = 0.001
+
+#: Ends of a circle not farther apart than this are one place: sums of G91 are rounded.
+SAME_PLACE_MM = 1e-9
+
+#: How far the centre may be moved, as a share of the radius.
+MOST_SHIFT_SHARE = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class Arc:
+    """An arc over the axes ``first`` and ``second``; ``angle`` is negative for G02."""
+
+    first: int
+    second: int
+    centre_first: float
+    centre_second: float
+    angle: float
+
+    @property
+    def row(self) -> tuple[float, ...]:
+        """What the realtime part needs of it."""
+        return (self.first, self.second, self.centre_first, self.centre_second, self.angle)
+
+    def length(self, start: Sequence[float]) -> float:
+        """Its way in the plane."""
+        radius = _length(
+            start[self.first] - self.centre_first, start[self.second] - self.centre_second
+        )
+        return radius * abs(self.angle) * RADIANS
+
+
+class ArcError(Exception):
+    """No arc: ``message`` is the number of the diagnostic, ``values`` are its parameters."""
+
+    def __init__(self, message: int, **values: float) -> None:
+        super().__init__(message)
+        self.message = message
+        self.values = values
+
+
+def arc_about(
+    start: Sequence[float],
+    target: Sequence[float],
+    plane: int,
+    centre: tuple[float, float],
+    clockwise: bool,
+) -> Arc:
+    """The arc about a centre; start and target in one place are a full circle.
+
+    Where target and start differ in their distance from the centre within the tolerance, the
+    centre is moved to the nearest place that is equally far from both. Ends that only the rounding
+    of sums keeps apart are a full circle; where the centre would have to go farther than a share of
+    the radius, because the ends are close to each other, no arc fits.
+    """
+    first, second = PLANES[plane]
+    x, y = start[first] - centre[0], start[second] - centre[1]
+    u, v = target[first] - centre[0], target[second] - centre[1]
+    radius = _length(x, y)
+    off = abs(_length(u, v) - radius)
+    if radius <= 0.0:
+        raise ArcError(900700)
+    if off > max(TOLERANCE_MM, TOLERANCE_SHARE * radius):
+        raise ArcError(900702, off=off, radius=radius)
+    chord = _length(u - x, v - y)
+    if chord <= SAME_PLACE_MM:
+        return Arc(first, second, *centre, -360.0 if clockwise else 360.0)
+    # The centre goes along the chord to the middle between both.
+    along = ((x + u) * (u - x) + (y + v) * (v - y)) / (2.0 * chord * chord)
+    if abs(along) * chord > MOST_SHIFT_SHARE * radius:
+        raise ArcError(900702, off=off, radius=radius)
+    centre = (centre[0] + along * (u - x), centre[1] + along * (v - y))
+    return Arc(first, second, *centre, _angle(start, target, (first, second), centre, clockwise))
+
+
+def arc_of_radius(
+    start: Sequence[float], target: Sequence[float], plane: int, radius: float, clockwise: bool
+) -> Arc:
+    """The arc with a radius: the shorter one, or the longer one where it is negative."""
+    first, second = PLANES[plane]
+    x, y = target[first] - start[first], target[second] - start[second]
+    chord = _length(x, y)
+    if chord == 0.0 or radius == 0.0:
+        raise ArcError(900701, radius=radius, least=chord / 2.0)
+    height2 = radius * radius - chord * chord / 4.0
+    if height2 < 0.0:
+        if chord / 2.0 - abs(radius) > TOLERANCE_MM:
+            raise ArcError(900701, radius=radius, least=chord / 2.0)
+        height2 = 0.0
+    height = arithmetic.square_root(height2) / chord
+    if clockwise != (radius < 0.0):
+        height = -height
+    centre = (
+        (start[first] + target[first]) / 2.0 - height * y,
+        (start[second] + target[second]) / 2.0 + height * x,
+    )
+    return Arc(first, second, *centre, _angle(start, target, (first, second), centre, clockwise))
+
+
+def extremes(arc: Arc, start: Sequence[float]) -> Iterator[tuple[int, float]]:
+    """The farthest places of the arc between its ends: axis and position."""
+    x, y = start[arc.first] - arc.centre_first, start[arc.second] - arc.centre_second
+    radius = _length(x, y)
+    begin = arithmetic.arc_tangent_2(y, x)
+    low, high = min(begin, begin + arc.angle), max(begin, begin + arc.angle)
+    for turn in range(-720, 721, 90):
+        if low < turn < high:
+            axis, centre = (
+                (arc.first, arc.centre_first)
+                if turn % 180 == 0
+                else (arc.second, arc.centre_second)
+            )
+            yield axis, centre + (radius if turn % 360 in (0, 90) else -radius)
+
+
+def _length(x: float, y: float) -> float:
+    return arithmetic.square_root(x * x + y * y)
+
+
+def _angle(
+    start: Sequence[float],
+    target: Sequence[float],
+    axes: tuple[int, int],
+    centre: tuple[float, float],
+    clockwise: bool,
+) -> float:
+    """The angle from start to target, in the direction of the arc, up to a full circle."""
+    first, second = axes
+    x, y = start[first] - centre[0], start[second] - centre[1]
+    u, v = target[first] - centre[0], target[second] - centre[1]
+    if x == u and y == v:
+        return -360.0 if clockwise else 360.0
+    angle = arithmetic.arc_tangent_2(x * v - y * u, x * u + y * v)
+    if clockwise:
+        return angle if angle < 0.0 else angle - 360.0
+    return angle if angle > 0.0 else angle + 360.0

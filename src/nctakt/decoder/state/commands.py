@@ -1,0 +1,496 @@
+# SPDX-License-Identifier: MIT
+"""What goes down the queue to the realtime part: plain data, no text, no names.
+
+``pack`` turns a command into the row that ``kernel/tick/command_queue.py`` holds. A command that
+``waits`` is answered through the decoder's ``yield``: with the value that was read, or the axes'
+positions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from nctakt.kernel.cycles.cycles import RealtimeCycle
+from nctakt.kernel.tick import command_queue
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """``source`` is the place (``base.source_ids.py``), ``number`` the N word of its block, 0
+    without."""
+
+    source: int
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class Pace:
+    """What the speed of a segment depends on beside its feed.
+
+    ``override``: the programmed one as a factor. ``is_exempt``: the operator's has no effect.
+    ``spindle``: whose speed the feed follows, by its place in the channel, -1 none; the feed counts
+    at ``spindle_v``, degrees per second.
+    """
+
+    override: float = 1.0
+    is_exempt: bool = False
+    spindle: int = -1
+    spindle_v: float = 0.0
+
+    @property
+    def row(self) -> tuple[float, ...]:
+        """What the realtime part needs of it (``kernel/path/geometry.py``)."""
+        return (self.override, self.is_exempt, self.spindle + 1, self.spindle_v)
+
+
+@dataclass(frozen=True, slots=True)
+class Segment(Command):
+    """A motion of the path's axes, mm or degrees, not packed but prepared in the queue.
+
+    ``run.queue_feeder`` in mm/s, below 0 rapid. ``deviation``: how far the path may pass the
+    target, 0 not at all. ``limits_jerk``: its slope is an S-curve. ``arc``: first and second axis
+    of its plane, centre, angle; ``None`` for a line. ``run.scheduled_run``: ``None`` where the feed
+    is all. ``goes_on``: the block goes on with the next segment.
+    """
+
+    start: tuple[float, ...]
+    target: tuple[float, ...]
+    feed: float
+    exact_stop: bool
+    deviation: float = 0.0
+    limits_jerk: bool = False
+    arc: tuple[float, ...] | None = None
+    pace: Pace | None = None
+    goes_on: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Dwell(Command):
+    """Standing still for so many ticks."""
+
+    ticks: int
+
+
+@dataclass(frozen=True, slots=True)
+class LoadCycle(Command):
+    """A realtime cycle, defined and, unless ``definition_only``, started when it is taken.
+
+    ``identity`` is 0 without an ID; ``scope`` as in ``kernel/cycles/cycles.py``. ``moves_on``: its
+    motions go on when it ends (MOVE_CONT).
+    """
+
+    cycle: RealtimeCycle
+    identity: int
+    scope: int
+    definition_only: bool
+    moves_on: bool = False
+
+
+#: Actions of ``CycleControl`` by the words of the language.
+CONTROL_ACTIONS = {"START": 1, "HOLD": 2, "CONTINUE": 3, "ABORT ACTION": 4, "DELETE": 5}
+
+
+@dataclass(frozen=True, slots=True)
+class CycleControl(Command):
+    """A management command for the cycle with this ID (RC-111)."""
+
+    action: int
+    identity: int
+
+
+@dataclass(frozen=True, slots=True)
+class TechnologyOutput(Command):
+    """An M function, or as -number - 1 an H function, for the PLC; ``ticks``: how long it takes.
+
+    ``value``: what the program gives it (M110 = 130), ``None`` for nothing.
+    """
+
+    function: int
+    ticks: int
+    value: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class AwaitAcknowledge(Command):
+    """Goes on when the PLC has taken this function."""
+
+    function: int
+
+
+@dataclass(frozen=True, slots=True)
+class SpindleJob(Command):
+    """M ``function`` 3, 4, 5 or 19 of a spindle (by its place in the channel).
+
+    Degrees and degrees per second; ``direction`` 0 of M19: the shortest way. ``ticks``: how long a
+    spindle of the PLC takes.
+    """
+
+    spindle: int
+    function: int
+    speed_v: float
+    position: float
+    direction: int
+    ticks: int
+
+
+@dataclass(frozen=True, slots=True)
+class AwaitSpindle(Command):
+    """Goes on when the spindle has reached its speed or position, or the PLC has acknowledged."""
+
+    spindle: int
+
+
+@dataclass(frozen=True, slots=True)
+class WriteVariable(Command):
+    """A synchronous variable gets a value when this is taken (RC-308).
+
+    ``is_told``: it is an event; that of a V.RT* variable, which changes how the run goes on.
+    """
+
+    cell: int
+    value: float
+    is_told: bool
+
+
+@dataclass(frozen=True, slots=True)
+class WriteText(Command):
+    """As ``WriteVariable``, for a part of a character string.
+
+    The characters ``data`` stand from byte ``first`` of the variable on, then come ``zeros``.
+    """
+
+    cell: int
+    first: int
+    data: bytes
+    zeros: int
+
+
+@dataclass(frozen=True, slots=True)
+class UserMessage(Command):
+    """A ``#MSG`` text, already formatted.
+
+    For the message file: ``exclusive`` leaves out its time stamp, ``unbroken`` its line end.
+    ``file``: the file that the program has named for it, empty without one.
+    """
+
+    text: str
+    exclusive: bool = False
+    unbroken: bool = False
+    file: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class SetOffset(Command):
+    """An offset of a machine axis is another one from here on, in mm or degrees (MO-8).
+
+    ``kind`` as in ``kernel/axes/coordinates.py``.
+    """
+
+    axis: int
+    kind: int
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class SetOrigin(Command):
+    """The program's coordinate system begins here on a machine axis, mm or degrees (MO-8)."""
+
+    axis: int
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class SetTurn(Command):
+    """The program's coordinate system is turned over three machine axes (MO-8).
+
+    ``matrix``: row by row, from its coordinates to those of the axes; empty: it is not turned.
+    """
+
+    axes: tuple[int, int, int]
+    matrix: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Freeze(Command):
+    """The cycle ``serial``, defined just before, has this variable as a constant (RC-302)."""
+
+    serial: int
+    name: str
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class UserErrorTold(Command):
+    """``#ERROR`` of the main program is told (RC-402); its values follow."""
+
+    identity: int
+    reaction: int
+
+
+@dataclass(frozen=True, slots=True)
+class UserErrorValue(Command):
+    """A value of the ``#ERROR`` before it; ``content``: the value, or the number of a text."""
+
+    code: int
+    content: float
+    is_text: bool
+
+
+@dataclass(frozen=True, slots=True)
+class UserErrorStop(Command):
+    """The ``#ERROR`` before it stops the channel."""
+
+    reaction: int
+
+
+@dataclass(frozen=True, slots=True)
+class Flush(Command):
+    """The path stands before what follows is taken; ``waits``: the decoder, too (RC-005)."""
+
+    waits: bool
+    reason: int = 0
+    cell: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class ReadRealtime(Command):
+    """The decoder waits for the value of a cell when the path stands (RC-308)."""
+
+    cell: int
+
+
+@dataclass(frozen=True, slots=True)
+class PositionRequest(Command):
+    """The decoder waits for the path's positions when it stands, and ``axes`` too (RC-409).
+
+    ``axes``: numbers in the machine.
+    """
+
+    axes: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramEnd(Command):
+    """M30."""
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramStop(Command):
+    """M00, or with ``is_optional`` M01: waits for START."""
+
+    is_optional: bool
+
+
+@dataclass(frozen=True, slots=True)
+class GiveUp(Command):
+    """Behind what was prepared the channel stops with an error of the decoder."""
+
+    message: int
+
+
+@dataclass(frozen=True, slots=True)
+class BlockMark(Command):
+    """A block begins here: tells when it was decoded and when it is carried out."""
+
+
+#: Why the channel is emptied: ``#FLUSH``, a synchronous read, a position request, a V.RT* write.
+WAIT_FLUSH, WAIT_READ, WAIT_POSITIONS, WAIT_WRITE = range(4)
+
+
+@dataclass(frozen=True, slots=True)
+class WaitMark(Command):
+    """Why the command behind it empties the channel; ``cell``: the variable, 0 for none."""
+
+    reason: int
+    cell: int
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramTimer(Command):
+    """``#TIMER … SYN`` of the main program: START 1, STOP 2, READ 3, CLEAR 4."""
+
+    timer: int
+    action: int
+
+
+@dataclass(frozen=True, slots=True)
+class LoopBegin(Command):
+    """``#RT WHILE``: what follows, up to its end, is the body of a realtime loop."""
+
+
+@dataclass(frozen=True, slots=True)
+class LoopPass(Command):
+    """The end of each pass of a realtime loop: it is counted."""
+
+
+@dataclass(frozen=True, slots=True)
+class LoopEnd(Command):
+    """``#RT ENDWHILE``: the decoder goes on when the loop is left."""
+
+
+@dataclass(frozen=True, slots=True)
+class FixedStop(Command):
+    """``X[FIXED_STOP ON|OFF …]`` for the axis at this place of the channel.
+
+    ``limit``: mm or degrees between command and actual position, for so many ``ticks``. ``begin``,
+    ``end``: parts of the way. ``needed``: an axis that finds no stop is an error.
+    """
+
+    axis: int
+    is_on: bool
+    limit: float
+    ticks: int
+    begin: float
+    end: float
+    needed: bool
+
+
+@dataclass(frozen=True, slots=True)
+class FixedStopEnd(Command):
+    """The block that moves to a fixed stop is over."""
+
+
+@dataclass(frozen=True, slots=True)
+class Measure(Command):
+    """The next motion looks for an edge; ``function`` goes out ``residual`` mm behind it."""
+
+    function: int
+    ticks: int
+    residual: float
+    value: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class MeasureEnd(Command):
+    """The motion that looks for an edge is over; its function is waited for."""
+
+
+@dataclass(frozen=True, slots=True)
+class ClearHistory(Command):
+    """Nothing in front of this is walked back (``#BACKWARD STORAGE CLEAR``)."""
+
+
+#: What the decoder gets back from a command that waits.
+Answer = float | tuple[float, ...] | None
+
+
+def pack(command: Command, place: int = 0) -> list[float]:
+    """The row of a command; ``place`` is the slot of a cycle or the number of a text or program."""
+    head = (command.source, command.number)
+    row: list[float]
+    match command:
+        case Dwell():
+            return [command_queue.DWELL, *head, command.ticks]
+        case LoadCycle():
+            return [command_queue.DEFINE_CYCLE, *head, place, not command.definition_only]
+        case CycleControl():
+            return [command_queue.CONTROL_CYCLE, *head, command.action, command.identity]
+        case TechnologyOutput():
+            row = [command_queue.TECHNOLOGY, *head, command.function, command.ticks]
+            return [*row, command.value is not None, command.value or 0]
+        case AwaitAcknowledge():
+            return [command_queue.AWAIT_ACKNOWLEDGE, *head, command.function]
+        case SpindleJob():
+            row = [command_queue.SPINDLE, *head, command.spindle, command.function, command.speed_v]
+            return [*row, command.position, command.direction, command.ticks]
+        case AwaitSpindle():
+            return [command_queue.AWAIT_SPINDLE, *head, command.spindle]
+        case WriteVariable():
+            return [command_queue.WRITE, *head, command.cell, command.value, command.is_told]
+        case WriteText():
+            row = [command_queue.WRITE, *head, command.cell, command.first, len(command.data), True]
+            return [*row, command.zeros, *command.data]
+        case UserMessage():
+            return [command_queue.MESSAGE, *head, place]
+        case SetOffset():
+            return [command_queue.SET_OFFSET, *head, command.axis, command.kind, command.value]
+        case SetOrigin():
+            return [command_queue.SET_ORIGIN, *head, command.axis, command.value]
+        case SetTurn():
+            first, second, third = command.axes
+            if not command.matrix:
+                return [command_queue.SET_TURN, *head, first]
+            return [command_queue.SET_TURN, *head, first, second + 1, third + 1, *command.matrix]
+        case Freeze():
+            return [command_queue.FREEZE, *head, command.serial, place, command.value]
+        case UserErrorTold():
+            return [command_queue.USER_ERROR, *head, command.identity, command.reaction]
+        case UserErrorValue():
+            row = [command_queue.USER_VALUE, *head, command.code, command.content]
+            return [*row, command.is_text]
+        case UserErrorStop():
+            return [command_queue.USER_STOP, *head, command.reaction]
+        case Flush():
+            return [command_queue.FLUSH, *head, 0, 0, command.waits]
+        case ReadRealtime():
+            return [command_queue.READ, *head, command.cell, 0, True]
+        case PositionRequest():
+            return [command_queue.POSITIONS, *head, 0, 0, True, len(command.axes), *command.axes]
+        case BlockMark():
+            return [command_queue.BLOCK_MARK, *head, place]
+        case WaitMark():
+            return [command_queue.WAIT_MARK, *head, command.reason, command.cell]
+        case ProgramTimer():
+            return [command_queue.TIMER, *head, command.timer, command.action]
+        case FixedStop():
+            row = [command_queue.FIXED_STOP, *head, command.axis, command.is_on, command.limit]
+            return [*row, command.ticks, command.begin, command.end, command.needed]
+        case Measure():
+            row = [command_queue.MEASURE, *head, command.function, command.ticks, command.residual]
+            return [*row, command.value is not None, command.value or 0]
+        case ClearHistory():
+            return [command_queue.CLEAR_HISTORY, *head]
+        case MeasureEnd():
+            return [command_queue.MEASURE_END, *head]
+        case FixedStopEnd():
+            return [command_queue.FIXED_STOP_END, *head]
+        case LoopBegin():
+            return [command_queue.LOOP_BEGIN, *head]
+        case LoopPass():
+            return [command_queue.LOOP_PASS, *head]
+        case LoopEnd():
+            return [command_queue.LOOP_END, *head, 0, 0, True]
+        case ProgramEnd():
+            return [command_queue.PROGRAM_END, *head, place]
+        case ProgramStop():
+            return [command_queue.PROGRAM_STOP, *head, command.is_optional]
+        case GiveUp():
+            return [command_queue.GIVE_UP, *head, command.message]
+    raise AssertionError(command)
+
+
+def write_text(
+    source: int, number: int, cell: int, data: bytes, axis_count: int
+) -> Iterator[WriteText]:
+    """The commands that give the string at ``cell`` all its bytes, zeros at its end included."""
+    text = data.rstrip(b"\0")
+    room = command_queue.characters_in_row(axis_count)
+    for first in range(0, max(1, len(text)), room):
+        part = text[first : first + room]
+        is_last = first + room >= len(text)
+        yield WriteText(source, number, cell, first, part, len(data) - len(text) if is_last else 0)
+
+
+def wait_mark(command: Command) -> WaitMark | None:
+    """The mark of a command that empties the channel."""
+    match command:
+        case ReadRealtime():
+            return WaitMark(command.source, command.number, WAIT_READ, command.cell)
+        case PositionRequest():
+            return WaitMark(command.source, command.number, WAIT_POSITIONS, 0)
+        case Flush():
+            return WaitMark(command.source, command.number, command.reason, command.cell)
+    return None
+
+
+def is_block(command: Command) -> bool:
+    """Whether it is a motion or dwell, which BLOCK cycles run with."""
+    return isinstance(command, Segment | Dwell)
+
+
+def waits(command: Command) -> bool:
+    """Whether the decoder goes on only with an answer."""
+    return isinstance(command, ReadRealtime | PositionRequest | LoopEnd) or (
+        isinstance(command, Flush) and command.waits
+    )

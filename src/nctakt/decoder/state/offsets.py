@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: MIT
+"""Offsets between the programmed and the axes' positions: which are active, and their commands.
+
+In: G53 … G59, G159, G92, ``#PSET``, ``#PRESET``, the lists of zero and clamp offsets, the tool.
+Out: what to add to an absolute position (``ActiveOffsets.total``), and ``SetOffset`` commands, so
+that V.RTA positions in PCS follow in order with the blocks (MO-8). An offset moves no axis: it
+counts in the next absolute position of the axis; relative motions go as far as they say.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from nctakt.decoder.state.commands import Command, SetOffset
+from nctakt.decoder.state.coordinate_systems import CoordinateSystems
+from nctakt.kernel.axes import coordinates
+from nctakt.kernel.axes.coordinates import ADD_ZERO, CLAMP, PSET, TOOL, ZERO
+from nctakt.lists.declared.offsets import ClampOffsets, ZeroOffsets
+from nctakt.nc.tree import Keyword, OffsetCommand
+
+#: The zero offset that each G function selects (P-ZERO-00003); G159 has its own number.
+ZERO_GROUPS = {53: 0, 54: 1, 55: 2, 56: 3, 57: 4, 58: 5, 59: 6}
+
+#: The kinds of offsets by the keywords of the language, as bits (RC-407).
+KEYWORDS = {
+    "ZERO": 1 << ZERO,
+    "ADD_ZERO": 1 << ADD_ZERO,
+    "PSET": 1 << PSET,
+    "CLAMP": 1 << CLAMP,
+    "TOOL": 1 << TOOL,
+    "MEASURE": 1 << coordinates.MEASURE,
+    "MANUAL": 1 << coordinates.MANUAL,
+}
+ALL = (1 << coordinates.KINDS) - 1
+KEYWORDS["ALL"] = ALL
+
+#: The kinds that a coordinate system of the program takes over when it begins: all but the tool's.
+KINDS_IN_SYSTEMS = tuple(kind for kind in range(coordinates.KINDS) if kind != TOOL)
+
+
+def left_over(command: OffsetCommand) -> int:
+    """The kinds of offsets that ``#SUPPRESS OFFSETS`` leaves to its block."""
+    named = [KEYWORDS[kind.name] for kind in command.kinds if isinstance(kind, Keyword)]
+    return ALL - sum(dict.fromkeys(named)) if named else 0
+
+
+class ActiveOffsets:
+    """The offsets of a channel's axes, in mm or degrees, as the decoder has them.
+
+    ``axes``: the machine's numbers of the channel's axes. ``zero_groups``: the zero offsets by
+    group and axis. ``default_group``: with which programs begin. ``clamp_group``: which clamp
+    offsets they run with.
+    """
+
+    def __init__(
+        self, axes: Sequence[int], zero_offsets: ZeroOffsets, clamp_offsets: ClampOffsets
+    ) -> None:
+        self._axes = tuple(axes)
+        self._values = [[0.0] * coordinates.KINDS for _ in axes]
+        self.zero_groups = {group: dict(one) for group, one in zero_offsets.groups.items()}
+        self.default_group = zero_offsets.default_group
+        self._clamp_offsets = clamp_offsets
+        self.clamp_group = 0
+        self.systems = CoordinateSystems(self._axes)
+
+    def total(self, axis: int, kinds: int = ALL) -> float:
+        """What the offsets of these kinds add to an absolute position of this axis.
+
+        In a coordinate system of the program the tool is outside of it (``inside``).
+        """
+        if self.systems.is_active:
+            kinds &= ALL - KEYWORDS["TOOL"]
+        values = self._values[axis]
+        if kinds == ALL:
+            return sum(values)
+        return sum(value for kind, value in enumerate(values) if kinds >> kind & 1)
+
+    def value(self, axis: int, kind: int) -> float:
+        """The offset of one kind."""
+        return self._values[axis][kind]
+
+    # --- coordinate systems ---------------------------------------------------------------------
+
+    def inside(self, positions: Sequence[float], kinds: int = ALL) -> list[float]:
+        """Positions of the axes -> in the coordinate system of the program, with offsets yet."""
+        if not self.systems.is_active:
+            return list(positions)
+        return self.systems.inside(positions, self._tool(kinds))
+
+    def outside(self, positions: Sequence[float], kinds: int = ALL) -> list[float]:
+        """What ``inside`` was made of."""
+        if not self.systems.is_active:
+            return list(positions)
+        return self.systems.outside(positions, self._tool(kinds))
+
+    def _tool(self, kinds: int) -> list[float]:
+        acts = kinds >> TOOL & 1
+        return [values[TOOL] if acts else 0.0 for values in self._values]
+
+    def enter_system(
+        self, components: Sequence[float], source: int, number: int
+    ) -> Iterator[Command]:
+        """``#CS ON``: the offsets that are active shift it, and begin anew in it."""
+        without_tool = ALL - KEYWORDS["TOOL"]
+        shift = [self.total(axis, without_tool) for axis in range(len(self._axes))]
+        kept = tuple(tuple(values) for values in self._values)
+        yield from self.systems.enter(components, shift, kept, source, number)
+        for kind in KINDS_IN_SYSTEMS:
+            yield from self._set_group(kind, {}, source, number)
+
+    def leave_system(self, source: int, number: int) -> Iterator[Command]:
+        """``#CS OFF``: the offsets of before are active again."""
+        kept = yield from self.systems.leave(source, number)
+        for kind in KINDS_IN_SYSTEMS:
+            before = {axis: values[kind] for axis, values in enumerate(kept)}
+            yield from self._set_group(kind, before, source, number)
+
+    def adopt(self, offsets: coordinates.Offsets) -> None:
+        """Take over what the realtime part has: behind a reset some commands were never taken."""
+        for values, axis in zip(self._values, self._axes, strict=True):
+            for kind in range(coordinates.KINDS):
+                values[kind] = offsets.of(axis, 1 << kind)
+
+    # --- commands, from ``source`` in the block ``number`` ---------------------------------------
+
+    def begin_program(self) -> Iterator[Command]:
+        """Zero and clamp offsets as the lists say; those of the program before it are gone."""
+        yield from self.systems.begin_program()
+        yield from self._set_group(ZERO, self._group(self.default_group), 0, 0)
+        clamp = self._clamp_offsets.groups.get(self.clamp_group, {})
+        yield from self._set_group(CLAMP, clamp, 0, 0)
+        for kind in (ADD_ZERO, PSET, TOOL):
+            yield from self._set_group(kind, {}, 0, 0)
+
+    def select_group(self, group: int, source: int, number: int) -> Iterator[SetOffset]:
+        """G53 … G59, G159; a group that the list does not name has no offsets."""
+        yield from self._set_group(ZERO, self._group(group), source, number)
+
+    def add_zero(
+        self, axis: int, value: float, relative: bool, source: int, number: int
+    ) -> Iterator[SetOffset]:
+        """G92 for one axis: instead of the offset that it has, or under G91 in addition to it."""
+        before = self._values[axis][ADD_ZERO] if relative else 0.0
+        yield from self._set(axis, ADD_ZERO, before + value, source, number)
+
+    def set_zero(self, axis: int, value: float, source: int, number: int) -> Iterator[SetOffset]:
+        """Another zero offset of one axis, until the next is selected."""
+        yield from self._set(axis, ZERO, value, source, number)
+
+    def preset(
+        self, axis: int, position: float, value: float, source: int, number: int
+    ) -> Iterator[SetOffset]:
+        """``#PSET``: where the axis stands (ACS) is called ``value`` from now on."""
+        others = self.total(axis, ALL - KEYWORDS["PSET"])
+        yield from self._set(axis, PSET, position - others - value, source, number)
+
+    def release(self, axis: int, source: int, number: int) -> Iterator[SetOffset]:
+        """``#PRESET``: no preset for this axis."""
+        yield from self._set(axis, PSET, 0.0, source, number)
+
+    def set_tool(
+        self, offsets: Mapping[int, float], source: int, number: int
+    ) -> Iterator[SetOffset]:
+        """The offsets of the tool, by the places of the axes."""
+        yield from self._set_group(TOOL, offsets, source, number)
+
+    def _group(self, group: int) -> Mapping[int, float]:
+        return self.zero_groups.get(group, {})
+
+    def _set_group(
+        self, kind: int, values: Mapping[int, float], source: int, number: int
+    ) -> Iterator[SetOffset]:
+        for axis in range(len(self._axes)):
+            yield from self._set(axis, kind, values.get(axis, 0.0), source, number)
+
+    def _set(
+        self, axis: int, kind: int, value: float, source: int, number: int
+    ) -> Iterator[SetOffset]:
+        if self._values[axis][kind] != value:
+            self._values[axis][kind] = value
+            yield SetOffset(source, number, self._axes[axis], kind, value)

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: MIT
+"""The variables that programs make themselves: V.P, V.S, V.L, V.CYC.
+
+In: declarations, names and element numbers. Out: values. V.P lives as long as its main program, V.S
+until the controller is started anew, V.L as long as its program and for all that it calls, V.CYC as
+long as its cycle. Raises ``VariableError`` with a message where there is nothing, or no room.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from math import prod
+
+from nctakt.base.text import nearest
+from nctakt.kernel.base import arithmetic
+from nctakt.lists.declared.variables import SCALARS
+
+#: Characters of a STRING without a length, the longest that there is.
+LONGEST_STRING = 126
+
+#: Elements that one variable may have (a choice: a slip of the pen shall not fill the memory).
+MOST_ELEMENTS = 100_000
+
+#: Families that a first assignment creates.
+_MADE_BY_WRITING = ("P", "S")
+
+
+class VariableError(Exception):
+    """A message number and its values."""
+
+    def __init__(self, number: int, **values: object) -> None:
+        super().__init__(number)
+        self.number = number
+        self.values = values
+
+
+@dataclass(slots=True)
+class OwnVariable:
+    """One variable; its elements stand in ascending order, the last index running fastest.
+
+    ``characters``: the most that a STRING takes. ``dimensions`` is empty for a single value.
+    """
+
+    name: str
+    type: str
+    characters: int
+    dimensions: tuple[int, ...]
+    values: list[float | str] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        count = prod(self.dimensions)
+        if count > MOST_ELEMENTS:
+            raise VariableError(900316, name=self.name, count=count, most=MOST_ELEMENTS)
+        self.values = ["" if self.type == "STRING" else 0.0] * count
+
+    def element(self, indices: Sequence[int]) -> int:
+        """The place of an element."""
+        if len(indices) != len(self.dimensions):
+            expected = len(self.dimensions)
+            raise VariableError(900214, name=self.name, expected=expected, given=len(indices))
+        place = 0
+        for index, count in zip(indices, self.dimensions, strict=True):
+            if not 0 <= index < count:
+                raise VariableError(50929, variable=self.name, index=index, count=count)
+            place = place * count + index
+        return place
+
+    def put(self, place: int, value: float | str) -> None:
+        """Give an element a value that its type takes: integers rounded, BOOLEAN 0 or 1."""
+        self.values[place] = self._converted(value)
+
+    def _converted(self, value: float | str) -> float | str:
+        if isinstance(value, str):
+            if self.type != "STRING":
+                raise VariableError(900340, name=self.name)
+            if len(value) > self.characters:
+                count = len(value)
+                raise VariableError(900343, name=self.name, limit=self.characters, count=count)
+            return value
+        if self.type == "STRING":
+            raise VariableError(900342, value=value)
+        if self.type == "BOOLEAN":
+            return 1.0 if arithmetic.is_true(value) else 0.0
+        scalar = SCALARS[self.type]
+        if not scalar.is_integer:
+            return value
+        value = arithmetic.round_half_even(value)
+        if not scalar.low <= value <= scalar.high:
+            low, high = scalar.low, scalar.high
+            raise VariableError(900313, name=self.name, value=value, low=low, high=high)
+        return value
+
+    def fill(self, values: Sequence[float | str]) -> None:
+        """Give the elements from the first on these values; the others keep theirs."""
+        if len(values) > len(self.values):
+            count = len(self.values)
+            raise VariableError(900315, name=self.name, given=len(values), count=count)
+        for place, value in enumerate(values):
+            self.put(place, value)
+
+
+Variables = dict[str, OwnVariable]
+
+
+class Scopes:
+    """Where the variables of each family are looked for, the innermost place first.
+
+    ``kept`` are those of V.S; those of V.L and V.CYC come and go with the levels. ``changes``: how
+    often a name may have come to mean another variable, or none.
+    """
+
+    def __init__(self, kept: Variables) -> None:
+        self._program: Variables = {}
+        self._kept = kept
+        self._locals: list[Variables] = []
+        self._cycles: list[Variables] = []
+        self.changes = 0
+
+    def enter(self, *, is_cycle: bool) -> None:
+        """A program begins with variables of its own; ``is_cycle``: with V.CYC, too."""
+        self._locals.append({})
+        if is_cycle:
+            self.changes += 1
+            self._cycles.append({})
+
+    def leave(self, *, is_cycle: bool) -> None:
+        """The innermost program has ended."""
+        if self._locals.pop() or is_cycle:
+            self.changes += 1
+        if is_cycle:
+            self._cycles.pop()
+
+    def _places(self, family: str) -> Sequence[Variables]:
+        match family:
+            case "P":
+                return (self._program,)
+            case "S":
+                return (self._kept,)
+            case "L":
+                return self._locals[::-1]
+        return self._cycles[-1:]
+
+    def find(self, family: str, path: str) -> OwnVariable | None:
+        """A variable by its path without indices, ``None`` where there is none."""
+        for place in self._places(family):
+            if path in place:
+                return place[path]
+        return None
+
+    def get(self, family: str, path: str) -> OwnVariable:
+        """As ``find``; 900314 where there is none."""
+        found = self.find(family, path)
+        if found is None:
+            known = [name for place in self._places(family) for name in place]
+            near = nearest(path, known)
+            shown = f"V.{family}.{near}" if near else "–"
+            raise VariableError(900314, name=f"V.{family}.{path}", nearest=shown)
+        return found
+
+    def for_writing(
+        self, family: str, path: str, value: float | str, indices: Sequence[int]
+    ) -> OwnVariable:
+        """As ``get``; V.P and V.S come into being with their first value."""
+        if family in _MADE_BY_WRITING and not indices and self.find(family, path) is None:
+            type_ = "STRING" if isinstance(value, str) else "REAL64"
+            name = f"V.{family}.{path}"
+            self.declare(family, path, OwnVariable(name, type_, LONGEST_STRING, ()))
+        return self.get(family, path)
+
+    def declare(self, family: str, path: str, variable: OwnVariable) -> None:
+        """A new variable of the innermost place; it replaces one of its name there."""
+        self.changes += 1
+        self._places(family)[0][path] = variable
+
+    def delete(self, family: str, path: str) -> None:
+        """Forget a variable, or with an empty path all of the family; nothing if it is unknown."""
+        self.changes += 1
+        for place in self._places(family):
+            if not path:
+                place.clear()
+            elif place.pop(path, None) is not None:
+                return

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: MIT
+"""The tool of a program: D selects its dimensions, T names it (MO-8).
+
+In: the tool list of the channel, the words T and D, the plane. Out: the offsets of the kind TOOL as
+commands, the radius for its compensation, what V.G.WZ…, V.G.T_AKT and V.G.D_AKT read. A length acts
+along the axis that stands perpendicular on the plane, beside the offset that the list gives for
+that axis. As every offset it moves nothing by itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import NoReturn, Protocol
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.state.arcs import PLANES
+from nctakt.decoder.state.commands import SetOffset
+from nctakt.decoder.state.environment import Surroundings
+from nctakt.decoder.state.modal_state import ModalState
+from nctakt.kernel.base import arithmetic
+from nctakt.lists.declared.tools import MOST_PARAMETERS, NO_TOOL, Tool
+from nctakt.nc.tree import Expression, Variable, Word
+from nctakt.nc.vocabulary.system_variables import SystemVariable
+
+#: The sum of the places of a channel's first three axes: less those of a plane, the third one.
+_MAIN_AXES = 0 + 1 + 2
+
+
+class Fail(Protocol):
+    """Gives the program up."""
+
+    def __call__(self, id_: int, span: Span, **values: object) -> NoReturn: ...
+
+
+class ActiveTool:
+    """The tool of one program."""
+
+    def __init__(self, surroundings: Surroundings, state: ModalState, fail: Fail) -> None:
+        self._surroundings = surroundings
+        self._state = state
+        self._fail = fail
+
+    def word(self, word: Word, value: float) -> None:
+        """T or D: the tool list has what D calls, T is a matter of the PLC."""
+        number = int(arithmetic.round_half_even(value))
+        if number != value or number < 0:
+            self._fail(900867, word.span, word=word.name, value=f"{value:g}")
+        state = self._state.tool
+        if word.name == "T":
+            state.number = number
+            return
+        tool = NO_TOOL if number == 0 else self._surroundings.tools.get(number)
+        if tool is None:
+            self._fail(900865, word.span, tool=number)
+        if tool is not NO_TOOL and not tool.valid:
+            self._fail(900866, word.span, tool=number)
+        self._change_radius(tool.radius, f"D{number}", word.span)
+        state.record = number
+        state.tool = tool
+
+    def _change_radius(self, radius: float, command: str, span: Span) -> None:
+        """Between G41 or G42 and G40 the next motion goes over to another radius."""
+        compensation = self._state.path.compensation
+        if not compensation.side:
+            return
+        if radius == 0.0:
+            self._fail(900874, span, command=command, word=compensation.word)
+        compensation.radius = radius
+
+    def offsets(self, span: Span, number: int) -> Iterator[SetOffset]:
+        """The offsets of the tool as they are in the present plane."""
+        tool, plane = self._state.tool.tool, self._state.path.plane
+        offsets = dict(tool.axis_offsets)
+        if tool.length:
+            normal = _MAIN_AXES - sum(PLANES[plane])
+            if normal >= len(self._surroundings.axes):
+                self._fail(900868, span, length=tool.length, plane=plane)
+            offsets[normal] = offsets.get(normal, 0.0) + tool.length
+        source = self._surroundings.place(span)
+        yield from self._surroundings.offsets.set_tool(offsets, source, number)
+
+    # --- V.G -------------------------------------------------------------------------------------
+
+    def read(
+        self, variable: Variable, found: SystemVariable, index: Callable[[Expression], float]
+    ) -> float:
+        """V.G.T_AKT, V.G.D_AKT, V.G.WZ_AKT…, V.G.WZ[5]…, lengths in the program's unit.
+
+        ``index`` gives the number of a tool or of an element.
+        """
+        state = self._state.tool
+        if found.subject in ("T_AKT", "D_AKT"):
+            return float(state.number if found.subject == "T_AKT" else state.record)
+        tool = state.tool
+        if found.number is not None:
+            number = int(index(found.number))
+            listed = NO_TOOL if number == 0 else self._surroundings.tools.get(number)
+            if listed is None:
+                self._fail(900865, found.number.span, tool=number)
+            tool = listed
+        unit = self._state.length_unit_mm
+        match found.subject:
+            case "R":
+                return tool.radius / unit
+            case "L":
+                return tool.length / unit
+            case "V":
+                return self._axis_offset(variable, found, tool, index)
+            case "P":
+                place = self._element(variable, found, MOST_PARAMETERS, index)
+                return tool.parameters.get(place, 0.0)
+            case "OK":
+                return float(tool.valid)
+            case "SRK_ID":
+                return float(tool.cutter_position)
+            case _:
+                return float(tool.spindle_number)
+
+    def _axis_offset(
+        self,
+        variable: Variable,
+        found: SystemVariable,
+        tool: Tool,
+        index: Callable[[Expression], float],
+    ) -> float:
+        if found.element is None:
+            place = self._surroundings.axis_numbers[found.axis]
+        else:
+            place = self._element(variable, found, len(self._surroundings.axes), index)
+        offset = tool.axis_offsets.get(place, 0.0)
+        is_linear = self._surroundings.axes[place].is_linear
+        return offset / self._state.length_unit_mm if is_linear else offset
+
+    def _element(
+        self,
+        variable: Variable,
+        found: SystemVariable,
+        count: int,
+        index: Callable[[Expression], float],
+    ) -> int:
+        assert found.element is not None
+        place = int(index(found.element))
+        if not 0 <= place < count:
+            name = f"V.{variable.family}." + ".".join(part.name for part in variable.parts)
+            self._fail(50929, found.element.span, variable=name, index=place, count=count)
+        return place
+
+    def write(
+        self, found: SystemVariable, value: float, span: Span, number: int
+    ) -> Iterator[SetOffset]:
+        """Another radius or length of the active tool, until the next D."""
+        state = self._state.tool
+        length = value * self._state.length_unit_mm
+        if found.subject == "R":
+            self._change_radius(length, "V.G.WZ_AKT.R", span)
+            state.tool = replace(state.tool, radius=length)
+        else:
+            state.tool = replace(state.tool, length=length)
+            yield from self.offsets(span, number)

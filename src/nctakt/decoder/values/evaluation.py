@@ -1,0 +1,398 @@
+# SPDX-License-Identifier: MIT
+"""Values at decode time: expressions, and variables that the main program reads.
+
+An asynchronous variable is read at once; a synchronous one and every V.RT* variable through the
+channel: the read waits until the path stands (RC-308).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+from functools import cached_property
+from typing import NoReturn
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.state.commands import (
+    Answer,
+    Command,
+    ReadRealtime,
+)
+from nctakt.decoder.state.environment import DecodeError, Surroundings
+from nctakt.decoder.state.modal_state import ModalState
+from nctakt.decoder.state.tools import ActiveTool
+from nctakt.decoder.values.expressions import ExpressionBuilder
+from nctakt.decoder.values.forms import FormComputer
+from nctakt.decoder.values.fusing import Built, constant
+from nctakt.decoder.values.plans import Leaf, Plan, Plans
+from nctakt.decoder.values.program_values import OwnValues
+from nctakt.decoder.values.system_values import SystemValues
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.cycles.context import Context, empty_context
+from nctakt.kernel.cycles.expressions import OPERATIONS
+from nctakt.messages import diagnostic
+from nctakt.nc import tree
+from nctakt.nc.fast.templates import Formed, unformed
+from nctakt.nc.vocabulary import strings
+from nctakt.nc.vocabulary.operators import FUNCTIONS
+from nctakt.nc.vocabulary.resolution import (
+    indices_of,
+    is_own,
+    is_text,
+    path_text,
+    resolve,
+    resolve_whole,
+    variables_in,
+)
+from nctakt.nc.vocabulary.system_variables import (
+    SYSTEM_FAMILIES,
+    TIMERS,
+    is_decoder_data,
+    system_variable,
+)
+from nctakt.nc.vocabulary.variable_table import Location, Whole
+
+Decoding = Generator[Command, Answer, float]
+
+#: Operations whose fault is a wrong argument of a function (21241).
+_FUNCTIONS = frozenset(
+    ("SQRT", "EXP", "DEXP", "LN", "LOG", "SIN", "COS", "TAN", "COT", "ASIN", "ACOS", "ATAN2", "INV")
+)
+
+
+class Reading:
+    """Evaluates expressions of one program."""
+
+    def __init__(self, surroundings: Surroundings, state: ModalState) -> None:
+        self.surroundings = surroundings
+        self.state = state
+        self._fetched: dict[int, float | str] = {}
+        self._builder = ExpressionBuilder(
+            self._leaf, self._compare_texts, self._ask, macro=self.no_macro
+        )
+        self.own = OwnValues(state.levels, self._index, self.fail)
+        self._plans = Plans()
+        self._forms = FormComputer(
+            self._plans.context, self._plans.memory, state.levels.scopes, state.parameters
+        )
+        self.tool = ActiveTool(surroundings, state, self.fail)
+        self.system = SystemValues(surroundings, state, self.fail, self._index)
+
+    @cached_property
+    def _context(self) -> Context:
+        """Made for the first expression that is read as a tree."""
+        return empty_context()
+
+    # --- reading --------------------------------------------------------------------------------
+
+    def known(self, expression: tree.Expression) -> float | None:
+        """The value of an expression that needs nothing else; ``None``: it has to be evaluated."""
+        if isinstance(expression, Formed):
+            return self._forms.value(self._plans.of_form(expression.form), expression.at)
+        return expression.value if isinstance(expression, tree.Number) else None
+
+    def evaluate(self, expression: tree.Expression, number: int) -> Decoding:
+        """The value of an expression; synchronous variables in it empty the channel first.
+
+        ``number`` is the N word of the block. Raises ``DecodeError`` where there is no value.
+        """
+        value = self.known(expression)
+        if value is not None:
+            return value
+        expression = unformed(expression)
+        plan = self._plans.of(expression)
+        yield from self._fetch(expression, number, plan)
+        value = self._computed(expression, plan)
+        self._fetched.clear()
+        return value
+
+    def evaluate_any(
+        self, expression: tree.Expression, number: int
+    ) -> Generator[Command, Answer, float | str]:
+        """As ``evaluate``; the value may be a text."""
+        if isinstance(expression, tree.StringLiteral):
+            return expression.value
+        value = self.known(expression)
+        if value is not None:
+            return value
+        expression = unformed(expression)
+        if not self._is_text(expression):
+            return (yield from self.evaluate(expression, number))
+        yield from self._fetch(expression, number)
+        text = self._text(expression)
+        self._fetched.clear()
+        return text
+
+    def _text(self, expression: tree.Expression) -> str:
+        """The value of an expression whose value is a text."""
+        if isinstance(expression, tree.StringLiteral):
+            return expression.value
+        if isinstance(expression, tree.Binary):
+            return self._text(expression.left) + self._text(expression.right)
+        value: float | str
+        if isinstance(expression, tree.Parameter):
+            value = self._argument(expression)
+        elif isinstance(expression, tree.Call):
+            value = self._asked(expression)
+        elif isinstance(expression, tree.Variable):
+            value = self._fetched[id(expression)]
+        else:
+            value = self._compute(expression)
+        if not isinstance(value, str):
+            self.fail(900342, expression.span, value=value)
+        return value
+
+    def _is_text(self, expression: tree.Expression) -> bool:
+        """Whether the value of an expression is a text now."""
+        if isinstance(expression, tree.Parameter) and expression.call:
+            return isinstance(self._argument(expression), str)
+        if isinstance(expression, tree.Variable) and is_own(expression):
+            return self.own.is_text(expression)
+        if isinstance(expression, tree.Binary) and expression.operator == "+":
+            return self._is_text(expression.left) or self._is_text(expression.right)
+        return is_text(expression, self.surroundings.names)
+
+    def _ask(self, call: tree.Call) -> Built | None:
+        """The number that a function of names or texts gives."""
+        if not FUNCTIONS[call.function].decoder_only:
+            return None
+        value = self._asked(call)
+        if isinstance(value, str):
+            self.fail(900340, call.span, name=call.function)
+        return constant(value)
+
+    def _asked(self, call: tree.Call) -> float | str:
+        function = FUNCTIONS[call.function]
+        first = call.arguments[0]
+        match call.function:
+            case "EXIST":
+                return 1.0 if self._exists(first) else 0.0
+            case "SIZEOF":
+                dimension = self._compute(call.arguments[1]) if len(call.arguments) > 1 else 1.0
+                return float(self._size(first, round(dimension)))
+            case "IS_STRING" | "IS_NUMBER":
+                return 1.0 if self._is_text(first) == (call.function == "IS_STRING") else 0.0
+        values: list[float | str] = []
+        for kind, argument in zip(function.arguments, call.arguments, strict=False):
+            values.append(self._text(argument) if kind == "T" else self._compute(argument))
+        return self.own.function(call, values)
+
+    def _exists(self, asked: tree.Expression) -> bool:
+        """Whether there is a variable, an M or H function of the list, a parameter of the call."""
+        if isinstance(asked, tree.Parameter):
+            if not asked.call:
+                return self._parameter(asked) in self.state.parameters
+            return self._parameter(asked) in self.state.levels.arguments
+        if isinstance(asked, tree.Name):
+            parameters = self.surroundings.parameters
+            m, h = parameters.m_functions, parameters.h_functions
+            return int(asked.name[1:]) in (m if asked.name[0] == "M" else h)
+        assert isinstance(asked, tree.Variable)
+        if is_own(asked):
+            return self.own.exists(asked)
+        names = self.surroundings.names
+        found = resolve(asked, names)
+        if not isinstance(found, Location):
+            return isinstance(resolve_whole(asked, names), Whole)
+        counts = zip(indices_of(asked), found.dimensions, strict=True)
+        return all(0 <= self._index(index) < one.count for index, one in counts)
+
+    def _size(self, asked: tree.Expression, dimension: int) -> int:
+        """Elements of an array; a list's has one dimension."""
+        assert isinstance(asked, tree.Variable)
+        if is_own(asked):
+            return self.own.size(asked, dimension)
+        found = resolve_whole(asked, self.surroundings.names)
+        is_first = isinstance(found, Whole) and dimension == 1
+        return found.node.array_elements if is_first and isinstance(found, Whole) else 0
+
+    def declare(self, declaration: tree.Declaration, number: int) -> Generator[Command, Answer]:
+        """A line of ``#VAR``."""
+        yield from self.own.declare(declaration, number, self.evaluate, self.evaluate_any)
+
+    def _argument(self, parameter: tree.Parameter) -> float | str:
+        """What the call of the innermost cycle has handed over as @P1, @P2, …"""
+        number = self._parameter(parameter)
+        value = self.state.levels.arguments.get(number)
+        if value is None:
+            self.fail(900312, parameter.span, name=f"@P{number}")
+        return value
+
+    def _compare_texts(self, comparison: tree.Binary) -> Built | None:
+        """Two texts are equal when all their characters are."""
+        if not (self._is_text(comparison.left) or self._is_text(comparison.right)):
+            return None
+        is_equal = self._text(comparison.left) == self._text(comparison.right)
+        return constant(1.0 if is_equal == (comparison.operator == "==") else 0.0)
+
+    def evaluate_now(self, expression: tree.Expression) -> float:
+        """The value with what every variable holds at this moment, synchronous ones too."""
+        for variable in variables_in(expression):
+            self._fetched[id(variable)] = self._read_now(variable)
+        value = self._compute(expression)
+        self._fetched.clear()
+        return value
+
+    def _compute(self, expression: tree.Expression) -> float:
+        return self._computed(expression, self._plans.of(expression))
+
+    def _computed(self, expression: tree.Expression, plan: Plan | None) -> float:
+        """The value of an expression whose variables are fetched; as planned, if all are numbers.
+
+        What goes wrong is found out with the values in the nodes, where faults are told.
+        """
+        if plan is not None and plan.node is not None and self._load(plan.leaves):
+            context = self._plans.context
+            context.fault = 0
+            value = plan.node.measure(context)
+            if not context.fault and arithmetic.is_finite(value):
+                return value
+        context = self._context
+        context.fault = 0
+        value = self._builder.build(expression).node.measure(context)
+        if context.fault:
+            operation = OPERATIONS[int(context.fault_a)]
+            id_ = 21241 if operation in _FUNCTIONS else 900300
+            self.fail(id_, expression.span, operation=operation)
+        if not arithmetic.is_finite(value):
+            self.fail(900301, expression.span)
+        return value
+
+    def _load(self, leaves: Sequence[Leaf]) -> bool:
+        """Put the values of leaves into the cells of the plans; false where one is no number."""
+        cells = self._plans.cells
+        parameters = self.state.parameters
+        for cell, leaf in enumerate(leaves):
+            if isinstance(leaf, tree.Variable):
+                value = self._fetched[id(leaf)]
+                if isinstance(value, str):
+                    return False
+                cells[cell] = value
+            else:
+                cells[cell] = parameters.get(self._parameter(leaf), 0.0)
+        return True
+
+    def _fetch(
+        self, expression: tree.Expression, number: int, plan: Plan | None = None
+    ) -> Generator[Command, Answer]:
+        """Get the values of all variables of an expression, innermost indices first."""
+        for variable in plan.variables if plan is not None else variables_in(expression):
+            if is_decoder_data(variable):
+                if variable.family == "A":
+                    yield from self._stand(variable, number)
+                self._fetched[id(variable)] = self._read_now(variable)
+                continue
+            location = self.locate(variable)
+            if not (location.synchronous or variable.synchronous):
+                self._fetched[id(variable)] = self._read_now(variable)
+                continue
+            cell = self.cell(variable, location)
+            self.empties_channel(path_text(variable), variable.span)
+            source = self.surroundings.place(variable.span)
+            answer = yield ReadRealtime(source, number, cell)
+            assert isinstance(answer, float)
+            # the answer is of the tick that ran last, so the memory still holds what it was
+            self._fetched[id(variable)] = self._value_in(cell, location)
+
+    def _leaf(self, node: tree.Variable | tree.Parameter) -> Built:
+        if isinstance(node, tree.Variable):
+            value = self._fetched[id(node)]
+            if isinstance(value, str):
+                self.fail(900340, node.span, name=path_text(node))
+            return constant(value)
+        if node.call:
+            argument = self._argument(node)
+            if isinstance(argument, str):
+                self.fail(900340, node.span, name="@P")
+            return constant(argument)
+        return constant(self.state.parameters.get(self._parameter(node), 0.0))
+
+    def no_macro(self, text: tree.StringLiteral) -> NoReturn:
+        """A text where a number is needed names no macro."""
+        self.fail(900319, text.span, name=text.value, nearest="–")
+
+    def _parameter(self, node: tree.Parameter) -> int:
+        if isinstance(node.index, tree.Number):
+            return int(node.index.value)
+        return int(self._index(node.index))
+
+    def _index(self, index: tree.Expression) -> float:
+        """The number of an element; a fault in its expression gives the program up."""
+        return arithmetic.round_half_even(self._compute(index))
+
+    def _read_now(self, variable: tree.Variable) -> float | str:
+        if is_own(variable):
+            return self.own.read(variable)
+        if variable.family in SYSTEM_FAMILIES:
+            return self._system(variable)
+        location = self.locate(variable)
+        return self._value_in(self.cell(variable, location), location)
+
+    def _system(self, variable: tree.Variable) -> float:
+        """V.G and V.A."""
+        surroundings = self.surroundings
+        found = system_variable(variable, tuple(surroundings.axis_numbers))
+        assert found is not None
+        if found.kind == "timer":
+            assert found.number is not None
+            number = self._index(found.number)
+            if not 0 <= number < TIMERS:
+                self.fail(
+                    50929,
+                    found.number.span,
+                    variable="V.G.TIMER",
+                    index=int(number),
+                    count=TIMERS,
+                )
+            return surroundings.system.timers.read(int(number))
+        if found.kind == "tool":
+            return self.tool.read(variable, found, self._index)
+        return self.system.read(variable, found)
+
+    def _stand(self, variable: tree.Variable, number: int) -> Generator[Command, Answer]:
+        """Empty the channel in front of a variable that shows where an axis is."""
+        found = system_variable(variable, tuple(self.surroundings.axis_numbers))
+        if found is not None and found.waits:
+            cell = self.system.cell(variable, found)
+            self.empties_channel(path_text(variable), variable.span)
+            yield ReadRealtime(self.surroundings.place(variable.span), number, cell)
+
+    def _value_in(self, cell: int, location: Location) -> float | str:
+        """What the memory holds in this moment."""
+        if not location.is_numeric:
+            return strings.read(self.surroundings.memory, cell, location.size_bytes)
+        return self._in_unit(self.surroundings.cells[cell], location)
+
+    def _in_unit(self, value: float, location: Location) -> float:
+        return value / self.state.length_unit_mm if location.is_length else value
+
+    def locate(self, variable: tree.Variable) -> Location:
+        """Where a variable lives; the checker has seen that it exists."""
+        found = resolve(variable, self.surroundings.names)
+        assert isinstance(found, Location), variable
+        return found
+
+    def cell(self, variable: tree.Variable, location: Location | Whole) -> int:
+        """The cell of a variable with the values that its indices have now (50929 outside)."""
+        cell = location.cell
+        for index, dimension in zip(indices_of(variable), location.dimensions, strict=True):
+            number = self._index(index)
+            if not 0 <= number < dimension.count:
+                self.fail(
+                    50929,
+                    index.span,
+                    variable=location.name,
+                    index=int(number),
+                    count=dimension.count,
+                )
+            cell += int(number) * dimension.stride
+        return cell
+
+    def empties_channel(self, command: str, span: Span) -> None:
+        """What waits until the path stands cannot be while contours are compensated (RC-308)."""
+        compensation = self.state.path.compensation
+        if compensation.side:
+            self.fail(20651, span, command=command, word=compensation.word)
+
+    def fail(self, id_: int, span: Span, **values: object) -> NoReturn:
+        """Give the program up."""
+        raise DecodeError(diagnostic(id_, span, self.surroundings.line(span), **values))

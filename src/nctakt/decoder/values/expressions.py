@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: MIT
+"""Expression of the tree -> expression of the realtime part, (RC-206).
+
+The one meaning of operators and functions for decoder and cycles: in a cycle a variable becomes a
+load, in the decoder the value that it has now, and the tree is evaluated at once. Nodes with simple
+operands are fused (``fusing.py``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+from typing import NoReturn
+
+from nctakt.decoder.values.fusing import Built, constant, fuse
+from nctakt.kernel.cycles import conditions, expressions
+from nctakt.kernel.cycles.conditions import Condition
+from nctakt.kernel.cycles.context import Context, empty_context
+from nctakt.kernel.cycles.expressions import Expression
+from nctakt.nc import tree
+
+_BINARY: dict[str, type[expressions.Binary]] = {
+    "+": expressions.Add,
+    "-": expressions.Subtract,
+    "*": expressions.Multiply,
+    "/": expressions.Divide,
+    "MOD": expressions.Modulo,
+    "**": expressions.Power,
+    "<": expressions.Less,
+    "<=": expressions.LessEqual,
+    ">": expressions.Greater,
+    ">=": expressions.GreaterEqual,
+    "==": expressions.Equal,
+    "!=": expressions.NotEqual,
+    "&": expressions.BitAnd,
+    "|": expressions.BitOr,
+    "^": expressions.BitXor,
+    "&&": expressions.And,
+    "||": expressions.Or,
+    "XOR": expressions.ExclusiveOr,
+}
+
+_UNARY: dict[str, type[expressions.Unary]] = {
+    "-": expressions.Negate,
+    "NOT": expressions.Not,
+    "INV": expressions.Invert,
+    "ABS": expressions.Absolute,
+    "SQR": expressions.Square,
+    "SQRT": expressions.SquareRoot,
+    "EXP": expressions.Exponential,
+    "DEXP": expressions.DecimalExponential,
+    "LN": expressions.NaturalLogarithm,
+    "LOG": expressions.DecimalLogarithm,
+    "SIN": expressions.Sine,
+    "COS": expressions.Cosine,
+    "TAN": expressions.Tangent,
+    "COT": expressions.Cotangent,
+    "ASIN": expressions.ArcSine,
+    "ACOS": expressions.ArcCosine,
+    "ATAN": expressions.ArcTangent,
+    "ACOT": expressions.ArcCotangent,
+    "INT": expressions.Truncate,
+    "FRACT": expressions.Fraction,
+    "ROUND": expressions.Round,
+    "CEIL": expressions.Ceiling,
+    "FLOOR": expressions.Floor,
+}
+
+#: The comparisons: two expressions, and variable with number.
+_COMPARISONS: dict[
+    str, tuple[type[conditions.Comparison], type[conditions.CellComparison], str]
+] = {
+    "<": (conditions.IsLess, conditions.IsLessCellConstant, ">"),
+    "<=": (conditions.IsLessEqual, conditions.IsLessEqualCellConstant, ">="),
+    ">": (conditions.IsGreater, conditions.IsGreaterCellConstant, "<"),
+    ">=": (conditions.IsGreaterEqual, conditions.IsGreaterEqualCellConstant, "<="),
+    "==": (conditions.IsEqual, conditions.IsEqualCellConstant, "=="),
+    "!=": (conditions.IsNotEqual, conditions.IsNotEqualCellConstant, "!="),
+}
+
+#: What combines conditions into one.
+COMBINATIONS: dict[str, type[conditions.Combination]] = {
+    "&&": conditions.Both,
+    "||": conditions.Either,
+}
+
+_CONSTANTS = {"TRUE": 1.0, "FALSE": 0.0, "PI": 3.141592653589793}
+
+
+def _unexpected(text: tree.StringLiteral) -> NoReturn:
+    raise AssertionError(text)
+
+
+class ExpressionBuilder:
+    """``leaf`` says what a variable or parameter becomes, ``number`` what a number does.
+
+    ``compare_texts`` gives the value of ``==`` and ``!=`` between texts, ``None`` between numbers;
+    ``ask`` that of a function of names or texts, ``None`` of one of numbers. ``macro`` tells of one
+    that is not defined.
+    """
+
+    def __init__(
+        self,
+        leaf: Callable[[tree.Variable | tree.Parameter], Built],
+        compare_texts: Callable[[tree.Binary], Built | None] = lambda _: None,
+        ask: Callable[[tree.Call], Built | None] = lambda _: None,
+        number: Callable[[tree.Number], Built] = lambda one: constant(one.value),
+        macro: Callable[[tree.StringLiteral], NoReturn] = _unexpected,
+    ) -> None:
+        self._leaf = leaf
+        self._compare_texts = compare_texts
+        self._ask = ask
+        self._number = number
+        self._macro = macro
+
+    @cached_property
+    def _context(self) -> Context:
+        """Made when a value is computed: most builders only build."""
+        return empty_context()
+
+    def build(self, expression: tree.Expression) -> Built:
+        """The node of an expression that the checker has let pass."""
+        match expression:
+            case tree.Number():
+                return self._number(expression)
+            case tree.Constant():
+                return constant(_CONSTANTS[expression.name])
+            case tree.Variable() | tree.Parameter():
+                return self._leaf(expression)
+            case tree.StringLiteral():
+                return self._macro(expression)
+            case tree.Unary():
+                return self._unary(expression.operator, expression.operand)
+            case tree.Binary():
+                if expression.operator in ("==", "!="):
+                    compared = self._compare_texts(expression)
+                    if compared is not None:
+                        return compared
+                left = self.build(expression.left)
+                return self.combine(expression.operator, left, self.build(expression.right))
+            case tree.Call():
+                return self._call(expression)
+        raise AssertionError(expression)
+
+    def condition(self, expression: tree.Expression) -> Condition:
+        """The condition of an ``$IF``; ``&&`` and ``||`` combine conditions."""
+        if isinstance(expression, tree.Binary) and expression.operator in COMBINATIONS:
+            left, right = self._part(expression.left), self._part(expression.right)
+            return COMBINATIONS[expression.operator](left, right)
+        if not isinstance(expression, tree.Binary) or expression.operator not in _COMPARISONS:
+            built = self.build(expression)
+            return conditions.IsTrue(built.node)
+        operator = expression.operator
+        one, other = self.build(expression.left), self.build(expression.right)
+        general, fused, mirrored = _COMPARISONS[operator]
+        if one.cell is not None and other.constant is not None:
+            return fused(one.cell, other.constant)
+        if one.constant is not None and other.cell is not None:
+            return _COMPARISONS[mirrored][1](other.cell, one.constant)
+        return general(one.node, other.node)
+
+    def _part(self, expression: tree.Expression) -> Condition:
+        """An operand of ``&&`` or ``||``."""
+        if isinstance(expression, tree.Binary) and (
+            expression.operator in COMBINATIONS or expression.operator in _COMPARISONS
+        ):
+            return self.condition(expression)
+        return conditions.IsTruePart(self.build(expression).node)
+
+    def combine(self, operator: str, left: Built, right: Built) -> Built:
+        """``left operator right``."""
+        if left.constant is not None and right.constant is not None:
+            return self._folded(_BINARY[operator](left.node, right.node))
+        return fuse(operator, left, right) or Built(_BINARY[operator](left.node, right.node))
+
+    def _unary(self, operator: str, operand: tree.Expression) -> Built:
+        built = self.build(operand)
+        node = _UNARY[operator](built.node)
+        if built.constant is not None:
+            return self._folded(node)
+        return Built(node)
+
+    def _call(self, call: tree.Call) -> Built:
+        asked = self._ask(call)
+        if asked is not None:
+            return asked
+        if call.function == "ATAN2":
+            left, right = (self.build(argument) for argument in call.arguments)
+            node = expressions.ArcTangent2(left.node, right.node)
+            if left.constant is not None and right.constant is not None:
+                return self._folded(node)
+            return Built(node)
+        return self._unary(call.function, call.arguments[0])
+
+    def _folded(self, node: Expression) -> Built:
+        """A node of known operands: its value, unless it is a fault that the run has to tell."""
+        self._context.fault = 0
+        value = node.measure(self._context)
+        if self._context.fault or value - value != 0.0:
+            return Built(node)
+        return constant(value)

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: MIT
+# C types of forms.py.
+cimport cython
+from nctakt.kernel.cycles.expressions cimport Expression
+from nctakt.kernel.cycles.context cimport Context
+from nctakt.nc.fast.recipes cimport Occurrence
+
+cdef class FormPlan:
+    cdef Expression node
+    cdef list places
+    cdef list signs
+    cdef readonly list names
+    cdef readonly list parameters
+    cdef list values
+    cdef long long changes
+    cdef bint is_real
+
+    cpdef int find(self, object scopes) except -1
+
+cdef class FormComputer:
+    cdef Context context
+    cdef double[::1] cells
+    cdef object scopes
+    cdef dict parameters
+
+    @cython.locals(i=Py_ssize_t, cell=Py_ssize_t, place=Py_ssize_t, sign=double, values=list, context=Context, result=double)
+    cpdef object value(self, FormPlan plan, Occurrence at)
+    cpdef int write(self, FormPlan plan, double value) except -1

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""Expressions by their form: computed with the numbers of an occurrence, without a tree.
+
+In: a ``Formed`` of ``nc/fast/templates.py``. Out: its value, or that it has none here; then its
+tree is evaluated, and the mistake is told there. A form is made once, of the same nodes as in
+realtime cycles, with a cell for each number, variable and parameter. Variables are looked up again
+only when some have come or gone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.decoder.state.program_variables import Scopes
+from nctakt.kernel.cycles.context import Context
+from nctakt.kernel.cycles.expressions import Expression
+from nctakt.nc.fast.recipes import Occurrence
+
+#: Numbers, variables and parameters of a form that is computed.
+MOST_CELLS = 64
+
+
+class FormPlan:
+    """What a form needs, each with its cell, the cells in the order of ``places``, names, numbers.
+
+    ``places`` and ``signs``: numbers of the occurrence. ``names``: family and path of variables.
+    ``parameters``: P1, P2, … ``node`` is ``None`` where the form cannot be computed.
+    """
+
+    def __init__(
+        self,
+        node: Expression | None,
+        places: Sequence[int],
+        signs: Sequence[float],
+        names: Sequence[tuple[str, str]],
+        parameters: Sequence[int],
+    ) -> None:
+        self.node = node
+        self.places = list(places)
+        self.signs = list(signs)
+        self.names = list(names)
+        self.parameters = list(parameters)
+        #: The values of the variables as they were found at this count of ``Scopes.changes``, and
+        #: whether they take any number as it is.
+        self.values: list[list[float | str]] = []
+        self.changes = -1
+        self.is_real = False
+
+    def find(self, scopes: Scopes) -> int:
+        """Look the variables up; 0 where one does not exist or has elements."""
+        self.values = []
+        self.changes = -1
+        self.is_real = True
+        for family, path in self.names:
+            found = scopes.find(family, path)
+            if found is None or found.dimensions:
+                return 0
+            self.is_real = self.is_real and found.type == "REAL64"
+            self.values.append(found.values)
+        self.changes = scopes.changes
+        return 1
+
+
+class FormComputer:
+    """Computes forms; ``scopes`` and ``parameters`` are those of the program."""
+
+    def __init__(
+        self,
+        context: Context,
+        memory: bytearray,
+        scopes: Scopes,
+        parameters: dict[int, float],
+    ) -> None:
+        self.context = context
+        self.cells = memoryview(memory).cast("d")
+        self.scopes = scopes
+        self.parameters = parameters
+
+    def value(self, plan: FormPlan, at: Occurrence) -> float | None:
+        """The value of a form in an occurrence; ``None`` where its tree has to tell."""
+        if plan.node is None:
+            return None
+        if plan.changes != self.scopes.changes and plan.find(self.scopes) == 0:
+            return None
+        cell = 0
+        for i in range(len(plan.places)):
+            self.cells[cell] = at.numbers[plan.places[i]] * plan.signs[i]
+            cell += 1
+        for values in plan.values:
+            value = values[0]
+            if isinstance(value, str):
+                return None
+            self.cells[cell] = value
+            cell += 1
+        for number in plan.parameters:
+            self.cells[cell] = self.parameters.get(number, 0.0)
+            cell += 1
+        context = self.context
+        context.fault = 0
+        result = plan.node.value(context)
+        if context.fault or result - result != 0.0:
+            return None
+        return result
+
+    def write(self, plan: FormPlan, value: float) -> int:
+        """Give the variable or parameter that the form is a value; 0 where its tree has to."""
+        if plan.parameters:
+            self.parameters[plan.parameters[0]] = value
+            return 1
+        if not plan.names:
+            return 0
+        if plan.changes != self.scopes.changes and plan.find(self.scopes) == 0:
+            return 0
+        if not plan.is_real:
+            return 0
+        plan.values[0][0] = value
+        return 1

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""Nodes with simple operands -> one node that does the work of several
+(``kernel/cycles/fused.py``).
+
+In: operator and built operands. Out: the fused node, or none where nothing fits. Fusing changes
+neither a bit of a result nor a count: what is counted stands on the tree (``nc/check/cost.py``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nctakt.kernel.cycles import expressions, fused
+from nctakt.kernel.cycles.expressions import Expression
+
+#: Variables with their factors, added up from left to right.
+Terms = tuple[tuple[int, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Built:
+    """A node.
+
+    ``constant`` is its value where that is known, ``cell`` the variable that it only loads;
+    ``terms`` the sum that it is, where it is one of variables and their multiples.
+    """
+
+    node: Expression
+    constant: float | None = None
+    cell: int | None = None
+    terms: Terms = ()
+
+
+def constant(value: float) -> Built:
+    """A known number."""
+    return Built(expressions.Constant(value), value)
+
+
+def load(cell: int) -> Built:
+    """A variable of the memory."""
+    return Built(expressions.Load(cell), cell=cell, terms=((cell, 1.0),))
+
+
+@dataclass(frozen=True, slots=True)
+class _Operation:
+    """The fused nodes of an operator, by its operands."""
+
+    cell_constant: type[fused.CellConstant]
+    cell_cell: type[fused.CellCell]
+    expression_constant: type[fused.ExpressionConstant]
+    expression_cell: type[fused.ExpressionCell]
+
+
+_OPERATIONS = {
+    "+": _Operation(
+        fused.AddCellConstant,
+        fused.AddCellCell,
+        fused.AddExpressionConstant,
+        fused.AddExpressionCell,
+    ),
+    "-": _Operation(
+        fused.SubtractCellConstant,
+        fused.SubtractCellCell,
+        fused.SubtractExpressionConstant,
+        fused.SubtractExpressionCell,
+    ),
+    "*": _Operation(
+        fused.MultiplyCellConstant,
+        fused.MultiplyCellCell,
+        fused.MultiplyExpressionConstant,
+        fused.MultiplyExpressionCell,
+    ),
+}
+
+_SUMS = {2: fused.SumOfTwo, 3: fused.SumOfThree, 4: fused.SumOfFour}
+
+
+def fuse(operator: str, left: Built, right: Built) -> Built | None:
+    """``left operator right``, not both known, as one node."""
+    if operator == "/" and right.constant:
+        return Built(fused.DivideExpressionConstant(left.node, right.constant))
+    if operator not in _OPERATIONS:
+        return None
+    if operator == "*":
+        return _multiple(left, right) or _pair(operator, left, right)
+    terms = _sum(operator, left, right)
+    if len(terms) < 2 or (left.cell is not None and right.cell is not None):
+        return _pair(operator, left, right, terms)
+    return Built(_SUMS[len(terms)](1.0, terms), terms=terms)
+
+
+def _sum(operator: str, left: Built, right: Built) -> Terms:
+    """The terms of a sum or difference, if it has any and they are at most four.
+
+    Only what is added last may be negated: ``a - [b + c]`` is no sum of terms to the last bit.
+    """
+    if operator == "+" and len(left.terms) == 1:
+        left, right = right, left
+    if not 1 <= len(left.terms) <= 3 or len(right.terms) != 1:
+        return ()
+    ((cell, factor),) = right.terms
+    return (*left.terms, (cell, factor if operator == "+" else -factor))
+
+
+def _multiple(left: Built, right: Built) -> Built | None:
+    """A number times a variable, or times a sum."""
+    if left.constant is not None:
+        left, right = right, left
+    if right.constant is None or not left.terms:
+        return None
+    if left.cell is not None:
+        node = fused.MultiplyCellConstant(left.cell, right.constant)
+        return Built(node, terms=((left.cell, right.constant),))
+    if len(left.terms) == 1:
+        return None
+    return Built(_SUMS[len(left.terms)](right.constant, left.terms))
+
+
+def _pair(operator: str, left: Built, right: Built, terms: Terms = ()) -> Built | None:
+    """Two operands, of which at least one is a variable or a number."""
+    operation = _OPERATIONS[operator]
+    if operator != "-" and right.cell is None and right.constant is None:
+        left, right = right, left
+    if operator != "-" and left.constant is not None and right.cell is not None:
+        left, right = right, left
+    if left.cell is not None and right.constant is not None:
+        return Built(operation.cell_constant(left.cell, right.constant))
+    if left.cell is not None and right.cell is not None:
+        return Built(operation.cell_cell(left.cell, right.cell), terms=terms)
+    if right.constant is not None:
+        return Built(operation.expression_constant(left.node, right.constant))
+    if right.cell is not None and left.constant is None:
+        return Built(operation.expression_cell(left.node, right.cell))
+    return None

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: MIT
+"""Expressions of the main program that are evaluated again and again: made once, then computed.
+
+In: an expression. Out: its ``Plan``: the variables that it reads, and the same nodes as in realtime
+cycles, with a cell for each variable and parameter. Whoever evaluates puts the values of this
+moment into the cells. Only expressions of numbers have nodes; what depends on texts or on the
+parameters of a call has none. A form is an expression that came again and again in the text; its
+numbers have cells, too (``forms.py``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nctakt.decoder.values.expressions import ExpressionBuilder
+from nctakt.decoder.values.forms import MOST_CELLS, FormPlan
+from nctakt.decoder.values.fusing import Built, constant, load
+from nctakt.kernel.cycles.context import context_of
+from nctakt.kernel.cycles.expressions import Expression
+from nctakt.nc import tree
+from nctakt.nc.fast.recipes import Value
+from nctakt.nc.fast.templates import Form
+from nctakt.nc.vocabulary.operators import FUNCTIONS
+from nctakt.nc.vocabulary.resolution import own_path, variables_in
+
+#: Expressions that are remembered; then all are forgotten, so that no program is too long.
+MOST_PLANS = 4096
+
+#: Variables and parameters of an expression with nodes.
+MOST_LEAVES = 32
+
+Leaf = tree.Variable | tree.Parameter
+
+
+@dataclass(slots=True)
+class Plan:
+    """How an expression is evaluated.
+
+    ``variables``: all in it, those of indices first. ``leaves``: what its nodes read, in the order
+    of the cells. ``node`` is ``None`` where it has to be built anew each time.
+    """
+
+    expression: tree.Expression
+    variables: tuple[tree.Variable, ...]
+    leaves: tuple[Leaf, ...]
+    node: Expression | None
+
+
+class Plans:
+    """The plans of one program; ``cells`` are those that their nodes read, by ``context``."""
+
+    def __init__(self) -> None:
+        self.memory = bytearray(8 * max(MOST_LEAVES, MOST_CELLS))
+        self.context = context_of(self.memory)
+        self.cells = memoryview(self.memory).cast("d")
+        self._plans: dict[int, Plan | tree.Expression] = {}
+        self._forms: dict[Form, FormPlan] = {}
+        self._leaves: list[Leaf] = []
+        self._builder = ExpressionBuilder(self._leaf)
+
+    def of(self, expression: tree.Expression) -> Plan | None:
+        """The plan of an expression; ``None`` for one that is evaluated for the first time.
+
+        What is asked for is kept alive, so that its identity stays its own.
+        """
+        known = self._plans.get(id(expression))
+        if isinstance(known, Plan):
+            return known
+        if known is not None:
+            plan = self._plans[id(expression)] = self._make(expression)
+            return plan
+        if len(self._plans) == MOST_PLANS:
+            self._plans.clear()
+        self._plans[id(expression)] = expression
+        return None
+
+    def _make(self, expression: tree.Expression) -> Plan:
+        self._leaves = []
+        variables = tuple(variables_in(expression))
+        node = None
+        if _is_numeric(expression) and len(variables) <= MOST_LEAVES // 2:
+            node = self._builder.build(expression).node
+        leaves = tuple(self._leaves)
+        return Plan(expression, variables, leaves, node if len(leaves) <= MOST_LEAVES else None)
+
+    def of_form(self, form: Form) -> FormPlan:
+        """The plan of a form."""
+        known = self._forms.get(form)
+        if known is None:
+            if len(self._forms) == MOST_PLANS:
+                self._forms.clear()
+            known = self._forms[form] = plan_of_form(form)
+        return known
+
+    def _leaf(self, leaf: Leaf) -> Built:
+        self._leaves.append(leaf)
+        return load(len(self._leaves) - 1)
+
+
+def plan_of_form(form: Form) -> FormPlan:
+    """The plan of a form whose cells hold first its numbers, then variables, then parameters."""
+    numbers: dict[Value, None] = {}
+    names: dict[tuple[str, str], None] = {}
+    parameters: dict[int, None] = {}
+
+    def number(node: tree.Number) -> Built:
+        place = form.numbers.get(node.span)
+        if place is None:
+            return constant(node.value)
+        numbers[place] = None
+        return load(list(numbers).index(place))
+
+    def leaf(node: Leaf) -> Built:
+        if isinstance(node, tree.Variable):
+            name = (node.family, own_path(node))
+            names[name] = None
+            return load(len(numbers) + list(names).index(name))
+        assert isinstance(node.index, tree.Number)
+        parameter = int(node.index.value)
+        parameters[parameter] = None
+        return load(len(numbers) + len(names) + list(parameters).index(parameter))
+
+    builder = ExpressionBuilder(leaf, number=number)
+    builder.build(form.tree)  # finds out what there is
+    node = builder.build(form.tree).node
+    count = len(numbers) + len(names) + len(parameters)
+    return FormPlan(
+        node if count <= MOST_CELLS else None,
+        [one.place for one in numbers],
+        [one.sign for one in numbers],
+        list(names),
+        list(parameters),
+    )
+
+
+def _is_numeric(expression: tree.Expression) -> bool:
+    """Whether an expression has nothing but numbers, variables and parameters by their number."""
+    match expression:
+        case tree.Number() | tree.Constant() | tree.Variable():
+            return True
+        case tree.Parameter():
+            return not expression.call and isinstance(expression.index, tree.Number)
+        case tree.Unary():
+            return _is_numeric(expression.operand)
+        case tree.Binary():
+            return _is_numeric(expression.left) and _is_numeric(expression.right)
+        case tree.Call():
+            is_of_numbers = not FUNCTIONS[expression.function].decoder_only
+            return is_of_numbers and all(_is_numeric(one) for one in expression.arguments)
+    return False

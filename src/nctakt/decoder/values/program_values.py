@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: MIT
+"""Reading, writing and asking for the variables of a program's own, and functions of texts.
+
+In: nodes, and the numbers of elements that ``variables.py`` has evaluated. Out: values, made when
+the block is decoded. What is wrong gives the program up.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Sequence
+from typing import NoReturn
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.state.call_stack import Levels
+from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.state.program_variables import LONGEST_STRING, OwnVariable, VariableError
+from nctakt.decoder.values.text_functions import compute
+from nctakt.nc import tree
+from nctakt.nc.check.program_variables import TYPES
+from nctakt.nc.vocabulary.resolution import indices_of, own_path
+
+Evaluate = Callable[[tree.Expression, int], Generator[Command, Answer, float]]
+EvaluateAny = Callable[[tree.Expression, int], Generator[Command, Answer, float | str]]
+
+
+class OwnValues:
+    """The variables of one program; ``index`` gives the number of an element, ``fail`` ends it."""
+
+    def __init__(
+        self,
+        levels: Levels,
+        index: Callable[[tree.Expression], float],
+        fail: Callable[..., NoReturn],
+    ) -> None:
+        self._scopes = levels.scopes
+        self._index = index
+        self._fail = fail
+
+    def _indices(self, variable: tree.Variable) -> list[int]:
+        return [int(self._index(index)) for index in indices_of(variable)]
+
+    def read(self, variable: tree.Variable) -> float | str:
+        """The value now."""
+        try:
+            found = self._scopes.get(variable.family, own_path(variable))
+            return found.values[found.element(self._indices(variable))]
+        except VariableError as error:
+            self._wrong(error, variable.span)
+
+    def is_text(self, variable: tree.Variable) -> bool:
+        """Whether the variable holds texts."""
+        try:
+            return self._scopes.get(variable.family, own_path(variable)).type == "STRING"
+        except VariableError as error:
+            self._wrong(error, variable.span)
+
+    def write(self, variable: tree.Variable, value: float | str) -> None:
+        """Give the variable a value; V.P and V.S come into being with their first one."""
+        indices = self._indices(variable)
+        path = own_path(variable)
+        try:
+            found = self._scopes.for_writing(variable.family, path, value, indices)
+            found.put(found.element(indices), value)
+        except VariableError as error:
+            self._wrong(error, variable.span)
+
+    def fill(self, variable: tree.Variable, values: Sequence[float | str]) -> None:
+        """Give the elements of a whole array values."""
+        try:
+            if any(True for _ in indices_of(variable)):
+                raise VariableError(900317)
+            self._scopes.get(variable.family, own_path(variable)).fill(values)
+        except VariableError as error:
+            self._wrong(error, variable.span)
+
+    def exists(self, variable: tree.Variable) -> bool:
+        """Whether there is such a variable, and the element where one is named."""
+        found = self._scopes.find(variable.family, own_path(variable))
+        indices = self._indices(variable)
+        if found is None or not indices:
+            return found is not None
+        try:
+            found.element(indices)
+        except VariableError:
+            return False
+        return True
+
+    def size(self, variable: tree.Variable, dimension: int) -> int:
+        """Elements of an array in a dimension, counted from 1; 0 of what has none."""
+        try:
+            dimensions = self._scopes.get(variable.family, own_path(variable)).dimensions
+        except VariableError as error:
+            self._wrong(error, variable.span)
+        return dimensions[dimension - 1] if 1 <= dimension <= len(dimensions) else 0
+
+    def function(self, call: tree.Call, values: Sequence[float | str]) -> float | str:
+        """The result of a function of texts."""
+        result = compute(call.function, values)
+        if result is None:
+            self._fail(900300, call.span, operation=call.function)
+        return result
+
+    # --- declarations ---------------------------------------------------------------------------
+
+    def declare(
+        self, declaration: tree.Declaration, number: int, evaluate: Evaluate, any_: EvaluateAny
+    ) -> Generator[Command, Answer]:
+        """A line of ``#VAR``."""
+        variable = declaration.variable
+        dimensions: list[int] = []
+        for index in indices_of(variable):
+            count = yield from evaluate(index, number)
+            if not 1 <= count == int(count):
+                self._fail(900140, index.span, name=f"V.{variable.family}", count=f"{count:g}")
+            dimensions.append(int(count))
+        values: list[float | str] = []
+        if declaration.initial is not None:
+            values = yield from self.items(declaration.initial, number, any_)
+        if isinstance(declaration.initial, tree.ArrayLiteral) and not dimensions:
+            dimensions = [len(values)]
+        characters = float(LONGEST_STRING)
+        if declaration.size is not None:
+            characters = yield from evaluate(declaration.size, number)
+        path = own_path(variable)
+        name = f"V.{variable.family}.{path}"
+        try:
+            made = OwnVariable(name, _type(declaration, values), int(characters), tuple(dimensions))
+            made.fill(values)
+            self._scopes.declare(variable.family, path, made)
+        except VariableError as error:
+            self._wrong(error, declaration.span)
+
+    def items(
+        self, value: tree.Expression, number: int, any_: EvaluateAny
+    ) -> Generator[Command, Answer, list[float | str]]:
+        """The values of a list, lists inside it one after the other."""
+        if not isinstance(value, tree.ArrayLiteral):
+            return [(yield from any_(value, number))]
+        values: list[float | str] = []
+        for item in value.items:
+            values += yield from self.items(item, number, any_)
+        return values
+
+    def delete(self, variable: tree.Variable) -> None:
+        """Forget a variable, or all of a family."""
+        self._scopes.delete(variable.family, own_path(variable))
+
+    def _wrong(self, error: VariableError, span: Span) -> NoReturn:
+        self._fail(error.number, span, **error.values)
+
+
+def _type(declaration: tree.Declaration, values: Sequence[float | str]) -> str:
+    """The declared type; without one that of the first value, REAL64 without any."""
+    if declaration.type_name is not None:
+        return TYPES[declaration.type_name]
+    return "STRING" if values and isinstance(values[0], str) else "REAL64"

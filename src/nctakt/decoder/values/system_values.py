@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: MIT
+"""The values of V.G and V.A: positions, offsets, feed, units of the program that decodes.
+
+In: a ``SystemVariable`` of the kinds ``axis`` and ``channel``. Out: its value in the program's
+units; commands, where a zero offset is written. What the list of zero offsets holds stays for the
+programs that follow, until the next start-up.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from nctakt.decoder.state.commands import SetOffset
+from nctakt.decoder.state.environment import Surroundings
+from nctakt.decoder.state.modal_state import ModalState
+from nctakt.decoder.state.tools import Fail
+from nctakt.kernel.axes.coordinates import ADD_ZERO, CLAMP, ZERO
+from nctakt.kernel.base import arithmetic
+from nctakt.lists.declared.offsets import MOST_GROUPS
+from nctakt.nc.tree import Expression, Variable
+from nctakt.nc.vocabulary.resolution import path_text
+from nctakt.nc.vocabulary.system_variables import SystemVariable
+from nctakt.nc.vocabulary.variable_table import Location
+
+Index = Callable[[Expression], float]
+
+
+class SystemValues:
+    """Those of one program; ``index`` gives the number of an element."""
+
+    def __init__(
+        self, surroundings: Surroundings, state: ModalState, fail: Fail, index: Index
+    ) -> None:
+        self._surroundings = surroundings
+        self._state = state
+        self._fail = fail
+        self._index = index
+
+    # --- reading --------------------------------------------------------------------------------
+
+    def read(self, variable: Variable, found: SystemVariable) -> float:
+        """The value of now."""
+        if found.kind == "channel":
+            return self._of_channel(found.subject)
+        place = self._place(variable, found)
+        value = self._of_axis(variable, found, place)
+        is_linear = self._surroundings.axes[place].is_linear
+        return value / self._state.length_unit_mm if is_linear else value
+
+    def cell(self, variable: Variable, found: SystemVariable) -> int:
+        """Where the realtime part shows the measured position of an axis."""
+        return self._cell(self._place(variable, found))
+
+    def _of_axis(self, variable: Variable, found: SystemVariable, place: int) -> float:
+        """In mm or degrees."""
+        axis = self._surroundings.axes[place]
+        offsets = self._surroundings.offsets
+        match found.subject:
+            case "ABS":
+                return offsets.inside(self._state.positions)[place]
+            case "PROG" | "MENT":
+                return offsets.inside(self._state.positions)[place] - offsets.total(place)
+            case "ACT_POS":
+                measured = [self._measured(one) for one in range(len(self._surroundings.axes))]
+                return offsets.inside(measured)[place] - offsets.total(place)
+            case "ACS.ABS":
+                return self._measured(place)
+            case "+SWE" | "+SWE_MDS":
+                return axis.software_limit_high
+            case "-SWE" | "-SWE_MDS":
+                return axis.software_limit_low
+            case "BZP":
+                return offsets.value(place, ADD_ZERO)
+            case "PZV":
+                return offsets.value(place, CLAMP)
+            case "MODULO_VALUE":
+                return axis.modulo_range
+            case "NP_AKT.V":
+                return offsets.value(place, ZERO)
+        return offsets.zero_groups.get(self._group(variable, found), {}).get(place, 0.0)
+
+    def _of_channel(self, subject: str) -> float:
+        state = self._state
+        unit = self._surroundings.parameters.program_start.feed_unit_mm_min
+        match subject:
+            case "MASS_MM":
+                return float(state.inch)
+            case "FEEDRATE_MODE":
+                return float(state.pace.feed_mode)
+            case "FEEDRATE_SCALE":
+                return unit
+            case "NP_DEFAULT":
+                return float(self._surroundings.offsets.default_group)
+            case "FEEDRATE" if state.pace.feed_mode == 93:
+                return state.pace.time_s
+            case "FEEDRATE" if state.pace.feed_mode == 95:
+                return state.pace.per_revolution_mm / state.length_unit_mm
+            case "FEEDRATE" if state.pace.feed_mode == 194:
+                return state.pace.share_pct
+            case "FEEDRATE":
+                per_minute = state.length_unit_mm if state.inch else unit
+                return state.feed_mm_s * 60.0 / per_minute
+        return 0.0  # MASS_360: angles are degrees
+
+    def _measured(self, place: int) -> float:
+        """What an axis shows of itself in this moment, in mm or degrees."""
+        return self._surroundings.cells[self._cell(place)]
+
+    def _cell(self, place: int) -> int:
+        name = list(self._surroundings.axis_numbers)[place]
+        location = self._surroundings.names.resolve("RTA", [("ACS", 0), ("CUR_POS", 0), (name, 0)])
+        assert isinstance(location, Location)
+        return location.cell
+
+    def _place(self, variable: Variable, found: SystemVariable) -> int:
+        """The place of the axis in the channel, by its name or its number."""
+        if found.element is None:
+            return self._surroundings.axis_numbers[found.axis]
+        return self._element(variable, found.element, len(self._surroundings.axes))
+
+    def _group(self, variable: Variable, found: SystemVariable) -> int:
+        assert found.number is not None
+        return self._element(variable, found.number, MOST_GROUPS)
+
+    def _element(self, variable: Variable, index: Expression, count: int) -> int:
+        number = int(self._index(index))
+        if not 0 <= number < count:
+            name = path_text(variable)
+            self._fail(50929, index.span, variable=name, index=number, count=count)
+        return number
+
+    # --- writing --------------------------------------------------------------------------------
+
+    def write(
+        self, variable: Variable, found: SystemVariable, value: float, source: int, number: int
+    ) -> Iterator[SetOffset]:
+        """A zero offset, active or in the list, or the one that programs begin with."""
+        offsets = self._surroundings.offsets
+        if found.kind == "channel":
+            group = arithmetic.round_half_even(value)
+            if not 0 <= group < MOST_GROUPS:
+                self._fail(900774, variable.span, group=value, highest=MOST_GROUPS - 1)
+            offsets.default_group = int(group)
+            return
+        place = self._place(variable, found)
+        if self._surroundings.axes[place].is_linear:
+            value *= self._state.length_unit_mm
+        if found.subject == "NP_AKT.V":
+            yield from offsets.set_zero(place, value, source, number)
+        else:
+            offsets.zero_groups.setdefault(self._group(variable, found), {})[place] = value

@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: MIT
+"""Variables that the main program writes, beside those that it reads (``evaluation.py``).
+
+An asynchronous variable is written at once; a synchronous one and every V.RT* variable through the
+queue (RC-308).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.state.commands import (
+    WAIT_WRITE,
+    Answer,
+    Command,
+    Flush,
+    ReadRealtime,
+    WriteVariable,
+    write_text,
+)
+from nctakt.decoder.values.evaluation import Reading
+from nctakt.kernel.base import arithmetic
+from nctakt.lists.declared.variables import SCALARS
+from nctakt.lists.machine.variables import Node
+from nctakt.nc import tree
+from nctakt.nc.fast.templates import Formed, unformed
+from nctakt.nc.vocabulary import strings
+from nctakt.nc.vocabulary.cells import CELL_BYTES, leaf_cells
+from nctakt.nc.vocabulary.resolution import (
+    indices_of,
+    is_own,
+    path_text,
+    resolve_whole,
+)
+from nctakt.nc.vocabulary.system_variables import SYSTEM_FAMILIES, system_variable
+from nctakt.nc.vocabulary.variable_table import Location, Whole
+
+Decoding = Generator[Command, Answer, float]
+
+#: Operations whose fault is a wrong argument of a function (21241).
+_FUNCTIONS = frozenset(
+    ("SQRT", "EXP", "DEXP", "LN", "LOG", "SIN", "COS", "TAN", "COT", "ASIN", "ACOS", "ATAN2", "INV")
+)
+
+
+class Values(Reading):
+    """Evaluates expressions of one program and writes its variables."""
+
+    def assign(self, statement: tree.Assignment, number: int) -> Generator[Command, Answer]:
+        """``target operator value``; structures and arrays as wholes (RC-310)."""
+        value = statement.value
+        if isinstance(statement.target, Formed):
+            at_once = self._at_once(statement)
+            if at_once is not None and self._put_formed(statement.target, at_once):
+                return
+        if isinstance(value, Formed) and statement.operator == "=":
+            result = yield from self.evaluate_any(value, number)
+            yield from self.store(statement.target, result, number)
+            return
+        value = unformed(value)
+        if isinstance(value, tree.ArrayLiteral):
+            assert isinstance(statement.target, tree.Variable)
+            items = yield from self.own.items(value, number, self.evaluate_any)
+            self.own.fill(statement.target, items)
+            return
+        if isinstance(value, tree.Variable):
+            found = resolve_whole(value, self.surroundings.names)
+            if isinstance(found, Whole):
+                yield from self._copy(statement.target, value, found, number)
+                return
+        if statement.operator != "=":
+            read = unformed(statement.target)
+            value = tree.Binary(statement.span, statement.operator[0], read, value)
+        result = yield from self.evaluate_any(value, number)
+        yield from self.store(statement.target, result, number)
+
+    def _at_once(self, statement: tree.Assignment) -> float | None:
+        """The number that an assignment gives its target, if all is known for it."""
+        value = self.known(statement.value)
+        if value is None or statement.operator == "=":
+            return value
+        before = self.known(statement.target)
+        if before is None:
+            return None
+        match statement.operator:
+            case "+=":
+                result = before + value
+            case "-=":
+                result = before - value
+            case "*=":
+                result = before * value
+            case _:
+                return None
+        return result if arithmetic.is_finite(result) else None
+
+    def store(
+        self, target: tree.Variable | tree.Parameter, value: float | str, number: int
+    ) -> Generator[Command, Answer]:
+        """Give a variable a value, at once or through the queue."""
+        if isinstance(target, Formed):
+            if self._put_formed(target, value):
+                return
+            target = unformed(target)
+        if isinstance(target, tree.Parameter):
+            yield from self._fetch(target.index, number)
+            if target.call:
+                self._argument(target)
+                self.state.levels.arguments[self._parameter(target)] = value
+                return
+            if isinstance(value, str):
+                self.fail(900340, target.span, name="P")
+            self.state.parameters[self._parameter(target)] = value
+            return
+        if is_own(target):
+            for index in indices_of(target):
+                yield from self._fetch(index, number)
+            self.own.write(target, value)
+            return
+        if target.family in SYSTEM_FAMILIES:
+            yield from self._write_system(target, value, number)
+            return
+        location = self.locate(target)
+        cell = yield from self._place(target, location, number)
+        stored = self.convert(value, location, target.span)
+        source = self.surroundings.place(target.span)
+        is_realtime = location.family in ("RTG", "RTA")
+        if is_realtime:
+            self.empties_channel(path_text(target), target.span)
+            yield Flush(source, number, True, WAIT_WRITE, cell)
+        if location.synchronous or target.synchronous:
+            yield from self._send(cell, stored, source, number, is_realtime)
+        else:
+            self._put(cell, stored)
+
+    def _put_formed(self, target: Formed, value: float | str) -> bool:
+        """Give a variable of the program's own a number; false where more has to be seen to."""
+        if isinstance(value, str):
+            return False
+        return bool(self._forms.write(self._plans.of_form(target.form), value))
+
+    def _write_system(
+        self, target: tree.Variable, value: float | str, number: int
+    ) -> Generator[Command, Answer]:
+        """V.G: the active tool, zero offsets."""
+        found = system_variable(target, tuple(self.surroundings.axis_numbers))
+        assert found is not None
+        if isinstance(value, str):
+            self.fail(900340, target.span, name=path_text(target))
+        for index in indices_of(target):
+            yield from self._fetch(index, number)
+        if found.kind == "tool":
+            yield from self.tool.write(found, value, target.span, number)
+            return
+        source = self.surroundings.place(target.span)
+        yield from self.system.write(target, found, value, source, number)
+
+    def _place(
+        self, variable: tree.Variable, found: Location | Whole, number: int
+    ) -> Generator[Command, Answer, int]:
+        """The cell of a variable that is written; what its indices need is read first."""
+        for index in indices_of(variable):
+            yield from self._fetch(index, number)
+        return self.cell(variable, found)
+
+    def _send(
+        self, cell: int, value: float | bytes, source: int, number: int, is_told: bool
+    ) -> Generator[Command, Answer]:
+        """A value on its way through the queue."""
+        if isinstance(value, bytes):
+            axis_count = len(self.surroundings.axes)
+            yield from write_text(source, number, cell, value, axis_count)
+        else:
+            yield WriteVariable(source, number, cell, value, is_told)
+
+    def _put(self, cell: int, value: float | bytes) -> None:
+        """A value that is there at once."""
+        if isinstance(value, bytes):
+            strings.write(self.surroundings.memory, cell, value)
+        else:
+            self.surroundings.cells[cell] = value
+
+    def _copy(
+        self,
+        target: tree.Variable | tree.Parameter,
+        source: tree.Variable,
+        found: Whole,
+        number: int,
+    ) -> Generator[Command, Answer]:
+        """Copy a structure or array, member by member as each is synchronous or not (RC-308).
+
+        All members are those of one moment: a synchronous one empties the channel, once.
+        """
+        assert isinstance(target, tree.Variable)
+        wanted = resolve_whole(target, self.surroundings.names)
+        assert isinstance(wanted, Whole), target
+        first = yield from self._place(source, found, number)
+        place = yield from self._place(target, wanted, number)
+        from_ = list(leaf_cells(found.node, found.name, first))
+        if source.synchronous or any(leaf.synchronous for _, leaf, _ in from_):
+            self.empties_channel(path_text(source), source.span)
+            yield ReadRealtime(self.surroundings.place(source.span), number, first)
+        values = [self._raw(cell, leaf) for _, leaf, cell in from_]
+        to = leaf_cells(wanted.node, wanted.name, place)
+        for value, (_, leaf, cell) in zip(values, to, strict=True):
+            if leaf.synchronous or target.synchronous:
+                at = self.surroundings.place(target.span)
+                yield from self._send(cell, value, at, number, False)
+            else:
+                self._put(cell, value)
+
+    def _raw(self, cell: int, leaf: Node) -> float | bytes:
+        """A member's value as the memory holds it."""
+        if SCALARS[leaf.type].is_numeric:
+            return self.surroundings.cells[cell]
+        first = cell * CELL_BYTES
+        return bytes(self.surroundings.memory[first : first + leaf.size_bytes])
+
+    def convert(self, value: float | str, location: Location, span: Span) -> float | bytes:
+        """The value as the variable's type takes it (RC-307)."""
+        if isinstance(value, str):
+            size = location.size_bytes
+            wrong = strings.misfit(location.name, location.type, size, value)
+            if wrong is not None:
+                self.fail(wrong[0], span, **wrong[1])
+            return strings.encode(value, size)
+        return self._number(value, location, span)
+
+    def _number(self, value: float, location: Location, span: Span) -> float:
+        if location.type == "BOOLEAN":
+            return 1.0 if arithmetic.is_true(value) else 0.0
+        if location.is_length:
+            value *= self.state.length_unit_mm
+        scalar = SCALARS[location.type]
+        if not scalar.is_integer:
+            return value
+        value = arithmetic.round_half_even(value)
+        if not scalar.low <= value <= scalar.high:
+            self.fail(
+                50892,
+                span,
+                variable=location.name,
+                value=int(value),
+                low=scalar.low,
+                high=scalar.high,
+            )
+        return value

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Axes and spindles: coordinates, trajectories and independent motion."""

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: MIT
+# C types of axes.py.
+cimport cython
+from nctakt.kernel.base cimport arithmetic
+from nctakt.kernel.axes.coordinates cimport Offsets, Turns
+
+@cython.final
+cdef class Axes:
+    cdef double[::1] cells
+    cdef readonly Py_ssize_t first_cell
+    cdef readonly Py_ssize_t count
+    cdef double[::1] command
+    cdef bint has_lag
+    cdef bint is_late
+    cdef double[::1] lag_d
+    cdef double[::1] lag_kept
+    cdef double[::1] lag_gained
+    cdef double[::1] followed
+    cdef double[::1] drive_d
+    cdef double[::1] unsent
+    cdef double[::1] target
+    cdef double[::1] modulo_low
+    cdef double[::1] modulo_range
+    cdef long long[::1] on_path
+    cdef long long[::1] independent
+    cdef long long[::1] override_mode
+    cdef double[::1] override_pct
+    cdef double[::1] max_override_pct
+    cdef double[::1] independent_pct
+    cdef bint has_stops
+    cdef double[::1] stop_low
+    cdef double[::1] stop_high
+    cdef readonly Offsets offsets
+    cdef Turns turns
+    cdef bint has_moved
+    cdef bint is_shifted
+    cdef double[::1] shown_command
+    cdef double[::1] shown_real
+    cdef double[::1] shown_target
+
+    @cython.locals(i=Py_ssize_t, step=double, sent=double, lag=double)
+    cdef void follow(self) noexcept nogil
+    @cython.locals(half=double)
+    cdef double way(self, Py_ssize_t i, double begin, double end) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void begin_tick(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t, real=double)
+    cdef void publish(self) noexcept nogil
+    cdef int is_shown(self, Py_ssize_t i, double real) noexcept nogil
+    @cython.locals(base=Py_ssize_t, rest=double, shift=double)
+    cdef void publish_axis(self, Py_ssize_t i, double here, double real, double there) noexcept nogil
+    @cython.locals(base=Py_ssize_t, pct=double)
+    cdef void publish_override(self, Py_ssize_t i, double operator_pct) noexcept nogil
+    @cython.locals(real=double)
+    cdef double real_place(self, Py_ssize_t i) noexcept nogil
+    cdef void show_state(self, Py_ssize_t i, int state) noexcept nogil
+    cdef void set_offset(self, Py_ssize_t axis, int kind, double value) noexcept nogil
+    @cython.locals(j=Py_ssize_t, k=Py_ssize_t, place=int, source=Py_ssize_t, x=double, y=double, z=double)
+    cdef void publish_turned(self, Py_ssize_t i) noexcept nogil
+    @cython.locals(base=Py_ssize_t, value=double)
+    cdef void publish_inside(self, Py_ssize_t i, Py_ssize_t axis, int column, int place, double x, double y, double z) noexcept nogil
+    cdef void set_origin(self, Py_ssize_t axis, double value) noexcept nogil
+    cdef void turn(self, double[::1] row, Py_ssize_t base) noexcept nogil
+    cdef void publish_system(self, Py_ssize_t base, double here, double real, double there, double rest) noexcept nogil

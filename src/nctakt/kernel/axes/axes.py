@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The machine's axes: command, actual and target position, and what cycles read of them.
+
+Arrays over the axes, since the tick walks over all of them. Each axis has a row of cells in the
+memory, in the order of ``nc/vocabulary/variable_table.py`` (``AXIS_VARIABLES``): positions in ACS,
+MCS, PCS and IPO (RC-304). PCS differs by the offsets in ``coordinates.py``.
+
+The simulated drive (MO-10): an axis follows its command at once (MO-15), or with the lag of a
+position control whose gain is kv, of which feed-forward takes a share: the following error e obeys
+de/dt = (1 - share) * command speed - kv * e. With the command's speed constant within a tick that
+is solved exactly.
+
+With ``is_late`` a drive gets each command one tick later: the order STANDARD of P-RTCF-00018 puts
+out first what the tick before has computed.
+
+Command and target of a modulo axis run on over the range while it moves; the cells show them within
+it. The cells of an axis are written where its positions are others than those shown last
+(``shown_…``), and where the systems have changed (``is_shifted``).
+
+``on_path`` tells which axes the current block moves, ``independent`` which ones move on their own
+(MO-13); ``independent_pct`` is the override of the latter (RC-305).
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.axes.coordinates import Offsets, Turns
+from nctakt.kernel.base import arithmetic
+
+
+class Axes:
+    """``count`` axes whose cells begin at ``first_cell``."""
+
+    def __init__(self, memory: bytearray, first_cell: int, count: int) -> None:
+        self.cells = memoryview(memory).cast("d")
+        self.first_cell = first_cell
+        self.count = count
+        self.command = memoryview(bytearray(8 * count)).cast("d")
+        self.has_lag = False
+        self.is_late = False
+        self.lag_d = memoryview(bytearray(8 * count)).cast("d")
+        self.lag_kept = memoryview(bytearray(8 * count)).cast("d")
+        self.lag_gained = memoryview(bytearray(8 * count)).cast("d")
+        self.followed = memoryview(bytearray(8 * count)).cast("d")
+        self.drive_d = memoryview(bytearray(8 * count)).cast("d")
+        self.unsent = memoryview(bytearray(8 * count)).cast("d")
+        self.target = memoryview(bytearray(8 * count)).cast("d")
+        self.modulo_low = memoryview(bytearray(8 * count)).cast("d")
+        self.modulo_range = memoryview(bytearray(8 * count)).cast("d")
+        self.on_path = memoryview(bytearray(8 * count)).cast("q")
+        self.independent = memoryview(bytearray(8 * count)).cast("q")
+        self.override_mode = memoryview(bytearray(8 * count)).cast("q")
+        self.override_pct = memoryview(bytearray(8 * count)).cast("d")
+        self.max_override_pct = memoryview(bytearray(8 * count)).cast("d")
+        self.independent_pct = memoryview(bytearray(8 * count)).cast("d")
+        for i in range(count):
+            self.override_pct[i] = 100.0
+            self.max_override_pct[i] = 100.0
+            self.independent_pct[i] = 100.0
+        self.has_stops = False
+        self.stop_low = memoryview(bytearray(8 * count)).cast("d")
+        self.stop_high = memoryview(bytearray(8 * count)).cast("d")
+        for i in range(count):
+            self.stop_low[i] = -1e300
+            self.stop_high[i] = 1e300
+        self.offsets = Offsets(count)
+        self.turns = Turns(count)
+        self.shown_command = memoryview(bytearray(8 * count)).cast("d")
+        self.shown_real = memoryview(bytearray(8 * count)).cast("d")
+        self.shown_target = memoryview(bytearray(8 * count)).cast("d")
+        self.is_shifted = True
+        self.has_moved = True
+
+    def begin_tick(self) -> None:
+        """The CYCLE overrides are 100 % again (RC-305)."""
+        for i in range(self.count):
+            self.cells[self.first_cell + i * 21 + 15] = 100.0
+
+    def follow(self) -> None:
+        """The drives' tick, where any has a lag or gets its commands late."""
+        for i in range(self.count):
+            if self.lag_kept[i] > 0.0 or self.is_late:
+                sent = self.command[i]
+                if self.is_late:
+                    sent = self.unsent[i]
+                    self.unsent[i] = self.command[i]
+                step = self.way(i, self.followed[i], sent)
+                self.followed[i] = sent
+                if step != 0.0 or self.drive_d[i] != 0.0:
+                    lag = self.lag_kept[i] * self.drive_d[i] + self.lag_gained[i] * step
+                    self.drive_d[i] = lag if lag > 1e-9 or lag < -1e-9 else 0.0
+                    self.has_moved = True
+                self.lag_d[i] = self.drive_d[i] + self.way(i, sent, self.command[i])
+
+    def way(self, i: int, begin: float, end: float) -> float:
+        """From one command to another: of a modulo axis the shorter way round."""
+        if self.modulo_range[i] > 0.0:
+            half = 0.5 * self.modulo_range[i]
+            return arithmetic.within(end - begin, 0.0 - half, self.modulo_range[i])
+        return end - begin
+
+    def publish(self) -> None:
+        """Write what cycles, decoder and trace read."""
+        if not self.has_moved:
+            return
+        self.has_moved = False
+        for i in range(self.count):
+            real = self.real_place(i)
+            if self.is_shifted or not self.is_shown(i, real):
+                self.shown_command[i] = self.command[i]
+                self.shown_real[i] = real
+                self.shown_target[i] = self.target[i]
+                self.publish_axis(i, self.command[i], real, self.target[i])
+        self.is_shifted = False
+        if self.turns.active > 0:
+            for i in range(self.count):
+                if self.turns.second[i] > 0:
+                    self.publish_turned(i)
+
+    def is_shown(self, i: int, real: float) -> int:
+        """Whether the cells of an axis hold its positions."""
+        if self.command[i] != self.shown_command[i] or real != self.shown_real[i]:
+            return 0
+        return 1 if self.target[i] == self.shown_target[i] else 0
+
+    def publish_axis(self, i: int, here: float, real: float, there: float) -> None:
+        """Write the positions of an axis in all systems, of a modulo axis within its range."""
+        base = self.first_cell + i * 21
+        rest = there - here
+        if self.modulo_range[i] > 0.0:
+            here = arithmetic.within(here, self.modulo_low[i], self.modulo_range[i])
+            real = arithmetic.within(real, self.modulo_low[i], self.modulo_range[i])
+            there = arithmetic.within(there, self.modulo_low[i], self.modulo_range[i])
+        self.cells[base] = here
+        self.cells[base + 1] = real
+        self.cells[base + 2] = there
+        self.publish_system(base + 3, here, real, there, rest)
+        shift = self.offsets.program[i]
+        self.publish_system(base + 7, here - shift, real - shift, there - shift, rest)
+        self.publish_system(base + 11, here, real, there, rest)
+
+    def publish_turned(self, i: int) -> None:
+        """PCS of the three axes of a turned system: its inverse matrix from the other side."""
+        j = self.turns.second[i] - 1
+        k = self.turns.third[i] - 1
+        for place in range(4):
+            source = self.first_cell + (6 if place == 3 else place)
+            x = self.cells[source + i * 21]
+            y = self.cells[source + j * 21]
+            z = self.cells[source + k * 21]
+            if place < 3:
+                x -= self.offsets.outer(i)
+                y -= self.offsets.outer(j)
+                z -= self.offsets.outer(k)
+            self.publish_inside(i, i, 0, place, x, y, z)
+            self.publish_inside(i, j, 1, place, x, y, z)
+            self.publish_inside(i, k, 2, place, x, y, z)
+
+    def publish_inside(
+        self, i: int, axis: int, column: int, place: int, x: float, y: float, z: float
+    ) -> None:
+        """One coordinate in PCS; the way that is left has no offset."""
+        base = 9 * i + column
+        value = self.turns.matrix[base] * x + self.turns.matrix[base + 3] * y
+        value += self.turns.matrix[base + 6] * z
+        if place < 3:
+            value -= self.offsets.inner(axis)
+        self.cells[self.first_cell + axis * 21 + 7 + place] = value
+
+    def real_place(self, i: int) -> float:
+        """The actual position: behind the command by the lag, and never beyond an obstacle."""
+        real = self.command[i] - self.lag_d[i]
+        if self.has_stops:
+            real = max(min(real, self.stop_high[i]), self.stop_low[i])
+        return real
+
+    def publish_system(
+        self, base: int, here: float, real: float, there: float, rest: float
+    ) -> None:
+        """Command, actual and target position and distance to go in one system."""
+        self.cells[base] = here
+        self.cells[base + 1] = real
+        self.cells[base + 2] = there
+        self.cells[base + 3] = rest
+
+    def publish_override(self, i: int, operator_pct: float) -> None:
+        """The override of an independent motion: of the channel or the axis (P-AXIS-00491)."""
+        base = self.first_cell + i * 21
+        pct = operator_pct
+        if self.override_mode[i] == 1:
+            pct = min(pct, self.override_pct[i])
+        elif self.override_mode[i] == 2:
+            pct = self.override_pct[i]
+        pct = min(pct * self.cells[base + 15] / 100.0, self.max_override_pct[i])
+        self.independent_pct[i] = pct
+        if pct != self.cells[base + 16]:
+            self.cells[base + 16] = arithmetic.round_half_even(pct)
+
+    def show_state(self, i: int, state: int) -> None:
+        """Publish the PLCopen state of an axis (``single_axes.py``)."""
+        self.cells[self.first_cell + i * 21 + 20] = state
+
+    def set_offset(self, axis: int, kind: int, value: float) -> None:
+        """Another offset is active: the positions in PCS differ from now on (MO-8)."""
+        self.offsets.set(axis, kind, value)
+        self.is_shifted = True
+        self.has_moved = True
+        self.publish()
+
+    def set_origin(self, axis: int, value: float) -> None:
+        """The coordinate system of the program begins elsewhere from now on."""
+        self.offsets.set_origin(axis, value)
+        self.is_shifted = True
+        self.has_moved = True
+        self.publish()
+
+    def turn(self, row: memoryview[float], base: int) -> None:
+        """The coordinate system of a program is turned otherwise from now on."""
+        self.turns.set(row, base)
+        self.is_shifted = True
+        self.has_moved = True
+        self.publish()
+
+    def publish_all(self) -> None:
+        """``publish`` before the first tick."""
+        self.is_shifted = True
+        self.has_moved = True
+        self.publish()
+
+    def shift(self, index: int, kind: int, value: float) -> None:
+        """``set_offset`` for Python's side: before the first tick."""
+        self.set_offset(index, kind, value)
+
+    def set_modulo(self, index: int, low: float, full: float) -> None:
+        """Let the positions of an axis repeat after ``full`` (P-AXIS-00015)."""
+        self.modulo_low[index] = low
+        self.modulo_range[index] = full
+
+    def set_stop(self, index: int, place: float) -> None:
+        """Let an obstacle stand in the way of an axis that is at 0 (MO-12)."""
+        self.has_stops = True
+        if place > 0.0:
+            self.stop_high[index] = place
+        else:
+            self.stop_low[index] = place
+
+    def set_lag(self, index: int, kept: float, gained: float) -> None:
+        """Let an axis lag: what a tick keeps of the error, and adds of its way."""
+        self.lag_kept[index] = kept
+        self.lag_gained[index] = gained
+        self.has_lag = True
+
+    def send_late(self) -> None:
+        """Let the drives get each command one tick later: before the first tick."""
+        self.has_lag = True
+        self.is_late = True
+
+    def set_override(self, index: int, mode: int, most_pct: float) -> None:
+        """P-AXIS-00491 and P-AXIS-00109 of an axis."""
+        self.override_mode[index] = mode
+        self.max_override_pct[index] = most_pct
+
+    def positions(self) -> list[float]:
+        """The command positions: for Python's side."""
+        return [self.command[i] for i in range(self.count)]
+
+    def place(self, index: int, position: float) -> None:
+        """Set one axis to a position without a motion: before the first tick."""
+        self.command[index] = position
+        self.followed[index] = position
+        self.unsent[index] = position
+        self.drive_d[index] = 0.0
+        self.lag_d[index] = 0.0
+        self.target[index] = position
+        self.publish_all()

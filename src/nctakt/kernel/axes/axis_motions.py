@@ -1,0 +1,352 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""What each axis does on its own, and its tick (MO-11): the motions behind ``single_axes.py``.
+
+Each axis has at most one present motion and one that waits behind it. ``begin`` only notes what is
+wanted; ``step``, once a tick behind the cycles and the paths, plans from the state of now
+(``trajectory.py``) wherever the motion or its speed limit has changed, and puts the axes where the
+plan has them. So another target, an override, a hold and its end take over speed and acceleration
+without a step.
+
+Targets are those of the axis' own system (ACS), mm or degrees. Positions of modulo axes run on
+while they move, and are put back into the range when they stand.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.axes.trajectory import Trajectories
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.record import Record
+
+# What an axis does, and what waits behind it.
+IDLE = 0
+POSITION = 1
+ENDLESS = 2
+RELATIVE = 3
+BRAKING = 4
+
+# PLCopen states, as the trace has them.
+STANDSTILL = 1
+DISCRETE_MOTION = 2
+CONTINUOUS_MOTION = 3
+STOPPING = 4
+ERROR_STOP = 5
+SYNCHRONIZED_MOTION = 6
+
+
+class AxisMotions:
+    """The present and the waiting motion of each axis of the machine."""
+
+    def __init__(self, axes: Axes, record: Record, cycle_time_us: int) -> None:
+        count = axes.count
+        self.axes = axes
+        self.record = record
+        self.count = count
+        self.cycle_time_us = cycle_time_us
+        self.forgiven_t = -1e-12 * cycle_time_us
+        self.plans = Trajectories(count)
+        self.active_count = 0
+        self.fault_count = 0
+        self.told_count = 0
+        self.asked_axis = 0
+        self.source = 0
+        self.serial = 0
+        # The axis list.
+        self.enabled = memoryview(bytearray(8 * count)).cast("q")
+        self.low = memoryview(bytearray(8 * count)).cast("d")
+        self.high = memoryview(bytearray(8 * count)).cast("d")
+        self.limit_v = memoryview(bytearray(8 * count)).cast("d")
+        self.limit_a = memoryview(bytearray(8 * count)).cast("d")
+        self.limit_j = memoryview(bytearray(8 * count)).cast("d")
+        # The present motion.
+        self.kind = memoryview(bytearray(8 * count)).cast("q")
+        self.held = memoryview(bytearray(8 * count)).cast("q")
+        self.owner = memoryview(bytearray(8 * count)).cast("q")
+        self.serials = memoryview(bytearray(8 * count)).cast("q")
+        self.sources = memoryview(bytearray(8 * count)).cast("q")
+        self.goal = memoryview(bytearray(8 * count)).cast("d")
+        self.end = memoryview(bytearray(8 * count)).cast("d")
+        self.wanted_v = memoryview(bytearray(8 * count)).cast("d")
+        self.direction = memoryview(bytearray(8 * count)).cast("d")
+        # The one that waits behind it.
+        self.next_kind = memoryview(bytearray(8 * count)).cast("q")
+        self.next_owner = memoryview(bytearray(8 * count)).cast("q")
+        self.next_serial = memoryview(bytearray(8 * count)).cast("q")
+        self.next_source = memoryview(bytearray(8 * count)).cast("q")
+        self.next_value = memoryview(bytearray(8 * count)).cast("d")
+        self.next_v = memoryview(bytearray(8 * count)).cast("d")
+        self.next_direction = memoryview(bytearray(8 * count)).cast("q")
+        self.next_held = memoryview(bytearray(8 * count)).cast("q")
+        # State of now, and the plan's start.
+        self.speed = memoryview(bytearray(8 * count)).cast("d")
+        self.acceleration = memoryview(bytearray(8 * count)).cast("d")
+        self.last_direction = memoryview(bytearray(8 * count)).cast("d")
+        self.planned_v = memoryview(bytearray(8 * count)).cast("d")
+        self.start_d = memoryview(bytearray(8 * count)).cast("d")
+        self.ticks = memoryview(bytearray(8 * count)).cast("q")
+        self.fault = memoryview(bytearray(8 * count)).cast("q")
+        self.failed = memoryview(bytearray(8 * count)).cast("q")
+        self.arrived = memoryview(bytearray(8 * count)).cast("q")
+        # Whether a channel has the axis, and whether that one is in a reset.
+        self.in_channel = memoryview(bytearray(8 * count)).cast("q")
+        self.closed = memoryview(bytearray(8 * count)).cast("q")
+        self.failed_count = 0
+        self.ring_size = count
+        for axis in range(count):
+            self.last_direction[axis] = 1.0
+            self.axes.show_state(axis, 1)
+
+    def configure(
+        self, axis: int, *, low: float, high: float, speed: float, acceleration: float, jerk: float
+    ) -> None:
+        """Let an axis move on its own (P-AXIS-00457) within these limits; jerk 0: trapezoid."""
+        self.enabled[axis] = 1
+        self.low[axis] = low
+        self.high[axis] = high
+        self.limit_v[axis] = speed
+        self.limit_a[axis] = acceleration
+        self.limit_j[axis] = jerk
+
+    def is_beyond(self, axis: int, target: float) -> int:
+        """Whether a target lies beyond the software limits."""
+        if self.axes.modulo_range[axis] > 0.0:
+            return 0
+        return 0 if self.low[axis] <= target <= self.high[axis] else 1
+
+    def is_at_speed(self, axis: int) -> int:
+        """Whether an endless motion has reached its speed."""
+        if self.kind[axis] != 2 or self.planned_v[axis] <= 0.0:
+            return 0
+        return 1 if self.speed[axis] == self.direction[axis] * self.planned_v[axis] else 0
+
+    # --- beginnings and ends --------------------------------------------------------------------
+
+    def begin(self, axis: int) -> None:
+        """Let the waiting motion be the present one; it is planned in the next step."""
+        kind = self.next_kind[axis]
+        here = self.axes.command[axis]
+        self.next_kind[axis] = 0
+        self.direction[axis] = self.next_direction[axis]
+        if self.next_direction[axis] == 0:
+            self.direction[axis] = self.last_direction[axis]
+        if kind == 2:
+            self.goal[axis] = self.high[axis] if self.direction[axis] > 0.0 else self.low[axis]
+            self.end[axis] = self.goal[axis]
+        elif kind == 3:
+            self.goal[axis] = here + self.next_value[axis]
+            self.end[axis] = self.in_range(axis, self.goal[axis])
+            kind = 1
+        else:
+            self.end[axis] = self.in_range(axis, self.next_value[axis])
+            self.goal[axis] = self.next_value[axis]
+            if self.axes.modulo_range[axis] > 0.0:
+                self.goal[axis] = here + self.turn(axis, self.end[axis] - here)
+        if self.kind[axis] == 0:
+            self.active_count += 1
+            self.axes.independent[axis] = 1
+        self.kind[axis] = kind
+        self.held[axis] = self.next_held[axis]
+        self.owner[axis] = self.next_owner[axis]
+        self.serials[axis] = self.next_serial[axis]
+        self.sources[axis] = self.next_source[axis]
+        self.wanted_v[axis] = self.next_v[axis]
+        self.planned_v[axis] = -1.0
+        self.axes.target[axis] = self.goal[axis] if kind == 1 else here
+        self.axes.has_moved = True
+        self.axes.show_state(axis, 3 if kind == 2 else 2)
+        if kind == 2:
+            self.record.axis_begun(
+                self.sources[axis], self.serials[axis], -1 - axis, self.direction[axis]
+            )
+        else:
+            self.record.axis_begun(self.sources[axis], self.serials[axis], axis, self.end[axis])
+            if self.is_beyond(axis, self.goal[axis]):
+                self.fail(axis, 900436)
+                return
+        if self.held[axis]:
+            self.axes.show_state(axis, 1)
+            self.record.axis_changed(self.sources[axis], self.serials[axis], axis, 0)
+
+    def turn(self, axis: int, way_d: float) -> float:
+        """The way of a modulo axis to a target that is ``way_d`` away, in the wanted direction.
+
+        In a given direction the axis never comes back: what it needs to brake is gone for it.
+        """
+        full_d = self.axes.modulo_range[axis]
+        if self.next_direction[axis] == 2:
+            return way_d - full_d * arithmetic.ceiling(way_d / full_d - 0.5)
+        brake_d = self.plans.stopping_d(
+            self.speed[axis], self.acceleration[axis], self.limit_a[axis], self.limit_j[axis]
+        )
+        turns = (way_d - brake_d) / full_d
+        if self.direction[axis] > 0.0:
+            return way_d - full_d * arithmetic.floor(turns)
+        return way_d - full_d * arithmetic.ceiling(turns)
+
+    def in_range(self, axis: int, position: float) -> float:
+        """A position of a modulo axis within its range; any other as it is."""
+        full_d = self.axes.modulo_range[axis]
+        if full_d <= 0.0:
+            return position
+        return arithmetic.within(position, self.axes.modulo_low[axis], full_d)
+
+    def drop(self, axis: int) -> None:
+        """Tell that the waiting and the present motion are given up."""
+        if self.next_kind[axis]:
+            self.drop_next(axis)
+        if 0 < self.kind[axis] < 4:
+            self.drop_present(axis)
+
+    def drop_next(self, axis: int) -> None:
+        """Give up the waiting motion."""
+        self.record.axis_ended(self.next_source[axis], self.next_serial[axis], axis, 1)
+        self.next_kind[axis] = 0
+
+    def drop_present(self, axis: int) -> None:
+        """Tell that the present motion is given up; its owner has a place free."""
+        self.record.axis_ended(self.sources[axis], self.serials[axis], axis, 1)
+        self.owner[axis] = 0
+
+    def give_up(self, axis: int) -> None:
+        """Brake to a stand, whatever the axis had to do."""
+        self.drop(axis)
+        if 0 < self.kind[axis] < 4:
+            self.brake(axis)
+
+    def brake(self, axis: int) -> None:
+        """The motion has been given up: only its speed is left."""
+        self.kind[axis] = 4
+        self.held[axis] = 0
+        self.axes.show_state(axis, 4)
+
+    def come_to_stand(self, axis: int) -> None:
+        """The axis stands and has nothing to do, unless a motion waits."""
+        self.kind[axis] = 0
+        self.axes.independent[axis] = 0
+        self.held[axis] = 0
+        self.owner[axis] = 0
+        self.active_count -= 1
+        self.speed[axis] = 0.0
+        self.acceleration[axis] = 0.0
+        self.axes.target[axis] = self.axes.command[axis]
+        self.axes.has_moved = True
+        if self.next_kind[axis]:
+            self.begin(axis)
+        else:
+            self.axes.show_state(axis, 5 if self.fault[axis] else 1)
+
+    def fail(self, axis: int, message: int) -> None:
+        """The motion ends with an error; what waits is dropped."""
+        self.record.error(self.sources[axis], self.serials[axis], message, axis)
+        if self.next_kind[axis]:
+            self.drop_next(axis)
+        self.record.axis_ended(self.sources[axis], self.serials[axis], axis, 2)
+        self.brake(axis)
+        self.fault[axis] = message
+        if self.in_channel[axis]:
+            self.fault_count += 1
+        else:
+            self.fault[axis] = 0 - message
+        self.failed[self.failed_count % self.ring_size] = axis
+        self.failed_count += 1
+
+    # --- the tick -------------------------------------------------------------------------------
+
+    def step(self) -> None:
+        """One tick of all axes in independent motion."""
+        if self.active_count == 0:
+            return
+        for axis in range(self.count):
+            if self.kind[axis]:
+                self.step_axis(axis)
+
+    def step_axis(self, axis: int) -> None:
+        """Go to where the plan is at the end of this tick; plan anew where the limit changed."""
+        top_v = 0.0
+        if self.kind[axis] != 4 and not self.held[axis]:
+            top_v = self.wanted_v[axis] * self.axes.independent_pct[axis] / 100.0
+            top_v = min(top_v, self.limit_v[axis])
+        if top_v != self.planned_v[axis]:
+            self.plan(axis, top_v)
+        self.ticks[axis] += 1
+        now_t = self.ticks[axis] * self.cycle_time_us / 1e6
+        over_t = now_t - self.plans.duration_t(axis)
+        self.axes.has_moved = True
+        if over_t >= self.forgiven_t and self.arrive(axis, top_v):
+            return
+        self.plans.evaluate(axis, now_t)
+        self.axes.command[axis] = self.start_d[axis] + self.plans.distance_d
+        self.speed[axis] = self.plans.speed_v
+        self.acceleration[axis] = self.plans.acceleration_a
+        if self.speed[axis] != 0.0:
+            self.last_direction[axis] = 1.0 if self.speed[axis] > 0.0 else -1.0
+        if self.kind[axis] == 2:
+            self.axes.target[axis] = self.axes.command[axis]
+            if self.next_kind[axis] and not self.next_held[axis] and self.is_at_speed(axis):
+                self.record.axis_ended(self.sources[axis], self.serials[axis], axis, 0)
+                self.begin(axis)
+
+    def plan(self, axis: int, top_v: float) -> None:
+        """Plan from the state of now."""
+        self.planned_v[axis] = top_v
+        self.ticks[axis] = 0
+        self.start_d[axis] = self.axes.command[axis]
+        if top_v == 0.0 or (self.kind[axis] == 2 and not arithmetic.is_finite(self.goal[axis])):
+            self.plans.plan_speed(
+                axis,
+                top_v * self.direction[axis],
+                self.speed[axis],
+                self.acceleration[axis],
+                self.limit_a[axis],
+                self.limit_j[axis],
+            )
+            return
+        self.plans.plan_distance(
+            axis,
+            self.goal[axis] - self.start_d[axis],
+            self.speed[axis],
+            self.acceleration[axis],
+            top_v,
+            self.limit_a[axis],
+            self.limit_j[axis],
+        )
+
+    def arrive(self, axis: int, top_v: float) -> int:
+        """The plan is over: 1 when the motion has ended with it."""
+        if self.kind[axis] == 4:
+            self.plans.evaluate(axis, self.plans.duration_t(axis))
+            place = self.start_d[axis] + self.plans.distance_d
+            self.axes.command[axis] = self.in_range(axis, place)
+            self.record.axis_changed(self.sources[axis], self.serials[axis], axis, 2)
+            self.come_to_stand(axis)
+            return 1
+        if top_v == 0.0 or (self.kind[axis] == 2 and not arithmetic.is_finite(self.goal[axis])):
+            if self.held[axis]:
+                self.axes.show_state(axis, 1)
+            return 0
+        self.axes.command[axis] = self.end[axis]
+        if self.kind[axis] == 2:
+            self.fail(axis, 900434)
+        else:
+            self.record.axis_ended(self.sources[axis], self.serials[axis], axis, 0)
+            self.arrived[axis] = self.owner[axis]
+        self.come_to_stand(axis)
+        return 1
+
+    def take_fault(self, axis: int) -> int:
+        """The error of an axis that has not been reported to its channel yet, else 0."""
+        if self.fault[axis] > 0:
+            self.fault_count -= 1
+            message = self.fault[axis]
+            self.fault[axis] = 0 - message
+            return message
+        return 0
+
+    # --- Python's side --------------------------------------------------------------------------
+
+    def next_failed(self) -> int:
+        """The axis of the next error event that has not been asked for."""
+        self.told_count += 1
+        return self.failed[(self.told_count - 1) % self.ring_size]

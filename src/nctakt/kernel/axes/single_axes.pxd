@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+# C types of single_axes.py.
+cimport cython
+from nctakt.kernel.axes.axis_motions cimport AxisMotions
+
+@cython.final
+cdef class SingleAxes(AxisMotions):
+    cdef void order(self, long long source, long long serial) noexcept nogil
+    @cython.locals(message=int)
+    cdef int move_to(self, Py_ssize_t axis, double target, double speed_v, int mode, int direction, long long owner) noexcept nogil
+    @cython.locals(message=int, start=double)
+    cdef int move_by(self, Py_ssize_t axis, double distance, double speed_v, int mode, long long owner) noexcept nogil
+    @cython.locals(message=int)
+    cdef int run_endless(self, Py_ssize_t axis, double speed_v, int direction, int mode, long long owner) noexcept nogil
+    @cython.locals(message=int)
+    cdef int stop(self, Py_ssize_t axis, long long owner) noexcept nogil
+    cdef int refusal(self, Py_ssize_t axis, int mode) noexcept nogil
+    cdef void put(self, Py_ssize_t axis, int kind, double value, double speed_v, int direction, int mode, long long owner) noexcept nogil
+    @cython.locals(axis=Py_ssize_t)
+    cdef void hold(self, long long owner) noexcept nogil
+    @cython.locals(axis=Py_ssize_t)
+    cdef void resume(self, long long owner) noexcept nogil
+    @cython.locals(axis=Py_ssize_t)
+    cdef void abort(self, long long owner) noexcept nogil
+    @cython.locals(axis=Py_ssize_t)
+    cdef void end_owner(self, long long owner, int continues) noexcept nogil
+    @cython.locals(axis=Py_ssize_t, found=int)
+    cdef int open_count(self, long long owner) noexcept nogil
+    @cython.locals(found=int)
+    cdef int open_on(self, Py_ssize_t axis, long long owner) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef int all_free(self, long long[::1] members, Py_ssize_t count) noexcept nogil
+    @cython.locals(i=Py_ssize_t, message=int, found=int)
+    cdef int take_faults(self, long long[::1] members, Py_ssize_t count) noexcept nogil
+    @cython.locals(i=Py_ssize_t, message=int)
+    cdef int asked(self, double[::1] queue, Py_ssize_t base) noexcept nogil
+    cdef int obstacle(self, Py_ssize_t axis) noexcept nogil
+    cdef void reset(self, Py_ssize_t axis) noexcept nogil
+    cdef void reopen(self, Py_ssize_t axis) noexcept nogil
+    cdef int clear_fault(self, Py_ssize_t axis) noexcept nogil
+    cdef int is_free(self, Py_ssize_t axis) noexcept nogil
+    cdef int stands(self, Py_ssize_t axis) noexcept nogil
+    cdef int is_held(self, Py_ssize_t axis) noexcept nogil
+    cdef int is_endless(self, Py_ssize_t axis) noexcept nogil
+    @cython.locals(shown=int)
+    cdef int state(self, Py_ssize_t axis) noexcept nogil
+    cdef int is_ending(self, Py_ssize_t axis) noexcept nogil
+    cdef Py_ssize_t event_bound(self, Py_ssize_t commands) noexcept nogil

@@ -1,0 +1,346 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""Independent motion: axes that cycles or the PLC move beside the path (MO-11, MO-13).
+
+Commands and questions; what the axes then do in each tick is in ``axis_motions.py``. An owner is a
+number: 0 nobody, channel * 1024 + slot + 1 a realtime cycle, 1000000 the PLC. Each command answers
+0, or the number of the message that refuses it; then nothing changes.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.axes.axis_motions import AxisMotions
+
+#: Owner of what the PLC commands.
+PLC_OWNER = 1_000_000
+
+
+class SingleAxes(AxisMotions):
+    """All axes of the machine, as far as they move on their own."""
+
+    # --- commands -------------------------------------------------------------------------------
+
+    def order(self, source: int, serial: int) -> None:
+        """Who gives the next commands: place in the text, serial of the cycle; for events."""
+        self.source = source
+        self.serial = serial
+
+    def move_to(
+        self, axis: int, target: float, speed_v: float, mode: int, direction: int, owner: int
+    ) -> int:
+        """To a position; ``base.mode`` 0 ABORTING, 1 BUFFERED.
+
+        ``direction`` counts for modulo axes only: 2 the short way, 1 and -1 that direction, 0 the
+        present one (CUR).
+        """
+        message = self.refusal(axis, mode)
+        if message == 0 and self.is_beyond(axis, target):
+            message = 900432
+        if message == 0:
+            self.put(axis, 1, target, speed_v, direction, mode, owner)
+        return message
+
+    def move_by(self, axis: int, distance: float, speed_v: float, mode: int, owner: int) -> int:
+        """By a distance: from where the axis is commanded to be, BUFFERED from where it will be."""
+        message = self.refusal(axis, mode)
+        start = self.axes.command[axis]
+        if mode == 1 and self.kind[axis] == 1:
+            start = self.goal[axis]
+        if message == 0 and self.is_beyond(axis, start + distance):
+            message = 900432
+        if message == 0:
+            self.put(axis, 3, distance, speed_v, 0, mode, owner)
+        return message
+
+    def run_endless(self, axis: int, speed_v: float, direction: int, mode: int, owner: int) -> int:
+        """On and on in a direction (0: the present one), at most to the software limit."""
+        message = self.refusal(axis, mode)
+        if message == 0:
+            self.put(axis, 2, 0.0, speed_v, direction, mode, owner)
+        return message
+
+    def stop(self, axis: int, owner: int) -> int:
+        """Brake and stand; what the axis had to do is given up, whoever commanded it."""
+        message = self.refusal(axis, 0)
+        if message == 0:
+            self.give_up(axis)
+        return message
+
+    def refusal(self, axis: int, mode: int) -> int:
+        """Why the axis takes no command now: 0 it does."""
+        if not self.enabled[axis]:
+            return 50966
+        if self.closed[axis]:
+            return 900810
+        if self.axes.on_path[axis]:
+            return 900430
+        if self.fault[axis]:
+            return 900431
+        return 900433 if mode == 1 and self.next_kind[axis] else 0
+
+    def put(
+        self,
+        axis: int,
+        kind: int,
+        value: float,
+        speed_v: float,
+        direction: int,
+        mode: int,
+        owner: int,
+    ) -> None:
+        """Note a motion: for the end of the present one (BUFFERED), or instead of it."""
+        if mode == 0:
+            self.drop(axis)
+        self.next_kind[axis] = kind
+        self.next_owner[axis] = owner
+        self.next_serial[axis] = self.serial
+        self.next_source[axis] = self.source
+        self.next_value[axis] = value
+        self.next_v[axis] = speed_v
+        self.next_direction[axis] = direction
+        self.next_held[axis] = 0
+        if mode == 0 or self.kind[axis] == 0:
+            self.begin(axis)
+
+    # --- what owners do with all their motions --------------------------------------------------
+
+    def hold(self, owner: int) -> None:
+        """Brake the owner's motions from this tick on; they keep their targets (RC-111).
+
+        One that waits behind another owner's motion is held as soon as that one has ended.
+        """
+        if self.active_count == 0:
+            return
+        for axis in range(self.count):
+            if self.next_kind[axis] and self.next_owner[axis] == owner:
+                self.next_held[axis] = 1
+            if self.owner[axis] == owner and 0 < self.kind[axis] < 4 and not self.held[axis]:
+                self.held[axis] = 1
+                self.axes.show_state(axis, 4)
+                self.record.axis_changed(self.sources[axis], self.serials[axis], axis, 0)
+
+    def resume(self, owner: int) -> None:
+        """Let the held motions of an owner go on, from the state of now."""
+        if self.active_count == 0:
+            return
+        for axis in range(self.count):
+            if self.next_owner[axis] == owner:
+                self.next_held[axis] = 0
+            if self.owner[axis] == owner and self.held[axis]:
+                self.held[axis] = 0
+                self.planned_v[axis] = -1.0
+                self.axes.show_state(axis, 3 if self.kind[axis] == 2 else 2)
+                self.record.axis_changed(self.sources[axis], self.serials[axis], axis, 1)
+
+    def abort(self, owner: int) -> None:
+        """Brake the owner's motions and give them up, the held and the waiting ones, too."""
+        if self.active_count == 0:
+            return
+        for axis in range(self.count):
+            if self.next_kind[axis] and self.next_owner[axis] == owner:
+                self.drop_next(axis)
+            if self.owner[axis] == owner and 0 < self.kind[axis] < 4:
+                self.drop_present(axis)
+                self.brake(axis)
+
+    def end_owner(self, owner: int, continues: int) -> None:
+        """The owner is gone: its motions are aborted, or go on without one (RC-110)."""
+        if not continues:
+            self.abort(owner)
+            return
+        for axis in range(self.count):
+            if self.owner[axis] == owner:
+                self.owner[axis] = 0
+            if self.next_owner[axis] == owner:
+                self.next_owner[axis] = 0
+
+    def open_count(self, owner: int) -> int:
+        """How many motions of the owner are open, the waiting ones with them (RC-408)."""
+        found = 0
+        for axis in range(self.count):
+            if 0 < self.kind[axis] < 4 and self.owner[axis] == owner:
+                found += 1
+            if self.next_kind[axis] and self.next_owner[axis] == owner:
+                found += 1
+        return found
+
+    def open_on(self, axis: int, owner: int) -> int:
+        """How many of the owner's open motions are motions of this axis."""
+        found = 0
+        if 0 < self.kind[axis] < 4 and self.owner[axis] == owner:
+            found += 1
+        if self.next_kind[axis] and self.next_owner[axis] == owner:
+            found += 1
+        return found
+
+    def all_free(self, members: memoryview[int], count: int) -> int:
+        """Whether none of these axes moves on its own."""
+        for i in range(count):
+            if not self.is_free(members[i]):
+                return 0
+        return 1
+
+    def take_faults(self, members: memoryview[int], count: int) -> int:
+        """``take_fault`` of all these axes: the last one's message."""
+        found = 0
+        for i in range(count):
+            message = self.take_fault(members[i])
+            if message:
+                found = message
+        return found
+
+    def asked(self, queue: memoryview[float], base: int) -> int:
+        """``obstacle`` of the axes in a position request: that of the first which has one."""
+        for i in range(int(queue[base + 6])):
+            self.asked_axis = int(queue[base + 7 + i])
+            message = self.obstacle(self.asked_axis)
+            if message:
+                return message
+        return 0
+
+    def obstacle(self, axis: int) -> int:
+        """Why the path cannot take the axis over: 0 it can, 1 not yet, else a message (RC-409)."""
+        if self.held[axis]:
+            return 900447
+        if self.kind[axis] == 2:
+            return 900446
+        return 0 if self.is_free(axis) else 1
+
+    def belong(self, axis: int) -> None:
+        """A channel has this axis: it is told of the axis' errors, and resets it."""
+        self.in_channel[axis] = 1
+
+    def reset(self, axis: int) -> None:
+        """The channel's reset: brake the axis, whoever moves it, and clear its error (RC-007).
+
+        Until ``reopen`` it takes no command, else the reset might never end.
+        """
+        self.closed[axis] = 1
+        self.give_up(axis)
+        self.clear_fault(axis)
+
+    def reopen(self, axis: int) -> None:
+        """The channel's reset is over."""
+        self.closed[axis] = 0
+
+    def clear_fault(self, axis: int) -> int:
+        """Leave ErrorStop (PLCopen's MC_Reset): 0, or the message that refuses it."""
+        if not self.enabled[axis]:
+            return 50966
+        if self.fault[axis]:
+            self.take_fault(axis)
+            self.fault[axis] = 0
+            self.axes.show_state(axis, 4 if self.kind[axis] else 1)
+        return 0
+
+    # --- what can be asked ----------------------------------------------------------------------
+
+    def is_free(self, axis: int) -> int:
+        """Whether the path may move the axis: no motion, none held, none braking (MO-13)."""
+        return 1 if self.kind[axis] == 0 else 0
+
+    def stands(self, axis: int) -> int:
+        """Whether the axis has come to a stand: without a motion, or held."""
+        if self.kind[axis] == 0:
+            return 1
+        return 1 if self.held[axis] and self.speed[axis] == 0.0 else 0
+
+    def is_held(self, axis: int) -> int:
+        """Whether a motion of the axis is held."""
+        return 1 if self.held[axis] else 0
+
+    def is_endless(self, axis: int) -> int:
+        """Whether the axis moves without a target."""
+        return 1 if self.kind[axis] == 2 else 0
+
+    def state(self, axis: int) -> int:
+        """The PLCopen state (the constants above)."""
+        shown = int(self.axes.cells[self.axes.first_cell + axis * 21 + 20])
+        return shown
+
+    def is_ending(self, axis: int) -> int:
+        """Whether the axis will stand without another command."""
+        if self.kind[axis] == 4:
+            return 1
+        if self.kind[axis] == 0:
+            return 0
+        if self.held[axis]:
+            return 0 if self.speed[axis] == 0.0 else 1
+        if self.planned_v[axis] == 0.0:
+            return 0
+        if self.next_kind[axis] and not self.next_held[axis]:
+            return 1
+        return 1 if self.kind[axis] == 1 else 0
+
+    def event_bound(self, commands: int) -> int:
+        """The most events of a tick that takes so many commands of the queues."""
+        return 6 * self.count + 4 * commands * self.active_count
+
+    # --- Python's side, between two ticks -------------------------------------------------------
+
+    def absolute(
+        self, axis: int, target: float, speed_v: float, mode: int, direction: int, owner: int
+    ) -> int:
+        """``move_to``."""
+        return self.move_to(axis, target, speed_v, mode, direction, owner)
+
+    def relative(self, axis: int, distance: float, speed_v: float, mode: int, owner: int) -> int:
+        """``move_by``."""
+        return self.move_by(axis, distance, speed_v, mode, owner)
+
+    def velocity(self, axis: int, speed_v: float, direction: int, mode: int, owner: int) -> int:
+        """``run_endless``."""
+        return self.run_endless(axis, speed_v, direction, mode, owner)
+
+    def halt(self, axis: int, owner: int) -> int:
+        """``stop``."""
+        return self.stop(axis, owner)
+
+    def command_owner(self, what: str, owner: int) -> None:
+        """``hold``, ``resume``, ``abort``, ``end`` or ``leave`` what an owner moves."""
+        if what == "hold":
+            self.hold(owner)
+        elif what == "resume":
+            self.resume(owner)
+        elif what == "abort":
+            self.abort(owner)
+        else:
+            self.end_owner(owner, 1 if what == "leave" else 0)
+
+    def clear(self, axis: int) -> None:
+        """``reset``, over at once."""
+        self.reset(axis)
+        self.reopen(axis)
+
+    def state_of(self, axis: int) -> tuple[int, float, float]:
+        """PLCopen state, speed and acceleration."""
+        return self.state(axis), self.speed[axis], self.acceleration[axis]
+
+    def present_owner(self, axis: int) -> int:
+        """Who has commanded the present motion."""
+        return self.owner[axis]
+
+    def arrived_owner(self, axis: int) -> int:
+        """Who had commanded the motion that came to its target last."""
+        return self.arrived[axis]
+
+    def fault_of(self, axis: int) -> int:
+        """The message of the error that the axis is in, 0 without one."""
+        return abs(self.fault[axis])
+
+    def at_speed(self, axis: int) -> bool:
+        """``is_at_speed``."""
+        return bool(self.is_at_speed(axis))
+
+    def opened(self, owner: int) -> int:
+        """``open_count``."""
+        return self.open_count(owner)
+
+    def moves(self, axis: int) -> bool:
+        """Whether the axis has a motion of its own, a held one too."""
+        return not self.is_free(axis)
+
+    def ending_count(self) -> int:
+        """How many axes will stand by themselves: a run waits for them (RC-006)."""
+        return sum(self.is_ending(axis) for axis in range(self.count))

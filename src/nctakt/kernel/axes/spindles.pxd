@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+# C types of spindles.py.
+cimport cython
+from libc cimport math
+from nctakt.kernel.base cimport arithmetic
+from nctakt.kernel.base.record cimport Record
+from nctakt.kernel.axes.trajectory cimport Trajectories
+
+@cython.final
+cdef class Spindles:
+    cdef double[::1] cells
+    cdef readonly Py_ssize_t first_cell
+    cdef readonly Py_ssize_t count
+    cdef public Py_ssize_t first_number
+    cdef Record record
+    cdef double cycle_t
+    cdef Trajectories plans
+    cdef long long[::1] is_plc
+    cdef double[::1] limit_v
+    cdef double[::1] limit_a
+    cdef double[::1] limit_j
+    cdef double[::1] position
+    cdef double[::1] speed_v
+    cdef double[::1] acceleration
+    cdef long long[::1] mode
+    cdef double[::1] begin_position
+    cdef long long[::1] begin_tick
+    cdef double[::1] wanted_v
+    cdef double[::1] wanted_position
+    cdef long long[::1] direction
+    cdef long long[::1] function
+    cdef long long[::1] is_open
+    cdef long long[::1] is_held
+    cdef long long[::1] owner
+    cdef long long[::1] source
+    cdef long long[::1] serial
+    cdef long long[::1] taken_tick
+    cdef long long[::1] plc_state
+    cdef long long[::1] done_tick
+    cdef long long[::1] job
+    cdef double[::1] reached_v
+    cdef long long issued
+    cdef long long version
+    cdef readonly Py_ssize_t active_count
+
+    cdef int is_ready(self, Py_ssize_t spindle, long long tick) noexcept nogil
+    cdef void command(self, Py_ssize_t spindle, int function, double speed_v, double position, int direction, long long owner, long long tick) noexcept nogil
+    @cython.locals(number=Py_ssize_t, speed=double)
+    cdef void tell(self, Py_ssize_t spindle, long long source, long long serial) noexcept nogil
+    cdef void hand_over(self, Py_ssize_t spindle, long long done_tick) noexcept nogil
+    @cython.locals(end_v=double)
+    cdef void plan(self, Py_ssize_t spindle, long long tick) noexcept nogil
+    @cython.locals(direction=int, braking=double, rest=double)
+    cdef double way(self, Py_ssize_t spindle) noexcept nogil
+    @cython.locals(found=Py_ssize_t, spindle=Py_ssize_t)
+    cdef Py_ssize_t open_count(self, long long owner) noexcept nogil
+    cdef int is_busy(self, Py_ssize_t spindle) noexcept nogil
+    cdef int rests(self, Py_ssize_t spindle) noexcept nogil
+    cdef int has_job(self, Py_ssize_t spindle, long long owner) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t)
+    cdef void hold(self, long long owner, long long tick) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t)
+    cdef void resume(self, long long owner, long long tick) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t)
+    cdef void abort(self, long long owner, long long tick) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t)
+    cdef void leave(self, long long owner) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t)
+    cdef void latch(self) noexcept nogil
+    cdef double plc_speed(self, Py_ssize_t spindle) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t)
+    cdef void step(self, long long tick, int acknowledges_itself) noexcept nogil
+    @cython.locals(time_t=double, cell=Py_ssize_t)
+    cdef void advance(self, Py_ssize_t spindle, long long tick) noexcept nogil
+    @cython.locals(stands=bint)
+    cdef void arrive(self, Py_ssize_t spindle) noexcept nogil
+    @cython.locals(number=Py_ssize_t)
+    cdef void finish(self, Py_ssize_t spindle) noexcept nogil
+
+@cython.locals(turned=double)
+cdef double wrapped(double degrees) noexcept nogil

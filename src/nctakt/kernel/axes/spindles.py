@@ -1,0 +1,372 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The spindles of one channel: endless, to a position, to a stand; those that the PLC turns.
+
+A job is taken in the command or cycle phase and acts in the same tick: the speed changes from what
+it is, within acceleration and jerk of the axis list, and never jumps. A job is open until its speed
+or position is reached; the next job takes its place. A spindle under the PLC (P-CHAN-00069) gets
+nothing of this: its job is handed over and open until the PLC has acknowledged it. A spindle takes
+one job in a tick, and none while the PLC still has one (RC-404).
+
+Units: degrees and seconds; ``_v`` degrees per second. Signals are revolutions per minute and
+degrees from 0 to 360.
+"""
+
+from __future__ import annotations
+
+import math
+
+from nctakt.kernel.axes.trajectory import Trajectories
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.record import Record
+
+# What a spindle does.
+STANDING = 0
+TURNING = 1
+POSITIONING = 2
+
+# A PLC spindle's job.
+NO_JOB = 0
+WAITING = 1
+ACKNOWLEDGED = 2
+
+#: Cells of a spindle: speed, position.
+SPINDLE_CELLS = 2
+
+
+class Spindles:
+    """``count`` spindles, whose signals stand from ``first_cell`` on.
+
+    ``first_number`` counts those of the channels before: events tell the machine's numbers.
+    """
+
+    def __init__(
+        self, memory: bytearray, first_cell: int, count: int, record: Record, cycle_time_us: int
+    ) -> None:
+        size = 8 * max(1, count)
+        self.cells = memoryview(memory).cast("d")
+        self.first_cell = first_cell
+        self.count = count
+        self.first_number = 0
+        self.record = record
+        self.cycle_t = cycle_time_us * 1e-6
+        self.plans = Trajectories(count)
+        self.is_plc = memoryview(bytearray(size)).cast("q")
+        self.limit_v = memoryview(bytearray(size)).cast("d")
+        self.limit_a = memoryview(bytearray(size)).cast("d")
+        self.limit_j = memoryview(bytearray(size)).cast("d")
+        self.position = memoryview(bytearray(size)).cast("d")
+        self.speed_v = memoryview(bytearray(size)).cast("d")
+        self.acceleration = memoryview(bytearray(size)).cast("d")
+        self.mode = memoryview(bytearray(size)).cast("q")
+        self.begin_position = memoryview(bytearray(size)).cast("d")
+        self.begin_tick = memoryview(bytearray(size)).cast("q")
+        self.wanted_v = memoryview(bytearray(size)).cast("d")
+        self.wanted_position = memoryview(bytearray(size)).cast("d")
+        self.direction = memoryview(bytearray(size)).cast("q")
+        self.function = memoryview(bytearray(size)).cast("q")
+        self.is_open = memoryview(bytearray(size)).cast("q")
+        self.is_held = memoryview(bytearray(size)).cast("q")
+        self.owner = memoryview(bytearray(size)).cast("q")
+        self.source = memoryview(bytearray(size)).cast("q")
+        self.serial = memoryview(bytearray(size)).cast("q")
+        self.taken_tick = memoryview(bytearray(size)).cast("q")
+        self.plc_state = memoryview(bytearray(size)).cast("q")
+        self.done_tick = memoryview(bytearray(size)).cast("q")
+        self.job = memoryview(bytearray(size)).cast("q")
+        self.reached_v = memoryview(bytearray(size)).cast("d")
+        self.issued = 0
+        self.version = 0
+        self.active_count = 0
+        for spindle in range(count):
+            self.taken_tick[spindle] = -1
+
+    def configure(
+        self,
+        spindle: int,
+        *,
+        plc: bool,
+        speed: float,
+        acceleration: float,
+        jerk: float = 0.0,
+    ) -> None:
+        """The limits of a spindle, degrees and seconds; a PLC spindle has none."""
+        self.is_plc[spindle] = plc
+        self.limit_v[spindle] = speed
+        self.limit_a[spindle] = acceleration
+        self.limit_j[spindle] = jerk
+
+    # --- jobs -----------------------------------------------------------------------------------
+
+    def is_ready(self, spindle: int, tick: int) -> int:
+        """Whether the spindle takes a job in this tick (else 50935)."""
+        return 1 if self.taken_tick[spindle] != tick and self.plc_state[spindle] == 0 else 0
+
+    def command(
+        self,
+        spindle: int,
+        function: int,
+        speed_v: float,
+        position: float,
+        direction: int,
+        owner: int,
+        tick: int,
+    ) -> None:
+        """A job: M ``function`` 3, 4, 5 or 19; ``direction`` 0 of 19: the shortest way."""
+        self.taken_tick[spindle] = tick
+        self.function[spindle] = function
+        self.wanted_position[spindle] = position
+        self.direction[spindle] = direction
+        self.owner[spindle] = owner
+        self.is_held[spindle] = 0
+        self.is_open[spindle] = 1
+        if self.is_plc[spindle]:
+            self.wanted_v[spindle] = speed_v
+            return
+        speed_v = min(speed_v, self.limit_v[spindle])
+        self.wanted_v[spindle] = 0.0 - speed_v if function == 4 else speed_v
+        self.plan(spindle, tick)
+
+    def tell(self, spindle: int, source: int, serial: int) -> None:
+        """The job that was just taken, as events; its end has the same place."""
+        self.source[spindle] = source
+        self.serial[spindle] = serial
+        number = self.first_number + spindle
+        speed = math.fabs(self.wanted_v[spindle]) / 6.0
+        self.record.spindle(source, serial, number, self.function[spindle], speed)
+        if self.function[spindle] == 19:
+            self.record.spindle_position(source, serial, number, self.wanted_position[spindle])
+
+    def hand_over(self, spindle: int, done_tick: int) -> None:
+        """The job just taken of a PLC spindle; the default PLC acknowledges it in ``done_tick``."""
+        if self.is_plc[spindle]:
+            self.active_count += 1
+            self.plc_state[spindle] = 1
+            self.issued = self.issued + 1 if self.issued < 2147483647 else 1
+            self.job[spindle] = self.issued
+            self.version += 1
+            self.done_tick[spindle] = done_tick
+
+    def plan(self, spindle: int, tick: int) -> None:
+        """From what the spindle does now to what its job wants."""
+        if self.mode[spindle] == 0:
+            self.active_count += 1
+        self.begin_position[spindle] = self.position[spindle]
+        self.begin_tick[spindle] = tick
+        if self.function[spindle] == 19 and not self.is_held[spindle]:
+            self.mode[spindle] = 2
+            self.plans.plan_distance(
+                spindle,
+                self.way(spindle),
+                self.speed_v[spindle],
+                self.acceleration[spindle],
+                math.fabs(self.wanted_v[spindle]),
+                self.limit_a[spindle],
+                self.limit_j[spindle],
+            )
+            return
+        self.mode[spindle] = 1
+        end_v = self.wanted_v[spindle]
+        if self.function[spindle] == 5 or self.is_held[spindle]:
+            end_v = 0.0
+        self.plans.plan_speed(
+            spindle,
+            end_v,
+            self.speed_v[spindle],
+            self.acceleration[spindle],
+            self.limit_a[spindle],
+            self.limit_j[spindle],
+        )
+
+    def way(self, spindle: int) -> float:
+        """Degrees to go to the position: to where braking ends, then on in the direction.
+
+        Without a direction a spindle that turns goes on turning, one that stands takes the shorter
+        way, forward where both are equal.
+        """
+        direction = self.direction[spindle]
+        braking = self.plans.stopping_d(
+            self.speed_v[spindle],
+            self.acceleration[spindle],
+            self.limit_a[spindle],
+            self.limit_j[spindle],
+        )
+        rest = wrapped(self.wanted_position[spindle] - self.position[spindle] - braking)
+        if direction == 0 and self.speed_v[spindle] != 0.0:
+            direction = 1 if self.speed_v[spindle] > 0.0 else -1
+        if direction < 0 and rest > 0.0:
+            rest -= 360.0
+        elif direction == 0 and rest > 180.0:
+            rest -= 360.0
+        return braking + rest
+
+    # --- the actions of realtime cycles ----------------------------------------------------------
+
+    def open_count(self, owner: int) -> int:
+        """Open jobs of a realtime cycle (P-CHAN-00480)."""
+        found = 0
+        for spindle in range(self.count):
+            if self.is_open[spindle] and self.owner[spindle] == owner:
+                found += 1
+        return found
+
+    def is_busy(self, spindle: int) -> int:
+        """Whether its speed or position is still to be reached, or the PLC to acknowledge."""
+        return 1 if self.is_open[spindle] or self.plc_state[spindle] else 0
+
+    def rests(self, spindle: int) -> int:
+        """Whether the spindle stands and nothing is on its way that turns it."""
+        if self.speed_v[spindle] != 0.0 or self.plc_state[spindle]:
+            return 0
+        return 1 if self.mode[spindle] == 0 else 0
+
+    def has_plc(self, spindle: int) -> bool:
+        """Whether the PLC turns the spindle."""
+        return bool(self.is_plc[spindle])
+
+    def has_job(self, spindle: int, owner: int) -> int:
+        """Whether the spindle's open job is this cycle's: the next one takes its place."""
+        return 1 if self.is_open[spindle] and self.owner[spindle] == owner else 0
+
+    def hold(self, owner: int, tick: int) -> None:
+        """HOLD: spindles with an open job brake to a stand and keep what they were to do."""
+        for spindle in range(self.count):
+            if self.has_job(spindle, owner) and not self.is_plc[spindle]:
+                self.is_held[spindle] = 1
+                self.plan(spindle, tick)
+
+    def resume(self, owner: int, tick: int) -> None:
+        """CONTINUE: held jobs go on from the speed of now."""
+        for spindle in range(self.count):
+            if self.is_held[spindle] and self.owner[spindle] == owner:
+                self.is_held[spindle] = 0
+                self.is_open[spindle] = 1
+                self.plan(spindle, tick)
+
+    def abort(self, owner: int, tick: int) -> None:
+        """ABORT ACTION: spindles with an open or held job brake to a stand, the job is gone."""
+        for spindle in range(self.count):
+            if self.owner[spindle] == owner and not self.is_plc[spindle]:
+                if self.is_held[spindle] or self.is_open[spindle]:
+                    self.is_held[spindle] = 0
+                    self.function[spindle] = 5
+                    self.plan(spindle, tick)
+
+    def leave(self, owner: int) -> None:
+        """A cycle has ended: its spindles go on without it; held ones stay where they brake to."""
+        for spindle in range(self.count):
+            if self.owner[spindle] == owner:
+                self.owner[spindle] = 0
+                if self.is_held[spindle]:
+                    self.is_held[spindle] = 0
+                    self.function[spindle] = 5
+                    if self.mode[spindle] == 0:
+                        self.is_open[spindle] = 0
+
+    # --- the tick -------------------------------------------------------------------------------
+
+    def latch(self) -> None:
+        """Start of a tick: jobs that the PLC has acknowledged are over."""
+        if self.active_count == 0:
+            return
+        for spindle in range(self.count):
+            if self.plc_state[spindle] == 2:
+                self.plc_state[spindle] = 0
+                self.active_count -= 1
+                self.version += 1
+                self.reached_v[spindle] = self.plc_speed(spindle)
+                self.finish(spindle)
+
+    def plc_speed(self, spindle: int) -> float:
+        """What a PLC spindle turns with when its job is done; negative under M4."""
+        if self.function[spindle] == 3:
+            return self.wanted_v[spindle]
+        return 0.0 - self.wanted_v[spindle] if self.function[spindle] == 4 else 0.0
+
+    def step(self, tick: int, acknowledges_itself: int) -> None:
+        """One increment of all spindles that turn; then the default PLC, if there is no other."""
+        if self.active_count == 0:
+            return
+        for spindle in range(self.count):
+            if self.mode[spindle] != 0:
+                self.advance(spindle, tick)
+            if self.plc_state[spindle] == 1 and self.done_tick[spindle] <= tick:
+                if acknowledges_itself:
+                    self.plc_state[spindle] = 2
+
+    def advance(self, spindle: int, tick: int) -> None:
+        """The increment of a spindle that has a plan."""
+        time_t = (tick - self.begin_tick[spindle] + 1) * self.cycle_t
+        self.plans.evaluate(spindle, time_t)
+        self.position[spindle] = wrapped(self.begin_position[spindle] + self.plans.distance_d)
+        self.speed_v[spindle] = self.plans.speed_v
+        self.acceleration[spindle] = self.plans.acceleration_a
+        if time_t >= self.plans.duration_t(spindle) - 1e-12:
+            self.arrive(spindle)
+        cell = self.first_cell + 2 * spindle
+        self.cells[cell] = self.speed_v[spindle] / 6.0
+        self.cells[cell + 1] = self.position[spindle]
+
+    def arrive(self, spindle: int) -> None:
+        """Speed or position is reached, bit by bit the one that was wanted."""
+        self.acceleration[spindle] = 0.0
+        stands = self.mode[spindle] == 2 or self.function[spindle] == 5
+        if self.mode[spindle] == 2:
+            self.position[spindle] = wrapped(self.wanted_position[spindle])
+        if stands or self.is_held[spindle] or self.wanted_v[spindle] == 0.0:
+            self.speed_v[spindle] = 0.0
+            self.mode[spindle] = 0
+            self.active_count -= 1
+        else:
+            self.speed_v[spindle] = self.wanted_v[spindle]
+        if not self.is_held[spindle]:
+            self.finish(spindle)
+
+    def finish(self, spindle: int) -> None:
+        """The job is done."""
+        if self.is_open[spindle]:
+            self.is_open[spindle] = 0
+            number = self.first_number + spindle
+            self.record.spindle_reached(self.source[spindle], self.serial[spindle], number)
+
+    # --- Python's side --------------------------------------------------------------------------
+
+    def jobs(self) -> list[tuple[int, int, float, float, int, int, float]]:
+        """The PLC's jobs that wait.
+
+        Spindle, M, degrees per second, position, direction, tick, degrees per second before.
+        """
+        return [
+            (
+                spindle,
+                self.function[spindle],
+                self.wanted_v[spindle],
+                self.wanted_position[spindle],
+                self.direction[spindle],
+                self.taken_tick[spindle],
+                self.reached_v[spindle],
+            )
+            for spindle in range(self.count)
+            if self.plc_state[spindle] == WAITING
+        ]
+
+    def acknowledge(self, spindle: int) -> None:
+        """The PLC has done the job of this spindle."""
+        if self.plc_state[spindle] == WAITING:
+            self.plc_state[spindle] = ACKNOWLEDGED
+
+    def ending_count(self) -> int:
+        """How many spindles are on their way to a stand."""
+        return sum(
+            1
+            for spindle in range(self.count)
+            if self.mode[spindle] == POSITIONING
+            or (self.mode[spindle] and (self.function[spindle] == 5 or self.is_held[spindle]))
+        )
+
+
+def wrapped(degrees: float) -> float:
+    """The position within a revolution: from 0 up to, but not, 360 degrees."""
+    turned = degrees - 360.0 * arithmetic.floor(degrees / 360.0)
+    return 0.0 if turned >= 360.0 else turned

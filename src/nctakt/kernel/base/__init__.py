@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Arithmetic, records and timers of the realtime part."""

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The timers of realtime cycles: a bank apart from the decoder's (RC-401).
+
+The time is the tick's. Timers survive program end and reset. What READ latches is in the channel's
+cells of V.RTG.TIMER.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base import arithmetic
+
+#: Timers of a channel: IDs 0 … 127.
+TIMER_COUNT = 128
+
+
+class Timers:
+    """``first_cell`` is that of V.RTG.TIMER[0]."""
+
+    def __init__(self, memory: bytearray, first_cell: int, cycle_time_us: int) -> None:
+        self.cells = memoryview(memory).cast("d")
+        self.first_cell = first_cell
+        self.cycle_time_us = cycle_time_us
+        self.is_running = memoryview(bytearray(8 * TIMER_COUNT)).cast("q")
+        self.started_tick = memoryview(bytearray(8 * TIMER_COUNT)).cast("q")
+        self.elapsed_ticks = memoryview(bytearray(8 * TIMER_COUNT)).cast("q")
+
+    def command(self, action: int, timer: int, tick: int) -> None:
+        """START 1, STOP 2, READ 3, CLEAR 4.
+
+        START of a running timer has no effect, of a stopped one it counts on; CLEAR zeroes and
+        stops, the latched value stays.
+        """
+        if action == 1:
+            if not self.is_running[timer]:
+                self.is_running[timer] = 1
+                self.started_tick[timer] = tick
+        elif action == 2:
+            self.elapsed_ticks[timer] = self.elapsed(timer, tick)
+            self.is_running[timer] = 0
+        elif action == 3:
+            self.latch(timer, tick)
+        else:
+            self.is_running[timer] = 0
+            self.elapsed_ticks[timer] = 0
+
+    def elapsed(self, timer: int, tick: int) -> int:
+        """Ticks that a timer has counted."""
+        running = tick - self.started_tick[timer] if self.is_running[timer] else 0
+        return self.elapsed_ticks[timer] + running
+
+    def latch(self, timer: int, tick: int) -> None:
+        """READ: whole milliseconds; the largest number of UNS32 where they are more."""
+        time_us = self.elapsed(timer, tick) * self.cycle_time_us
+        milliseconds = arithmetic.floor(time_us / 1000.0)
+        self.cells[self.first_cell + timer] = min(milliseconds, 4294967295.0)

@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""Conditions of ``$IF`` in realtime cycles, each with its probe (RC-202).
+
+A condition keeps its last truth and records a probe row (``record.py``) when its truth changes, and
+where asked for one when a series of evaluations in consecutive ticks begins. While it has never
+been true it keeps the nearest miss: the smallest distance between its two sides, and when that was.
+A condition that is no comparison compares its value with 0.5. ``&&`` and ``||`` combine conditions
+with probes of their own. What a fault leaves is not recorded.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.cycles.context import Context
+from nctakt.kernel.cycles.expressions import Expression
+
+#: Truth of a condition that was not evaluated yet.
+UNKNOWN = -1
+
+
+class Condition:
+    """Base, and null object: always true, nothing recorded.
+
+    ``probe`` is its number in the probe rows; ``truth`` the last one (-1: not evaluated since its
+    cycle's last START). ``next_tick`` is the tick behind its last evaluation, -1 before the first.
+    """
+
+    def __init__(self) -> None:
+        self.probe = 0
+        self.truth = -1
+        self.next_tick = -1
+        self.was_ever_true = False
+        self.nearest = 1.7976931348623157e308
+        self.nearest_left = 0.0
+        self.nearest_right = 0.0
+        self.nearest_tick = -1
+
+    def decide(self, context: Context) -> int:
+        """Evaluate: 1 true, 0 false. A fault is noted in the context."""
+        return 1
+
+    def forget(self) -> None:
+        """START: the next evaluation is as the first one (RC-111)."""
+        self.truth = -1
+
+
+def note(condition: Condition, context: Context, truth: int, left: float, right: float) -> None:
+    """Record a change of truth; while never true, keep the nearest miss.
+
+    Most evaluations are as the one in the tick before; they end here, in the caller's own code.
+    """
+    if context.tick != condition.next_tick or truth != condition.truth:
+        tell_change(condition, context, truth, left, right)
+    condition.next_tick = context.tick + 1
+    distance = left - right
+    if distance < condition.nearest and distance > -condition.nearest:
+        approach(condition, context, left, right)
+
+
+def tell_change(
+    condition: Condition, context: Context, truth: int, left: float, right: float
+) -> None:
+    """A series of evaluations begins, or the truth changes."""
+    if context.tick != condition.next_tick:
+        context.record.series(condition.probe, 0, condition.next_tick)
+    if truth == condition.truth or context.fault:
+        return
+    condition.truth = truth
+    if truth == 1:
+        condition.was_ever_true = True
+        condition.nearest = -1.0
+    context.record.probe(condition.probe, truth, left, right)
+
+
+def approach(condition: Condition, context: Context, left: float, right: float) -> None:
+    """The sides are nearer to each other than ever."""
+    if context.fault:
+        return
+    distance = left - right
+    if distance < 0.0:
+        distance = 0.0 - distance
+    condition.nearest = distance
+    condition.nearest_left = left
+    condition.nearest_right = right
+    condition.nearest_tick = context.tick
+
+
+class Comparison(Condition):
+    """Base of the comparisons of two expressions."""
+
+    def __init__(self, left: Expression, right: Expression) -> None:
+        super().__init__()
+        self.left = left
+        self.right = right
+
+
+class CellComparison(Condition):
+    """Base of the comparisons of a variable with a number (fused)."""
+
+    def __init__(self, cell: int, number: float) -> None:
+        super().__init__()
+        self.cell = cell
+        self.number = number
+
+
+class IsTrue(Condition):
+    """Any other expression: true from a magnitude of 0.5 on; not finite is 50879 (RC-207)."""
+
+    def __init__(self, operand: Expression) -> None:
+        super().__init__()
+        self.operand = operand
+
+    def decide(self, context: Context) -> int:
+        value = self.operand.value(context)
+        if value - value != 0.0:
+            context.fail(50879, 0, 0.0, value)
+            return 0
+        truth = 1 if arithmetic.is_true(value) else 0
+        note(self, context, truth, value, 0.5)
+        return truth
+
+
+class IsTruePart(IsTrue):
+    """An operand of ``&&`` or ``||``, which may be infinite as in an expression."""
+
+    def decide(self, context: Context) -> int:
+        value = self.operand.value(context)
+        truth = 1 if arithmetic.is_true(value) else 0
+        note(self, context, truth, value, 0.5)
+        return truth
+
+
+class Combination(Condition):
+    """Base of what combines two conditions, both of which are evaluated (RC-501)."""
+
+    def __init__(self, first: Condition, second: Condition) -> None:
+        super().__init__()
+        self.first = first
+        self.second = second
+
+    def forget(self) -> None:
+        self.truth = -1
+        self.first.forget()
+        self.second.forget()
+
+
+class Both(Combination):
+    """``first && second``."""
+
+    def decide(self, context: Context) -> int:
+        first = self.first.decide(context)
+        second = self.second.decide(context)
+        truth = 1 if first == 1 and second == 1 else 0
+        note(self, context, truth, truth, 0.5)
+        return truth
+
+
+class Either(Combination):
+    """``first || second``."""
+
+    def decide(self, context: Context) -> int:
+        first = self.first.decide(context)
+        second = self.second.decide(context)
+        truth = 1 if first == 1 or second == 1 else 0
+        note(self, context, truth, truth, 0.5)
+        return truth
+
+
+class IsLess(Comparison):
+    """``left < right``."""
+
+    def decide(self, context: Context) -> int:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        truth = 1 if left < right else 0
+        note(self, context, truth, left, right)
+        return truth
+
+
+class IsLessCellConstant(CellComparison):
+    """Variable ``<`` number."""
+
+    def decide(self, context: Context) -> int:
+        left = context.cells[self.cell]
+        truth = 1 if left < self.number else 0
+        note(self, context, truth, left, self.number)
+        return truth
+
+
+class IsLessEqual(Comparison):
+    """``left <= right``."""
+
+    def decide(self, context: Context) -> int:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        truth = 1 if left <= right else 0
+        note(self, context, truth, left, right)
+        return truth
+
+
+class IsLessEqualCellConstant(CellComparison):
+    """Variable ``<=`` number."""
+
+    def decide(self, context: Context) -> int:
+        left = context.cells[self.cell]
+        truth = 1 if left <= self.number else 0
+        note(self, context, truth, left, self.number)
+        return truth
+
+
+class IsGreater(Comparison):
+    """``left > right``."""
+
+    def decide(self, context: Context) -> int:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        truth = 1 if left > right else 0
+        note(self, context, truth, left, right)
+        return truth
+
+
+class IsGreaterCellConstant(CellComparison):
+    """Variable ``>`` number."""
+
+    def decide(self, context: Context) -> int:
+        left = context.cells[self.cell]
+        truth = 1 if left > self.number else 0
+        note(self, context, truth, left, self.number)
+        return truth
+
+
+class IsGreaterEqual(Comparison):
+    """``left >= right``."""
+
+    def decide(self, context: Context) -> int:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        truth = 1 if left >= right else 0
+        note(self, context, truth, left, right)
+        return truth
+
+
+class IsGreaterEqualCellConstant(CellComparison):
+    """Variable ``>=`` number."""
+
+    def decide(self, context: Context) -> int:
+        left = context.cells[self.cell]
+        truth = 1 if left >= self.number else 0
+        note(self, context, truth, left, self.number)
+        return truth
+
+
+class IsEqual(Comparison):
+    """``left == right``."""
+
+    def decide(self, context: Context) -> int:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        truth = 1 if left == right else 0
+        note(self, context, truth, left, right)
+        return truth
+
+
+class IsEqualCellConstant(CellComparison):
+    """Variable ``==`` number."""
+
+    def decide(self, context: Context) -> int:
+        left = context.cells[self.cell]
+        truth = 1 if left == self.number else 0
+        note(self, context, truth, left, self.number)
+        return truth
+
+
+class IsNotEqual(Comparison):
+    """``left != right``."""
+
+    def decide(self, context: Context) -> int:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        truth = 1 if left != right else 0
+        note(self, context, truth, left, right)
+        return truth
+
+
+class IsNotEqualCellConstant(CellComparison):
+    """Variable ``!=`` number."""
+
+    def decide(self, context: Context) -> int:
+        left = context.cells[self.cell]
+        truth = 1 if left != self.number else 0
+        note(self, context, truth, left, self.number)
+        return truth

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""What a running realtime cycle sees: the memory, the tick, its budget, its fault.
+
+Every numeric variable of the machine is one float64 cell of one block of memory. The ``Context`` of
+a channel is its view of that block, with what the channel's cycles need beside it.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.axes.single_axes import SingleAxes
+from nctakt.kernel.axes.spindles import Spindles
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.base.timers import Timers
+from nctakt.kernel.plc.panel import Panel
+from nctakt.kernel.plc.technology_slots import Hli
+
+
+class Context:
+    """One channel's cycles at work.
+
+    ``serial`` and ``run`` name the running cycle and its run-through, ``owner`` its slot to those
+    who carry out its actions; ``action_places`` of them may be open at once (P-CHAN-00480).
+    ``steps`` counts the elementary instructions of this tick (RC-501), ``check_at`` is the count
+    from which ``over_limit`` decides (RC-502, RC-503). ``fault`` is the message ID of what
+    stopped the running cycle, 0 while all is well; ``fault_source``, ``fault_a`` and ``fault_b``
+    say where and with which values. ``user_reaction`` is the highest RC of the ``#ERROR`` in this
+    tick (RC-402).
+    """
+
+    def __init__(
+        self,
+        memory: bytearray,
+        record: Record,
+        hli: Hli,
+        timers: Timers,
+        single_axes: SingleAxes,
+    ) -> None:
+        self.cells = memoryview(memory).cast("d")
+        self.record = record
+        self.hli = hli
+        self.timers = timers
+        self.single_axes = single_axes
+        self.spindles = Spindles(memory, 0, 0, record, 1000)
+        self.tick = 0
+        self.serial = 0
+        self.run = 0
+        self.user_reaction = 0
+        self.owner = 0
+        self.action_places = 5
+        self.fault = 0
+        self.fault_source = 0
+        self.fault_a = 0.0
+        self.fault_b = 0.0
+        self.steps = 0
+        self.check_at = 0
+        self.max_steps = 4294967294
+        self.cont_steps = 100
+        self.budget_steps = 75000
+
+    def begin(self, tick: int) -> None:
+        """A new tick: nothing counted yet."""
+        self.tick = tick
+        self.steps = 0
+        self.fault = 0
+        self.user_reaction = 0
+        self.next_check()
+
+    def next_check(self) -> None:
+        """The next count at which the limits are looked at."""
+        self.check_at = min(self.steps + self.cont_steps, self.max_steps)
+
+    def over_limit(self, source: int) -> int:
+        """P-CHAN-00427, then P-CHAN-00425 in virtual time; 1 when the cycle must stop here."""
+        if self.steps > self.max_steps:
+            self.fail(50854, source, self.steps, self.max_steps)
+            return 1
+        if self.steps > self.budget_steps:
+            self.fail(50939, source, self.steps, self.budget_steps)
+            return 1
+        self.next_check()
+        return 0
+
+    def fail(self, message: int, source: int, a: float, b: float) -> None:
+        """Note the first fault of a statement; ``source`` 0 leaves the place to the statement."""
+        if self.fault == 0:
+            self.fault = message
+            self.fault_source = source
+            self.fault_a = a
+            self.fault_b = b
+
+
+def empty_context() -> Context:
+    """A context without variables, for expressions whose operands are all known."""
+    return context_of(bytearray(8 * 10))
+
+
+def context_of(memory: bytearray) -> Context:
+    """A context whose cells are this memory, at least ten, for what Python's side computes."""
+    record = Record(memory, row_capacity=1, event_capacity=1, probe_capacity=1)
+    single_axes = SingleAxes(Axes(memory, 0, 0), record, 1000)
+    return Context(memory, record, Hli(Panel(memory, 0)), Timers(memory, 0, 1000), single_axes)

@@ -1,0 +1,412 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The cycle manager: loaded realtime cycles, their life, and their run-through in each tick.
+
+RC-102 … RC-114, RC-505. Python fills a slot ahead of time (``load``); the command queue names
+the slot, the tick arms it; dead slots are freed between runs (``free_dead``). What the tick decides
+with stands in arrays over the slots, what it runs in a tree of groups of four in creation order.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.axes.single_axes import SingleAxes
+from nctakt.kernel.axes.spindles import Spindles
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.cycles.context import Context
+from nctakt.kernel.cycles.instructions import Statement
+
+# States of a slot.
+EMPTY = 0
+LOADED = 1
+DEFINED = 2
+ARMED = 3
+RUNNING = 4
+HELD = 5
+DEAD = 6
+
+BLOCK = 0
+PROG = 1
+GLOBAL = 2
+
+
+class RunThrough:
+    """Base, and null object, of what the manager runs in a tick."""
+
+    def run_through(self, manager: CycleManager, context: Context) -> int:
+        """0, or 1 when a fault stops the cycles of this tick."""
+        return 0
+
+
+class Group(RunThrough):
+    """Four of them, in order."""
+
+    def __init__(
+        self, first: RunThrough, second: RunThrough, third: RunThrough, fourth: RunThrough
+    ) -> None:
+        self.first = first
+        self.second = second
+        self.third = third
+        self.fourth = fourth
+
+    def run_through(self, manager: CycleManager, context: Context) -> int:
+        if self.first.run_through(manager, context):
+            return 1
+        if self.second.run_through(manager, context):
+            return 1
+        if self.third.run_through(manager, context):
+            return 1
+        return self.fourth.run_through(manager, context)
+
+
+class RealtimeCycle(RunThrough):
+    """A loaded realtime cycle.
+
+    ``serial`` names it in events; ``events`` and ``probes`` bound what one run-through can record.
+    ``probe`` is its number in the probe rows, ``next_tick`` the tick behind its last run-through.
+    ``size`` is what it takes of the memory of P-CHAN-00407, in bytes.
+    """
+
+    def __init__(
+        self, body: Statement, serial: int, events: int, probes: int, size: int = 0
+    ) -> None:
+        self.body = body
+        self.size = size
+        self.serial = serial
+        self.events = events
+        self.probes = probes
+        self.probe = 0
+        self.slot = -1
+        self.runs = 0
+        self.next_tick = -1
+
+    def run_through(self, manager: CycleManager, context: Context) -> int:
+        if manager.state[self.slot] != 4:
+            return 0
+        if manager.restarts[self.slot]:
+            manager.restarts[self.slot] = 0
+            self.body.restart()
+        if self.next_tick != context.tick:
+            context.record.series(self.probe, 0, self.next_tick)
+        self.next_tick = context.tick + 1
+        self.runs += 1
+        context.serial = self.serial
+        context.owner = manager.first_owner + self.slot
+        context.run = self.runs
+        if self.body.run(context):
+            manager.fail(self.slot, context)
+            return 1
+        return 0
+
+
+class CycleManager:
+    """The realtime cycles of one channel; at most ``capacity`` slots."""
+
+    def __init__(
+        self, record: Record, single_axes: SingleAxes, first_owner: int, capacity: int = 256
+    ) -> None:
+        self.record = record
+        self.spindles = Spindles(bytearray(8), 0, 0, record, 1000)
+        self.single_axes = single_axes
+        self.first_owner = first_owner
+        self.capacity = capacity
+        self.state = memoryview(bytearray(8 * capacity)).cast("q")
+        self.identity = memoryview(bytearray(8 * capacity)).cast("q")
+        self.scope = memoryview(bytearray(8 * capacity)).cast("q")
+        self.source = memoryview(bytearray(8 * capacity)).cast("q")
+        self.serial = memoryview(bytearray(8 * capacity)).cast("q")
+        self.reusable = memoryview(bytearray(8 * capacity)).cast("q")
+        self.restarts = memoryview(bytearray(8 * capacity)).cast("q")
+        self.started_tick = memoryview(bytearray(8 * capacity)).cast("q")
+        self.block = memoryview(bytearray(8 * capacity)).cast("q")
+        self.size = memoryview(bytearray(8 * capacity)).cast("q")
+        self.moves_on = memoryview(bytearray(8 * capacity)).cast("q")
+        self.memory_limit = 1 << 62
+        self.memory_used = 0
+        self.loaded: list[RealtimeCycle] = []
+        self.order = memoryview(bytearray(8 * capacity)).cast("q")
+        self.loaded_count = 0
+        self.root = RunThrough()
+        self.latest_start = -1
+        self.running_count = 0
+        self.armed_count = 0
+        self.in_block_count = 0
+        self.dead_count = 0
+        self.events_bound = 0
+        self.probes_bound = 0
+
+    # --- Python's side, between two runs --------------------------------------------------------
+
+    def free_slot(self) -> int:
+        """A slot for another cycle, -1 when all are taken."""
+        for slot in range(self.capacity):
+            if self.state[slot] == EMPTY:
+                return slot
+        return -1
+
+    def load(
+        self,
+        cycle: RealtimeCycle,
+        identity: int,
+        scope: int,
+        source: int,
+        moves_on: bool = False,
+    ) -> int:
+        """Fill a slot: its number, or -1 when none is free. ``identity`` is 0 without an ID.
+
+        ``moves_on``: END_ACTION is MOVE_CONT (RC-110).
+        """
+        slot = self.free_slot()
+        if slot < 0:
+            return -1
+        self.state[slot] = LOADED
+        self.identity[slot] = identity
+        self.scope[slot] = scope
+        self.source[slot] = source
+        self.serial[slot] = cycle.serial
+        self.size[slot] = cycle.size
+        self.moves_on[slot] = moves_on
+        self.reusable[slot] = 0
+        self.restarts[slot] = 0
+        self.started_tick[slot] = -1
+        cycle.slot = slot
+        self.loaded.append(cycle)
+        self.arrange()
+        return slot
+
+    def free_dead(self) -> list[RealtimeCycle]:
+        """Empty the slots of ended cycles and give the cycles back."""
+        self.dead_count = 0
+        dead = [cycle for cycle in self.loaded if self.state[cycle.slot] == DEAD]
+        if dead:
+            self.loaded = [cycle for cycle in self.loaded if self.state[cycle.slot] != DEAD]
+            for cycle in dead:
+                self.state[cycle.slot] = EMPTY
+            self.arrange()
+        return dead
+
+    def drop_unborn(self) -> None:
+        """Forget cycles whose definition was never taken: their program was given up."""
+        for cycle in self.loaded:
+            if self.state[cycle.slot] == LOADED:
+                self.state[cycle.slot] = DEAD
+
+    def arrange(self) -> None:
+        """Put the loaded cycles in the order of creation: the tree of groups, and their slots."""
+        level: list[RunThrough] = list(self.loaded)
+        nothing = RunThrough()
+        while len(level) > 1:
+            level += [nothing] * ((4 - len(level) % 4) % 4)
+            level = [Group(*level[i : i + 4]) for i in range(0, len(level), 4)]
+        self.root = level[0] if level else nothing
+        self.loaded_count = len(self.loaded)
+        for place, cycle in enumerate(self.loaded):
+            self.order[place] = cycle.slot
+        self.events_bound = sum(cycle.events for cycle in self.loaded)
+        self.probes_bound = sum(cycle.probes for cycle in self.loaded)
+
+    def state_of(self, slot: int) -> int:
+        """The state of a slot."""
+        return self.state[slot]
+
+    # --- the tick -------------------------------------------------------------------------------
+
+    def find(self, identity: int) -> int:
+        """The slot of the living cycle with this ID, -1 if there is none."""
+        for place in range(self.loaded_count):
+            slot = self.order[place]
+            if self.identity[slot] == identity and 2 <= self.state[slot] <= 5:
+                return slot
+        return -1
+
+    def enter(self, slot: int, state: int) -> None:
+        """Change a slot's state and keep the counts."""
+        before = self.state[slot]
+        if before == 4:
+            self.running_count -= 1
+        self.armed_count -= self.awaits_block(slot)
+        self.state[slot] = state
+        if self.block[slot] != 0 and state not in (4, 5):
+            self.block[slot] = 0
+            self.in_block_count -= 1
+        if state == 4:
+            self.running_count += 1
+        self.armed_count += self.awaits_block(slot)
+        if state in (2, 6):
+            self.spindles.leave(self.serial[slot])
+        if state == 6:
+            self.dead_count += 1
+            if before != 1:
+                self.memory_used -= self.size[slot]
+
+    def awaits_block(self, slot: int) -> int:
+        """Whether a cycle with scope BLOCK was started, or held, and its block is still to come."""
+        if self.scope[slot] != 0 or self.block[slot] != 0:
+            return 0
+        return 1 if self.state[slot] == 3 or self.state[slot] == 5 else 0
+
+    def define(self, slot: int, starts: int, tick: int) -> int:
+        """The definition is taken: 0, or the message that refuses it (RC-102, RC-108, RC-504)."""
+        if self.identity[slot] > 0 and self.find(self.identity[slot]) >= 0:
+            self.enter(slot, 6)
+            return 50900
+        if self.memory_used + self.size[slot] > self.memory_limit:
+            self.enter(slot, 6)
+            return 50857 if self.size[slot] > self.memory_limit else 50855
+        self.memory_used += self.size[slot]
+        self.record.created(self.source[slot], self.serial[slot], self.scope[slot])
+        self.enter(slot, 2)
+        self.reusable[slot] = 0 if starts else 1
+        if starts:
+            self.start(slot, tick, self.source[slot])
+        return 0
+
+    def wanted(self, slot: int, message: int) -> int:
+        """What a refused definition asked for: its ID, or its bytes of memory."""
+        return self.identity[slot] if message == 50900 else self.size[slot]
+
+    def start(self, slot: int, tick: int, source: int) -> None:
+        """Run from now on; a cycle with scope BLOCK waits for the next block (RC-105, RC-111)."""
+        self.restarts[slot] = 1
+        self.started_tick[slot] = tick
+        self.latest_start = tick
+        self.spindles.resume(self.serial[slot], tick)
+        self.single_axes.resume(self.first_owner + slot)
+        self.record.started(source, self.serial[slot])
+        self.enter(slot, 3 if self.scope[slot] == 0 else 4)
+
+    def is_fresh(self, identity: int, tick: int) -> int:
+        """RC-004: whether the cycle with this ID was started in this tick."""
+        if self.latest_start != tick:
+            return 0
+        slot = self.find(identity)
+        return 1 if slot >= 0 and self.started_tick[slot] == tick else 0
+
+    def has_fresh(self, tick: int) -> int:
+        """RC-004: whether a cycle that the program's end deletes was started in this tick."""
+        if self.latest_start != tick:
+            return 0
+        for place in range(self.loaded_count):
+            slot = self.order[place]
+            if 2 <= self.state[slot] <= 5 and self.scope[slot] != 2:
+                if self.started_tick[slot] == tick:
+                    return 1
+        return 0
+
+    def control(self, action: int, identity: int, tick: int, source: int) -> int:
+        """START 1, HOLD 2, CONTINUE 3, ABORT ACTION 4, DELETE 5: 0 or the message (RC-111)."""
+        slot = self.find(identity)
+        if slot < 0:
+            if action == 5:
+                self.record.notice(source, 0, 900410)
+                return 0
+            return 50858
+        if action == 1:
+            self.start(slot, tick, source)
+        elif action == 2:
+            self.hold(slot, source)
+        elif action == 3:
+            self.resume(slot, source)
+        elif action == 4:
+            self.record.aborted(source, self.serial[slot])
+            self.spindles.abort(self.serial[slot], tick)
+            self.abort_actions(slot)
+        else:
+            self.enter(slot, 6)
+            self.record.ended(source, self.serial[slot], 1)
+            self.end_actions(slot)
+        return 0
+
+    def hold(self, slot: int, source: int) -> None:
+        """HOLD: not run from now on, states kept; its motions brake and keep their targets."""
+        if self.state[slot] == 3 or self.state[slot] == 4:
+            self.enter(slot, 5)
+            self.record.held(source, self.serial[slot])
+            self.spindles.hold(self.serial[slot], self.record.tick)
+            self.single_axes.hold(self.first_owner + slot)
+        else:
+            self.record.notice(source, self.serial[slot], 900411)
+
+    def resume(self, slot: int, source: int) -> None:
+        """CONTINUE: run again with kept states; a BLOCK cycle held before its block waits again."""
+        if self.state[slot] == 5:
+            self.enter(slot, 3 if self.scope[slot] == 0 and self.block[slot] == 0 else 4)
+            self.record.continued(source, self.serial[slot])
+            self.spindles.resume(self.serial[slot], self.record.tick)
+            self.single_axes.resume(self.first_owner + slot)
+        else:
+            self.record.notice(source, self.serial[slot], 900412)
+
+    def enter_block(self, serial: int) -> None:
+        """A block that takes time was taken: armed cycles run with it.
+
+        A cycle that is held before its block belongs to that block all the same (RC-105).
+        """
+        if self.armed_count == 0:
+            return
+        for place in range(self.loaded_count):
+            slot = self.order[place]
+            if self.awaits_block(slot):
+                self.armed_count -= 1
+                self.block[slot] = serial
+                self.in_block_count += 1
+                if self.state[slot] == 3:
+                    self.enter(slot, 4)
+
+    def leave_blocks(self, serial: int) -> None:
+        """BLOCK cycles whose block is no longer current (``serial``; 0: none) have ended."""
+        if self.in_block_count == 0:
+            return
+        for place in range(self.loaded_count):
+            slot = self.order[place]
+            if self.block[slot] != 0 and self.block[slot] != serial:
+                self.end(slot, 0)
+
+    def end(self, slot: int, reason: int) -> None:
+        """A cycle has ended; one with DEF and scope BLOCK can be started again (RC-105)."""
+        self.record.ended(self.source[slot], self.serial[slot], reason)
+        self.enter(slot, 2 if self.reusable[slot] and self.scope[slot] == 0 else 6)
+        self.end_actions(slot)
+
+    def end_actions(self, slot: int) -> None:
+        """A cycle has ended: END_ACTION decides about its motions, held ones too (RC-110)."""
+        if self.moves_on[slot]:
+            self.single_axes.resume(self.first_owner + slot)
+        self.single_axes.end_owner(self.first_owner + slot, self.moves_on[slot])
+
+    def abort_actions(self, slot: int) -> None:
+        """Its motions brake at the axes' limits, and end."""
+        self.single_axes.abort(self.first_owner + slot)
+
+    def end_program(self) -> None:
+        """M30: BLOCK and PROG cycles are deleted (RC-105, RC-106)."""
+        self.delete_local(0)
+
+    def reset(self) -> None:
+        """RC-007: BLOCK and PROG cycles are deleted; GLOBAL ones keep their states."""
+        self.delete_local(2)
+
+    def delete_local(self, reason: int) -> None:
+        """Delete all cycles that do not outlive the program."""
+        for place in range(self.loaded_count):
+            slot = self.order[place]
+            if 2 <= self.state[slot] <= 5 and self.scope[slot] != 2:
+                if self.state[slot] == 3 and reason == 0:
+                    self.record.notice(self.source[slot], self.serial[slot], 900413)
+                if self.state[slot] != 2:
+                    self.record.ended(self.source[slot], self.serial[slot], reason)
+                self.enter(slot, 6)
+                self.end_actions(slot)
+
+    def run_cycles(self, context: Context) -> int:
+        """Run all active cycles once, in the order of creation: 1 after a fault (RC-112)."""
+        if self.running_count == 0:
+            return 0
+        return self.root.run_through(self, context)
+
+    def fail(self, slot: int, context: Context) -> None:
+        """RC-505: tell the fault; the cycle at fault is ended, its motions are aborted."""
+        self.record.error(context.fault_source, self.serial[slot], context.fault, context.fault_a)
+        self.enter(slot, 6)
+        self.record.ended(self.source[slot], self.serial[slot], 3)
+        self.abort_actions(slot)

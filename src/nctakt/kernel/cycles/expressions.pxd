@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: MIT
+# C types of expressions.py.
+cimport cython
+from nctakt.kernel.base cimport arithmetic
+from nctakt.kernel.cycles.context cimport Context
+
+cdef class Expression:
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Constant(Expression):
+    cdef double number
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Load(Expression):
+    cdef Py_ssize_t cell
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Index(Expression):
+    cdef Expression index
+    cdef long long stride
+    cdef long long count
+    cdef Expression further
+    cdef long long source
+    @cython.locals(number=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class LoadElement(Expression):
+    cdef Py_ssize_t base
+    cdef Expression index
+    @cython.locals(place=Py_ssize_t)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Binary(Expression):
+    cdef Expression left
+    cdef Expression right
+
+cdef class Unary(Expression):
+    cdef Expression operand
+
+cdef class Add(Binary):
+    @cython.locals(left=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Subtract(Binary):
+    @cython.locals(left=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Multiply(Binary):
+    @cython.locals(left=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Divide(Binary):
+    @cython.locals(left=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Modulo(Binary):
+    @cython.locals(left=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Power(Binary):
+    @cython.locals(left=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class BitAnd(Binary):
+    @cython.locals(left=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class BitOr(Binary):
+    @cython.locals(left=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class BitXor(Binary):
+    @cython.locals(left=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Less(Binary):
+    @cython.locals(left=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class LessEqual(Binary):
+    @cython.locals(left=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Greater(Binary):
+    @cython.locals(left=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class GreaterEqual(Binary):
+    @cython.locals(left=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Equal(Binary):
+    @cython.locals(left=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class NotEqual(Binary):
+    @cython.locals(left=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class And(Binary):
+    @cython.locals(left=double, right=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Or(Binary):
+    @cython.locals(left=double, right=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class ExclusiveOr(Binary):
+    @cython.locals(left=double, right=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Negate(Unary):
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Not(Unary):
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Truncate(Unary):
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Fraction(Unary):
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Round(Unary):
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Floor(Unary):
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Ceiling(Unary):
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class ArcTangent(Unary):
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class ArcCotangent(Unary):
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Absolute(Unary):
+    @cython.locals(operand=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Square(Unary):
+    @cython.locals(operand=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class SquareRoot(Unary):
+    @cython.locals(operand=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Exponential(Unary):
+    @cython.locals(operand=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class DecimalExponential(Unary):
+    @cython.locals(operand=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class NaturalLogarithm(Unary):
+    @cython.locals(operand=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class DecimalLogarithm(Unary):
+    @cython.locals(operand=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Sine(Unary):
+    @cython.locals(operand=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Cosine(Unary):
+    @cython.locals(operand=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Tangent(Unary):
+    @cython.locals(operand=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Cotangent(Unary):
+    @cython.locals(operand=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class ArcSine(Unary):
+    @cython.locals(operand=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class ArcCosine(Unary):
+    @cython.locals(operand=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class Invert(Unary):
+    @cython.locals(operand=double, result=double)
+    cdef double value(self, Context context) noexcept nogil
+
+cdef class ArcTangent2(Binary):
+    @cython.locals(left=double, result=double)
+    cdef double value(self, Context context) noexcept nogil

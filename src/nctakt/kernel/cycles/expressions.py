@@ -1,0 +1,532 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""Expressions of realtime cycles: trees of small objects, each of which computes its value.
+
+RC-206, RC-207. ``value(context)`` answers a float64. An operation that is not defined for its
+operands notes fault 50879 with its operation number in the context and answers 0; the statement
+above sees the fault and stores nothing. ``fused.py`` has nodes that stand for several of these.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.cycles.context import Context
+
+
+class Expression:
+    """Base, and null object: zero."""
+
+    def value(self, context: Context) -> float:
+        """The value in this moment of this tick."""
+        return 0.0
+
+    def measure(self, context: Context) -> float:
+        """``value`` for Python's side: tests, and listings of constants."""
+        return self.value(context)
+
+
+class Constant(Expression):
+    """A number that was known when the cycle was decoded (RC-302)."""
+
+    def __init__(self, number: float) -> None:
+        self.number = number
+
+    def value(self, context: Context) -> float:
+        return self.number
+
+
+class Load(Expression):
+    """A variable: one cell of the memory."""
+
+    def __init__(self, cell: int) -> None:
+        self.cell = cell
+
+    def value(self, context: Context) -> float:
+        return context.cells[self.cell]
+
+
+class Index(Expression):
+    """The part of an array access that is not fixed: ``next + stride * index`` (RC-307).
+
+    An index outside 0 … count-1 notes 50929, one that is no number 50879; ``further`` is the next
+    dimension's part.
+    """
+
+    def __init__(
+        self, index: Expression, stride: int, count: int, further: Expression, source: int
+    ) -> None:
+        self.index = index
+        self.stride = stride
+        self.count = count
+        self.further = further
+        self.source = source
+
+    def value(self, context: Context) -> float:
+        number = arithmetic.round_half_even(self.index.value(context))
+        if number - number != 0.0:
+            context.fail(50879, self.source, 0.0, number)
+            return 0.0
+        if not 0.0 <= number < self.count:
+            context.fail(50929, self.source, number, self.count)
+            return 0.0
+        return self.stride * number + self.further.value(context)
+
+
+class LoadElement(Expression):
+    """An array element whose index is computed in the tick."""
+
+    def __init__(self, base: int, index: Expression) -> None:
+        self.base = base
+        self.index = index
+
+    def value(self, context: Context) -> float:
+        place = int(self.index.value(context))
+        if context.fault:
+            return 0.0
+        return context.cells[self.base + place]
+
+
+class Binary(Expression):
+    """Base of all nodes with two operands; the left one is computed first, as its fault counts."""
+
+    def __init__(self, left: Expression, right: Expression) -> None:
+        self.left = left
+        self.right = right
+
+
+class Unary(Expression):
+    """Base of all nodes with one operand."""
+
+    def __init__(self, operand: Expression) -> None:
+        self.operand = operand
+
+
+class Add(Binary):
+    """``+``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        return left + self.right.value(context)
+
+
+class Subtract(Binary):
+    """``-``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        return left - self.right.value(context)
+
+
+class Multiply(Binary):
+    """``*``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        return left * self.right.value(context)
+
+
+class Divide(Binary):
+    """``/``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        result = arithmetic.divide(left, self.right.value(context))
+        if result != result:
+            context.fail(50879, 0, 1.0, 0.0)
+            return 0.0
+        return result
+
+
+class Modulo(Binary):
+    """``MOD``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        result = arithmetic.modulo(left, self.right.value(context))
+        if result != result:
+            context.fail(50879, 0, 2.0, 0.0)
+            return 0.0
+        return result
+
+
+class Power(Binary):
+    """``**``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        result = arithmetic.power(left, self.right.value(context))
+        if result != result:
+            context.fail(50879, 0, 3.0, 0.0)
+            return 0.0
+        return result
+
+
+class BitAnd(Binary):
+    """``&``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        result = arithmetic.bit_and(left, self.right.value(context))
+        if result != result:
+            context.fail(50879, 0, 4.0, 0.0)
+            return 0.0
+        return result
+
+
+class BitOr(Binary):
+    """``|``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        result = arithmetic.bit_or(left, self.right.value(context))
+        if result != result:
+            context.fail(50879, 0, 5.0, 0.0)
+            return 0.0
+        return result
+
+
+class BitXor(Binary):
+    """``^``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        result = arithmetic.bit_xor(left, self.right.value(context))
+        if result != result:
+            context.fail(50879, 0, 6.0, 0.0)
+            return 0.0
+        return result
+
+
+class Less(Binary):
+    """``<``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        return 1.0 if left < self.right.value(context) else 0.0
+
+
+class LessEqual(Binary):
+    """``<=``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        return 1.0 if left <= self.right.value(context) else 0.0
+
+
+class Greater(Binary):
+    """``>``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        return 1.0 if left > self.right.value(context) else 0.0
+
+
+class GreaterEqual(Binary):
+    """``>=``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        return 1.0 if left >= self.right.value(context) else 0.0
+
+
+class Equal(Binary):
+    """``==``, exact (RC-304)."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        return 1.0 if left == self.right.value(context) else 0.0
+
+
+class NotEqual(Binary):
+    """``!=``, exact (RC-304)."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        return 1.0 if left != self.right.value(context) else 0.0
+
+
+class And(Binary):
+    """``&&``; both sides are evaluated (RC-501)."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        return 1.0 if arithmetic.is_true(left) and arithmetic.is_true(right) else 0.0
+
+
+class Or(Binary):
+    """``||``; both sides are evaluated (RC-501)."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        return 1.0 if arithmetic.is_true(left) or arithmetic.is_true(right) else 0.0
+
+
+class ExclusiveOr(Binary):
+    """``XOR``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        right = self.right.value(context)
+        return 1.0 if arithmetic.is_true(left) != arithmetic.is_true(right) else 0.0
+
+
+class Negate(Unary):
+    """Unary ``-``."""
+
+    def value(self, context: Context) -> float:
+        return 0.0 - self.operand.value(context)
+
+
+class Not(Unary):
+    """``NOT``."""
+
+    def value(self, context: Context) -> float:
+        return 0.0 if arithmetic.is_true(self.operand.value(context)) else 1.0
+
+
+class Truncate(Unary):
+    """``INT``."""
+
+    def value(self, context: Context) -> float:
+        return arithmetic.truncate(self.operand.value(context))
+
+
+class Fraction(Unary):
+    """``FRACT``."""
+
+    def value(self, context: Context) -> float:
+        return arithmetic.fraction(self.operand.value(context))
+
+
+class Round(Unary):
+    """``ROUND``."""
+
+    def value(self, context: Context) -> float:
+        return arithmetic.round_half_even(self.operand.value(context))
+
+
+class Floor(Unary):
+    """``FLOOR``."""
+
+    def value(self, context: Context) -> float:
+        return arithmetic.floor(self.operand.value(context))
+
+
+class Ceiling(Unary):
+    """``CEIL``."""
+
+    def value(self, context: Context) -> float:
+        return arithmetic.ceiling(self.operand.value(context))
+
+
+class ArcTangent(Unary):
+    """``ATAN``."""
+
+    def value(self, context: Context) -> float:
+        return arithmetic.arc_tangent(self.operand.value(context))
+
+
+class ArcCotangent(Unary):
+    """``ACOT``."""
+
+    def value(self, context: Context) -> float:
+        return arithmetic.arc_cotangent(self.operand.value(context))
+
+
+class Absolute(Unary):
+    """``ABS``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        return operand if operand >= 0.0 else 0.0 - operand
+
+
+class Square(Unary):
+    """``SQR``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        return operand * operand
+
+
+class SquareRoot(Unary):
+    """``SQRT``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        result = arithmetic.square_root(operand)
+        if result != result:
+            context.fail(50879, 0, 7.0, operand)
+            return 0.0
+        return result
+
+
+class Exponential(Unary):
+    """``EXP``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        result = arithmetic.exponential(operand)
+        if result != result:
+            context.fail(50879, 0, 8.0, operand)
+            return 0.0
+        return result
+
+
+class DecimalExponential(Unary):
+    """``DEXP``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        result = arithmetic.decimal_exponential(operand)
+        if result != result:
+            context.fail(50879, 0, 9.0, operand)
+            return 0.0
+        return result
+
+
+class NaturalLogarithm(Unary):
+    """``LN``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        result = arithmetic.natural_logarithm(operand)
+        if result != result:
+            context.fail(50879, 0, 10.0, operand)
+            return 0.0
+        return result
+
+
+class DecimalLogarithm(Unary):
+    """``LOG``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        result = arithmetic.decimal_logarithm(operand)
+        if result != result:
+            context.fail(50879, 0, 11.0, operand)
+            return 0.0
+        return result
+
+
+class Sine(Unary):
+    """``SIN``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        result = arithmetic.sine(operand)
+        if result != result:
+            context.fail(50879, 0, 12.0, operand)
+            return 0.0
+        return result
+
+
+class Cosine(Unary):
+    """``COS``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        result = arithmetic.cosine(operand)
+        if result != result:
+            context.fail(50879, 0, 13.0, operand)
+            return 0.0
+        return result
+
+
+class Tangent(Unary):
+    """``TAN``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        result = arithmetic.tangent(operand)
+        if result != result:
+            context.fail(50879, 0, 14.0, operand)
+            return 0.0
+        return result
+
+
+class Cotangent(Unary):
+    """``COT``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        result = arithmetic.cotangent(operand)
+        if result != result:
+            context.fail(50879, 0, 15.0, operand)
+            return 0.0
+        return result
+
+
+class ArcSine(Unary):
+    """``ASIN``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        result = arithmetic.arc_sine(operand)
+        if result != result:
+            context.fail(50879, 0, 16.0, operand)
+            return 0.0
+        return result
+
+
+class ArcCosine(Unary):
+    """``ACOS``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        result = arithmetic.arc_cosine(operand)
+        if result != result:
+            context.fail(50879, 0, 17.0, operand)
+            return 0.0
+        return result
+
+
+class Invert(Unary):
+    """``INV``."""
+
+    def value(self, context: Context) -> float:
+        operand = self.operand.value(context)
+        result = arithmetic.bit_invert(operand)
+        if result != result:
+            context.fail(50879, 0, 18.0, operand)
+            return 0.0
+        return result
+
+
+class ArcTangent2(Binary):
+    """``ATAN2[y, x]``."""
+
+    def value(self, context: Context) -> float:
+        left = self.left.value(context)
+        result = arithmetic.arc_tangent_2(left, self.right.value(context))
+        if result != result:
+            context.fail(50879, 0, 19.0, 0.0)
+            return 0.0
+        return result
+
+
+#: Names of the operations that can fail, by the number in detail ``a`` of fault 50879.
+OPERATIONS = {
+    1: "/",
+    2: "MOD",
+    3: "**",
+    4: "&",
+    5: "|",
+    6: "^",
+    7: "SQRT",
+    8: "EXP",
+    9: "DEXP",
+    10: "LN",
+    11: "LOG",
+    12: "SIN",
+    13: "COS",
+    14: "TAN",
+    15: "COT",
+    16: "ASIN",
+    17: "ACOS",
+    18: "INV",
+    19: "ATAN2",
+}

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""``#ERROR`` in a realtime cycle: an error of the user's own (RC-402).
+
+A warning (RC 0) is told and no more. With RC from 1 on the channel is in error state and the path
+brakes from this tick; the statements behind it, its cycle and all others run on until the reset.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.cycles import instructions
+from nctakt.kernel.cycles.context import Context
+from nctakt.kernel.cycles.expressions import Expression
+from nctakt.kernel.cycles.instructions import Counted
+
+
+class UserValue:
+    """Base of a value that is told with the error, and null object: the end of their chain."""
+
+    def evaluate(self, context: Context) -> None:
+        """Compute this value and those behind it; a fault is in the context."""
+
+    def tell(self, context: Context, source: int) -> None:
+        """An event for this value and for each of those behind it."""
+
+
+class NumberValue(UserValue):
+    """``PV1=…`` and its kin; ``code`` is the keyword's place (``nc/check/user_errors.py``)."""
+
+    def __init__(self, code: int, expression: Expression, others: UserValue) -> None:
+        self.code = code
+        self.expression = expression
+        self.others = others
+        self.number = 0.0
+
+    def evaluate(self, context: Context) -> None:
+        self.number = self.expression.value(context)
+        if self.number - self.number != 0.0:
+            context.fail(50879, 0, 0.0, self.number)
+        if context.fault == 0:
+            self.others.evaluate(context)
+
+    def tell(self, context: Context, source: int) -> None:
+        context.record.user_value(source, context.serial, self.code, self.number)
+        self.others.tell(context, source)
+
+
+class TextValue(UserValue):
+    """``PV1="…"``: a constant text, by its number."""
+
+    def __init__(self, code: int, text: int, others: UserValue) -> None:
+        self.code = code
+        self.text = text
+        self.others = others
+
+    def evaluate(self, context: Context) -> None:
+        self.others.evaluate(context)
+
+    def tell(self, context: Context, source: int) -> None:
+        context.record.user_text(source, context.serial, self.code, self.text)
+        self.others.tell(context, source)
+
+
+class RaiseUserError(Counted):
+    """``#ERROR [ID=… RC=… PV1=…]``; what is no ID or RC is 900460, 900461."""
+
+    def __init__(
+        self,
+        identity: Expression,
+        reaction: Expression,
+        values: UserValue,
+        source: int,
+        cost: int,
+    ) -> None:
+        super().__init__(source, cost)
+        self.identity = identity
+        self.reaction = reaction
+        self.values = values
+
+    def run(self, context: Context) -> int:
+        if instructions.begin(self, context):
+            return 1
+        identity = self.whole(context, self.identity, 1.0, 1000.0, 900460)
+        reaction = self.whole(context, self.reaction, 0.0, 7.0, 900461)
+        self.values.evaluate(context)
+        if context.fault:
+            return instructions.stop(self, context)
+        context.record.user_error(self.source, context.serial, identity, reaction)
+        self.values.tell(context, self.source)
+        if reaction > context.user_reaction:
+            context.user_reaction = int(reaction)
+        return 0
+
+    def whole(
+        self, context: Context, expression: Expression, low: float, high: float, message: int
+    ) -> float:
+        """A whole number from ``low`` to ``high``, or the message that refuses it."""
+        if context.fault:
+            return 0.0
+        value = expression.value(context)
+        if context.fault == 0 and not (
+            low <= value <= high and value == arithmetic.round_half_even(value)
+        ):
+            context.fail(message, self.source, value, high)
+        return value

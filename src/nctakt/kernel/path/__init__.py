@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""The path: segments, limits, look-ahead, and the motion along them."""

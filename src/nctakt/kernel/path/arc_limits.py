@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""What the axes allow on an arc, by its angle: speeds, speeding up, braking (MO-1, MO-2).
+
+On an arc the direction q' of the path and its curvature q'' turn with the angle, so the same speed
+v and acceleration a ask something else of each axis at each place: ``|q'·a + q''·v²| <= A``.
+The arc is seen as *pieces* of equal angle, 6° at most (3° where the speed of an axis is the limit),
+the first and the last one divided further, because the path may start or stop there. Of a vector
+that turns, no part grows between the two ends of a piece beyond that at an end by more than
+1 / cos(half the piece's angle): what keeps that share of the limits at both ends keeps them on the
+whole piece. Speeds stand as squares, since the conditions are linear in them.
+
+Within a piece the path may always keep its speed: ``caps`` is the highest for which that holds.
+From any speed that is not above the line between those of the piece's two borders the path can go
+on to the border ahead, so that braking there is always possible (``reach``).
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base import arithmetic
+
+#: Pieces of a full circle: 120, and 6 more where the first and the last one are divided.
+MOST_PIECES = 126
+
+
+class ArcLimits:
+    """The limits on one arc at a time, over ``count`` axes with their limits of speed and feed.
+
+    ``borders``: for each border of the pieces, of both axes of the plane: part of the way, change
+    of that part per way. ``keeps``: the share of the axes' acceleration that may be used on each
+    piece. ``ends``: the way up to each border.
+    """
+
+    def __init__(self, count: int) -> None:
+        self.count = count
+        self.most_v = memoryview(bytearray(8 * max(1, count))).cast("d")
+        self.most_a = memoryview(bytearray(8 * max(1, count))).cast("d")
+        self.borders = memoryview(bytearray(32 * (MOST_PIECES + 1))).cast("d")
+        self.caps = memoryview(bytearray(8 * MOST_PIECES)).cast("d")
+        self.keeps = memoryview(bytearray(8 * MOST_PIECES)).cast("d")
+        self.ends = memoryview(bytearray(8 * (MOST_PIECES + 1))).cast("d")
+        self.pieces = 0
+        self.first_a = 0.0
+        self.second_a = 0.0
+        self.outer_a = 0.0
+        self.outer_v = 0.0
+
+    def share(self, most_v: memoryview[float], most_a: memoryview[float]) -> None:
+        """Take over the limits of the axes: of speed, and of acceleration with a feed."""
+        self.most_v = most_v
+        self.most_a = most_a
+
+    def open(self, row: memoryview[float], base: int) -> None:
+        """Take the arc of the segment in ``row`` (``geometry.py``)."""
+        tail = base + 12 + 2 * self.count
+        first = int(row[tail + 7])
+        second = int(row[tail + 8])
+        x = row[base + 12 + first] - row[tail + 9]
+        y = row[base + 12 + second] - row[tail + 10]
+        radius = arithmetic.square_root(x * x + y * y)
+        x /= radius
+        y /= radius
+        turn = row[tail + 11] * 0.017453292519943295
+        part = radius * turn / row[base + 3]
+        bend = part * part / radius
+        self.pieces = int(row[tail + 17])
+        for j in range(self.pieces + 1):
+            share = self.border(j)
+            cosine = arithmetic.cosine(row[tail + 11] * share)
+            sine = arithmetic.sine(row[tail + 11] * share)
+            self.ends[j] = row[base + 3] * share
+            self.borders[4 * j] = 0.0 - (x * sine + y * cosine) * part
+            self.borders[4 * j + 1] = (x * cosine - y * sine) * part
+            self.borders[4 * j + 2] = 0.0 - (x * cosine - y * sine) * bend
+            self.borders[4 * j + 3] = 0.0 - (x * sine + y * cosine) * bend
+        self.first_a = self.most_a[first]
+        self.second_a = self.most_a[second]
+        self.open_outer(row, base, first, second)
+        keep = arithmetic.cosine(0.5 * row[tail + 11] / (self.pieces - 6.0))
+        for k in range(self.pieces):
+            self.keeps[k] = keep * (1.0 - self.used_on(row, base, k))
+            cap = min(self.cap_at(k, first, second, keep), self.cap_at(k + 1, first, second, keep))
+            outer_v = self.outer_v * keep
+            cap = min(cap, outer_v * outer_v)
+            cap = min(cap, self.centre_cap(k, k), self.centre_cap(k, k + 1))
+            self.caps[k] = cap
+
+    def border(self, j: int) -> float:
+        """Which share of the arc lies before a border; the pieces at both ends grow evenly."""
+        behind = self.pieces - j
+        even = self.pieces - 6.0
+        if j < 4:
+            return j * j / (16.0 * even)
+        if behind < 4:
+            return 1.0 - behind * behind / (16.0 * even)
+        return (j - 3) / even
+
+    def open_outer(self, row: memoryview[float], base: int, first: int, second: int) -> None:
+        """The limits of the axes that a helix moves outside of its plane."""
+        self.outer_a = 1e300
+        self.outer_v = 1e150
+        for i in range(self.count):
+            way = row[base + 12 + self.count + i] - row[base + 12 + i]
+            if way != 0.0 and i not in (first, second):
+                part = (way if way > 0.0 else 0.0 - way) / row[base + 3]
+                self.outer_a = min(self.outer_a, self.most_a[i] / part)
+                self.outer_v = min(self.outer_v, self.most_v[i] / part)
+
+    def used_on(self, row: memoryview[float], base: int, k: int) -> float:
+        """The share of the acceleration that corners at the arc's ends use on a piece."""
+        tail = base + 12 + 2 * self.count
+        used = row[tail + 20]
+        if self.ends[k] < row[tail]:
+            used = max(used, row[tail + 18])
+        if self.ends[k + 1] > row[base + 3] - row[tail + 1]:
+            used = max(used, row[tail + 19])
+        return used
+
+    def cap_at(self, j: int, first: int, second: int, keep: float) -> float:
+        """The square of the speed that the axes' limits of speed allow at a border."""
+        cap = 1e300
+        part = self.borders[4 * j]
+        if part * part > 1e-18:
+            speed = self.most_v[first] * keep / part
+            cap = speed * speed
+        part = self.borders[4 * j + 1]
+        if part * part > 1e-18:
+            speed = self.most_v[second] * keep / part
+            cap = min(cap, speed * speed)
+        return cap
+
+    def centre_cap(self, k: int, j: int) -> float:
+        """The square of the speed that may be kept on piece ``k``, seen from one of its borders."""
+        first = self.borders[4 * j + 2]
+        second = self.borders[4 * j + 3]
+        first = first if first > 0.0 else 0.0 - first
+        second = second if second > 0.0 else 0.0 - second
+        cap = 1e300
+        if first > 1e-30:
+            cap = self.first_a * self.keeps[k] / first
+        if second > 1e-30:
+            cap = min(cap, self.second_a * self.keeps[k] / second)
+        return cap
+
+    def rate(self, k: int, speed2: float, growth: float, direction: float) -> float:
+        """The highest acceleration on piece ``k`` with the square of the speed ``speed2``.
+
+        ``direction``: 1 speeding up, -1 braking. The acceleration is kept until the square of the
+        speed has grown by ``growth`` (below 0: fallen) times the acceleration.
+        """
+        keep = self.keeps[k]
+        most = self.outer_a * keep
+        most = min(most, self.axis_rate(4 * k, self.first_a * keep, speed2, growth, direction))
+        most = min(most, self.axis_rate(4 * k + 1, self.second_a * keep, speed2, growth, direction))
+        most = min(most, self.axis_rate(4 * k + 4, self.first_a * keep, speed2, growth, direction))
+        most = min(most, self.axis_rate(4 * k + 5, self.second_a * keep, speed2, growth, direction))
+        return most
+
+    def axis_rate(
+        self, place: int, limit_a: float, speed2: float, growth: float, direction: float
+    ) -> float:
+        """``rate`` of one axis at one border: the part of the way stands at ``place``."""
+        part = direction * self.borders[place]
+        bend = self.borders[place + 2]
+        if part < 0.0:
+            part = 0.0 - part
+            bend = 0.0 - bend
+        left_a = max(limit_a - bend * speed2, 0.0)
+        later = part + growth * bend
+        part = max(part, later)
+        return left_a / part if part > 1e-9 else 1e300
+
+    def reach(self, speed2: float) -> float:
+        """The square of the highest speed at the arc's begin from which that at its end is kept."""
+        k = self.pieces
+        while k > 0:
+            k -= 1
+            speed2 = self.before(k, speed2)
+        return speed2
+
+    def before(self, k: int, speed2: float) -> float:
+        """The square of the highest speed at the begin of a piece, from that at its end."""
+        width = 2.0 * (self.ends[k + 1] - self.ends[k])
+        speed2 = min(speed2, self.caps[k])
+        speed2 += width * self.rate(k, speed2, width, -1.0)
+        return min(speed2, self.caps[k])
+
+    def entry_speed(self, end_v: float, limit_v: float) -> float:
+        """The highest speed at the arc's begin from which the end's is kept, as in
+        ``geometry.py``."""
+        return min(arithmetic.square_root(self.reach(end_v * end_v)), limit_v)
+
+    def highest_speed(self) -> float:
+        """The highest speed on any piece."""
+        cap = 0.0
+        for k in range(self.pieces):
+            cap = max(cap, self.caps[k])
+        return arithmetic.square_root(cap)
+
+    def end_cap(self, at_end: int) -> float:
+        """The highest speed on the first or the last piece."""
+        return arithmetic.square_root(self.caps[self.pieces - 1 if at_end else 0])

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The speed along an arc whose limits turn with its angle: one plan for each piece (MO-1, MO-5).
+
+``survey`` settles how fast the path may be at each border of the pieces, from the arc's end
+backwards: ``highs`` what must hold, ``lows`` what is wanted, because the next block has a lesser
+feed. ``plan`` then leads from the present speed to the next border as fast as possible: speed up or
+slow down to the speed limit or to the highest speed that fits, keep it, brake. All accelerations
+are such as ``arc_limits.py`` allows at each speed that occurs.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.path.arc_limits import MOST_PIECES, ArcLimits
+from nctakt.kernel.path.trapezoid_profile import Profile
+
+
+class ArcSpeed(ArcLimits):
+    """The plan of one path on its current arc, which it puts into ``profile``."""
+
+    def __init__(self, count: int, profile: Profile) -> None:
+        super().__init__(count)
+        self.profile = profile
+        self.highs = memoryview(bytearray(8 * (MOST_PIECES + 1))).cast("d")
+        self.lows = memoryview(bytearray(8 * (MOST_PIECES + 1))).cast("d")
+        self.prepared_v = 0.0
+        self.next_feed_v = 0.0
+        self.free_v = 0.0
+        self.known_v = -1.0
+        self.known_wanted_v = -1.0
+
+    def begin(self, row: memoryview[float], base: int) -> None:
+        """The arc in ``row`` is the current one."""
+        self.open(row, base)
+        tail = base + 12 + 2 * self.count
+        self.prepared_v = row[base + 7]
+        self.next_feed_v = row[tail + 12]
+        self.free_v = max(row[tail + 13], row[base + 7])
+        self.known_v = -1.0
+        self.known_wanted_v = -1.0
+
+    def look_ahead(
+        self,
+        stage: int,
+        rest_d: float,
+        start_v: float,
+        factor: float,
+        ahead: float,
+        rest_v: float,
+    ) -> None:
+        """``survey`` for an override as a factor; in single block with ``rest_v`` at the end.
+
+        ``ahead``: the override of the next segment.
+
+        That is left out (``rest_v`` below 0), and where it cannot be had any more. Where the
+        override has just changed, the arc may end faster than wanted, as fast as can be.
+        """
+        end_v = self.prepared_v
+        if factor > 1.0:
+            end_v = max(end_v, min(end_v * factor, self.free_v))
+        feed_v = max(self.next_feed_v, 0.0 - self.next_feed_v) * ahead
+        if 0.0 < feed_v < end_v:
+            end_v = feed_v
+        if rest_v >= 0.0:
+            self.survey(min(rest_v, self.free_v), end_v)
+            if self.is_met(stage, rest_d, start_v):
+                return
+        self.survey(self.free_v, end_v)
+
+    def survey(self, most_v: float, wanted_v: float) -> None:
+        """The speeds at the borders, from the highest and the wanted one at the arc's end."""
+        if most_v == self.known_v and wanted_v == self.known_wanted_v:
+            return
+        self.known_v = most_v
+        self.known_wanted_v = wanted_v
+        self.fill(self.highs, most_v)
+        self.fill(self.lows, min(wanted_v, most_v))
+
+    def fill(self, borders: memoryview[float], end_v: float) -> None:
+        """The squares of the highest speeds at all borders from which the end's can be kept."""
+        k = self.pieces
+        borders[k] = min(end_v * end_v, self.caps[k - 1])
+        while k > 0:
+            k -= 1
+            borders[k] = self.before(k, borders[k + 1])
+            if k > 0:
+                borders[k] = min(borders[k], self.caps[k - 1])
+
+    def is_met(self, stage: int, rest_d: float, start_v: float) -> int:
+        """Whether the path, ``rest_d`` before the end of a piece, can still keep the survey."""
+        width = 2.0 * rest_d
+        speed2 = self.highs[stage + 1]
+        speed2 += width * self.rate(stage, speed2, width, -1.0)
+        return 1 if start_v * start_v <= 1.000001 * speed2 else 0
+
+    def plan(self, stage: int, rest_d: float, start_v: float, limit_v: float) -> None:
+        """Plan what is left of a piece, at most with ``limit_v``; 0: brake to a stand."""
+        start2 = start_v * start_v
+        limit2 = min(limit_v * limit_v, self.caps[stage])
+        if rest_d <= 0.0:
+            end2 = min(start2, self.highs[stage + 1])
+            self.profile.plan(0.0, start_v, arithmetic.square_root(end2), limit_v, 1.0)
+        elif start2 > limit2 * 1.000000000001:
+            self.slow_down(stage, rest_d, start_v, limit2)
+        else:
+            self.speed_up(stage, rest_d, start_v, max(limit2, start2))
+
+    def change(self, stage: int, from2: float, to2: float, width: float, direction: float) -> float:
+        """The acceleration to get from one speed to a higher one, on half of ``width`` at most.
+
+        Next to none counts as none, since its way would be that of the rounding.
+        """
+        most = self.rate(stage, from2, 0.0, direction)
+        most = min(most, self.rate(stage, to2, 0.0, direction))
+        if from2 + width * most < to2:
+            longer = self.rate(stage, from2, width, direction)
+            most = max(most, min(longer, (to2 - from2) / width))
+        return most if most > 1e-6 else 0.0
+
+    def slow_down(self, stage: int, rest_d: float, start_v: float, limit2: float) -> None:
+        """The path is faster than it may be: brake to the limit, then for the border."""
+        start2 = start_v * start_v
+        rate = self.rate(stage, start2, 0.0, -1.0)
+        rate = min(rate, self.rate(stage, limit2, 0.0, -1.0))
+        if start2 - 2.0 * rest_d * rate > limit2:
+            self.brake(stage, rest_d, start_v, limit2)
+            return
+        first_d = 0.5 * (start2 - limit2) / rate
+        end2 = min(limit2, self.lows[stage + 1])
+        last_d = 0.0
+        if end2 < limit2:
+            last = self.rate(stage, limit2, 0.0, -1.0)
+            last = min(last, self.rate(stage, end2, 0.0, -1.0))
+            if 2.0 * last * (rest_d - first_d) < limit2 - end2:
+                self.brake(stage, rest_d, start_v, end2)
+                return
+            last_d = 0.5 * (limit2 - end2) / last
+        self.follow(rest_d, start_v, first_d, limit2, last_d, end2)
+
+    def brake(self, stage: int, rest_d: float, start_v: float, wanted2: float) -> None:
+        """Brake evenly up to the border, to the wanted speed as far as that can be."""
+        start2 = start_v * start_v
+        width = 2.0 * rest_d
+        rate = self.rate(stage, start2, 0.0 - width, -1.0)
+        end2 = max(wanted2, start2 - width * rate)
+        end2 = min(end2, self.highs[stage + 1], start2)
+        self.follow(rest_d, start_v, 0.0, start2, rest_d, end2)
+
+    def speed_up(self, stage: int, rest_d: float, start_v: float, limit2: float) -> None:
+        """The path may be faster: up to the limit, or as far as it can still brake."""
+        start2 = start_v * start_v
+        width = 2.0 * rest_d
+        end2 = min(self.lows[stage + 1], limit2)
+        last = 0.0
+        if end2 < limit2:
+            last = self.change(stage, end2, limit2, width, -1.0)
+        if start2 > end2 + width * last:
+            self.brake(stage, rest_d, start_v, end2)
+            return
+        first = 0.0
+        if start2 < limit2:
+            first = self.change(stage, start2, limit2, width, 1.0)
+        top2 = min(start2 + width * first, limit2)
+        if top2 <= end2 or first + last <= 0.0:
+            first_d = min(0.5 * (top2 - start2) / first, rest_d) if first > 0.0 else 0.0
+            self.follow(rest_d, start_v, first_d, top2, 0.0, top2)
+            return
+        # Without one of the two ramps the highest speed is that of its border, bit for bit.
+        top2 = start2 if first <= 0.0 else end2
+        if first > 0.0 and last > 0.0:
+            top2 = (last * start2 + first * end2 + width * first * last) / (first + last)
+        top2 = max(min(top2, limit2), start2, end2)
+        first_d = min(0.5 * (top2 - start2) / first, rest_d) if top2 > start2 else 0.0
+        last_d = min(0.5 * (top2 - end2) / last, rest_d - first_d) if top2 > end2 else 0.0
+        self.follow(rest_d, start_v, first_d, top2, last_d, end2)
+
+    def follow(
+        self,
+        rest_d: float,
+        start_v: float,
+        first_d: float,
+        top2: float,
+        last_d: float,
+        end2: float,
+    ) -> None:
+        """Put the ramps into the profile."""
+        top_v = arithmetic.square_root(top2)
+        end_v = arithmetic.square_root(end2)
+        self.profile.plan_ramps(rest_d, start_v, first_d, top_v, last_d, end_v)

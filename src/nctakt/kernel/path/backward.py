@@ -1,0 +1,499 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""Backward motion on the path: over the segments that the path has kept, and forward again (MO-7).
+
+Backward is commanded: the path brakes to a stand, then walks back on the same curve, with the
+feeds and limits of the blocks, until backward is taken away or the history ends. Forward it walks
+over the same segments to its *front*, where it turned, and continues. Nothing but motion happens
+meanwhile: no command is taken, dwells are passed over.
+
+Stages (``geometry.py``) and corners are passed with the speeds of forward motion; where the path
+had stopped it stops again. Under a jerk limit it walks stretches (``history.py``), stand to stand.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.path import geometry
+from nctakt.kernel.path.history import History
+from nctakt.kernel.path.lookahead import LookAhead
+from nctakt.kernel.path.override import Overrides
+from nctakt.kernel.path.path import Path
+from nctakt.kernel.path.trapezoid_profile import Profile
+from nctakt.kernel.plc.panel import Panel
+
+
+class Retrace(History):
+    """The walk of one channel's path over its history.
+
+    ``fault`` is the number of the message that stops the channel, because something else has moved
+    an axis while the path was away (MO-13); ``Path.refused_axis`` is the axis, ``fault_source`` the
+    block. ``is_blocked``: the walk has come to the start of the history, or to such a block.
+    ``entered``: the N number of the block that the walk has come to within this tick, else -1.
+    """
+
+    def __init__(
+        self, path: Path, panel: Panel, record: Record, ahead: LookAhead, overrides: Overrides
+    ) -> None:
+        super().__init__(path, ahead)
+        self.overrides = overrides
+        self.panel = panel
+        self.record = record
+        self.profile = Profile()
+        self.stage = 0
+        self.stage_d = 0.0
+        self.plan_d = 0.0
+        self.offset_t = 0.0
+        self.ticks = 0
+        self.factor = 1.0
+        self.is_single = False
+        self.is_blocked = False
+        self.was_paused = False
+        self.was_released = False
+        self.fault = 0
+        self.fault_source = 0
+        self.has_failed = False
+        self.entered = -1.0
+
+    def takes_over(self) -> int:
+        """Whether the path, which backward motion stops, stands and has a way behind it."""
+        return 1 if self.path.speed_v == 0.0 and self.can_go_back() else 0
+
+    def can_go_back(self) -> int:
+        """Whether there is a way behind the place where the path stands."""
+        place = self.path.used
+        if self.path.is_active:
+            if not self.path.is_dwell and self.path.covered_d > 0.0:
+                return 1
+            place -= 1
+        return 1 if self.neighbour(place, -1) >= self.path.oldest else 0
+
+    def way(self) -> int:
+        """0: the path is at its front, 1: it walks backward over its history, 2: forward."""
+        if not self.path.is_away:
+            return 0
+        return 1 if self.path.direction < 0 else 2
+
+    def step(self, factor: float, is_stopping: int) -> int:
+        """One tick: 1 when the path is at its front again and its segment has ended in this tick.
+
+        As ``Path.step``; the path is away.
+        """
+        self.entered = -1.0
+        wanted = -1 if self.panel.backward_motion else 1
+        if self.path.direction != wanted and self.path.speed_v == 0.0:
+            self.turn(wanted)
+            if self.path.is_active:
+                self.entered = self.path.block_number()
+            if not self.path.is_away:
+                return self.path.step(factor, is_stopping)
+        if self.is_blocked:
+            self.path.limit_v = 0.0
+            return 0
+        halts = is_stopping or self.path.direction != wanted or self.panel.is_paused
+        limit_v = 0.0 if halts else self.feed_speed(self.path.base, 0)
+        is_changed = factor != self.factor or self.path.is_single != self.is_single
+        if self.note_foreign():
+            is_changed = True
+            if self.path.ring[self.path.base + 10] > 0.0:
+                self.survey(0)
+        if limit_v != self.path.limit_v or is_changed:
+            self.factor = factor
+            self.is_single = self.path.is_single
+            self.offset_t = 0.0
+            self.replan(limit_v)
+        self.ticks += 1
+        return self.advance(is_stopping)
+
+    # --- begin, turn, end -----------------------------------------------------------------------
+
+    def leave(self) -> None:
+        """The path stands and goes back from here."""
+        self.path.is_away = True
+        self.path.is_front_over = not self.path.is_active
+        self.has_failed = False
+        self.was_paused = self.panel.is_paused
+        self.was_released = self.panel.is_released
+        self.panel.is_paused = False
+        self.place = self.path.used if self.path.is_front_over else self.path.used - 1
+        self.front_place = self.place
+        for i in range(self.path.count):
+            axis = self.path.members[i]
+            self.foreign[i] = (
+                not self.path.axes.on_path[axis]
+                and self.path.axes.command[axis] != self.path.ends[i]
+            )
+        if self.path.is_front_over or self.path.is_dwell:
+            self.path.rest()
+            self.path.covered_d = 0.0
+        self.path.is_active = True
+        self.path.is_dwell = False
+        self.go(-1)
+
+    def turn(self, wanted: int) -> None:
+        """The path stands: on in the other direction."""
+        if wanted > 0 and self.place == self.front_place:
+            self.return_to_front(self.path.covered_d)
+        else:
+            self.go(wanted)
+
+    def go(self, direction: int) -> None:
+        """Begin to walk in ``direction``, out of the stand."""
+        self.path.direction = direction
+        self.path.speed_v = 0.0
+        self.path.smooth.acceleration_a = 0.0
+        self.path.limit_v = -1.0
+        self.is_blocked = False
+        self.record.retraced(int(self.path.ring[self.path.base + 1]), 0 if direction < 0 else 1)
+        if self.path.covered_d > 0.0 or direction > 0:
+            self.path.claim_again()
+            if self.enter_stage():
+                return
+        self.cross()
+
+    def return_to_front(self, covered_d: float) -> None:
+        """The path is where it was before it turned, and its own master again."""
+        self.panel.is_paused = self.was_paused
+        self.panel.is_released = self.was_released
+        self.record.retraced(int(self.path.ring[self.path.front + 1]), 3)
+        self.path.release()
+        self.path.rest()
+        self.path.is_active = not self.path.is_front_over
+        if self.path.is_active:
+            self.path.rejoin(covered_d)
+        else:
+            self.path.is_away = False
+            self.path.direction = 1
+
+    # --- the speeds -----------------------------------------------------------------------------
+
+    def feed_speed(self, base: int, is_free: int) -> float:
+        """The speed limit of a segment with its override; ``is_free``: what the axes can do."""
+        speed = self.path.ring[base + 5]
+        if geometry.pieces(self.path.ring, base, self.path.count) > 0:
+            speed = self.path.ring[base + 12 + 2 * self.path.count + 21]
+        if is_free:
+            return speed
+        factor = self.overrides.factor(self.path.ring, base)
+        return min(self.path.ring[base + 4] * factor, speed)
+
+    def stage_speed(self, base: int, stage: int, is_free: int) -> float:
+        """The speed limit of a stage: that of its segment, on a curve that of the curve as well."""
+        speed = self.feed_speed(base, is_free)
+        if stage == 3:
+            speed = min(speed, self.path.ring[base + 12 + 2 * self.path.count + 5])
+        return speed
+
+    def corner_speed(self, place: int, other: int, is_free: int) -> float:
+        """The highest speed from the segment at ``place`` into its neighbour, or into the front."""
+        if other < self.path.oldest or (self.path.is_single and not is_free):
+            return 0.0
+        first = self.path.row_of(place if self.path.direction > 0 else other)
+        if self.path.ring[first + 10] > 0.0:
+            return 0.0
+        if other == self.front_place:
+            return min(self.front_speed(is_free), self.path.ring[first + 11])
+        second = self.path.row_of(other if self.path.direction > 0 else place)
+        if self.path.ring[second + 10] > 0.0 or self.is_shut(self.path.row_of(other)):
+            return 0.0
+        return self.path.ring[first + 11]
+
+    def front_speed(self, is_free: int) -> float:
+        """The highest speed into the segment at the front; 0 where it is over or a dwell."""
+        base = self.path.front
+        if (
+            self.path.is_front_over
+            or self.path.ring[base] == 2.0
+            or self.path.ring[base + 10] > 0.0
+        ):
+            return 0.0
+        end_v = self.path.ring[base + 7]
+        limit_v = self.feed_speed(base, is_free)
+        return geometry.entry_speed(self.path.ring, base, self.path.count, 0, end_v, limit_v)
+
+    def border_speed(self, is_free: int) -> float:
+        """The highest speed at the end of the stage from which all that follows can be kept.
+
+        Each border that follows may be passed with its own highest speed; what is braked up to it
+        comes on top. The look ends where no border can ask for less.
+        """
+        place = self.place
+        stage = self.stage
+        base = self.path.base
+        most2 = 1e300
+        gained2 = 0.0
+        while True:
+            speed = self.stage_speed(base, stage, is_free)
+            stage = self.next_stage(base, stage)
+            if stage < 0:
+                other = self.neighbour(place, self.path.direction)
+                speed = min(speed, self.corner_speed(place, other, is_free))
+                if speed == 0.0 or other == self.front_place:
+                    return arithmetic.square_root(min(most2, speed * speed + gained2))
+                place = other
+                base = self.path.row_of(place)
+                stage = self.next_stage(base, 4 if self.path.direction < 0 else -1)
+            speed = min(speed, self.stage_speed(base, stage, is_free))
+            most2 = min(most2, speed * speed + gained2)
+            if gained2 >= most2:
+                return arithmetic.square_root(most2)
+            limit_a = geometry.stage_acceleration(self.path.ring, base, self.path.count, stage)
+            d = geometry.stage_way(self.path.ring, base, self.path.count, stage)
+            gained2 += 2.0 * limit_a * d
+
+    def end_speed(self, rest_d: float, limit_a: float) -> float:
+        """The speed at the end of the stage: the override's, as far as braking comes to it."""
+        end_v = self.border_speed(1)
+        feed_v = self.border_speed(0)
+        speed2 = self.path.speed_v * self.path.speed_v
+        least2 = speed2 - 2.0 * limit_a * rest_d
+        if least2 > end_v * end_v + 1e-6 * speed2 + 1e-4:  # a block that was shut too late
+            return arithmetic.square_root(least2)
+        if feed_v < end_v:
+            end_v = min(end_v, max(feed_v, arithmetic.square_root(max(least2, 0.0))))
+        return end_v
+
+    def replan(self, limit_v: float) -> None:
+        """Plan what is left of the stage from the present speed."""
+        self.path.limit_v = limit_v
+        self.plan_d = self.path.covered_d
+        self.ticks = 0
+        rest_d = (self.stage_d - self.path.covered_d) * self.path.direction
+        if self.path.ring[self.path.base + 10] > 0.0:
+            self.replan_smoothly(rest_d, limit_v)
+            return
+        limit_a = geometry.stage_acceleration(
+            self.path.ring, self.path.base, self.path.count, self.stage
+        )
+        limit_v = min(limit_v, self.stage_speed(self.path.base, self.stage, 0))
+        end_v = self.end_speed(rest_d, limit_a)
+        self.profile.plan(rest_d, self.path.speed_v, end_v, limit_v, limit_a)
+
+    def replan_smoothly(self, rest_d: float, limit_v: float) -> None:
+        """``replan`` with a limit of the jerk, up to the goal of the stretch."""
+        self.path.smooth.plan(
+            self.goal_row,
+            0,
+            12 + 2 * self.path.count,
+            rest_d,
+            self.path.speed_v,
+            limit_v,
+            self.factor,
+            self.path.is_single,
+        )
+
+    # --- the way --------------------------------------------------------------------------------
+
+    def next_stage(self, base: int, stage: int) -> int:
+        """The stage with a way that follows in the walk's direction, after -1 or 4; -1: none."""
+        if self.path.ring[base + 10] > 0.0:
+            return 1 if not 0 <= stage <= 3 else -1
+        stage += self.path.direction
+        while 0 <= stage <= 3:
+            if geometry.stage_way(self.path.ring, base, self.path.count, stage) > 0.0:
+                return stage
+            stage += self.path.direction
+        return -1
+
+    def enter_stage(self) -> int:
+        """Settle the stage from where the path is: 0 where its segment has none ahead."""
+        if self.path.ring[self.path.base + 10] > 0.0:
+            self.path.smooth.begin()
+            self.survey(1 if self.path.speed_v == 0.0 else 0)
+        self.stage = self.next_stage(self.path.base, 4 if self.path.direction < 0 else -1)
+        while self.stage >= 0:
+            self.stage_d = self.border(self.stage)
+            if (self.stage_d - self.path.covered_d) * self.path.direction > 0.0:
+                return 1
+            self.stage = self.next_stage(self.path.base, self.stage)
+        return 0
+
+    def border(self, stage: int) -> float:
+        """The way from the segment's start to where a stage ends in the walk's direction."""
+        if self.path.ring[self.path.base + 10] > 0.0:
+            return (
+                0.0
+                if self.path.direction < 0
+                else geometry.whole_way(self.path.ring, self.path.base, self.path.count)
+            )
+        way = 0.0
+        for i in range(stage):
+            way += geometry.stage_way(self.path.ring, self.path.base, self.path.count, i)
+        if self.path.direction > 0:
+            way += geometry.stage_way(self.path.ring, self.path.base, self.path.count, stage)
+        return way
+
+    def length(self) -> float:
+        """The way of all stages of the current segment, as they are added up one by one."""
+        if self.path.ring[self.path.base + 10] > 0.0:
+            return geometry.whole_way(self.path.ring, self.path.base, self.path.count)
+        way = 0.0
+        for i in range(4):
+            way += geometry.stage_way(self.path.ring, self.path.base, self.path.count, i)
+        return way
+
+    def cross(self) -> int:
+        """Pass from one segment to the next: 1 where the path goes on without a stop.
+
+        The place of the border is reached bit by bit, whatever the speed.
+        """
+        other = self.neighbour(self.place, self.path.direction)
+        if self.path.direction > 0:
+            self.path.put_axes(geometry.end_place(self.path.ring, self.path.base, self.path.count))
+        else:
+            self.path.put_axes(self.path.base + 12)
+        refusal = self.refusal_into(other)
+        if refusal and (self.path.speed_v == 0.0 or other < self.path.oldest):
+            self.stay(refusal)
+            return 0
+        if refusal:
+            self.fail(refusal, other)
+        self.place = other
+        if other == self.front_place:
+            self.return_to_front(0.0)
+            if refusal:
+                self.path.release()
+                self.path.claim()
+            return self.goes_on()
+        self.path.release()
+        self.path.rest()
+        self.path.base = self.path.row_of(other)
+        if self.path.direction > 0:
+            self.path.claim_free(self.path.base + 12)
+        else:
+            self.path.claim_free(
+                geometry.end_place(self.path.ring, self.path.base, self.path.count)
+            )
+        self.path.covered_d = 0.0 if self.path.direction > 0 else self.length()
+        self.enter_stage()
+        return self.goes_on()
+
+    def goes_on(self) -> int:
+        """Whether the path, which has passed a border, moves on in this tick or the next one."""
+        if not self.path.is_active or self.path.speed_v == 0.0:
+            return 0
+        if self.path.left_t > 0.0:
+            self.entered = self.path.block_number()
+        return 1
+
+    def refusal_into(self, place: int) -> int:
+        """Why the walk may not go on into a segment: 0 it may, -1 the history starts behind it.
+
+        Else the number of the message about ``refused_axis``, which something else has moved.
+        """
+        if place < self.path.oldest:
+            return -1
+        if place == self.front_place and (
+            self.path.is_front_over or self.path.ring[self.path.front] == 2.0
+        ):
+            return 0
+        base = self.path.row_of(place)
+        if self.path.direction > 0:
+            return self.path.refusal(base, self.path.ring)
+        end = geometry.end_place(self.path.ring, base, self.path.count)
+        for i in range(self.path.count):
+            if geometry.moves(self.path.ring, base, self.path.count, i):
+                axis = self.path.members[i]
+                self.path.refused_axis = axis
+                if self.foreign[i] or self.path.axes.independent[axis]:
+                    return 900435
+                if self.path.ring[end + i] != self.path.axes.command[axis]:
+                    return 900420
+        return 0
+
+    def stay(self, refusal: int) -> None:
+        """The walk stands, and cannot go on: backward that is the start of the history."""
+        self.is_blocked = True
+        self.path.speed_v = 0.0
+        source = int(self.path.ring[self.path.base + 1])
+        if self.path.direction < 0:
+            self.record.retraced(source, 2)
+        else:
+            other = self.neighbour(self.place, 1)
+            self.fault = refusal
+            self.fault_source = int(self.path.ring[self.path.row_of(other) + 1])
+
+    def fail(self, refusal: int, place: int) -> None:
+        """With speed left the walk brakes on a segment that it may not enter (MO-1, MO-13).
+
+        With the axes that are free, as the path does forward; the channel is in error state.
+        """
+        if not self.has_failed:
+            self.has_failed = True
+            self.fault = refusal
+            self.fault_source = int(self.path.ring[self.path.row_of(place) + 1])
+
+    def advance(self, is_stopping: int) -> int:
+        """Go to where the plan is at the end of this tick, as ``Path.advance``."""
+        while True:
+            now_t = self.offset_t + self.ticks * self.path.cycle_time_us / 1e6
+            if not self.has_ended(now_t):
+                return 0
+            self.path.covered_d = self.stage_d
+            self.offset_t = self.path.left_t
+            self.stage = self.next_stage(self.path.base, self.stage)
+            if self.stage >= 0:
+                self.stage_d = self.border(self.stage)
+            elif not self.cross():
+                self.stop_between()
+                return 0
+            elif not self.path.is_away:
+                self.path.offset_t = self.path.left_t
+                self.factor = self.overrides.factor(self.path.ring, self.path.base)
+                return self.path.step_carried(self.factor, is_stopping or self.fault != 0)
+            elif self.fault != 0:
+                self.path.limit_v = 0.0
+            elif self.path.limit_v > 0.0:
+                self.factor = self.overrides.factor(self.path.ring, self.path.base)
+                self.path.limit_v = self.feed_speed(self.path.base, 0)
+            self.replan(self.path.limit_v)
+
+    def stop_between(self) -> None:
+        """The walk has come to a stand between two segments: single block pauses there."""
+        if self.path.is_away and not self.is_blocked:
+            self.path.limit_v = -1.0
+            if self.path.is_single and not self.is_inside():
+                self.panel.is_paused = True
+                self.record.paused(int(self.path.ring[self.path.base + 1]))
+
+    def is_inside(self) -> int:
+        """Whether the walk, which has just come to a segment, is inside of a block with it."""
+        first = self.place - 1 if self.path.direction > 0 else self.place
+        return 1 if self.path.ring[self.path.row_of(first) + 8] < 0.0 else 0
+
+    def has_ended(self, now_t: float) -> int:
+        """Whether the stage has ended by then; else the axes are put where the plan is."""
+        if self.path.ring[self.path.base + 10] > 0.0:
+            return self.has_ended_smoothly(now_t)
+        over_t = now_t - self.profile.duration_t
+        if self.profile.is_endless or over_t < -1e-6 * self.path.cycle_time_t:
+            self.path.speed_v = self.profile.speed(now_t)
+            self.follow(self.profile.position(now_t))
+            return 0
+        self.path.left_t = max(over_t, 0.0)
+        self.path.speed_v = self.profile.end_v
+        self.path.smooth.acceleration_a = 0.0
+        return 1
+
+    def has_ended_smoothly(self, now_t: float) -> int:
+        """``has_ended`` with a limit of the jerk: at the end of its stretch the walk stands."""
+        is_over = self.path.smooth.advance(now_t)
+        self.path.speed_v = self.path.smooth.speed_v
+        if is_over == 0:
+            self.follow(self.path.smooth.distance_d)
+            return 0
+        self.path.left_t = self.path.smooth.left_t
+        if self.place == self.stretch_end:
+            self.path.speed_v = 0.0
+        if self.path.speed_v == 0.0:
+            self.path.smooth.acceleration_a = 0.0
+        return 1
+
+    def follow(self, way: float) -> None:
+        """Put the axes where the plan is, so far from where it has begun."""
+        covered_d = self.plan_d + way * self.path.direction
+        rest_d = (self.stage_d - covered_d) * self.path.direction
+        self.path.covered_d = covered_d if rest_d > 0.0 else self.stage_d
+        self.path.move_axes()

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""Rounded corners with a limit of the jerk: a bend between two lines, within the deviation (MO-3).
+
+An arc or a parabola has a curvature from its first point on, which would be a step in acceleration.
+The direction of a bend changes by 2·u² up to its middle and in the mirror image of this behind it,
+u being the part of its way: its curvature rises and falls evenly. On a bend that begins and ends
+``h`` in front of and behind the corner, with the step ``s`` of the axis' part of the way, the speed
+v, the acceleration a and the jerk j along it, an axis with the part ``p`` of the way has at most
+
+    acceleration  p·a + v²·s/h,        jerk  p·j + 3·v·a·s/h + v³·s/h²,
+
+and the corner is h·(size of the step)/6 away from it.
+
+Most of the axes' limits is for the speed. Little is left for the acceleration along the bend, which
+override and hold need: the path comes with none to either end, if it can (``jerk_lookahead.py``,
+``jerk_profile.py``). A bend is a segment of its own, a piece of the block whose end it rounds.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.path.jerk_lookahead import JerkAhead
+
+
+class Bends(JerkAhead):
+    """Makes the bends of one channel, in ``bend_row``."""
+
+    def round_smoothly(self, row: memoryview[float], before: int, base: int, back: int) -> int:
+        """A bend over the corner between two segments, which end and begin there: 0 if none fits.
+
+        None is made either where the path is as fast without. ``spare`` keeps both segments as they
+        were; ``back``: how many commands lie between them.
+        """
+        if row[base + 10] == 0.0 or self.last_deviation <= 0.0:
+            return 0
+        if row[before + 9] != 0.0 or row[base + 9] != 0.0:
+            return 0
+        half = self.half_bend(row, before, base)
+        if half <= 1e-6:
+            return 0
+        speed = self.bend_speed(row, before, base, half)
+        if speed <= 0.0 or not self.saves_time(row, before, base, half, speed):
+            return 0
+        row[base + 12 + 2 * self.count + 14] = back
+        for i in range(self.width):
+            self.spare[i] = row[base + i]
+            self.spare[self.width + i] = row[before + i]
+            self.bend_row[i] = 0.0
+        self.limit_bend(row, before, base, half, speed)
+        self.put_bend(row, before, base, half)
+        return 1
+
+    def half_bend(self, row: memoryview[float], before: int, base: int) -> float:
+        """How far from the corner the bend may begin and end: less than half of either line.
+
+        In front of it three ticks are left where the line begins with a corner that uses the jerk.
+        """
+        size2 = 0.0
+        for i in range(self.count):
+            step = self.entering[i] - self.leaving[i]
+            self.steps[i] = step if step >= 0.0 else 0.0 - step
+            if self.linear[i]:
+                size2 += step * step
+        size = arithmetic.square_root(size2)
+        if size < 1e-6 or size > 1.99:
+            return 0.0
+        half = min(6.0 * self.last_deviation / size, 0.49 * min(self.last_length, row[base + 3]))
+        return min(half, row[before + 3] - 3.0 * self.tick_t * self.last_corner_v)
+
+    def bend_speed(self, row: memoryview[float], before: int, base: int, half: float) -> float:
+        """The highest speed on the bend; 0 where the corner lets the path pass as fast."""
+        shortest = min(row[before + 3], row[base + 3])
+        speed = min(self.speed_of(row, before), self.speed_of(row, base))
+        corner_v = 1e300
+        for i in range(self.count):
+            corner_v = min(corner_v, self.corner_speed(i, shortest, 0.0))
+            step = self.steps[i]
+            if step > 0.0:
+                most_v2 = 0.8 * self.least_acceleration(i) * half / step
+                most_v3 = 0.75 * self.axis_jerk(i) * half * half / step
+                speed = min(speed, arithmetic.square_root(most_v2))
+                speed = min(speed, arithmetic.power(most_v3, 1.0 / 3.0))
+        return speed if speed > corner_v else 0.0
+
+    def saves_time(
+        self, row: memoryview[float], before: int, base: int, half: float, speed: float
+    ) -> int:
+        """Whether bend and ramps beside it take less time than a stand at the corner.
+
+        What a ramp takes more than the same way with its higher speed is compared. That speed is
+        one from which the path can stop on half of each line.
+        """
+        limit_a = min(row[before + 6], row[base + 6])
+        limit_j = min(row[before + 10], row[base + 10])
+        top_v = min(self.speed_of(row, before), self.speed_of(row, base))
+        room = min(row[before + 3], row[base + 3])
+        time = self.ramp_time(top_v, limit_a, limit_j)
+        while top_v > speed and top_v * time > room:
+            top_v *= 0.9
+            time = self.ramp_time(top_v, limit_a, limit_j)
+        if top_v <= speed:
+            return 1
+        stand_t = 0.5 * time
+        time = self.ramp_time(top_v - speed, limit_a, limit_j)
+        bend_t = 0.5 * time * (top_v - speed) / top_v + half / speed - half / top_v
+        return 1 if bend_t < stand_t else 0
+
+    def ramp_time(self, change: float, limit_a: float, limit_j: float) -> float:
+        """How long the speed takes to change so much, from no acceleration to none."""
+        if change >= limit_a * limit_a / limit_j:
+            return change / limit_a + limit_a / limit_j
+        return 2.0 * arithmetic.square_root(change / limit_j)
+
+    def least_acceleration(self, index: int) -> float:
+        """What an axis can do in both segments of a corner."""
+        least_a = min(self.rapid_slope_a[index], self.feed_slope_a[index])
+        return min(least_a, self.rapid_a[index], self.feed_a[index])
+
+    def limit_bend(
+        self, row: memoryview[float], before: int, base: int, half: float, speed: float
+    ) -> None:
+        """Speed, acceleration and jerk of the bend."""
+        limit_a = min(row[before + 6], row[base + 6])
+        limit_j = min(row[before + 10], row[base + 10])
+        for i in range(self.count):
+            step = self.steps[i]
+            part = max(self.leaving[i], 0.0 - self.leaving[i])
+            part = max(part, self.entering[i], 0.0 - self.entering[i])
+            left_a = 0.98 * (self.least_acceleration(i) - speed * speed * step / half)
+            left_j = 0.98 * (self.axis_jerk(i) - speed * speed * speed * step / (half * half))
+            if step > 0.0:
+                left_j *= 0.5
+                limit_a = min(limit_a, left_j * half / (3.0 * speed * step))
+            if part > 0.0:
+                limit_a = min(limit_a, left_a / part)
+                limit_j = min(limit_j, left_j / part)
+        self.bend_row[5] = speed
+        self.bend_row[6] = limit_a
+        self.bend_row[10] = limit_j
+
+    def put_bend(self, row: memoryview[float], before: int, base: int, half: float) -> None:
+        """Shorten both lines by the bend, and put it between them."""
+        bend = self.bend_row
+        tail = 12 + 2 * self.count
+        bend[0] = row[before]
+        bend[1] = row[before + 1]
+        bend[2] = row[before + 2]
+        bend[3] = 2.0 * half
+        bend[4] = row[before + 4]
+        bend[8] = row[before + 8]
+        bend[9] = 2.0
+        bend[11] = 1e300
+        bend[tail + 14] = 1.0
+        for i in range(self.count):
+            corner = row[base + 12 + i]
+            bend[12 + i] = corner - half * self.leaving[i]
+            bend[12 + self.count + i] = corner + half * self.entering[i]
+            bend[tail + 22 + i] = corner
+            row[before + 12 + self.count + i] = bend[12 + i]
+            row[base + 12 + i] = bend[12 + self.count + i]
+        for i in range(4):
+            bend[self.width - 4 + i] = row[before + self.width - 4 + i]
+        row[before + 3] -= half
+        row[base + 3] -= half
+        row[before + 8] = -1.0
+        row[before + 11] = 1e300
+        row[before + tail + 5] = bend[3]
+        row[before + tail + 6] = bend[6]
+        row[before + tail + 7] = bend[10]
+        self.stand_at_end(row, before)
+        self.stand_at_end(bend, 0)
+        self.is_bent = True

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: MIT
+# C types of edge_probe.py.
+cimport cython
+from nctakt.kernel.plc.technology_slots cimport Hli
+from nctakt.kernel.path.path cimport Path
+from nctakt.kernel.base.record cimport Record
+
+@cython.final
+cdef class EdgeProbe:
+    cdef Path path
+    cdef Hli hli
+    cdef Record record
+    cdef double[::1] cells
+    cdef Py_ssize_t cell
+    cdef readonly int phase
+    cdef long long source
+    cdef long long function
+    cdef long long ticks
+    cdef bint has_value
+    cdef long long value
+    cdef double residual_d
+    cdef double joint_d
+
+    cdef void arm(self, long long source, long long function, long long ticks, double residual_d) noexcept nogil
+    cdef void clear(self) noexcept nogil
+    cdef int watch(self, long long tick) noexcept nogil
+    cdef void put_out(self, long long tick) noexcept nogil
+    cdef int finish(self, long long tick) noexcept nogil

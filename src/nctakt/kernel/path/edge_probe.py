@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""Measuring the edge joint within a block (G108): where a strip begins, and where it is cut.
+
+The block is armed. The probe of the HLI tells that it has found the edge: from there the path goes
+on by a residual path, brakes to a stand, puts the block's function out, and goes on to the end of
+the block when the PLC has acknowledged it. V.RTG.MEAS_DELTA is how far in front of the block's end
+the path stands then.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.path.path import Path
+from nctakt.kernel.plc.technology_slots import Hli
+
+
+class EdgeProbe:
+    """The measuring of one channel.
+
+    ``phase``: 0 none, 1 the edge is looked for, 2 it was found, 3 the path brakes, 4 the function
+    is out. ``cell`` is that of V.RTG.MEAS_DELTA.
+    """
+
+    def __init__(self, path: Path, hli: Hli, record: Record, memory: bytearray, cell: int) -> None:
+        self.path = path
+        self.hli = hli
+        self.record = record
+        self.cells = memoryview(memory).cast("d")
+        self.cell = cell
+        self.phase = 0
+        self.source = 0
+        self.function = 0
+        self.ticks = 0
+        self.has_value = False
+        self.value = 0
+        self.residual_d = 0.0
+        self.joint_d = 0.0
+
+    def arm(self, source: int, function: int, ticks: int, residual_d: float) -> None:
+        """The next block is measured in; ``function`` goes out ``residual_d`` behind the edge."""
+        self.phase = 1
+        self.source = source
+        self.function = function
+        self.ticks = ticks
+        self.residual_d = residual_d
+
+    def clear(self) -> None:
+        """Nothing is measured."""
+        self.phase = 0
+
+    def watch(self, tick: int) -> int:
+        """One tick, before the path's increment: 1 where the path has to brake or to stand."""
+        if self.phase == 1 and self.hli.panel.probe:
+            self.joint_d = self.path.covered_way() + self.residual_d
+            self.cells[self.cell] = self.path.rest_d() - self.residual_d
+            self.record.probe_found(self.source, self.cells[self.cell])
+            self.phase = 2
+        if self.phase == 2 and self.path.brake_way() >= self.joint_d - self.path.covered_way():
+            self.phase = 3
+        if self.phase == 3 and self.path.speed_v == 0.0:
+            self.put_out(tick)
+        if self.phase == 4 and not self.hli.program.is_waiting(self.function):
+            self.phase = 0
+        return 1 if self.phase > 2 else 0
+
+    def put_out(self, tick: int) -> None:
+        """The function goes to the PLC, as soon as there is room."""
+        if self.hli.program.issue(self.function, tick, self.ticks) > 0:
+            self.hli.program.give_value(self.value)
+            self.record.technology(self.source, self.function, self.has_value, self.value)
+            self.phase = 4
+
+    def finish(self, tick: int) -> int:
+        """The block is over: 1 done, 0 the function is still waited for, -1 no edge was found."""
+        if self.phase == 1:
+            self.phase = 0
+            return -1
+        if 2 <= self.phase <= 3:
+            self.put_out(tick)
+        if self.phase == 4 and not self.hli.program.is_waiting(self.function):
+            self.phase = 0
+        return 1 if self.phase == 0 else 0

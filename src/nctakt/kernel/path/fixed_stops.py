@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""Moving to a fixed stop: axes of the path that run into an obstacle and notice it (MO-12).
+
+An axis is monitored from ``arm`` to ``disarm``. It is at its stop when its command is farther from
+its actual position than its limit for so many ticks, within a part of the block's way. Each axis
+shows it in its cells FIXED_STOP.ACTIVE, DETECTED and ACS.POS (``axes.py``).
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.path.path import Path
+
+
+class FixedStops:
+    """The monitored axes of one channel's path, by their places in it.
+
+    ``count``: how many are monitored; ``found``: how many of these have found their stop.
+    """
+
+    def __init__(self, path: Path, record: Record) -> None:
+        self.path = path
+        self.record = record
+        room = max(1, path.count)
+        self.active = memoryview(bytearray(8 * room)).cast("q")
+        self.detected = memoryview(bytearray(8 * room)).cast("q")
+        self.needed = memoryview(bytearray(8 * room)).cast("q")
+        self.ticks = memoryview(bytearray(8 * room)).cast("q")
+        self.sources = memoryview(bytearray(8 * room)).cast("q")
+        self.limit_d = memoryview(bytearray(8 * room)).cast("d")
+        self.least_ticks = memoryview(bytearray(8 * room)).cast("q")
+        self.from_part = memoryview(bytearray(8 * room)).cast("d")
+        self.to_part = memoryview(bytearray(8 * room)).cast("d")
+        self.count = 0
+        self.found = 0
+
+    def arm(self, i: int, source: int, row: memoryview[float], base: int) -> None:
+        """Monitor an axis; from ``base`` on: limit, ticks, begin and end as parts, needed."""
+        self.disarm(i)
+        self.count += 1
+        self.active[i] = 1
+        self.sources[i] = source
+        self.limit_d[i] = row[base]
+        self.least_ticks[i] = int(row[base + 1])
+        self.from_part[i] = row[base + 2]
+        self.to_part[i] = row[base + 3]
+        self.needed[i] = int(row[base + 4])
+        self.show(i, 0.0)
+
+    def disarm(self, i: int) -> None:
+        """An axis is not monitored any more, and has no stop."""
+        if self.active[i]:
+            self.count -= 1
+            self.found -= self.detected[i]
+        self.active[i] = 0
+        self.detected[i] = 0
+        self.ticks[i] = 0
+        self.show(i, 0.0)
+
+    def clear(self) -> None:
+        """The program is over or given up: nothing is monitored."""
+        for i in range(self.path.count if self.count > 0 else 0):
+            self.disarm(i)
+
+    def show(self, i: int, position: float) -> None:
+        """The cells of an axis."""
+        base = self.path.axes.first_cell + 21 * self.path.members[i]
+        self.path.axes.cells[base + 17] = self.active[i]
+        self.path.axes.cells[base + 18] = self.detected[i]
+        self.path.axes.cells[base + 19] = position
+
+    def watch(self) -> int:
+        """One tick: 1 when the last monitored axis has found its stop in it."""
+        before = self.found
+        part = self.path.covered_part()
+        for i in range(self.path.count):
+            if self.active[i] and not self.detected[i]:
+                self.watch_axis(i, part)
+        return 1 if self.found > before and self.found == self.count else 0
+
+    def watch_axis(self, i: int, part: float) -> None:
+        """One tick of an axis that has not found its stop."""
+        axis = self.path.members[i]
+        real = self.path.axes.real_place(axis)
+        lag_d = self.path.axes.command[axis] - real
+        is_off = lag_d > self.limit_d[i] or lag_d < 0.0 - self.limit_d[i]
+        if not is_off or part < self.from_part[i] or part > self.to_part[i]:
+            self.ticks[i] = 0
+            return
+        self.ticks[i] += 1
+        if self.ticks[i] >= self.least_ticks[i]:
+            self.detected[i] = 1
+            self.found += 1
+            self.show(i, real)
+            self.record.fixed_stop(self.sources[i], axis, real)
+
+    def missing(self) -> int:
+        """The place of the first axis that should have found its stop and has not; -1: none."""
+        for i in range(self.path.count):
+            if self.active[i] and self.needed[i] and not self.detected[i]:
+                return i
+        return -1

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The speed along the path with a limit of the jerk: state, limits, what is ahead -> a plan (MO-1).
+
+The plan leads from the present speed and acceleration to the goal of the segment
+(``jerk_lookahead.py``), which may be several segments ahead; it is followed up to the segment's end
+and made anew there, from what speed and acceleration are then, or where the speed limit changes.
+"""
+
+from __future__ import annotations
+
+import math
+
+from nctakt.kernel.axes.trajectory import Trajectories
+
+
+class SmoothSpeed:
+    """The plan of one path, and the acceleration that it has reached.
+
+    ``distance_d``, ``speed_v``: what ``advance`` has found; ``left_t``: time left behind the end of
+    the segment.
+    """
+
+    def __init__(self, cycle_time_t: float) -> None:
+        self.course = Trajectories(1)
+        self.tick_t = cycle_time_t
+        self.acceleration_a = 0.0
+        self.distance_d = 0.0
+        self.speed_v = 0.0
+        self.left_t = 0.0
+        self.rest_d = 0.0
+        self.ends_in_time = False
+        self.stands_at_end = False
+        self.own_j = 0.0
+
+    def begin(self) -> None:
+        """Another segment is current."""
+        self.stands_at_end = False
+
+    def plan(
+        self,
+        row: memoryview[float],
+        head: int,
+        tail: int,
+        rest_d: float,
+        speed_v: float,
+        limit_v: float,
+        factor: float,
+        is_single: int,
+    ) -> None:
+        """Plan what is left of a segment, and up to its goal; to a stand where ``limit_v`` is 0.
+
+        ``head``, ``tail``: where the two parts of the segment's row begin
+        (``geometry.py``). In single block the segment's end is the goal if the path can
+        still stop there; it brakes with the segment's own limits, and so may come too fast to the
+        goal ahead, which asks for less, when single block is taken away: then it stands at the end
+        nevertheless. It does not once the goal has come within reach, since it then leaves the way
+        on which it could stand there.
+        """
+        limit_a = row[tail + 19]
+        limit_j = row[tail + 20]
+        self.own_j = row[head + 10]
+        self.rest_d = rest_d
+        self.ends_in_time = False
+        settles = row[tail + 5] > 0.0
+        if limit_v <= 0.0:
+            if settles and not self.can_stop(speed_v, limit_a, limit_j):
+                self.fade_by_end(0.0, speed_v, limit_a, limit_j)
+            else:
+                self.head_for(0.0, 0.0, speed_v, 0.0, limit_a, limit_j)
+            return
+        if is_single:
+            self.stands_at_end = self.can_stop(speed_v, limit_a, limit_j) > 0
+            if self.stands_at_end:
+                self.stand_at_end(speed_v, limit_v, limit_a, limit_j)
+                return
+        way = row[tail + 15]
+        goal_v = row[tail + 16]
+        if row[tail + 21] > 0.0 and factor < 1.0:
+            goal_v *= factor
+        goal_v = min(goal_v, limit_v)
+        goal_a = min(limit_a, row[tail + 17])
+        goal_j = min(limit_j, row[tail + 18])
+        is_met = self.head_for(rest_d + way, goal_v, speed_v, limit_v, goal_a, goal_j)
+        self.ends_in_time = is_met > 0 and way == 0.0
+        self.stands_at_end = self.stands_at_end and not is_met
+        if self.stands_at_end:
+            self.stand_at_end(speed_v, limit_v, limit_a, limit_j)
+        elif settles and not is_met:
+            self.fade_by_end(goal_v, speed_v, limit_a, limit_j)
+
+    def can_stop(self, speed_v: float, limit_a: float, limit_j: float) -> int:
+        """Whether the path can still stand at the segment's end, up to what rounding leaves.
+
+        A path that brakes for that stand must not miss it where it is held, too: a lesser speed can
+        be a longer way, so it might find none up to the end but one that is far too high.
+        """
+        stop_d = self.course.stopping_d(speed_v, self.acceleration_a, limit_a, limit_j)
+        return 1 if stop_d <= self.rest_d + 1e-10 else 0
+
+    def stand_at_end(self, speed_v: float, limit_v: float, limit_a: float, limit_j: float) -> None:
+        """Plan to stand at the segment's end."""
+        is_met = self.head_for(self.rest_d, 0.0, speed_v, limit_v, limit_a, limit_j)
+        self.ends_in_time = is_met > 0
+
+    def fade_by_end(self, goal_v: float, speed_v: float, limit_a: float, limit_j: float) -> None:
+        """Plan to come to the segment's end with no acceleration, since a bend follows.
+
+        The way is too short to change the speed to ``goal_v``: it is changed as far as it can be.
+        """
+        self.course.begin(0, 0.0, limit_a, limit_j)
+        self.course.side = 1.0
+        self.course.from_v = speed_v
+        self.course.from_a = self.acceleration_a
+        low_v = max(self.course.settled(), 0.0)
+        sign = 1.0 if low_v < goal_v else -1.0
+        self.course.goal_v = low_v
+        if self.course.brake(speed_v, self.acceleration_a, sign) < self.rest_d:
+            self.ends_in_time = True
+            high_v = goal_v
+            for _attempt in range(60):
+                self.course.goal_v = 0.5 * (low_v + high_v)
+                if self.course.brake(speed_v, self.acceleration_a, sign) <= self.rest_d:
+                    low_v = self.course.goal_v
+                else:
+                    high_v = self.course.goal_v
+            self.course.goal_v = low_v
+            self.course.brake(speed_v, self.acceleration_a, sign)
+        self.course.append_change(self.course.goal_v)
+        self.course.finish()
+
+    def head_for(
+        self,
+        distance_d: float,
+        goal_v: float,
+        speed_v: float,
+        limit_v: float,
+        limit_a: float,
+        limit_j: float,
+    ) -> int:
+        """Plan to have the speed ``goal_v`` after a distance, 0 to have it soon: 1 where it can be.
+
+        The jerk up to the goal may be less than that of the segment. Where the path would stand
+        before a braking has faded, it fades so that it just has then; where the path would get
+        faster than it may, or to the goal too fast, the acceleration first fades with the jerk of
+        the segment.
+        """
+        start_a = self.acceleration_a
+        change_v = 0.5 * start_a * start_a
+        fading_j = 0.0
+        if start_a < 0.0 and speed_v * limit_j < change_v:
+            fading_j = change_v / speed_v if speed_v > 0.0 else self.own_j
+        if start_a > 0.0 and (limit_v - speed_v) * limit_j < change_v:
+            fading_j = self.own_j
+        is_met = self.course.plan_passing(
+            0, distance_d, speed_v, start_a, limit_v, goal_v, limit_a, limit_j, fading_j
+        )
+        if is_met or start_a <= 0.0 or fading_j > 0.0 or self.course.settled() <= goal_v:
+            return is_met
+        return self.course.plan_passing(
+            0, distance_d, speed_v, start_a, limit_v, goal_v, limit_a, limit_j, self.own_j
+        )
+
+    def advance(self, now_t: float) -> int:
+        """Where the plan is at ``now_t``: 1 when the segment has ended by then."""
+        end_t = self.course.duration_t(0)
+        if self.ends_in_time:
+            if now_t - end_t >= -1e-6 * self.tick_t:
+                self.course.evaluate(0, end_t)
+                self.speed_v = self.course.speed_v
+                self.acceleration_a = 0.0
+                self.left_t = max(now_t - end_t, 0.0)
+                return 1
+            self.course.evaluate(0, now_t)
+        else:
+            self.course.evaluate(0, now_t)
+            if self.course.distance_d >= self.rest_d:
+                begin_t = max(now_t - self.tick_t, 0.0)
+                end_t = self.time_at_end(begin_t, now_t)
+                self.left_t = now_t - end_t
+                self.settle()
+                return 1
+        self.distance_d = min(self.course.distance_d, self.rest_d)
+        self.settle()
+        return 0
+
+    def time_at_end(self, low_t: float, high_t: float) -> float:
+        """When the segment has ended, between two times."""
+        time_t = high_t
+        for _attempt in range(60):
+            self.course.rewind(0)
+            self.course.evaluate(0, time_t)
+            off_d = self.course.distance_d - self.rest_d
+            if off_d > 0.0:
+                high_t = time_t
+            else:
+                low_t = time_t
+            if math.fabs(off_d) <= 1e-13 or high_t - low_t <= 1e-15:
+                break
+            speed_v = self.course.speed_v
+            if speed_v > 0.0:
+                time_t -= off_d / speed_v
+            if speed_v <= 0.0 or time_t <= low_t or time_t >= high_t:
+                time_t = 0.5 * (low_t + high_t)
+        return time_t
+
+    def settle(self) -> None:
+        """Speed and acceleration of where the plan was evaluated."""
+        self.speed_v = max(self.course.speed_v, 0.0)
+        self.acceleration_a = self.course.acceleration_a

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The override of the path: what the prepared speed of a segment is multiplied with (RC-305).
+
+The programmed part is in the prepared speed already; P-CHAN-00056 bounds the others, as contour
+preparation counts with it. G166 leaves out operator's and programmed part; under G95 the speed
+follows the spindle's.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.cycles.context import Context
+
+
+class Overrides:
+    """The override of one channel with the operator's and the CYCLE part of this tick, in percent.
+
+    ``width``: that of a segment's row (``geometry.py``). ``total_pct``: all parts together,
+    of the segment that was asked for last.
+    """
+
+    def __init__(self, context: Context, width: int) -> None:
+        self.context = context
+        self.width = width
+        self.most_pct = 100.0
+        self.operator_pct = 100.0
+        self.cycle_pct = 100.0
+        self.total_pct = 100.0
+
+    def parts(self, leaves_operator: int) -> float:
+        """The parts of this tick together, in percent, with or without the operator's (G166)."""
+        operator = 100.0 if leaves_operator else self.operator_pct
+        return min(operator * self.cycle_pct / 100.0, self.most_pct)
+
+    def none(self) -> float:
+        """The factor where no segment is current."""
+        self.total_pct = self.parts(0)
+        return self.total_pct / 100.0
+
+    def factor(self, row: memoryview[float], base: int) -> float:
+        """The factor of a segment."""
+        pace = base + self.width - 4
+        pct = self.parts(row[pace + 1] != 0.0)
+        self.total_pct = pct
+        if row[pace] == 0.0:
+            return pct / 100.0
+        self.total_pct = pct * row[pace]
+        spindle = int(row[pace + 2])
+        if spindle > 0:
+            speed_v = self.context.spindles.speed_v[spindle - 1]
+            pct *= (speed_v if speed_v > 0.0 else 0.0 - speed_v) / row[pace + 3]
+            pct = min(pct, max(100.0, self.most_pct))
+        return pct / 100.0

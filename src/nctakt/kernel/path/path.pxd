@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+# C types of path.py.
+cimport cython
+from nctakt.kernel.base cimport arithmetic
+from nctakt.kernel.path cimport geometry
+from nctakt.kernel.path.arc_speed cimport ArcSpeed
+from nctakt.kernel.axes.axes cimport Axes
+from nctakt.kernel.path.trapezoid_profile cimport Profile
+from nctakt.kernel.path.path_axes cimport PathAxes
+from nctakt.kernel.path.jerk_profile cimport SmoothSpeed
+
+@cython.final
+cdef class Path(PathAxes):
+    cdef double cycle_time_t
+    cdef double cycle_time_us
+    cdef readonly Py_ssize_t width
+    cdef readonly Py_ssize_t history_size
+    cdef Py_ssize_t ring_size
+    cdef double[::1] ends
+    cdef readonly long long used
+    cdef readonly long long oldest
+    cdef Py_ssize_t front
+    cdef readonly bint is_away
+    cdef bint is_front_over
+    cdef readonly long long serial
+    cdef readonly bint is_active
+    cdef bint is_dwell
+    cdef long long dwell_ticks
+    cdef Profile profile
+    cdef ArcSpeed arc
+    cdef Py_ssize_t pieces
+    cdef SmoothSpeed smooth
+    cdef double[::1] places
+    cdef int stage
+    cdef double stage_end_d
+    cdef double factor
+    cdef double common_factor
+    cdef double bare_factor
+    cdef double planned_factor
+    cdef double covered_d
+    cdef double plan_d
+    cdef readonly double speed_v
+    cdef double limit_v
+    cdef double offset_t
+    cdef long long ticks
+    cdef readonly double left_t
+    cdef readonly bint is_single
+
+    @cython.locals(i=Py_ssize_t)
+    cdef void begin(self, Py_ssize_t queue_base, double[::1] queue, double offset_t) noexcept nogil
+    @cython.locals(i=Py_ssize_t, end=Py_ssize_t)
+    cdef void remember(self) noexcept nogil
+    cdef Py_ssize_t row_of(self, long long place) noexcept nogil
+    cdef void rejoin(self, double covered_d) noexcept nogil
+    cdef void forget(self) noexcept nogil
+    cdef bint goes_on(self) noexcept nogil
+    cdef void leave_rest(self, double rest) noexcept nogil
+    cdef double rest_speed(self) noexcept nogil
+    cdef long long block_serial(self) noexcept nogil
+    cdef void enter_stages(self) noexcept nogil
+    @cython.locals(way=double)
+    cdef int next_stage(self) noexcept nogil
+    @cython.locals(limit_v=double)
+    cdef int step(self, double factor, int is_stopping) noexcept nogil
+    @cython.locals(goal=Py_ssize_t)
+    cdef int runs_on(self) noexcept nogil
+    cdef void set_single(self, bint is_single) noexcept nogil
+    cdef int step_carried(self, double factor, int is_stopping) noexcept nogil
+    cdef double highest_speed(self, double factor, int is_stopping) noexcept nogil
+    @cython.locals(rest_d=double, limit_a=double, end_v=double, rest_v=double, ahead=double)
+    cdef void replan(self, double limit_v) noexcept nogil
+    @cython.locals(end_v=double, limit_v=double, feed_v=double, least2=double)
+    cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
+    cdef double factor_ahead(self, int leaves_operator) noexcept nogil
+    @cython.locals(end_v=double, rest_v=double, stop_v=double, brake2=double, free_v=double)
+    cdef double block_end_speed(self, double rest_d, double limit_a) noexcept nogil
+    @cython.locals(rest_d=double, tail=Py_ssize_t, speed_v=double, limit_a=double, limit_j=double, need_d=double)
+    cdef int stands_smoothly(self, double limit_v) noexcept nogil
+    @cython.locals(now_t=double, is_over=int)
+    cdef int advance_smoothly(self) noexcept nogil
+    @cython.locals(now_t=double, over_t=double)
+    cdef int advance(self) noexcept nogil
+    cdef int finish(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t, k=Py_ssize_t)
+    cdef void move_axes(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
+    cdef void abandon(self) noexcept nogil
+    cdef int stands(self) noexcept nogil
+    cdef double rest_d(self) noexcept nogil
+    cdef double promised_speed(self, Py_ssize_t place) noexcept nogil
+    cdef double block_number(self) noexcept nogil
+    cdef double covered_way(self) noexcept nogil
+    @cython.locals(acceleration=double, way=double)
+    cdef double brake_way(self) noexcept nogil
+    cdef double covered_part(self) noexcept nogil

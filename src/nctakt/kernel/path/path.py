@@ -1,0 +1,443 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The path: a ring of prepared segments -> command positions, one increment a tick (MO-1 … MO-6).
+
+A segment is a row of the command queue; ``geometry.py`` says what is in it and where the
+axes are on it. The path decides what only the tick knows: override, hold and stop. Every change of
+the speed limit plans the rest of the present stage of the segment anew from the present speed;
+position and speed come from the plan in closed form. Time left over in a tick when a segment ends
+without a stop is carried into the next one. Segments that were used stay in the ring until they are
+overwritten: ``backward.py`` walks back over them (MO-7).
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.path import geometry
+from nctakt.kernel.path.arc_speed import ArcSpeed
+from nctakt.kernel.path.jerk_profile import SmoothSpeed
+from nctakt.kernel.path.path_axes import PathAxes
+from nctakt.kernel.path.trapezoid_profile import Profile
+
+
+class Path(PathAxes):
+    """The path of one channel over the machine's axes that belong to it.
+
+    ``history_size`` blocks behind the current one are kept, from the running number ``oldest`` on.
+    ``front`` is the row of the latest segment. While the path ``is_away`` from it the current row
+    is another one, walked over in ``direction`` (1 forward, -1 backward), and ``is_front_over``
+    tells that the latest segment was at its end before.
+    """
+
+    def __init__(
+        self, axes: Axes, members: list[int], cycle_time_us: int, history_size: int = 0
+    ) -> None:
+        super().__init__(axes, members)
+        self.cycle_time_t = cycle_time_us / 1e6
+        self.cycle_time_us = cycle_time_us
+        self.width = geometry.width(len(members))
+        self.history_size = history_size
+        self.ring_size = history_size + 1
+        self.ring = memoryview(bytearray(8 * self.ring_size * self.width)).cast("d")
+        self.ends = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
+        self.used = 0
+        self.oldest = 0
+        self.front = 0
+        self.is_away = False
+        self.is_front_over = False
+        self.serial = 0
+        self.is_active = False
+        self.is_dwell = False
+        self.dwell_ticks = 0
+        self.profile = Profile()
+        self.arc = ArcSpeed(len(members), self.profile)
+        self.pieces = 0
+        self.smooth = SmoothSpeed(self.cycle_time_t)
+        self.places = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
+        self.stage = 0
+        self.stage_end_d = 0.0
+        self.factor = 1.0
+        self.common_factor = 1.0
+        self.bare_factor = 1.0
+        self.planned_factor = 1.0
+        self.covered_d = 0.0
+        self.plan_d = 0.0
+        self.speed_v = 0.0
+        self.limit_v = -1.0
+        self.offset_t = 0.0
+        self.ticks = 0
+        self.left_t = 0.0
+        self.is_single = False
+
+    def begin(self, queue_base: int, queue: memoryview[float], offset_t: float) -> None:
+        """Take the segment in ``queue`` at ``queue_base`` as current, ``offset_t`` of it past."""
+        if not self.goes_on():
+            self.serial += 1
+        self.base = (self.used % self.ring_size) * self.width
+        for i in range(self.width):
+            self.ring[self.base + i] = queue[queue_base + i]
+        self.front = self.base
+        if self.history_size > 0:
+            self.remember()
+        self.used += 1
+        self.is_active = True
+        self.is_dwell = self.ring[self.base] == 2.0
+        self.dwell_ticks = int(self.ring[self.base + 3]) if self.is_dwell else 0
+        self.covered_d = 0.0
+        self.plan_d = 0.0
+        self.limit_v = -1.0
+        self.offset_t = offset_t
+        self.ticks = 0
+        if not self.is_dwell:
+            self.enter_stages()
+            self.next_stage()
+            self.claim()
+
+    def enter_stages(self) -> None:
+        """Be before the first stage of the segment."""
+        self.smooth.begin()
+        self.stage = -1
+        self.stage_end_d = 0.0
+        self.pieces = geometry.pieces(self.ring, self.base, self.count)
+        if self.pieces > 0:
+            self.arc.begin(self.ring, self.base)
+
+    def remember(self) -> None:
+        """The segment goes into the history; a new one where an axis was moved otherwise."""
+        if self.used - self.oldest > self.history_size:
+            self.oldest += 1
+        if self.ring[self.base] == 2.0:
+            return
+        end = geometry.end_place(self.ring, self.base, self.count)
+        for i in range(self.count):
+            if self.ring[self.base + 12 + i] != self.ends[i]:
+                self.oldest = self.used
+            self.ends[i] = self.ring[end + i]
+
+    def row_of(self, place: int) -> int:
+        """Where the segment with this running number begins in the ring."""
+        return place % self.ring_size * self.width
+
+    def rejoin(self, covered_d: float) -> None:
+        """Be at the latest segment again, so far from its start, and go on with it forward."""
+        self.is_away = False
+        self.direction = 1
+        self.base = self.front
+        self.limit_v = -1.0
+        self.offset_t = 0.0
+        self.ticks = 0
+        self.is_dwell = self.ring[self.base] == 2.0
+        if self.is_dwell:
+            return
+        self.covered_d = covered_d
+        self.enter_stages()
+        while self.next_stage() and self.stage_end_d <= covered_d:
+            pass
+        self.claim_again()
+
+    def forget(self) -> None:
+        """The history ends here: nothing before is walked back."""
+        self.oldest = self.used
+
+    def goes_on(self) -> bool:
+        """Whether the block of the segment that was taken last goes on with the next one."""
+        return self.ring[self.front + 8] < 0.0
+
+    def leave_rest(self, rest: float) -> None:
+        """What is left of the block behind the segment that was taken last.
+
+        With a limit of the jerk its way, else the highest speed that ends in a stand at its end.
+        """
+        self.ring[self.front + 8] = -1.0 - rest
+
+    def rest_speed(self) -> float:
+        """The highest speed at the segment's end from which its block can end with a stand."""
+        return -1.0 - self.ring[self.base + 8] if self.ring[self.base + 8] < 0.0 else 0.0
+
+    def block_serial(self) -> int:
+        """The running number of the current block, 0 between two blocks."""
+        return self.serial if self.is_active or self.goes_on() else 0
+
+    def next_stage(self) -> int:
+        """Go on to the next stage of the segment that has a way: 0 where there is none left.
+
+        The pieces of an arc whose limits go by its angle are its stages.
+        """
+        if self.pieces > 0:
+            if self.stage + 1 == self.pieces:
+                return 0
+            self.stage += 1
+            self.stage_end_d = self.arc.ends[self.stage + 1]
+            return 1
+        while self.stage < 3:
+            self.stage += 1
+            way = geometry.stage_way(self.ring, self.base, self.count, self.stage)
+            if way > 0.0:
+                self.stage_end_d += way
+                return 1
+        return 0
+
+    def step(self, factor: float, is_stopping: int) -> int:
+        """One tick with the override as a factor: 1 when the segment has ended with time left.
+
+        ``is_stopping`` brakes on the path to a stand, at the path's acceleration (MO-6).
+        """
+        if not self.is_active:
+            self.speed_v = 0.0
+            if self.moved_count > 0:
+                self.rest()
+            return 0
+        if self.is_dwell:
+            self.limit_v = 0.0 if is_stopping else -1.0
+            self.dwell_ticks -= 0 if is_stopping else 1
+            if self.dwell_ticks <= 0:
+                self.is_active = False
+            return 0
+        limit_v = self.highest_speed(factor, is_stopping)
+        if limit_v != self.limit_v or self.common_factor != self.planned_factor:
+            self.offset_t = 0.0
+            self.replan(limit_v)
+        self.ticks += 1
+        return self.advance()
+
+    def set_single(self, is_single: bool) -> None:
+        """Single block on or off: the current segment is planned anew where it matters (MO-6)."""
+        self.is_single = is_single
+        if self.is_active and not self.is_dwell and self.runs_on():
+            self.limit_v = -1.0
+
+    def runs_on(self) -> int:
+        """Whether the current segment does not end with a stand."""
+        goal = self.base + 12 + 2 * self.count + 15
+        return 1 if self.ring[self.base + 7] + self.ring[goal] + self.ring[goal + 1] > 0.0 else 0
+
+    def step_carried(self, factor: float, is_stopping: int) -> int:
+        """The rest of a tick in the segment that has just begun: 1 when that has ended, too."""
+        self.replan(self.highest_speed(factor, is_stopping))
+        return self.advance()
+
+    def highest_speed(self, factor: float, is_stopping: int) -> float:
+        """The speed limit on the current segment in this tick."""
+        self.factor = factor
+        if is_stopping:
+            return 0.0
+        return min(self.ring[self.base + 4] * factor, self.ring[self.base + 5])
+
+    def replan(self, limit_v: float) -> None:
+        """Plan what is left of the stage from the present speed."""
+        self.limit_v = limit_v
+        self.planned_factor = self.common_factor
+        self.plan_d = self.covered_d
+        self.ticks = 0
+        if self.ring[self.base + 10] > 0.0:
+            self.smooth.plan(
+                self.ring,
+                self.base,
+                self.base + 12 + 2 * self.count,
+                self.stage_end_d - self.covered_d,
+                self.speed_v,
+                limit_v,
+                self.factor_ahead(self.ring[self.base + 33 + 2 * self.count] > 1.0),
+                self.is_single and self.stands_smoothly(limit_v),
+            )
+            return
+        rest_d = self.stage_end_d - self.covered_d
+        if self.pieces > 0:
+            rest_v = self.rest_speed() if self.is_single else -1.0
+            ahead = self.factor_ahead(self.ring[self.base + 24 + 2 * self.count] < 0.0)
+            self.arc.look_ahead(self.stage, rest_d, self.speed_v, self.factor, ahead, rest_v)
+            self.arc.plan(self.stage, rest_d, self.speed_v, limit_v)
+            return
+        limit_a = geometry.stage_acceleration(self.ring, self.base, self.count, self.stage)
+        end_v = self.end_speed(rest_d, limit_a)
+        if self.stage == 3:
+            limit_v = min(limit_v, self.ring[self.base + 12 + 2 * self.count + 5])
+        self.profile.plan(rest_d, self.speed_v, end_v, limit_v, limit_a)
+
+    def advance_smoothly(self) -> int:
+        """``advance`` with a limit of the jerk."""
+        now_t = self.offset_t + self.ticks * self.cycle_time_us / 1e6
+        is_over = self.smooth.advance(now_t)
+        self.speed_v = self.smooth.speed_v
+        if is_over == 0:
+            self.covered_d = self.plan_d + self.smooth.distance_d
+            self.move_axes()
+            return 0
+        self.left_t = self.smooth.left_t
+        self.covered_d = self.stage_end_d
+        return self.finish()
+
+    def end_speed(self, rest_d: float, limit_a: float) -> float:
+        """The highest speed at the end of the stage, ``rest_d`` from here."""
+        end_v = self.block_end_speed(rest_d, limit_a)
+        if geometry.whole_way(self.ring, self.base, self.count) > self.stage_end_d:
+            limit_v = self.ring[self.base + 5]
+            return geometry.entry_speed(
+                self.ring, self.base, self.count, self.stage + 1, end_v, limit_v
+            )
+        feed_v = self.ring[self.base + 24 + 2 * self.count]
+        feed_v = max(feed_v, 0.0 - feed_v) * self.factor_ahead(feed_v < 0.0)
+        if 0.0 < feed_v < end_v:
+            least2 = self.speed_v * self.speed_v - 2.0 * limit_a * rest_d
+            end_v = min(end_v, max(feed_v, arithmetic.square_root(max(least2, 0.0))))
+        return end_v
+
+    def factor_ahead(self, leaves_operator: int) -> float:
+        """The override of a segment ahead, which may leave out the operator's part (G166).
+
+        What a spindle does to its pace counts as for the current segment.
+        """
+        if leaves_operator == geometry.leaves_operator(self.ring, self.base, self.count):
+            return self.factor
+        return self.bare_factor if leaves_operator else self.common_factor
+
+    def block_end_speed(self, rest_d: float, limit_a: float) -> float:
+        """The highest speed at the segment's end: a stand in single block, if it can still be had.
+
+        Where the block goes on with the next segment it is a speed from which its end is a stand.
+        What was prepared counts with an override of 100 %. With less the next segment begins with
+        its own lower speed, as far as braking at the limit comes; with more the prepared speed
+        grows, as far as the axes allow.
+        """
+        end_v = self.ring[self.base + 7]
+        if self.factor > 1.0:
+            free_v = self.ring[self.base + 25 + 2 * self.count]
+            end_v = max(end_v, min(end_v * self.factor, free_v))
+        if self.is_single:
+            rest_v = self.rest_speed()
+            stop_v = geometry.entry_speed(
+                self.ring, self.base, self.count, self.stage + 1, rest_v, 1e300
+            )
+            brake2 = self.speed_v * self.speed_v - stop_v * stop_v
+            if brake2 <= 2.0 * limit_a * rest_d * 1.000001:
+                end_v = min(end_v, rest_v)
+        return end_v
+
+    def stands_smoothly(self, limit_v: float) -> int:
+        """Whether single block lets the path stand at the segment's end, with a limited jerk.
+
+        Where the block goes on it does so only if it could not stand at the block's end.
+        """
+        rest_d = -1.0 - self.ring[self.base + 8]
+        if rest_d < 0.0:
+            return 1
+        tail = self.base + 12 + 2 * self.count
+        speed_v = max(limit_v, self.speed_v)
+        limit_a = self.ring[tail + 19]
+        limit_j = self.ring[tail + 20]
+        if self.ring[tail + 5] > 0.0:
+            speed_v = min(speed_v, self.ring[tail + 16])
+            limit_a, limit_j = self.ring[tail + 6], self.ring[tail + 7]
+        need_d = self.smooth.course.stopping_d(speed_v, 0.0, limit_a, limit_j)
+        return 1 if rest_d < need_d else 0
+
+    def advance(self) -> int:
+        """Go to where the plan is at the end of this tick; 1 when the segment ended before."""
+        if self.ring[self.base + 10] > 0.0:
+            return self.advance_smoothly()
+        while True:
+            now_t = self.offset_t + self.ticks * self.cycle_time_us / 1e6
+            over_t = now_t - self.profile.duration_t
+            if self.profile.is_endless or over_t < -1e-6 * self.cycle_time_t:
+                self.covered_d = self.plan_d + self.profile.position(now_t)
+                self.speed_v = self.profile.speed(now_t)
+                self.move_axes()
+                return 0
+            self.speed_v = self.profile.end_v
+            self.covered_d = self.stage_end_d
+            self.left_t = max(over_t, 0.0)
+            if not self.next_stage():
+                break
+            self.offset_t = self.left_t
+            self.replan(self.limit_v)
+        return self.finish()
+
+    def finish(self) -> int:
+        """Put the axes exactly to the segment's end: 1 when the path goes on in this tick.
+
+        A path that still moves goes on even where no time is left: what stands between the blocks
+        may have to wait, and must not stop the path in a step (MO-1).
+        """
+        self.is_active = False
+        self.put_axes(geometry.end_place(self.ring, self.base, self.count))
+        self.release()
+        if self.ring[self.base + 8] > 0.0:
+            return 0
+        return 1 if self.left_t > 0.0 or self.speed_v > 0.0 else 0
+
+    def move_axes(self) -> None:
+        """Put the axes where they are after the way that is covered."""
+        self.axes.has_moved = True
+        geometry.locate(self.ring, self.base, self.count, self.covered_d, self.places)
+        for k in range(self.moved_count):
+            i = self.moved[k]
+            self.axes.command[self.members[i]] = self.places[i]
+
+    def abandon(self) -> None:
+        """Reset: the rest of the segment is dropped where the axes stand, to be read at once."""
+        self.is_active = False
+        self.is_away = False
+        self.direction = 1
+        self.ring[self.front + 8] = 0.0  # the block is over, with all its pieces
+        self.forget()
+        self.speed_v = 0.0
+        self.smooth.acceleration_a = 0.0
+        self.release()
+        self.rest()
+        for i in range(self.count):
+            axis = self.members[i]
+            self.axes.target[axis] = self.axes.command[axis]
+        self.axes.has_moved = True
+        self.axes.publish()
+
+    def stands(self) -> int:
+        """Whether nothing moves on the path."""
+        return 1 if self.speed_v == 0.0 and (not self.is_active or self.limit_v == 0.0) else 0
+
+    def has_stopped(self) -> bool:
+        """``stands`` for Python's side."""
+        return bool(self.stands())
+
+    def rest_d(self) -> float:
+        """What is left of the current segment."""
+        if not self.is_active or self.is_dwell:
+            return 0.0
+        if self.direction < 0:
+            return self.covered_d
+        return geometry.way_with_bend(self.ring, self.base, self.count) - self.covered_d
+
+    def promised_speed(self, place: int) -> float:
+        """The end speed at ``place`` of the latest segment's row; 0: a dwell, or it is over."""
+        if self.ring[self.front] == 2.0 or (self.is_away and self.is_front_over):
+            return 0.0
+        return self.ring[self.front + place]
+
+    def block_number(self) -> float:
+        """The N number of the current block."""
+        return self.ring[self.base + 2]
+
+    def segment_row(self, back: int) -> list[float]:
+        """A segment of the ring, ``back`` segments before the latest one: for Python's side."""
+        assert 0 <= back < min(self.used, self.ring_size)
+        base = (self.used - 1 - back) % self.ring_size * self.width
+        return [self.ring[base + i] for i in range(self.width)]
+
+    def covered_way(self) -> float:
+        """What is covered of the current segment."""
+        return self.covered_d
+
+    def brake_way(self) -> float:
+        """How far the path goes on the current segment if it brakes from now on."""
+        acceleration = self.ring[self.base + 6]
+        way = 0.5 * self.speed_v * self.speed_v / acceleration
+        if self.ring[self.base + 10] > 0.0:
+            way += self.speed_v * acceleration / self.ring[self.base + 10]
+        return way
+
+    def covered_part(self) -> float:
+        """How much of the current segment's way is covered, from 0 to 1."""
+        if not self.is_active or self.is_dwell:
+            return 1.0
+        return self.covered_d / geometry.whole_way(self.ring, self.base, self.count)

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The axes of a path: which of them its current segment has, and which it cannot have (MO-13)."""
+
+from __future__ import annotations
+
+from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.path import geometry
+
+
+class PathAxes:
+    """The axes of one channel's path, ``members`` among those of the machine.
+
+    ``base``: where the row of the current segment stands in ``ring``; ``direction``: 1 forward over
+    it, -1 backward. ``moved``: the axes that the path has.
+    """
+
+    def __init__(self, axes: Axes, members: list[int]) -> None:
+        self.axes = axes
+        self.count = len(members)
+        self.members = memoryview(bytearray(8 * max(1, len(members)))).cast("q")
+        for i, axis in enumerate(members):
+            self.members[i] = axis
+        self.moved = memoryview(bytearray(8 * max(1, len(members)))).cast("q")
+        self.moved_count = 0
+        self.refused_axis = 0
+        self.ring = memoryview(bytearray(8)).cast("d")
+        self.base = 0
+        self.direction = 1
+
+    def refusal(self, queue_base: int, queue: memoryview[float]) -> int:
+        """Why the path cannot take a segment: 0 it can.
+
+        The axes that it moves must stand where it starts, since the path never jumps (RC-409), and
+        have no motion of their own (MO-13); ``refused_axis`` is the first that has not.
+        """
+        for i in range(self.count):
+            message = self.obstacle(queue_base, queue, i)
+            if message:
+                self.refused_axis = self.members[i]
+                return message
+        return 0
+
+    def obstacle(self, queue_base: int, queue: memoryview[float], i: int) -> int:
+        """Why the path cannot take axis ``i`` with a segment: 0 it can, or does not want it."""
+        if not geometry.moves(queue, queue_base, self.count, i):
+            return 0
+        if self.axes.independent[self.members[i]]:
+            return 900435
+        if queue[queue_base + 12 + i] != self.axes.command[self.members[i]]:
+            return 900420
+        return 0
+
+    def claim(self) -> None:
+        """The axes that the segment moves belong to the path until it ends (MO-13).
+
+        Where the path brakes on a segment that it cannot take, the others stay what they were.
+        """
+        self.moved_count = 0
+        for i in range(self.count):
+            if self.obstacle(self.base, self.ring, i) == 0:
+                self.claim_axis(i)
+
+    def claim_again(self) -> None:
+        """``claim`` anywhere on a segment, whose axes the path has had before (MO-7).
+
+        But for those that have a motion of their own by now (MO-13).
+        """
+        self.moved_count = 0
+        for i in range(self.count):
+            if not self.axes.independent[self.members[i]]:
+                self.claim_axis(i)
+
+    def claim_free(self, place: int) -> None:
+        """``claim`` for a segment that is entered where its axes stand at ``place`` (MO-7)."""
+        self.moved_count = 0
+        for i in range(self.count):
+            axis = self.members[i]
+            if not self.axes.independent[axis]:
+                if self.ring[place + i] == self.axes.command[axis]:
+                    self.claim_axis(i)
+
+    def claim_axis(self, i: int) -> None:
+        """An axis belongs to the path, if the segment moves it; its target is the way's end."""
+        self.axes.has_moved = True
+        if geometry.moves(self.ring, self.base, self.count, i):
+            self.moved[self.moved_count] = i
+            self.moved_count += 1
+            axis = self.members[i]
+            end = self.base + 12 + (self.count if self.direction > 0 else 0)
+            self.axes.target[axis] = self.ring[end + i]
+            self.axes.on_path[axis] = 1
+            self.axes.show_state(axis, 6)
+
+    def release(self) -> None:
+        """The segment is over: its axes are free."""
+        for k in range(self.moved_count):
+            self.axes.on_path[self.members[self.moved[k]]] = 0
+
+    def publish_overrides(self, operator_pct: float) -> None:
+        """TOTAL of the members' independent motions: operator's and CYCLE part (RC-305)."""
+        for i in range(self.count):
+            self.axes.publish_override(self.members[i], operator_pct)
+
+    def rest(self) -> None:
+        """The tick behind a segment: its axes stand, unless they move on their own by now."""
+        for k in range(self.moved_count):
+            axis = self.members[self.moved[k]]
+            if not self.axes.independent[axis]:
+                self.axes.show_state(axis, 1)
+        self.moved_count = 0
+
+    def put_axes(self, place: int) -> None:
+        """Put the axes that the segment moves to what stands at ``place`` in the ring."""
+        self.axes.has_moved = True
+        for k in range(self.moved_count):
+            i = self.moved[k]
+            self.axes.command[self.members[i]] = self.ring[place + i]

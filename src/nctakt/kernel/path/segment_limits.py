@@ -1,0 +1,327 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The limits of one segment: its way, and what keeps every axis on it within its own (MO-1, MO-4).
+
+``geometry.py`` says what is in a segment's row. Lines: of each axis its part of the way.
+Arcs: of the acceleration that both axes of the plane have, the centripetal part takes a share.
+
+With a limit of the jerk an arc of radius r with the speed v, the acceleration a and the jerk j
+along it gives its axes, in the direction that is worst, the acceleration √(a² + (v²/r)²) and the
+jerk √((j + v³/r²)² + (3·v·a/r)²); of the speeds and accelerations that leave room for a jerk those
+are taken that are fastest over the arc from rest to rest.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.path import geometry
+from nctakt.kernel.path.arc_limits import ArcLimits
+
+
+class SegmentLimits:
+    """The limits of the segments of one channel over ``count`` axes.
+
+    ``most_factor``: the highest override as a factor (P-CHAN-00056). ``capacity``: that of the
+    channel's queue, which keeps it current. ``has_smooth``: a segment had a limit of the jerk.
+    """
+
+    def __init__(self, count: int, cycle_time_us: int, blocks: int, most_factor: float) -> None:
+        self.count = count
+        self.blocks = blocks
+        self.most_factor = max(1.0, most_factor)
+        self.tick_t = cycle_time_us / 1e6
+        self.width = geometry.width(count)
+        self.capacity = 0
+        room = max(1, count)
+        self.linear = memoryview(bytearray(8 * room)).cast("q")
+        self.rapid_v = memoryview(bytearray(8 * room)).cast("d")
+        self.most_v = memoryview(bytearray(8 * room)).cast("d")
+        self.rapid_a = memoryview(bytearray(8 * room)).cast("d")
+        self.feed_a = memoryview(bytearray(8 * room)).cast("d")
+        self.rapid_slope_a = memoryview(bytearray(8 * room)).cast("d")
+        self.feed_slope_a = memoryview(bytearray(8 * room)).cast("d")
+        self.rapid_j = memoryview(bytearray(8 * room)).cast("d")
+        self.feed_j = memoryview(bytearray(8 * room)).cast("d")
+        self.arcs = ArcLimits(count)
+        self.arcs.share(self.most_v, self.feed_a)
+        self.entering = memoryview(bytearray(8 * room)).cast("d")
+        self.leaving = memoryview(bytearray(8 * room)).cast("d")
+        self.steps = memoryview(bytearray(8 * room)).cast("d")
+        self.shares = memoryview(bytearray(8 * room)).cast("d")
+        self.entering_curve = memoryview(bytearray(8 * room)).cast("d")
+        self.leaving_curve = memoryview(bytearray(8 * room)).cast("d")
+        self.turns = memoryview(bytearray(8 * room)).cast("d")
+        self.spare = memoryview(bytearray(16 * self.width)).cast("d")
+        self.bend = 0.0
+        self.last_bend = 0.0
+        self.last_length = 0.0
+        self.last_deviation = 0.0
+        self.corner_v = 0.0
+        self.last_corner_v = 0.0
+        self.is_bent = False
+        self.last_is_bent = False
+        self.bend_row = memoryview(bytearray(8 * self.width)).cast("d")
+        self.way = 0.0
+        self.entry_v = 0.0
+        self.free_v = 0.0
+        self.goal_v = 0.0
+        self.goal_a = 0.0
+        self.goal_j = 0.0
+        self.is_feed = 0.0
+        self.lent_a = 0.0
+        self.lent_j = 0.0
+        self.has_smooth = False
+
+    def limit(
+        self,
+        index: int,
+        is_linear: bool,
+        speeds: tuple[float, float],
+        accelerations: tuple[float, float],
+    ) -> None:
+        """The limits of one axis: rapid and highest speed, acceleration of rapid and feed."""
+        self.linear[index] = is_linear
+        self.rapid_v[index], self.most_v[index] = speeds
+        self.rapid_a[index], self.feed_a[index] = accelerations
+
+    def limit_slope(
+        self, index: int, accelerations: tuple[float, float], jerks: tuple[float, float]
+    ) -> None:
+        """The limits of one axis with the jerk-limited slope: of rapid and feed."""
+        self.rapid_slope_a[index], self.feed_slope_a[index] = accelerations
+        self.rapid_j[index], self.feed_j[index] = jerks
+
+    # --- the limits of a segment ----------------------------------------------------------------
+
+    def measure(self, row: memoryview[float], base: int, feed_v: float) -> None:
+        """Way, speeds and acceleration of the segment in ``row``; ``feed_v`` below 0: rapid."""
+        self.bend = 0.0
+        self.corner_v = 0.0
+        self.is_bent = False
+        row[base + 3] = self.straight_way(row, base)
+        if row[base + 9] == 1.0:
+            self.measure_arc(row, base, feed_v)
+        else:
+            self.bound(row, base, feed_v)
+        if row[base + 10] > 0.0:
+            self.smooth(row, base, feed_v)
+        row[base + 11] = 0.0
+        geometry.direct(row, base, self.count, 0, self.entering)
+
+    def smooth(self, row: memoryview[float], base: int, feed_v: float) -> None:
+        """Acceleration and jerk of the jerk-limited slope."""
+        self.has_smooth = True
+        limit_a = 1e300
+        limit_j = 1e300
+        for i in range(self.count):
+            way = row[base + 12 + self.count + i] - row[base + 12 + i]
+            if way == 0.0 or self.in_plane(row, base, i):
+                continue
+            part = (way if way > 0.0 else 0.0 - way) / row[base + 3]
+            slope_a = self.rapid_slope_a[i] if feed_v < 0.0 else self.feed_slope_a[i]
+            slope_j = self.rapid_j[i] if feed_v < 0.0 else self.feed_j[i]
+            limit_a = min(limit_a, slope_a / part)
+            limit_j = min(limit_j, slope_j / part)
+        row[base + 6] = min(row[base + 6], limit_a)
+        row[base + 10] = limit_j
+        if row[base + 9] == 1.0:
+            self.smooth_arc(row, base, 0)
+        self.stand_at_end(row, base)
+
+    def smooth_arc(self, row: memoryview[float], base: int, at_corner: int) -> None:
+        """Speed, acceleration and jerk on an arc.
+
+        ``at_corner``: a corner uses ``shares`` of accelerations, ``turns`` of jerks.
+        """
+        tail = base + 12 + 2 * self.count
+        first = int(row[tail + 7])
+        second = int(row[tail + 8])
+        x = row[base + 12 + first] - row[tail + 9]
+        y = row[base + 12 + second] - row[tail + 10]
+        radius = arithmetic.square_root(x * x + y * y)
+        turn = row[tail + 11] * 0.017453292519943295
+        way = radius * (turn if turn > 0.0 else 0.0 - turn)
+        part = way / row[base + 3]
+        first_a = min(self.feed_a[first], self.feed_slope_a[first])
+        second_a = min(self.feed_a[second], self.feed_slope_a[second])
+        plane_a = min(first_a, second_a)
+        plane_j = min(self.feed_j[first], self.feed_j[second])
+        if at_corner:
+            plane_a = min(first_a - self.shares[first], second_a - self.shares[second])
+            left_j = self.feed_j[first] - self.turns[first]
+            plane_j = min(left_j, self.feed_j[second] - self.turns[second])
+        most_v = min(row[base + 4] * self.most_factor, row[base + 5]) * part
+        most_v = min(most_v, arithmetic.square_root(0.97 * plane_a * radius))
+        most_v = min(most_v, arithmetic.power(0.97 * plane_j * radius * radius, 1.0 / 3.0))
+        outer_a = row[base + 6] * part
+        outer_j = row[base + 10] * part
+        best_t = 1e300
+        speed = most_v
+        for _ in range(8):
+            centre_a = speed * speed / radius
+            turned_j = centre_a * speed / radius
+            free_a = arithmetic.square_root(plane_a * plane_a - centre_a * centre_a)
+            ramp_a = min(free_a, outer_a, arithmetic.square_root(speed * plane_j))
+            for _ in range(4):
+                crossing_j = 3.0 * speed * ramp_a / radius
+                if crossing_j < plane_j:
+                    jerk = plane_j * plane_j - crossing_j * crossing_j
+                    jerk = min(arithmetic.square_root(jerk) - turned_j, outer_j)
+                    if jerk > 0.01 * plane_j:
+                        time = self.smooth_time(way, speed, ramp_a, jerk)
+                        if time < best_t:
+                            best_t = time
+                            row[base + 5] = speed / part
+                            row[base + 6] = ramp_a / part
+                            row[base + 10] = jerk / part
+                ramp_a *= 0.7
+            speed *= 0.88
+
+    def smooth_time(self, way: float, speed: float, limit_a: float, limit_j: float) -> float:
+        """How long a way takes from rest to rest with limited jerk."""
+        ramp = limit_a / limit_j
+        if speed < limit_a * ramp:
+            ramp = 2.0 * arithmetic.square_root(speed / limit_j)
+        else:
+            ramp += speed / limit_a
+        if speed * ramp <= way:
+            return way / speed + ramp
+        ramp = limit_a / limit_j
+        if way < 2.0 * limit_a * ramp * ramp:
+            return 4.0 * arithmetic.power(0.5 * way / limit_j, 1.0 / 3.0)
+        half = 0.5 * limit_a * ramp
+        peak = arithmetic.square_root(half * half + limit_a * way) - half
+        return way / peak + peak / limit_a + ramp
+
+    def stand_at_end(self, row: memoryview[float], base: int) -> None:
+        """A segment that nothing goes on from: it ends with a stand."""
+        here = base + 12 + 2 * self.count
+        row[here + 15] = 0.0
+        row[here + 16] = 0.0
+        row[here + 17] = 1e300
+        row[here + 18] = 1e300
+        row[here + 19] = row[base + 6]
+        row[here + 20] = row[base + 10]
+        row[here + 21] = 0.0
+
+    def straight_way(self, row: memoryview[float], base: int) -> float:
+        """The way in the linear axes, or in the rotary ones where no linear axis moves.
+
+        What rounding leaves of a linear way, less than a nanometre, is none.
+        """
+        linear2 = 0.0
+        rotary2 = 0.0
+        for i in range(self.count):
+            way = row[base + 12 + self.count + i] - row[base + 12 + i]
+            if self.linear[i]:
+                linear2 += way * way
+            else:
+                rotary2 += way * way
+        if linear2 < 1e-12 and rotary2 > 0.0:
+            return arithmetic.square_root(rotary2)
+        return arithmetic.square_root(linear2)
+
+    def bound(self, row: memoryview[float], base: int, feed_v: float) -> None:
+        """Speeds and acceleration on a line, or of the axes outside of an arc's plane."""
+        highest = 1e300
+        limit_a = 1e300
+        rapid = 1e300
+        for i in range(self.count):
+            way = row[base + 12 + self.count + i] - row[base + 12 + i]
+            if way == 0.0 or self.in_plane(row, base, i):
+                continue
+            part = (way if way > 0.0 else 0.0 - way) / row[base + 3]
+            rapid = min(rapid, self.rapid_v[i] / part)
+            highest = min(highest, self.most_v[i] / part)
+            limit_a = min(limit_a, self.acceleration(i, feed_v) / part)
+        row[base + 4] = rapid if feed_v < 0.0 else feed_v
+        row[base + 5] = highest
+        row[base + 6] = limit_a
+
+    def acceleration(self, index: int, feed_v: float) -> float:
+        """The acceleration of an axis at rapid or feed."""
+        return self.rapid_a[index] if feed_v < 0.0 else self.feed_a[index]
+
+    def in_plane(self, row: memoryview[float], base: int, index: int) -> int:
+        """Whether an axis is one of the two of the arc."""
+        if row[base + 9] != 1.0:
+            return 0
+        tail = base + 12 + 2 * self.count
+        return 1 if row[tail + 7] == index or row[tail + 8] == index else 0
+
+    def measure_arc(self, row: memoryview[float], base: int, feed_v: float) -> None:
+        """``measure`` for an arc, a helix where further axes move.
+
+        Of the acceleration ``a`` that both axes of the plane have, the centripetal part takes a
+        share ``s``, so that along the path ``a * sqrt(1 - s²)`` is left all along. Where that would
+        limit the speed or lose time, the limits go by the angle (``arc_limits.py``).
+        """
+        tail = base + 12 + 2 * self.count
+        first = int(row[tail + 7])
+        second = int(row[tail + 8])
+        x = row[base + 12 + first] - row[tail + 9]
+        y = row[base + 12 + second] - row[tail + 10]
+        radius = arithmetic.square_root(x * x + y * y)
+        angle = row[tail + 11] * 0.017453292519943295
+        way = radius * (angle if angle > 0.0 else 0.0 - angle)
+        length2 = way * way
+        for i in range(self.count):
+            if self.linear[i] and not self.in_plane(row, base, i):
+                rise = row[base + 12 + self.count + i] - row[base + 12 + i]
+                length2 += rise * rise
+        length = arithmetic.square_root(length2)
+        row[base + 3] = length
+        self.bound(row, base, feed_v)
+        part = way / length
+        plane_a = min(self.feed_a[first], self.feed_a[second])
+        highest = min(row[base + 5], min(self.most_v[first], self.most_v[second]) / part)
+        if row[base + 10] > 0.0:
+            row[base + 5] = highest
+            return
+        wanted = feed_v * self.most_factor
+        share = wanted * part * wanted * part / (radius * plane_a)
+        self.bend = min(share, 0.5)
+        speed = min(arithmetic.square_root(self.bend * radius * plane_a) / part, wanted)
+        limit_a = plane_a * arithmetic.square_root(1.0 - self.bend * self.bend) / part
+        row[base + 6] = min(limit_a, row[base + 6])
+        row[base + 5] = min(highest, speed)
+        if share > 0.5 or wanted > highest or not self.is_even(row, base, wanted):
+            by_speed = wanted > highest and highest * highest < radius * plane_a
+            self.divide(row, base, 3.0 if by_speed else 6.0)
+
+    def is_even(self, row: memoryview[float], base: int, wanted_v: float) -> int:
+        """Whether one acceleration all along an arc costs next to no time (choice: 1 %).
+
+        What ramps at both ends lose beside the acceleration that the axes have there is compared
+        with the time of the whole way at the wanted speed.
+        """
+        slower = 1.0 / row[base + 6]
+        geometry.direct(row, base, self.count, 0, self.entering)
+        slower -= 0.5 / self.straight_acceleration(self.entering)
+        geometry.direct(row, base, self.count, 1, self.entering)
+        slower -= 0.5 / self.straight_acceleration(self.entering)
+        return 1 if wanted_v * wanted_v * slower <= 0.01 * row[base + 3] else 0
+
+    def straight_acceleration(self, parts: memoryview[float]) -> float:
+        """What the axes can do together with a feed in a direction."""
+        limit_a = 1e300
+        for i in range(self.count):
+            part = parts[i] if parts[i] >= 0.0 else 0.0 - parts[i]
+            if part > 1e-9:
+                limit_a = min(limit_a, self.feed_a[i] / part)
+        return limit_a
+
+    def divide(self, row: memoryview[float], base: int, piece: float) -> None:
+        """Let the limits of an arc go by its angle, in pieces of so many degrees at most.
+
+        Backward it is walked with one speed and acceleration for all of it.
+        """
+        tail = base + 12 + 2 * self.count
+        angle = row[tail + 11] if row[tail + 11] > 0.0 else 0.0 - row[tail + 11]
+        pieces = int(angle / piece - 1e-9)
+        row[tail + 17] = max(pieces + 1, 2) + 6
+        row[tail + 21] = row[base + 5]
+        row[base + 6] *= 0.99
+        self.arcs.open(row, base)
+        row[base + 5] = self.arcs.highest_speed()

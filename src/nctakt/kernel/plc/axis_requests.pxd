@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+# C types of axis_requests.py.
+cimport cython
+from nctakt.kernel.axes.single_axes cimport SingleAxes
+
+@cython.final
+cdef class AxisRequests:
+    cdef SingleAxes single_axes
+    cdef Py_ssize_t capacity
+    cdef long long[::1] kind
+    cdef long long[::1] axis
+    cdef double[::1] value
+    cdef double[::1] speed_v
+    cdef long long[::1] mode
+    cdef long long[::1] direction
+    cdef long long[::1] answer
+    cdef long long posted
+    cdef long long latched
+
+    cdef Py_ssize_t event_bound(self) noexcept nogil
+    cdef void latch(self) noexcept nogil
+    @cython.locals(axis=Py_ssize_t, owner=cython.longlong, mode=int, direction=int, kind=cython.longlong)
+    cdef void give(self, Py_ssize_t place) noexcept nogil

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""What the PLC wants of single axes: posted between two ticks, latched by the next one.
+
+Each request has an owner number of its own, from ``PLC_OWNER`` on, so that the PLC can follow what
+becomes of it: its answer, whether its motion is open, whether it has arrived.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.axes.single_axes import SingleAxes
+
+#: The owner of the PLC's first request.
+PLC_OWNER = 1_000_000
+
+#: Requests whose answers are kept; more cannot be posted for one tick.
+CAPACITY = 256
+
+# Kinds of requests.
+ABSOLUTE = 1
+RELATIVE = 2
+VELOCITY = 3
+HALT = 4
+CLEAR_FAULT = 5
+
+
+class AxisRequests:
+    """The requests of the coming tick, and the answers to those of the last ones."""
+
+    def __init__(self, single_axes: SingleAxes) -> None:
+        self.single_axes = single_axes
+        self.capacity = CAPACITY
+        self.kind = memoryview(bytearray(8 * CAPACITY)).cast("q")
+        self.axis = memoryview(bytearray(8 * CAPACITY)).cast("q")
+        self.value = memoryview(bytearray(8 * CAPACITY)).cast("d")
+        self.speed_v = memoryview(bytearray(8 * CAPACITY)).cast("d")
+        self.mode = memoryview(bytearray(8 * CAPACITY)).cast("q")
+        self.direction = memoryview(bytearray(8 * CAPACITY)).cast("q")
+        self.answer = memoryview(bytearray(8 * CAPACITY)).cast("q")
+        self.posted = 0
+        self.latched = 0
+
+    # --- Python's side, between two ticks -------------------------------------------------------
+
+    def post(
+        self, kind: int, axis: int, value: float, speed_v: float, mode: int, direction: int
+    ) -> int:
+        """A request for the next tick: the owner number of what becomes of it, 0: no room."""
+        if self.posted - self.latched >= self.capacity:
+            return 0
+        place = self.posted % self.capacity
+        self.kind[place] = kind
+        self.axis[place] = axis
+        self.value[place] = value
+        self.speed_v[place] = speed_v
+        self.mode[place] = mode
+        self.direction[place] = direction
+        self.answer[place] = -1
+        self.posted += 1
+        return PLC_OWNER + self.posted - 1
+
+    def answer_to(self, owner: int) -> int:
+        """0 accepted, else the message that refuses; -1: no tick has latched it yet."""
+        return self.answer[(owner - PLC_OWNER) % self.capacity]
+
+    def is_open(self, owner: int) -> bool:
+        """Whether the motion runs or waits."""
+        return self.single_axes.opened(owner) > 0
+
+    def is_active(self, axis: int, owner: int) -> bool:
+        """Whether it is the present motion of the axis."""
+        return self.single_axes.present_owner(axis) == owner
+
+    def has_arrived(self, axis: int, owner: int) -> bool:
+        """Whether it was the last motion of the axis that has come to its target."""
+        return self.single_axes.arrived_owner(axis) == owner
+
+    # --- the tick -------------------------------------------------------------------------------
+
+    def event_bound(self) -> int:
+        """The most events that the requests of the coming tick make."""
+        return 4 * (self.posted - self.latched)
+
+    def latch(self) -> None:
+        """Start of a tick: give the requests to the axes, in their order."""
+        while self.latched < self.posted:
+            self.give(self.latched % self.capacity)
+            self.latched += 1
+
+    def give(self, place: int) -> None:
+        """One request."""
+        axis = self.axis[place]
+        owner = 1000000 + self.latched
+        mode = int(self.mode[place])
+        direction = int(self.direction[place])
+        kind = self.kind[place]
+        self.single_axes.order(0, 0)
+        if kind == 1:
+            self.answer[place] = self.single_axes.move_to(
+                axis, self.value[place], self.speed_v[place], mode, direction, owner
+            )
+        elif kind == 2:
+            self.answer[place] = self.single_axes.move_by(
+                axis, self.value[place], self.speed_v[place], mode, owner
+            )
+        elif kind == 3:
+            self.answer[place] = self.single_axes.run_endless(
+                axis, self.speed_v[place], direction, mode, owner
+            )
+        elif kind == 4:
+            self.answer[place] = self.single_axes.stop(axis, owner)
+        else:
+            self.answer[place] = self.single_axes.clear_fault(axis)

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+# C types of image_slots.py.
+cimport cython
+from nctakt.kernel.plc.technology_slots cimport Section
+from nctakt.kernel.axes.spindles cimport Spindles
+
+cdef class Units:
+    cdef void latch(self) noexcept nogil
+    cdef void publish(self) noexcept nogil
+
+cdef class SectionUnits(Units):
+    cdef Section section
+    cdef int[::1] halves
+    cdef long long[::1] words
+    cdef int[::1] published
+    cdef Py_ssize_t first
+    cdef Py_ssize_t acknowledged
+    cdef long long cycle_time_us
+    cdef long long[::1] m_axes
+    cdef long long[::1] h_axes
+    cdef Units others
+    cdef long long version
+
+    @cython.locals(i=Py_ssize_t, serial=int)
+    cdef void latch(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void publish(self) noexcept nogil
+    @cython.locals(first=Py_ssize_t, word=Py_ssize_t, function=cython.longlong, number=Py_ssize_t, ticks=cython.longlong)
+    cdef void put(self, Py_ssize_t slot) noexcept nogil
+
+cdef class SpindleUnits(Units):
+    cdef Spindles spindles
+    cdef int[::1] halves
+    cdef long long[::1] words
+    cdef double[::1] reals
+    cdef int[::1] published
+    cdef Py_ssize_t job
+    cdef Py_ssize_t stride
+    cdef Py_ssize_t acknowledged
+    cdef Py_ssize_t answer_stride
+    cdef long long cycle_time_us
+    cdef Units others
+    cdef long long version
+
+    @cython.locals(i=Py_ssize_t, place=Py_ssize_t, serial=int)
+    cdef void latch(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void publish(self) noexcept nogil
+    @cython.locals(first=Py_ssize_t, word=Py_ssize_t, direction=cython.longlong, ticks=cython.longlong)
+    cdef void put(self, Py_ssize_t i) noexcept nogil

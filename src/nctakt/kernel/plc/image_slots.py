@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""What waits for a PLC in the image of the HLI: M and H functions, jobs of its spindles.
+
+A unit takes 40 bytes (``UNIT`` in ``hli/layout.py``). Its serial says which function it holds, 0
+none; it is written last. The PLC acknowledges by writing the serial into its own place of the slot,
+so that each byte has one writer. A spindle's job goes the same way, in ``SPINDLE`` and
+``SPINDLE_COMMAND``.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.axes.spindles import Spindles
+from nctakt.kernel.plc.technology_slots import Section
+
+
+class Units:
+    """The sections of all channels as a chain, since the tick cannot walk through a list.
+
+    The base is the null object at the chain's end.
+    """
+
+    def latch(self) -> None:
+        """Take over what the PLC has acknowledged."""
+
+    def publish(self) -> None:
+        """Show the slots that have changed."""
+
+
+class SectionUnits(Units):
+    """The units of one section, and those behind it.
+
+    ``first``: the first byte of the units in the image, ``acknowledged``: of the PLC's serials;
+    ``published`` are the bytes of the image that the tick knows. ``m_axes``, ``h_axes``: int64 for
+    each number, the logical axis that the M or H function is for.
+    """
+
+    def __init__(
+        self,
+        section: Section,
+        image: memoryview,
+        published: memoryview,
+        first: int,
+        acknowledged: int,
+        cycle_time_us: int,
+        m_axes: bytearray,
+        h_axes: bytearray,
+        others: Units,
+    ) -> None:
+        self.section = section
+        self.m_axes = memoryview(m_axes).cast("q")
+        self.h_axes = memoryview(h_axes).cast("q")
+        self.halves = image.cast("i")
+        self.words = image.cast("q")
+        self.published = published.cast("i")
+        self.first = first // 4
+        self.acknowledged = acknowledged // 4
+        self.cycle_time_us = cycle_time_us
+        self.others = others
+        self.version = -1
+
+    def latch(self) -> None:
+        for i in range(self.section.slot_count):
+            serial = self.halves[self.acknowledged + i]
+            self.published[self.acknowledged + i] = serial
+            if self.section.state[i] == 1 and self.section.serial[i] == serial:
+                self.section.state[i] = 2
+        self.others.latch()
+
+    def publish(self) -> None:
+        if self.version != self.section.version:
+            self.version = self.section.version
+            for i in range(self.section.slot_count):
+                self.put(i)
+        self.others.publish()
+
+    def put(self, slot: int) -> None:
+        """Write one slot."""
+        first = self.first + 10 * slot
+        if self.section.state[slot] == 0:
+            self.halves[first] = 0
+            return
+        function = self.section.function[slot]
+        word = (first + 6) >> 1
+        number = function if function >= 0 else -function - 1
+        self.halves[first + 1] = 1 if function >= 0 else 2
+        self.halves[first + 2] = number
+        self.halves[first + 4] = self.m_axes[number] if function >= 0 else self.h_axes[number]
+        self.halves[first + 3] = self.section.sequence[slot]
+        self.halves[first + 5] = self.section.value[slot]
+        self.words[word] = self.section.tick[slot] * self.cycle_time_us
+        ticks = self.section.done[slot] - self.section.tick[slot]
+        self.words[word + 1] = ticks * self.cycle_time_us
+        self.halves[first] = self.section.serial[slot]
+
+
+class SpindleUnits(Units):
+    """The jobs of a channel's PLC spindles, and the units behind them.
+
+    ``job``: the byte of the first spindle's ``job`` in the image, ``acknowledged`` that of its
+    ``ack_job``; the next ones stand ``size`` and ``answer_size`` bytes further.
+    """
+
+    def __init__(
+        self,
+        spindles: Spindles,
+        image: memoryview,
+        published: memoryview,
+        job: int,
+        size: int,
+        acknowledged: int,
+        answer_size: int,
+        cycle_time_us: int,
+        others: Units,
+    ) -> None:
+        self.spindles = spindles
+        self.halves = image.cast("i")
+        self.words = image.cast("q")
+        self.reals = image.cast("d")
+        self.published = published.cast("i")
+        self.job = job // 4
+        self.stride = size // 4
+        self.acknowledged = acknowledged // 4
+        self.answer_stride = answer_size // 4
+        self.cycle_time_us = cycle_time_us
+        self.others = others
+        self.version = -1
+
+    def latch(self) -> None:
+        for i in range(self.spindles.count):
+            place = self.acknowledged + self.answer_stride * i
+            serial = self.halves[place]
+            self.published[place] = serial
+            if self.spindles.plc_state[i] == 1 and self.spindles.job[i] == serial:
+                self.spindles.plc_state[i] = 2
+        self.others.latch()
+
+    def publish(self) -> None:
+        if self.version != self.spindles.version:
+            self.version = self.spindles.version
+            for i in range(self.spindles.count):
+                self.put(i)
+        self.others.publish()
+
+    def put(self, i: int) -> None:
+        """Write the job of one spindle."""
+        first = self.job + self.stride * i
+        if self.spindles.plc_state[i] == 0:
+            self.halves[first] = 0
+            return
+        self.halves[first + 1] = self.spindles.function[i]
+        direction = self.spindles.direction[i]
+        self.halves[first + 2] = direction if direction >= 0 else 2
+        word = (first + 4) >> 1
+        self.words[word] = self.spindles.taken_tick[i] * self.cycle_time_us
+        ticks = self.spindles.done_tick[i] - self.spindles.taken_tick[i]
+        self.words[word + 1] = ticks * self.cycle_time_us
+        self.reals[word + 2] = self.spindles.wanted_v[i] / 6.0
+        self.reals[word + 3] = self.spindles.wanted_position[i]
+        self.halves[first] = self.spindles.job[i]

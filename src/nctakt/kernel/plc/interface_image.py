@@ -1,0 +1,314 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The image of the HLI that a PLC sees, kept equal to the cells of the memory (RC-301).
+
+A table says which variable stands at which byte (``hli/places.py``, and for the packed V.E
+``lists/machine/variables_layout.py``). ``latch`` takes over what the PLC has written where it may:
+bytes that differ from those that were published last. ``publish`` writes the variables that have
+changed since, the slots of technology functions (``image_slots.py``) and the clock. Numbers have
+the byte order of the processor. A REAL64 that is not finite is refused: the variable keeps its
+value, the image gets it back, and the first time of each variable is told (900346).
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.plc.image_slots import Units
+
+#: Kinds of entries by the names of their types; STRING and VSTRING are bytes.
+KINDS = {
+    "BOOLEAN": 0,
+    "SGN08": 1,
+    "UNS08": 2,
+    "SGN16": 3,
+    "UNS16": 4,
+    "SGN32": 5,
+    "UNS32": 6,
+    "REAL64": 7,
+    "STRING": 8,
+    "VSTRING": 8,
+}
+
+
+class InterfaceImage:
+    """The image of one machine; while none is attached it costs nothing."""
+
+    def __init__(self, memory: bytearray, record: Record) -> None:
+        self.cells = memoryview(memory).cast("d")
+        self.words = memoryview(memory).cast("q")
+        self.characters = memoryview(memory)
+        self.record = record
+        scratch = memoryview(bytearray(8))
+        self.scratch = scratch
+        self.as_signed_8 = scratch.cast("b")
+        self.as_signed_16 = scratch.cast("h")
+        self.as_unsigned_16 = scratch.cast("H")
+        self.as_signed_32 = scratch.cast("i")
+        self.as_unsigned_32 = scratch.cast("I")
+        self.as_real = scratch.cast("d")
+        self.detach()
+
+    # --- Python's side, between two runs --------------------------------------------------------
+
+    def attach(
+        self,
+        image: memoryview,
+        published: memoryview,
+        table: list[tuple[int, int, int, int, bool]],
+        units: Units,
+        clock: int,
+        first_input: int,
+        ticks: int,
+    ) -> None:
+        """Show the variables of ``table`` and the ``units`` in ``run.shared_image``, as they are
+        now.
+
+        ``run.shared_image``: writable bytes, a multiple of 8, ``published``: as many of ours. A row
+        of the table: first byte, kind, first cell, bytes of the variable, whether the PLC may write
+        it. ``clock``: the first byte of sequence and tick; ``first_input``: from there on the PLC
+        writes; ``ticks``: how many have been run.
+        """
+        count = len(table)
+        self.image = image
+        self.image_words = image.cast("q")
+        self.published = published
+        self.published_words = published.cast("q")
+        self.units = units
+        self.clock_word = clock // 8
+        self.first_input_word = first_input // 8
+        self.is_input = memoryview(bytearray(8 * count + 8)).cast("q")
+        self.offset = memoryview(bytearray(8 * count + 8)).cast("q")
+        self.kind = memoryview(bytearray(8 * count + 8)).cast("q")
+        self.cell = memoryview(bytearray(8 * count + 8)).cast("q")
+        self.size = memoryview(bytearray(8 * count + 8)).cast("q")
+        self.cell_count = memoryview(bytearray(8 * count + 8)).cast("q")
+        self.first_shadow = memoryview(bytearray(8 * count + 8)).cast("q")
+        self.is_stale = memoryview(bytearray(8 * count + 8)).cast("q")
+        self.was_refused = memoryview(bytearray(8 * count + 8)).cast("q")
+        self.refused_cells = memoryview(bytearray(8 * count + 8)).cast("q")
+        cells = sum(-(-row[3] // 8) for row in table)
+        self.shadow = memoryview(bytearray(8 * cells + 8)).cast("q")
+        self.shadowed_cell = memoryview(bytearray(8 * cells + 8)).cast("q")
+        self.shadowed_entry = memoryview(bytearray(8 * cells + 8)).cast("q")
+        self.shadow_count = 0
+        self.stale_count = count
+        for i, (offset, kind, cell, size, is_input) in enumerate(table):
+            self.is_input[i] = is_input
+            self.offset[i] = offset
+            self.kind[i] = kind
+            self.cell[i] = cell
+            self.size[i] = size
+            self.first_shadow[i] = self.shadow_count
+            self.cell_count[i] = -(-size // 8)
+            self.is_stale[i] = 1
+            for further in range(-(-size // 8)):
+                self.shadowed_cell[self.shadow_count] = cell + further
+                self.shadowed_entry[self.shadow_count] = i
+                self.shadow_count += 1
+        self.count = count
+        self.event_bound = sum(1 for row in table if row[4] and row[1] == KINDS["REAL64"])
+        self.refused_count = 0
+        self.refused_told = 0
+        self.word_count = len(image) // 8
+        self.publish(ticks)
+        self.is_attached = True
+
+    def detach(self) -> None:
+        """Forget the image; nothing holds its bytes any longer."""
+        nothing = memoryview(bytearray(8))
+        self.is_attached = False
+        self.count = 0
+        self.shadow_count = 0
+        self.stale_count = 0
+        self.event_bound = 0
+        self.refused_count = 0
+        self.refused_told = 0
+        self.word_count = 0
+        self.clock_word = 0
+        self.first_input_word = 0
+        self.units = Units()
+        self.is_input = nothing.cast("q")
+        self.image = nothing
+        self.image_words = nothing.cast("q")
+        self.published = nothing
+        self.published_words = nothing.cast("q")
+        self.offset = nothing.cast("q")
+        self.kind = nothing.cast("q")
+        self.cell = nothing.cast("q")
+        self.size = nothing.cast("q")
+        self.cell_count = nothing.cast("q")
+        self.first_shadow = nothing.cast("q")
+        self.is_stale = nothing.cast("q")
+        self.was_refused = nothing.cast("q")
+        self.refused_cells = nothing.cast("q")
+        self.shadow = nothing.cast("q")
+        self.shadowed_cell = nothing.cast("q")
+        self.shadowed_entry = nothing.cast("q")
+
+    def next_refused(self) -> int:
+        """The cell of the next 900346 that was not asked for yet, in the order of the events."""
+        assert self.refused_told < self.refused_count
+        cell = self.refused_cells[self.refused_told]
+        self.refused_told += 1
+        return cell
+
+    # --- the tick -------------------------------------------------------------------------------
+
+    def latch(self) -> None:
+        """Take over what was written into the image since it was published."""
+        if self.is_as_published():
+            return
+        self.units.latch()
+        for i in range(self.count):
+            if self.is_input[i] and self.has_come(i):
+                if self.kind[i] == 8:
+                    self.take_string(i)
+                else:
+                    self.take_number(i)
+
+    def is_as_published(self) -> int:
+        """Whether no byte has changed that the PLC writes."""
+        for i in range(self.first_input_word, self.word_count):
+            if self.image_words[i] != self.published_words[i]:
+                return 0
+        return 1
+
+    def has_come(self, entry: int) -> int:
+        """Whether a byte of this variable has changed."""
+        first = self.offset[entry]
+        for i in range(first, first + self.size[entry]):
+            if self.image[i] != self.published[i]:
+                return 1
+        return 0
+
+    def take_string(self, entry: int) -> None:
+        """Copy a string into the memory."""
+        first = self.offset[entry]
+        place = 8 * self.cell[entry]
+        for i in range(self.size[entry]):
+            self.characters[place + i] = self.published[first + i] = self.image[first + i]
+        self.remember(entry)
+
+    def take_number(self, entry: int) -> None:
+        """Convert a number into its cell; truth values become 0 or 1."""
+        first = self.offset[entry]
+        cell = self.cell[entry]
+        for i in range(self.size[entry]):
+            # one read only: the other process may be writing
+            self.scratch[i] = self.published[first + i] = self.image[first + i]
+        value = self.number(int(self.kind[entry]))
+        if value - value != 0.0:
+            self.refuse(entry)
+            return
+        self.cells[cell] = value
+        self.remember(entry)
+        if self.kind[entry] == 0 and self.scratch[0] > 1:
+            self.mark_stale(entry)
+
+    def refuse(self, entry: int) -> None:
+        """A number that is not finite."""
+        self.mark_stale(entry)
+        if self.was_refused[entry] == 0:
+            self.was_refused[entry] = 1
+            self.event_bound -= 1
+            self.refused_cells[self.refused_count] = self.cell[entry]
+            self.refused_count += 1
+            self.record.error(0, 0, 900346, 0.0)
+
+    def number(self, kind: int) -> float:
+        """The number in the scratch bytes."""
+        if kind == 0:
+            return 1.0 if self.scratch[0] else 0.0
+        if kind == 1:
+            return self.as_signed_8[0]
+        if kind == 2:
+            return self.scratch[0]
+        if kind == 3:
+            return self.as_signed_16[0]
+        if kind == 4:
+            return self.as_unsigned_16[0]
+        if kind == 5:
+            return self.as_signed_32[0]
+        if kind == 6:
+            return self.as_unsigned_32[0]
+        return self.as_real[0]
+
+    def remember(self, entry: int) -> None:
+        """Note what the variable's cells hold: that is in the image now."""
+        first = self.first_shadow[entry]
+        cell = self.cell[entry]
+        for i in range(self.cell_count[entry]):
+            self.shadow[first + i] = self.words[cell + i]
+
+    def mark_stale(self, entry: int) -> None:
+        """The image must be written although the cell is as it was."""
+        if self.is_stale[entry] == 0:
+            self.is_stale[entry] = 1
+            self.stale_count += 1
+
+    def publish(self, ticks: int) -> None:
+        """Write what has changed since the image was published last, after so many ticks.
+
+        The sequence is odd meanwhile.
+        """
+        self.image_words[self.clock_word] += 1
+        self.units.publish()
+        self.publish_cells()
+        self.image_words[self.clock_word + 1] = ticks
+        self.image_words[self.clock_word] += 1
+
+    def publish_cells(self) -> None:
+        """The variables that have changed, and those that must be written all the same."""
+        for i in range(self.shadow_count):
+            if self.words[self.shadowed_cell[i]] != self.shadow[i]:
+                self.put(self.shadowed_entry[i])
+        if self.stale_count > 0:
+            for i in range(self.count):
+                if self.is_stale[i]:
+                    self.put(i)
+
+    def put(self, entry: int) -> None:
+        """Write a variable into the image."""
+        self.remember(entry)
+        if self.is_stale[entry]:
+            self.is_stale[entry] = 0
+            self.stale_count -= 1
+        if self.kind[entry] == 8:
+            self.put_string(entry)
+        else:
+            self.put_number(entry)
+
+    def put_string(self, entry: int) -> None:
+        """Copy a string into the image."""
+        first = self.offset[entry]
+        place = 8 * self.cell[entry]
+        for i in range(self.size[entry]):
+            self.image[first + i] = self.published[first + i] = self.characters[place + i]
+
+    def put_number(self, entry: int) -> None:
+        """Convert a number into the image; cells of integers hold what fits their type."""
+        first = self.offset[entry]
+        self.set_number(int(self.kind[entry]), self.cells[self.cell[entry]])
+        for i in range(self.size[entry]):
+            self.image[first + i] = self.published[first + i] = self.scratch[i]
+
+    def set_number(self, kind: int, value: float) -> None:
+        """Put a number into the scratch bytes."""
+        if kind == 1:
+            self.as_signed_8[0] = int(value)
+        elif kind <= 2:
+            self.scratch[0] = int(value)
+        elif kind == 3:
+            self.as_signed_16[0] = int(value)
+        elif kind == 4:
+            self.as_unsigned_16[0] = int(value)
+        elif kind == 5:
+            self.as_signed_32[0] = int(value)
+        elif kind == 6:
+            # the bits of a signed number: where a long has 32 bits, it holds no larger ones
+            if value > 2147483647.0:
+                value -= 4294967296.0
+            self.as_signed_32[0] = int(value)
+        else:
+            self.as_real[0] = value

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: MIT
+# C types of technology_slots.py.
+cimport cython
+from nctakt.kernel.plc.panel cimport Panel
+
+@cython.final
+cdef class Section:
+    cdef readonly Py_ssize_t slot_count
+    cdef long long[::1] state
+    cdef long long[::1] function
+    cdef long long[::1] sequence
+    cdef long long[::1] tick
+    cdef long long[::1] serial
+    cdef long long[::1] value
+    cdef Py_ssize_t latest
+    cdef long long[::1] done
+    cdef readonly long long issued_in_tick
+    cdef readonly long long taken_count
+    cdef long long issued
+    cdef long long version
+
+    @cython.locals(i=Py_ssize_t)
+    cdef void latch(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef long long issue(self, long long function, long long tick, long long ticks) noexcept nogil
+    cdef void give_value(self, long long value) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef int is_waiting(self, long long function) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void acknowledge_done(self, long long tick) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void clear(self) noexcept nogil
+
+@cython.final
+cdef class Hli:
+    cdef readonly Panel panel
+    cdef readonly Section realtime
+    cdef readonly Section program
+    cdef public bint acknowledges_itself
+
+    cdef void latch(self) noexcept nogil
+    cdef int has_default_plc(self) noexcept nogil
+    cdef void run_default_plc(self, long long tick) noexcept nogil
+    cdef void clear(self) noexcept nogil

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""The interface image between CNC and PLC: technology functions and their acknowledgement.
+
+The realtime section (POS_RT) takes what realtime cycles command, in order, in the same tick, and
+never waits: no free slot is an error (RC-403). The main program's functions go through a section
+of their own, for whose slots and acknowledgements the program may wait. What the PLC answers in
+tick n counts from tick n+1: ``latch`` at the start of a tick moves the answers into force. Without
+a scripted PLC the default one acknowledges each function in the tick in which it appears, or later
+by the ticks that the function takes (P-CHAN-00040, P-CHAN-00026).
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.plc.panel import Panel
+
+#: Slots of a section: a number of ours, no source gives one (RC-403).
+SLOT_COUNT = 20
+
+FREE = 0
+WAITING = 1
+ACKNOWLEDGED = 2
+
+
+class Section:
+    """Slots for technology functions.
+
+    Each function has a running number (``serial``) and a value for the PLC, 0 unless it is given
+    one (``give_value``); ``version`` changes with the slots. A function is named by its number; an
+    H function by its negative number - 1, so that one number holds both and M0 differs from H0.
+    """
+
+    def __init__(self, slot_count: int) -> None:
+        self.slot_count = slot_count
+        self.state = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.function = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.sequence = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.tick = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.done = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.serial = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.value = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.latest = 0
+        self.issued_in_tick = 0
+        self.taken_count = 0
+        self.issued = 0
+        self.version = 0
+
+    def latch(self) -> None:
+        """Start of a tick: what the PLC has acknowledged is free from now on."""
+        self.issued_in_tick = 0
+        if self.taken_count == 0:
+            return
+        for i in range(self.slot_count):
+            if self.state[i] == 2:
+                self.state[i] = 0
+                self.taken_count -= 1
+                self.version += 1
+
+    def issue(self, function: int, tick: int, ticks: int) -> int:
+        """Put a function that takes so many ticks into a free slot: its number within the tick.
+
+        0 where the section holds no more in one tick (50943), -1 where no slot is free (50942).
+        """
+        if self.issued_in_tick >= self.slot_count:
+            return 0
+        for i in range(self.slot_count):
+            if self.state[i] == 0:
+                self.issued_in_tick += 1
+                self.taken_count += 1
+                self.version += 1
+                self.issued = self.issued + 1 if self.issued < 2147483647 else 1
+                self.serial[i] = self.issued
+                self.state[i] = 1
+                self.function[i] = function
+                self.sequence[i] = self.issued_in_tick
+                self.tick[i] = tick
+                self.done[i] = tick + ticks
+                self.value[i] = 0
+                self.latest = i
+                return self.issued_in_tick
+        return -1
+
+    def give_value(self, value: int) -> None:
+        """The function that was put in last has this value (M110 = 130)."""
+        self.value[self.latest] = value
+
+    def is_waiting(self, function: int) -> int:
+        """Whether the PLC still has to acknowledge this function."""
+        if self.taken_count == 0:
+            return 0
+        for i in range(self.slot_count):
+            if self.state[i] != 0 and self.function[i] == function:
+                return 1
+        return 0
+
+    def acknowledge_done(self, tick: int) -> None:
+        """The default PLC has taken what waits and has had its time."""
+        if self.taken_count == 0:
+            return
+        for i in range(self.slot_count):
+            if self.state[i] == 1 and self.done[i] <= tick:
+                self.state[i] = 2
+
+    def clear(self) -> None:
+        """Reset: nothing waits any more."""
+        for i in range(self.slot_count):
+            self.state[i] = 0
+        self.taken_count = 0
+        self.version += 1
+
+    def value_of(self, slot: int) -> int:
+        """The value of the function in this slot."""
+        return self.value[slot]
+
+    def entries(self) -> list[tuple[int, int, int, int]]:
+        """What waits, oldest first: (slot, function, number in its tick, tick)."""
+        found = [
+            (i, self.function[i], self.sequence[i], self.tick[i])
+            for i in range(self.slot_count)
+            if self.state[i] == WAITING
+        ]
+        found.sort(key=lambda entry: (entry[3], entry[2]))
+        return found
+
+    def acknowledge(self, slot: int) -> None:
+        """The PLC has taken the function of this slot."""
+        assert 0 <= slot < self.slot_count
+        if self.state[slot] == WAITING:
+            self.state[slot] = ACKNOWLEDGED
+
+
+class Hli:
+    """One channel's image; ``realtime`` is the section POS_RT, ``program`` the main program's.
+
+    ``panel`` is the operator's side.
+    """
+
+    def __init__(self, panel: Panel, slot_count: int = SLOT_COUNT) -> None:
+        self.panel = panel
+        self.realtime = Section(slot_count)
+        self.program = Section(slot_count)
+        self.acknowledges_itself = True
+
+    def latch(self) -> None:
+        """Start of a tick."""
+        self.panel.latch()
+        self.realtime.latch()
+        self.program.latch()
+
+    def has_default_plc(self) -> int:
+        """Whether no script and no other process plays the PLC."""
+        return 1 if self.acknowledges_itself and not self.panel.plc_present else 0
+
+    def run_default_plc(self, tick: int) -> None:
+        """The PLC phase of a tick, where nobody else plays the PLC."""
+        if self.has_default_plc():
+            self.realtime.acknowledge_done(tick)
+            self.program.acknowledge_done(tick)
+
+    def clear(self) -> None:
+        """Reset."""
+        self.realtime.clear()
+        self.program.clear()

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+# C types of channel.py.
+cimport cython
+from nctakt.kernel.base cimport arithmetic
+from nctakt.kernel.tick.command_execution cimport Commands
+
+@cython.final
+cdef class Channel(Commands):
+    cdef double total_pct
+    cdef public Py_ssize_t low_water
+    cdef public bint decoder_open
+    cdef public bint wants_slot
+    cdef double answer
+    cdef readonly bint answer_ready
+    cdef bint is_reset_due
+    cdef public bint is_paced
+    cdef long long starved_since
+    cdef bint has_told_wait
+    cdef bint has_told_spindle
+
+    @cython.locals(commands=Py_ssize_t, single=Py_ssize_t)
+    cdef Py_ssize_t event_bound(self) noexcept nogil
+    cdef int needs_python(self) noexcept nogil
+    cdef int is_idle(self) noexcept nogil
+    @cython.locals(is_empty=bint, can_go=bint)
+    cdef void watch_queue(self, long long tick) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void begin_tick(self, long long tick) noexcept nogil
+    cdef void run_cycles(self) noexcept nogil
+    @cython.locals(factor=double, stops=bint, goes_on=int)
+    cdef void interpolate(self) noexcept nogil
+    @cython.locals(factor=double)
+    cdef double override(self) noexcept nogil
+    cdef void watch_stops(self) noexcept nogil
+    @cython.locals(goes_on=int)
+    cdef int step_back(self, double factor, int stops) noexcept nogil
+    @cython.locals(waits=bint, base=Py_ssize_t)
+    cdef void tell_wait(self) noexcept nogil
+    @cython.locals(number=double)
+    cdef void publish_block(self) noexcept nogil
+    cdef void watch_spindle(self, double factor) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t)
+    cdef Py_ssize_t resting_spindle(self) noexcept nogil
+    @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int, message=int)
+    cdef void go_on(self, int stops) noexcept nogil
+    @cython.locals(message=int)
+    cdef void report_axes(self) noexcept nogil
+    @cython.locals(state=int)
+    cdef void end_tick(self) noexcept nogil
+    cdef void begin_reset(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void end_reset(self) noexcept nogil
+    @cython.locals(message=int, base=Py_ssize_t)
+    cdef int axes_stand(self) noexcept nogil
+    @cython.locals(base=Py_ssize_t, cell=Py_ssize_t)
+    cdef void answer_waiting(self) noexcept nogil

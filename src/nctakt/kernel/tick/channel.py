@@ -1,0 +1,448 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""One channel: the phases of its tick (RC-002 … RC-007).
+
+``command_queue.py`` is the queue, ``command_execution.py`` what its commands do. While the decoder
+has more to give, the kernel returns when the commands that take time fall below ``low_water``, so
+that a tick never finds the queue empty too early, and the path always knows as many blocks as it
+looks ahead. Where a schedule gives the decoder its time (``is_paced``), the queue may run empty,
+and events tell it.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.axes.single_axes import SingleAxes
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.base.timers import Timers
+from nctakt.kernel.cycles.cycles import CycleManager
+from nctakt.kernel.path.lookahead import LookAhead
+from nctakt.kernel.path.path import Path
+from nctakt.kernel.plc.technology_slots import Hli
+from nctakt.kernel.tick.command_execution import Commands
+
+#: Commands that take time below which the kernel asks for more.
+LOW_WATER = 8
+
+
+class Channel(Commands):
+    """One channel with its path, its cycles and its image of the PLC."""
+
+    def __init__(
+        self,
+        memory: bytearray,
+        first_cell: int,
+        record: Record,
+        hli: Hli,
+        manager: CycleManager,
+        path: Path,
+        timers: Timers,
+        max_override_pct: float,
+        ahead: LookAhead,
+        single_axes: SingleAxes,
+    ) -> None:
+        super().__init__(memory, first_cell, record, hli, manager, path, timers, ahead, single_axes)
+        self.overrides.most_pct = max_override_pct
+        self.total_pct = 100.0
+        self.low_water = max(LOW_WATER, ahead.blocks)
+        self.decoder_open = False
+        self.wants_slot = False
+        self.answer = 0.0
+        self.answer_ready = False
+        self.is_reset_due = False
+        self.is_paced = False
+        self.starved_since = -1
+        self.has_told_wait = False
+        self.has_told_spindle = False
+        for i in range(self.path.count):
+            single_axes.belong(self.path.members[i])
+
+    # --- Python's side, between two runs --------------------------------------------------------
+
+    def take_answer(self) -> float:
+        """The value that the decoder has waited for; it goes on."""
+        assert self.answer_ready
+        self.answer_ready = False
+        return self.answer
+
+    def can_free_slots(self) -> bool:
+        """Whether realtime cycles may still end by themselves: for the decoder that needs a slot.
+
+        Their blocks are on their way, or what comes before the next definition is not taken yet.
+        """
+        return not self.is_idle()
+
+    def due(self) -> int:
+        """What the channel needs Python for, as ``needs_python``."""
+        return self.needs_python()
+
+    def event_bound(self) -> int:
+        """The most events that one tick can record: a few for each command, cycle and slot."""
+        commands = self.tail - self.head
+        single = self.context.single_axes.event_bound(commands) + self.context.spindles.count
+        return (
+            12
+            + self.path.count
+            + single
+            + 3 * commands
+            + self.manager.events_bound
+            + self.manager.capacity
+        )
+
+    def awaits(self) -> tuple[str, int, int]:
+        """What holds the program up, as ``run.wait_reasons.py`` calls it: word, place of the block,
+        detail.
+
+        Empty where nothing does: the path moves, or a dwell goes on.
+        """
+        base = self.head % self.capacity * self.width
+        queued = int(self.queue[base + 1]) if self.head < self.tail else self.taken_source
+        if self.is_stopped or self.is_resetting:
+            return ("reset" if self.is_stopped else "", queued, 0)
+        if not self.panel.is_running:
+            return ("program start" if self.panel.is_armed else "", 0, 0)
+        if self.path.speed_v != 0.0:
+            return ("", queued, 0)
+        if self.panel.backward_motion and self.path.history_size > 0:
+            return ("forward", queued, 0)
+        if self.panel.is_paused:
+            before = (self.head - 1) % self.capacity * self.width
+            is_programmed = self.head > 0 and self.queue[before] == 53.0
+            is_programmed = is_programmed and int(self.queue[before + 1]) == self.taken_source
+            return ("programmed stop" if is_programmed else "single block", self.taken_source, 0)
+        if self.path.is_active:
+            word, detail = self.path_awaits()
+            return (word, int(self.path.ring[self.path.base + 1]), detail)
+        if self.head == self.tail:
+            return ("", queued, 0)
+        word, detail = self.command_awaits(base)
+        return (word, queued, detail)
+
+    def path_awaits(self) -> tuple[str, int]:
+        """What holds up the current block of a path that stands."""
+        if self.panel.feed_hold:
+            return ("feed hold", 0)
+        if self.path.is_dwell:
+            return ("", 0)
+        is_free = self.path.ring[self.path.base + self.path.width - 3] != 0.0
+        if self.panel.override_pct == 0.0 and not is_free:
+            return ("override", 0)
+        if self.overrides.cycle_pct == 0.0:
+            return ("cycle override", 0)
+        spindle = self.resting_spindle()
+        return (
+            ("spindle turns", self.context.spindles.first_number + spindle - 1)
+            if spindle
+            else ("", 0)
+        )
+
+    def command_awaits(self, base: int) -> tuple[str, int]:
+        """What holds up the command at the head of the queue, while the path stands."""
+        kind = int(self.queue[base])
+        if kind == 5:
+            return ("free place", int(self.queue[base + 3]))
+        if kind == 6:
+            return ("acknowledgement", int(self.queue[base + 3]))
+        if 23 <= kind <= 24:
+            spindle = int(self.queue[base + 3])
+            is_plc = self.context.spindles.has_plc(spindle)
+            word = "spindle acknowledged" if is_plc else "spindle"
+            return (word, self.context.spindles.first_number + spindle)
+        if kind == 76:
+            return ("acknowledgement", self.edge.function)
+        if kind == 13 and self.context.single_axes.asked(self.queue, base):
+            return ("axis", self.context.single_axes.asked_axis)
+        return ("", 0)
+
+    # --- the tick -------------------------------------------------------------------------------
+
+    def needs_python(self) -> int:
+        """Why the kernel must return before the next tick: 0 not at all, 1 … 7 (``kernel.py``)."""
+        if self.panel.reset_taken:
+            return 7
+        if self.panel.start_taken:
+            return 6
+        if self.error_pending:
+            return 4
+        if self.program_ended:
+            return 3
+        if self.answer_ready:
+            return 2
+        if self.is_paced:
+            return 0
+        if self.decoder_open and self.wants_slot:
+            return 1 if self.manager.dead_count > 0 or self.is_idle() else 0
+        if self.decoder_open and self.timed_count < self.low_water:
+            return 1
+        return 0
+
+    def is_idle(self) -> int:
+        """Whether nothing is queued or current, and no cycle waits for its block's end."""
+        if self.head < self.tail or self.path.is_active:
+            return 0
+        return 1 if self.manager.in_block_count == 0 else 0
+
+    def watch_queue(self, tick: int) -> None:
+        """Tell from when to when the path has nothing to do because the decoder is late."""
+        is_empty = self.head == self.tail and self.decoder_open and not self.wants_slot
+        can_go = not (self.path.is_active or self.is_stopped or self.is_resetting)
+        can_go = can_go and not self.panel.is_paused
+        if is_empty and can_go:
+            if self.starved_since < 0:
+                self.starved_since = tick
+                self.record.starved(self.taken_source)
+        elif self.starved_since >= 0:
+            self.record.fed(self.taken_source, tick - self.starved_since)
+            self.starved_since = -1
+
+    def begin_tick(self, tick: int) -> None:
+        """Latch the PLC's answers and a reset; the CYCLE override is 100 % again (RC-305)."""
+        self.context.begin(tick)
+        self.hli.latch()
+        self.context.spindles.latch()
+        if self.panel.reset_pressed:
+            self.begin_reset()
+        elif self.panel.start_pressed:
+            self.panel.take_start(not self.is_stopped and not self.is_resetting)
+        if self.is_reset_due:
+            self.is_reset_due = False
+            self.hli.clear()
+            self.manager.reset()
+            for i in range(self.path.count):
+                self.context.single_axes.reset(self.path.members[i])
+        self.cells[self.first_cell] = 100.0
+
+    def run_cycles(self) -> None:
+        """All active realtime cycles, once; none during a reset (RC-007)."""
+        if self.is_resetting:
+            return
+        if self.manager.run_cycles(self.context):
+            self.enter_error(self.context.fault)
+        if self.context.user_reaction > 0:
+            self.stop_for_user(self.context.user_reaction)
+
+    def interpolate(self) -> None:
+        """One increment of the path with this tick's override (RC-305, MO-5)."""
+        factor = self.override()
+        stops = self.is_stopped or self.is_resetting or self.panel.feed_hold or self.is_at_stop
+        if self.is_looping and not self.path.is_away:
+            self.prolong_loop()
+        if self.edge.phase > 0 and self.path.is_active and not self.path.is_away:
+            if self.edge.watch(self.context.tick):
+                stops = True
+        self.publish_block()
+        self.path.publish_overrides(self.panel.override_pct)
+        if self.path.is_single != self.panel.single_block:
+            self.path.set_single(self.panel.single_block)
+        if self.path.is_away or self.panel.backward_motion:
+            goes_on = self.step_back(factor, stops)
+            stops = stops or (self.panel.backward_motion and self.path.history_size > 0)
+        else:
+            goes_on = self.path.step(factor, stops)
+        if goes_on:
+            self.go_on(stops)
+        self.cells[self.first_cell + 1] = arithmetic.round_half_even(self.total_pct)
+        if self.stops.count > 0 and not self.path.is_away:
+            self.watch_stops()
+        if (factor == 0.0 and not stops) or self.has_told_spindle:
+            self.watch_spindle(factor)
+
+    def watch_spindle(self, factor: float) -> None:
+        """Warn, once for each standing, that the path waits for a spindle (G95): it is silent."""
+        if factor != 0.0:
+            self.has_told_spindle = False
+        elif not self.has_told_spindle and self.resting_spindle() > 0:
+            self.has_told_spindle = True
+            self.record.error(int(self.path.ring[self.path.base + 1]), 0, 900819, 0.0)
+
+    def resting_spindle(self) -> int:
+        """Counted from 1 the spindle that rests while the path stands and follows it; else 0."""
+        if not self.path.is_active or self.path.is_dwell or self.path.speed_v != 0.0:
+            return 0
+        spindle = int(self.path.ring[self.path.base + self.path.width - 2])
+        return spindle if spindle > 0 and self.context.spindles.rests(spindle - 1) else 0
+
+    def watch_stops(self) -> None:
+        """At the fixed stop the path brakes, and what is left of its block is dropped (MO-12)."""
+        if self.stops.watch() and self.path.is_active:
+            self.is_at_stop = True
+        if self.is_at_stop and self.path.speed_v == 0.0:
+            self.is_at_stop = False
+            self.path.abandon()
+
+    def override(self) -> float:
+        """What the current segment's prepared speed is multiplied with in this tick (RC-305).
+
+        ``total_pct``: operator's, programmed and CYCLE part.
+        """
+        self.overrides.operator_pct = self.panel.override_pct
+        self.overrides.cycle_pct = self.cells[self.first_cell]
+        self.path.common_factor = self.overrides.parts(0) / 100.0
+        self.path.bare_factor = self.overrides.parts(1) / 100.0
+        if self.path.is_active and not self.path.is_dwell:
+            factor = self.overrides.factor(self.path.ring, self.path.base)
+        else:
+            factor = self.overrides.none()
+        self.total_pct = self.overrides.total_pct
+        return factor
+
+    def step_back(self, factor: float, stops: int) -> int:
+        """One increment while backward motion is commanded, or forward over the history (MO-7)."""
+        if self.path.history_size == 0:
+            if self.panel.turns_back:
+                self.record.error(0, 0, 900880, 0.0)
+            return self.path.step(factor, stops)
+        if not self.path.is_away:
+            if self.is_stopped or self.is_resetting or not self.retrace.takes_over():
+                self.tell_wait()
+                return self.path.step(factor, 1)
+            self.retrace.leave()
+            self.publish_block()
+        goes_on = self.retrace.step(factor, stops)
+        if self.retrace.entered >= 0.0:
+            self.cells[self.first_cell + 7] = self.retrace.entered
+        if self.retrace.fault != 0:
+            self.report(self.retrace.fault_source, self.retrace.fault, self.path.refused_axis)
+            self.retrace.fault = 0
+        return goes_on
+
+    def tell_wait(self) -> None:
+        """Warn, once, that a program waits because backward has no way: it would be silent."""
+        if self.panel.turns_back or self.is_resetting:
+            self.has_told_wait = False
+        waits = self.head < self.tail and not self.path.is_active
+        if waits and not self.has_told_wait and not self.is_stopped and not self.is_resetting:
+            self.has_told_wait = True
+            base = self.head % self.capacity * self.width
+            self.record.error(int(self.queue[base + 1]), 0, 900890, 0.0)
+
+    def publish_block(self) -> None:
+        """The N number of the block that is current in this tick, its last one included."""
+        number = self.path.block_number() if self.path.is_active else 0.0
+        self.cells[self.first_cell + 7] = number
+
+    def go_on(self, stops: int) -> None:
+        """The path passes block ends: what stands between is taken in the next tick (RC-003).
+
+        A block that it cannot take is an error; with speed left, it brakes on this block with the
+        axes that are free, since it must not stop in a step (MO-1, MO-6).
+        """
+        position = max(self.head, self.begun + 1)
+        if self.path.is_single and self.path.speed_v == 0.0:
+            return
+        while position < self.tail:
+            base = position % self.capacity * self.width
+            kind = int(self.queue[base])
+            if kind == 1:
+                message = self.path.refusal(base, self.queue)
+                if message:
+                    if self.path.speed_v == 0.0:
+                        return
+                    self.report(int(self.queue[base + 1]), message, self.path.refused_axis)
+                    stops = 1
+                self.begun = position
+                self.path.begin(base, self.queue, self.path.left_t)
+                if self.path.goes_on():
+                    self.path.leave_rest(self.rest_of_block(position))
+                if self.path.left_t > 0.0:
+                    self.publish_block()
+                if not self.path.step_carried(self.override(), stops):
+                    return
+            elif not self.passes(kind):
+                return
+            position += 1
+
+    def end_tick(self) -> None:
+        """Answer what waits for the path to stand; end a reset; publish (RC-005, RC-007)."""
+        state = 3 if self.is_resetting else 2 if self.is_stopped else 0
+        if self.path.stands():
+            if not self.is_stopped and not self.path.is_away:
+                if self.waiting == 71:
+                    self.leave_loop(int(self.queue[self.head % self.capacity * self.width + 1]))
+                if self.waiting in (9, 10, 71) or self.axes_stand():
+                    self.answer_waiting()
+            if self.is_resetting:
+                self.end_reset()
+        if self.context.single_axes.fault_count > 0:
+            self.report_axes()
+        self.context.spindles.step(self.context.tick, self.hli.has_default_plc())
+        self.hli.run_default_plc(self.context.tick)
+        self.panel.publish(state, self.error_message)
+        if self.path.history_size > 0:
+            self.panel.show_history(self.retrace.way(), self.path.used - self.path.oldest)
+        self.cells[self.first_cell + 6] = self.path.speed_v
+        self.cells[self.first_cell + 8] = self.manager.running_count
+        self.cells[self.first_cell + 9] = self.path.rest_d()
+
+    def report_axes(self) -> None:
+        """An independent motion of one of the channel's axes has failed: error state."""
+        message = self.context.single_axes.take_faults(self.path.members, self.path.count)
+        if message:
+            self.enter_error(message)
+
+    def axes_stand(self) -> int:
+        """Whether the axes of a waiting position request stand; one that never will is an error."""
+        if self.waiting != 13:
+            return 0
+        base = self.head % self.capacity * self.width
+        message = self.context.single_axes.asked(self.queue, base)
+        if message > 1:
+            self.report(int(self.queue[base + 1]), message, self.context.single_axes.asked_axis)
+        return 1 if message == 0 else 0
+
+    def answer_waiting(self) -> None:
+        """Flush and synchronous read at the head: answered with the values of now."""
+        base = self.head % self.capacity * self.width
+        self.answer = 0.0
+        if self.waiting == 10:
+            cell = int(self.queue[base + 3])
+            self.answer = self.cells[cell]
+        if self.queue[base + 5] != 0.0:
+            self.answer_ready = True
+        self.waiting = 0
+        self.head += 1
+        self.timed_count -= 1
+
+    def end_reset(self) -> None:
+        """Everything stands: give up what was decoded ahead; the path braked on it until now."""
+        if not self.context.single_axes.all_free(self.path.members, self.path.count):
+            return
+        self.is_resetting = False
+        for i in range(self.path.count):
+            self.context.single_axes.reopen(self.path.members[i])
+        self.path.abandon()
+        self.give_up_loop()
+        self.is_at_stop = False
+        self.stops.clear()
+        self.edge.clear()
+        self.head = self.tail
+        self.timed_count = 0
+        self.begun = -1
+        self.latest = -1
+
+    def request_reset(self) -> None:
+        """Python asks for a reset, which begins with the next tick."""
+        self.begin_reset()
+
+    def begin_reset(self) -> None:
+        """Latch a reset: until the path stands, at least one tick (RC-007)."""
+        self.is_resetting = True
+        self.is_reset_due = True
+        self.is_stopped = self.is_fatal
+        self.error_pending = False
+        self.error_message = 0
+        self.waiting = 0
+        self.answer_ready = False
+        self.program_ended = False
+        self.panel.is_paused = False
+
+    def clear_error(self) -> None:
+        """Python has read the error; the channel stays stopped until a reset."""
+        self.error_pending = False
+
+    def accept_end(self) -> None:
+        """Python has seen the program's end; the queue is ready for another program."""
+        assert self.program_ended
+        self.program_ended = False
+        self.waiting = 0

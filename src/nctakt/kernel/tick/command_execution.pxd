@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: MIT
+# C types of command_execution.py.
+cimport cython
+from nctakt.kernel.path cimport geometry
+from nctakt.kernel.cycles.cycles cimport CycleManager
+from nctakt.kernel.path.edge_probe cimport EdgeProbe
+from nctakt.kernel.path.fixed_stops cimport FixedStops
+from nctakt.kernel.plc.technology_slots cimport Hli
+from nctakt.kernel.cycles.context cimport Context
+from nctakt.kernel.plc.panel cimport Panel
+from nctakt.kernel.base.record cimport Record
+from nctakt.kernel.path.override cimport Overrides
+from nctakt.kernel.path.backward cimport Retrace
+from nctakt.kernel.tick.command_queue cimport CommandRing
+from nctakt.kernel.axes.single_axes cimport SingleAxes
+from nctakt.kernel.base.timers cimport Timers
+
+cdef class Commands(CommandRing):
+    cdef double[::1] cells
+    cdef unsigned char[::1] characters
+    cdef readonly Py_ssize_t first_cell
+    cdef Record record
+    cdef readonly Hli hli
+    cdef readonly Panel panel
+    cdef readonly CycleManager manager
+    cdef readonly Retrace retrace
+    cdef Overrides overrides
+    cdef readonly FixedStops stops
+    cdef bint is_at_stop
+    cdef readonly EdgeProbe edge
+    cdef readonly Context context
+    cdef public Timers program_timers
+    cdef int waiting
+    cdef public long long taken_source
+    cdef readonly bint program_ended
+    cdef readonly bint error_pending
+    cdef readonly double error_detail
+    cdef readonly int error_message
+    cdef readonly bint is_looping
+    cdef bint is_skipping
+    cdef bint is_between
+    cdef readonly bint is_stopped
+    cdef readonly bint is_fatal
+    cdef readonly bint is_resetting
+
+    @cython.locals(base=Py_ssize_t)
+    cdef void take_commands(self, long long tick) noexcept nogil
+    @cython.locals(stands=bint)
+    cdef int is_at_stand(self) noexcept nogil
+    cdef int goes_back(self) noexcept nogil
+    cdef void take_loop(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(source=cython.longlong, member=Py_ssize_t)
+    cdef void take_fixed_stop(self, Py_ssize_t base, int kind) noexcept nogil
+    @cython.locals(source=cython.longlong, function=cython.longlong, ticks=cython.longlong, found=int)
+    cdef int take_measuring(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
+    cdef int goes_round(self) noexcept nogil
+    cdef void prolong_loop(self) noexcept nogil
+    cdef void leave_loop(self, long long source) noexcept nogil
+    cdef void give_up_loop(self) noexcept nogil
+    @cython.locals(source=cython.longlong, line=cython.longlong, is_begun=bint)
+    cdef int enter_block(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(kind=int)
+    cdef int take(self, long long tick, Py_ssize_t base) noexcept nogil
+    @cython.locals(is_current=bint, message=int)
+    cdef int take_block(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(kind=double)
+    cdef int counts_of(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(last=cython.longlong, base=Py_ssize_t, rest=double, limit_v=double)
+    cdef double rest_of_block(self, long long position) noexcept nogil
+    @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int, detail=double)
+    cdef int take_cycle(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
+    @cython.locals(function=cython.longlong, value=cython.longlong, has_value=cython.bint)
+    cdef int take_technology(self, long long tick, Py_ssize_t base) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t, ticks=cython.longlong)
+    cdef int take_spindle(self, long long tick, Py_ssize_t base) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t, number=Py_ssize_t)
+    cdef int take_spindle_wait(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(cell=Py_ssize_t)
+    cdef void take_write(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(first=Py_ssize_t, count=Py_ssize_t, zeros=Py_ssize_t, i=Py_ssize_t)
+    cdef void take_characters(self, Py_ssize_t base, Py_ssize_t place) noexcept nogil
+    @cython.locals(axis=Py_ssize_t)
+    cdef void take_offset(self, Py_ssize_t base, int kind) noexcept nogil
+    @cython.locals(source=cython.longlong, name=cython.longlong)
+    cdef void take_frozen(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(source=cython.longlong, subject=cython.longlong)
+    cdef void take_mark(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
+    cdef int take_program_end(self, long long tick, Py_ssize_t base) noexcept nogil
+    @cython.locals(source=cython.longlong)
+    cdef void take_user_error(self, Py_ssize_t base, int kind) noexcept nogil
+    cdef void stop_for_user(self, int reaction) noexcept nogil
+    cdef void enter_error(self, int message) noexcept nogil
+    cdef void report(self, long long source, int message, double detail) noexcept nogil

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+# C types of command_queue.py.
+cimport cython
+from nctakt.kernel.path.lookahead cimport LookAhead
+from nctakt.kernel.tick.loop_body cimport LoopBody
+from nctakt.kernel.path.path cimport Path
+
+cdef class CommandRing:
+    cdef readonly Path path
+    cdef readonly LookAhead ahead
+    cdef readonly Py_ssize_t width
+    cdef Py_ssize_t capacity
+    cdef double[::1] queue
+    cdef Py_ssize_t head
+    cdef Py_ssize_t tail
+    cdef readonly Py_ssize_t timed_count
+    cdef Py_ssize_t begun
+    cdef Py_ssize_t latest
+    cdef readonly LoopBody body
+    cdef double[::1] end_row
+
+    @cython.locals(length=double, oldest=Py_ssize_t, before=Py_ssize_t, back=Py_ssize_t)
+    cdef void prepare(self, Py_ssize_t base, double feed_v, double deviation) noexcept nogil
+    @cython.locals(promised_v=double, promised_free_v=double)
+    cdef void connect(self, Py_ssize_t back, Py_ssize_t oldest) noexcept nogil
+    @cython.locals(number=Py_ssize_t, bend=Py_ssize_t, base=Py_ssize_t, i=Py_ssize_t, before=Py_ssize_t)
+    cdef Py_ssize_t insert_bend(self, Py_ssize_t oldest) noexcept nogil
+    @cython.locals(base=Py_ssize_t, target=Py_ssize_t, i=Py_ssize_t)
+    cdef void copy_row(self, Py_ssize_t number, Py_ssize_t to) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void begin_segment(self, Py_ssize_t base, double source, double number, int exact_stop, int limits_jerk) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void put_ends(self, Py_ssize_t base, double[::1] start, double[::1] target) noexcept nogil
+    cdef void end_segment(self, Py_ssize_t base, double feed_v, int exact_stop, double deviation) noexcept nogil
+    @cython.locals(base=Py_ssize_t, i=Py_ssize_t)
+    cdef void put_line(self, double source, double number, double[::1] start, double[::1] target, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
+    @cython.locals(base=Py_ssize_t, i=Py_ssize_t)
+    cdef void put_arc(self, double source, double number, double[::1] start, double[::1] target, double[::1] arc, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
+    cpdef void block_goes_on(self) noexcept
+    @cython.locals(before=Py_ssize_t, limits_jerk=bint)
+    cdef int is_like(self, Py_ssize_t number, Py_ssize_t base) noexcept nogil
+    cdef int passes(self, int kind) noexcept nogil
+    @cython.locals(count=Py_ssize_t, way=double, need=double, position=Py_ssize_t, base=Py_ssize_t)
+    cdef int needs_pass(self) noexcept nogil
+    @cython.locals(speed=double, acceleration=double, way=double)
+    cdef double brake_way_in(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(end=Py_ssize_t, i=Py_ssize_t, k=Py_ssize_t, base=Py_ssize_t, place=Py_ssize_t, exact_stop=bint, deviation=double)
+    cdef void repeat_body(self) noexcept nogil

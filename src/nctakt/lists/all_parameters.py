@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""All parameters of all lists, for explanation and documentation.
+
+In: an ID (``P-CHAN-00425``) or a name (``rt_cycles.max_duration``). Out: the declarations.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from nctakt.lists.declared.axis import AXIS
+from nctakt.lists.declared.channel import CHANNEL
+from nctakt.lists.declared.offsets import CLAMP_OFFSETS, ZERO_OFFSETS
+from nctakt.lists.declared.rtconf import RTCONF
+from nctakt.lists.declared.startup import STARTUP
+from nctakt.lists.declared.tools import TOOLS
+from nctakt.lists.declared.variables import VARIABLES
+from nctakt.lists.format.parameter import Parameter, Schema
+
+#: Every kind of list, in the order in which a controller reads them.
+SCHEMAS: tuple[Schema, ...] = (
+    STARTUP,
+    CHANNEL,
+    AXIS,
+    VARIABLES,
+    TOOLS,
+    ZERO_OFFSETS,
+    CLAMP_OFFSETS,
+    RTCONF,
+)
+
+_INDEX = re.compile(r"\[[^]]*\]")
+_ID = re.compile(r"(?:P-)?([A-Z]{4})-([0-9]{1,5})")
+_NUMBER = re.compile(r"0[0-9]{4}")
+
+
+@dataclass(frozen=True, slots=True)
+class DeclaredParameter:
+    """A parameter and the kind of list it stands in."""
+
+    schema: Schema
+    parameter: Parameter
+
+
+def find_parameters(name: str) -> tuple[DeclaredParameter, ...]:
+    """The parameters of that ID or name; indices are ignored, letter case in an ID too."""
+    pattern = _INDEX.sub("[]", name)
+    found: list[DeclaredParameter] = []
+    for schema in SCHEMAS:
+        by_name = schema.find(pattern)
+        if by_name is not None:
+            found.append(DeclaredParameter(schema, by_name[0]))
+        found += [DeclaredParameter(schema, one) for one in schema.by_id(name.upper())]
+    return tuple(found)
+
+
+def similar_parameters(name: str) -> tuple[DeclaredParameter, ...]:
+    """Those that a part of a name or ID may mean: ``vb_max``, ``M_SYNCH``, ``CHAN-425``, ``00425``.
+
+    Indices and letter case do not matter, and parts in front may be missing.
+    """
+    wanted, ids = _plain(name), _ids(name.upper())
+    return tuple(
+        DeclaredParameter(schema, one)
+        for schema in SCHEMAS
+        for one in schema.parameters
+        if one.id in ids or any(_ends_with(known, wanted) for known in _names_of(one))
+    )
+
+
+def _ids(word: str) -> tuple[str, ...]:
+    if _NUMBER.fullmatch(word):
+        kinds = {one.id[:7] for schema in SCHEMAS for one in schema.parameters if one.id}
+        return tuple(f"{kind}{word}" for kind in sorted(kinds))
+    written = _ID.fullmatch(word)
+    return () if written is None else (f"P-{written[1]}-{written[2]:0>5}",)
+
+
+def _names_of(parameter: Parameter) -> Iterator[str]:
+    yield _plain(parameter.path)
+    for alias in parameter.aliases:
+        yield _plain(alias.path)
+
+
+def _plain(name: str) -> str:
+    return _INDEX.sub("", name).lower()
+
+
+def _ends_with(known: str, wanted: str) -> bool:
+    return bool(wanted) and f".{known}".endswith(f".{wanted}")

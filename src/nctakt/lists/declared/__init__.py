@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""The declarations of each kind of list."""

@@ -1,0 +1,460 @@
+# SPDX-License-Identifier: MIT
+"""Axis lists (P-AXIS): declarations.
+
+What they yield is in ``axis_configuration.py``. Units are those of the lists: positions 0.1 µm or
+1e-4°, speeds µm/s or 1e-3°/s, accelerations mm/s² or °/s², ramp times µs. Lengths of linear and
+angles of rotary axes share their parameters. Gear steps: ``getriebe[i]``.
+"""
+
+from __future__ import annotations
+
+from nctakt.base.diagnostics import Text
+from nctakt.lists.format.parameter import Effect, Parameter, Schema, Value, ValueType
+from nctakt.lists.format.reader import ListDialect
+
+GEAR_STEPS = 10
+MOST_OVERRIDE = 2000
+_MAX_SGN32 = 2**31 - 1
+_FASTEST = 2_000_000_000
+_STEEPEST = 100_000_000
+_SPEED = "µm/s, 1e-3°/s"
+_ACCELERATION = "mm/s², °/s²"
+_POSITION = "0.1 µm, 1e-4°"
+
+LINEAR_TYPE, ROTARY_TYPE, SPINDLE_TYPE = "ACHSTYP_TRANSLATOR", "ACHSTYP_ROTATOR", "ACHSTYP_SPINDEL"
+
+
+def _axis(
+    id_: str,
+    path: str,
+    type_: ValueType,
+    default: Value,
+    en: str,
+    de: str,
+    *,
+    low: int | None = None,
+    high: int | None = None,
+    unit: str = "",
+    effect: Effect = Effect.TAKEN,
+) -> Parameter:
+    return Parameter(
+        id_, path, type_, default, Text(en, de), low=low, high=high, unit=unit, effect=effect
+    )
+
+
+def _gear(
+    id_: str,
+    path: str,
+    default: int,
+    en: str,
+    de: str,
+    *,
+    low: int = 0,
+    high: int | None = None,
+    unit: str,
+    effect: Effect = Effect.TAKEN,
+) -> Parameter:
+    path = f"getriebe[0..{GEAR_STEPS - 1}].{path}"
+    type_ = ValueType.UNS32
+    return _axis(id_, path, type_, default, en, de, low=low, high=high, unit=unit, effect=effect)
+
+
+def _speed(
+    id_: str,
+    path: str,
+    default: int,
+    en: str,
+    de: str,
+    *,
+    low: int = 1,
+    effect: Effect = Effect.TAKEN,
+) -> Parameter:
+    return _gear(id_, path, default, en, de, low=low, high=_FASTEST, unit=_SPEED, effect=effect)
+
+
+def _acceleration(
+    id_: str,
+    path: str,
+    default: int,
+    en: str,
+    de: str,
+    *,
+    low: int = 1,
+    effect: Effect = Effect.TAKEN,
+) -> Parameter:
+    return _gear(
+        id_, path, default, en, de, low=low, high=_STEEPEST, unit=_ACCELERATION, effect=effect
+    )
+
+
+def _ramp(
+    id_: str, path: str, default: int, en: str, de: str, *, effect: Effect = Effect.TAKEN
+) -> Parameter:
+    return _gear(id_, path, default, en, de, unit="µs", effect=effect)
+
+
+_HEADER = (
+    _axis(
+        "P-AXIS-00016",
+        "kopf.achs_nr",
+        ValueType.UNS16,
+        0,
+        "Logical axis number, unique in the controller; 0: the defaults list",
+        "Logische Achsnummer, in der Steuerung eindeutig; 0: die Liste der Standardwerte",
+    ),
+    _axis(
+        "P-AXIS-00297",
+        "kopf.log_achs_name",
+        ValueType.STRING,
+        "",
+        "Name of the axis in messages",
+        "Name der Achse in Meldungen",
+        high=16,
+    ),
+)
+
+_CHARACTER = (
+    Parameter(
+        "P-AXIS-00018",
+        "kenngr.achs_typ",
+        ValueType.NAME,
+        LINEAR_TYPE,
+        Text(
+            "Kind of axis: 1 linear, 2 rotary, 4 spindle",
+            "Art der Achse: 1 Linearachse, 2 Rundachse, 4 Spindel",
+        ),
+        names={LINEAR_TYPE: 1, ROTARY_TYPE: 2, SPINDLE_TYPE: 4},
+        restart=True,
+    ),
+    _axis(
+        "P-AXIS-00015",
+        "kenngr.achs_mode",
+        ValueType.UNS32,
+        1,
+        "Operating modes as bits: 1 linear, 4 modulo, 0x400 modulo for a linear axis",
+        "Betriebsarten als Bits: 1 linear, 4 Modulo, 0x400 Modulo bei einer Linearachse",
+    ),
+    _axis(
+        "P-AXIS-00457",
+        "kenngr.enable_single_axis",
+        ValueType.BOOLEAN,
+        False,
+        "The axis may be moved on its own, beside the path",
+        "Die Achse darf für sich, neben der Bahn, bewegt werden",
+    ),
+    _axis(
+        "P-AXIS-00491",
+        "kenngr.indp_override_mode",
+        ValueType.UNS16,
+        0,
+        "Override of independent motions: 0 channel, 1 the lesser of both, 2 axis",
+        "Override unabhängiger Bewegungen: 0 Kanal, 1 der kleinere von beiden, 2 Achse",
+        high=2,
+    ),
+    _axis(
+        "P-AXIS-00177",
+        "kenngr.swe_neg",
+        ValueType.SGN32,
+        -100_000_000,
+        "Software limit in negative direction",
+        "Softwareendschalter in negativer Richtung",
+        unit=_POSITION,
+    ),
+    _axis(
+        "P-AXIS-00178",
+        "kenngr.swe_pos",
+        ValueType.SGN32,
+        100_000_000,
+        "Software limit in positive direction",
+        "Softwareendschalter in positiver Richtung",
+        unit=_POSITION,
+    ),
+    _axis(
+        "P-AXIS-00179",
+        "kenngr.swe_toleranz",
+        ValueType.UNS32,
+        1000,
+        "How far actual positions may pass the software limits",
+        "Wie weit Istpositionen die Softwareendschalter überfahren dürfen",
+        unit=_POSITION,
+        effect=Effect.CHECKED,
+    ),
+    _axis(
+        "P-AXIS-00109",
+        "kenngr.max_vb_override",
+        ValueType.UNS16,
+        1000,
+        "Highest override of independent motions",
+        "Größter Override unabhängiger Bewegungen",
+        low=1,
+        high=MOST_OVERRIDE,
+        unit="0.1 %",
+    ),
+    _axis(
+        "P-AXIS-00079",
+        "kenngr.getriebe_stufe",
+        ValueType.UNS16,
+        1,
+        "Number of the gear step that is active after start-up",
+        "Nummer der Getriebestufe, die nach dem Hochlauf aktiv ist",
+        low=1,
+    ),
+    _axis(
+        "P-AXIS-00276",
+        "lr_param.field_bus_allows_optimized_schedule",
+        ValueType.BOOLEAN,
+        False,
+        "The drives allow output without a delay of one cycle (schedule COMPLETE)",
+        "Die Antriebe erlauben die Ausgabe ohne einen Takt Verzug (schedule COMPLETE)",
+    ),
+    _axis(
+        "P-AXIS-00096",
+        "antr.simu.ist_gleich_soll",
+        ValueType.BOOLEAN,
+        False,
+        "The simulated drive follows exactly: actual position = command position",
+        "Der simulierte Antrieb folgt genau: Istposition = Sollposition",
+    ),
+    _axis(
+        "",
+        "antr.simu.fixed_stop",
+        ValueType.SGN32,
+        0,
+        "Place of an obstacle in the simulation that the axis cannot pass, seen from 0; 0: none",
+        "Ort eines Hindernisses der Simulation, das die Achse nicht passiert, von 0 aus; 0: keines",
+        unit="0.1 µm, 1e-4°",
+    ),
+    _axis(
+        "P-AXIS-00228",
+        "vorsteuer.vs_v_faktor",
+        ValueType.SGN32,
+        1,
+        "Numerator of the weight of the feed-forward control",
+        "Zähler der Gewichtung der Vorsteuerung",
+        low=0,
+    ),
+    _axis(
+        "P-AXIS-00229",
+        "vorsteuer.vs_v_nenner",
+        ValueType.SGN32,
+        1,
+        "Denominator of the weight of the feed-forward control",
+        "Nenner der Gewichtung der Vorsteuerung",
+        low=1,
+    ),
+)
+
+_GEAR_STEP = (
+    Parameter(
+        "P-AXIS-00135",
+        f"getriebe[0..{GEAR_STEPS - 1}].nummer",
+        ValueType.UNS16,
+        0,
+        Text(
+            "Number of the gear step; the first one has 1 if it names none",
+            "Nummer der Getriebestufe; die erste hat 1, wenn sie keine nennt",
+        ),
+    ),
+    _speed(
+        "P-AXIS-00212",
+        "dynamik.vb_max",
+        200_000,
+        "Highest speed of the axis",
+        "Höchste Geschwindigkeit der Achse",
+    ),
+    _acceleration(
+        "P-AXIS-00008",
+        "dynamik.a_max",
+        1000,
+        "Highest acceleration of the axis",
+        "Höchste Beschleunigung der Achse",
+    ),
+    _acceleration(
+        "P-AXIS-00003",
+        "dynamik.a_emergency",
+        0,
+        "Deceleration of an emergency stop; 0: as a_max",
+        "Verzögerung beim Nothalt; 0: wie a_max",
+        low=0,
+        effect=Effect.CHECKED,
+    ),
+    _ramp(
+        "P-AXIS-00201",
+        "dynamik.tr_min",
+        10_000,
+        "Shortest ramp time of the acceleration",
+        "Kürzeste Rampenzeit der Beschleunigung",
+    ),
+    _ramp(
+        "P-AXIS-00199",
+        "dynamik.tr_geom",
+        10_000,
+        "Ramp time of the acceleration along a curved contour",
+        "Rampenzeit der Beschleunigung entlang einer gekrümmten Kontur",
+        effect=Effect.CHECKED,
+    ),
+    _speed("P-AXIS-00209", "vb_eilgang", 166_666, "Rapid speed", "Eilganggeschwindigkeit"),
+    _speed(
+        "P-AXIS-00214",
+        "vb_max_red",
+        0,
+        "Speed that the PLC can reduce feed motions to",
+        "Geschwindigkeit, auf die die SPS Vorschubbewegungen begrenzen kann",
+        low=0,
+        effect=Effect.CHECKED,
+    ),
+    _speed(
+        "P-AXIS-00155",
+        "rapid_speed_red",
+        0,
+        "Speed that the PLC can reduce rapid motions to",
+        "Geschwindigkeit, auf die die SPS Eilgangbewegungen begrenzen kann",
+        low=0,
+        effect=Effect.CHECKED,
+    ),
+    _gear(
+        "P-AXIS-00099",
+        "kv",
+        1000,
+        "Gain of the position control",
+        "Verstärkung der Lageregelung",
+        low=1,
+        unit="0.01/s",
+    ),
+    _gear(
+        "P-AXIS-00236",
+        "window",
+        500,
+        "Window in which an exact stop is reached",
+        "Fenster, in dem ein Genauhalt erreicht ist",
+        high=_MAX_SGN32,
+        unit=_POSITION,
+        effect=Effect.CHECKED,
+    ),
+    _axis(
+        "P-AXIS-00126",
+        f"getriebe[0..{GEAR_STEPS - 1}].moduloo",
+        ValueType.SGN32,
+        3_600_000,
+        "Upper end of the modulo range",
+        "Obere Grenze des Modulobereichs",
+        unit=_POSITION,
+    ),
+    _axis(
+        "P-AXIS-00127",
+        f"getriebe[0..{GEAR_STEPS - 1}].modulou",
+        ValueType.SGN32,
+        0,
+        "Lower end of the modulo range",
+        "Untere Grenze des Modulobereichs",
+        unit=_POSITION,
+    ),
+)
+
+_RAMPS = (
+    _acceleration(
+        "P-AXIS-00001",
+        "slope_profil.a_beschl",
+        1000,
+        "Acceleration at feed, jerk-limited slope",
+        "Beschleunigung bei Vorschub, ruckbegrenzter Slope",
+    ),
+    _acceleration(
+        "P-AXIS-00002",
+        "slope_profil.a_brems",
+        1000,
+        "Deceleration at feed, jerk-limited slope",
+        "Verzögerung bei Vorschub, ruckbegrenzter Slope",
+    ),
+    _acceleration(
+        "P-AXIS-00004",
+        "slope_profil.a_grenz",
+        1000,
+        "Acceleration and deceleration at rapid, jerk-limited slope",
+        "Beschleunigung und Verzögerung im Eilgang, ruckbegrenzter Slope",
+    ),
+    _ramp(
+        "P-AXIS-00196",
+        "slope_profil.tr_beschl_zu",
+        50_000,
+        "Ramp time while the acceleration builds up",
+        "Rampenzeit, während die Beschleunigung zunimmt",
+    ),
+    _ramp(
+        "P-AXIS-00195",
+        "slope_profil.tr_beschl_ab",
+        50_000,
+        "Ramp time while the acceleration fades",
+        "Rampenzeit, während die Beschleunigung abnimmt",
+    ),
+    _ramp(
+        "P-AXIS-00198",
+        "slope_profil.tr_brems_zu",
+        50_000,
+        "Ramp time while the deceleration builds up",
+        "Rampenzeit, während die Verzögerung zunimmt",
+    ),
+    _ramp(
+        "P-AXIS-00197",
+        "slope_profil.tr_brems_ab",
+        50_000,
+        "Ramp time while the deceleration fades",
+        "Rampenzeit, während die Verzögerung abnimmt",
+    ),
+    _ramp(
+        "P-AXIS-00200",
+        "slope_profil.tr_grenz",
+        10_000,
+        "Ramp time at rapid",
+        "Rampenzeit im Eilgang",
+    ),
+    _acceleration(
+        "P-AXIS-00011",
+        "lslope_profil.a_stufe_1",
+        1000,
+        "Acceleration at feed below the changeover speed, trapezoid slope",
+        "Beschleunigung bei Vorschub unter der Umschaltgeschwindigkeit, linearer Slope",
+    ),
+    _acceleration(
+        "P-AXIS-00012",
+        "lslope_profil.a_stufe_2",
+        1000,
+        "Acceleration at feed above the changeover speed, trapezoid slope",
+        "Beschleunigung bei Vorschub über der Umschaltgeschwindigkeit, linearer Slope",
+    ),
+    _speed(
+        "P-AXIS-00221",
+        "lslope_profil.vb_stufe_1_2",
+        100_000,
+        "Changeover speed at feed, trapezoid slope",
+        "Umschaltgeschwindigkeit bei Vorschub, linearer Slope",
+    ),
+    _acceleration(
+        "P-AXIS-00005",
+        "lslope_profil.a_grenz_stufe_1",
+        1000,
+        "Acceleration at rapid below the changeover speed, trapezoid slope",
+        "Beschleunigung im Eilgang unter der Umschaltgeschwindigkeit, linearer Slope",
+    ),
+    _acceleration(
+        "P-AXIS-00006",
+        "lslope_profil.a_grenz_stufe_2",
+        1000,
+        "Acceleration at rapid above the changeover speed, trapezoid slope",
+        "Beschleunigung im Eilgang über der Umschaltgeschwindigkeit, linearer Slope",
+    ),
+    _speed(
+        "P-AXIS-00211",
+        "lslope_profil.vb_grenz_stufe_1_2",
+        100_000,
+        "Changeover speed at rapid, trapezoid slope",
+        "Umschaltgeschwindigkeit im Eilgang, linearer Slope",
+    ),
+)
+
+AXIS = Schema(
+    "axis",
+    Text("Axis list", "Achsliste"),
+    ListDialect(),
+    _HEADER + _CHARACTER + _GEAR_STEP + _RAMPS,
+)

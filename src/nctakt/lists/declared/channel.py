@@ -1,0 +1,452 @@
+# SPDX-License-Identifier: MIT
+"""Channel lists (P-CHAN): declarations of axes, spindles, programs and realtime cycles.
+
+What they yield is in ``channel_configuration.py``; the tables of M and H functions are declared in
+``technology_functions.py``.
+"""
+
+from __future__ import annotations
+
+from nctakt.base.diagnostics import Text
+from nctakt.lists.declared.technology_functions import SPINDLE_FUNCTIONS, TECHNOLOGY
+from nctakt.lists.format.parameter import (
+    MAX_UNS16,
+    MAX_UNS32,
+    Alias,
+    Effect,
+    Parameter,
+    Schema,
+    Value,
+    ValueType,
+)
+from nctakt.lists.format.reader import ListDialect
+
+MOST_AXES = 32
+MOST_SPINDLES = 6
+MOST_PATHS = 32
+MOST_G_GROUPS = 64
+MOST_G800 = 40
+MOST_OVERRIDE = 2000
+NAME_LENGTH = 16
+_FILE_LENGTH = 83
+_PATH_LENGTH = 256
+_MAX_SGN16 = 2**15 - 1
+
+
+def _channel(
+    id_: str,
+    path: str,
+    type_: ValueType,
+    default: Value,
+    en: str,
+    de: str,
+    *,
+    low: int | None = None,
+    high: int | None = None,
+    unit: str = "",
+    restart: bool = False,
+    aliases: tuple[Alias, ...] = (),
+    effect: Effect = Effect.TAKEN,
+) -> Parameter:
+    return Parameter(
+        id_,
+        path,
+        type_,
+        default,
+        Text(en, de),
+        low=low,
+        high=high,
+        unit=unit,
+        restart=restart,
+        aliases=aliases,
+        effect=effect,
+    )
+
+
+_AXES = (
+    Parameter(
+        "P-CHAN-00005",
+        "gruppe[0..0].bezeichnung",
+        ValueType.STRING,
+        "",
+        Text("Name of the group of axes", "Name der Achsgruppe"),
+        effect=Effect.ACCEPTED,
+    ),
+    Parameter(
+        "P-CHAN-00023",
+        "grp_anzahl",
+        ValueType.UNS16,
+        1,
+        Text("Number of groups of axes, always 1", "Anzahl der Achsgruppen, immer 1"),
+        effect=Effect.ACCEPTED,
+    ),
+    _channel(
+        "P-CHAN-00003",
+        "gruppe[0..0].achs_anzahl",
+        ValueType.UNS16,
+        0,
+        "Number of axes of the channel",
+        "Anzahl der Achsen des Kanals",
+        high=MOST_AXES,
+    ),
+    _channel(
+        "P-CHAN-00035",
+        f"gruppe[0..0].achse[0..{MOST_AXES - 1}].log_achs_nr",
+        ValueType.UNS16,
+        0,
+        "Logical number of an axis of the channel",
+        "Logische Nummer einer Achse des Kanals",
+    ),
+    _channel(
+        "P-CHAN-00006",
+        f"gruppe[0..0].achse[0..{MOST_AXES - 1}].bezeichnung",
+        ValueType.STRING,
+        "",
+        "Name of an axis in NC programs",
+        "Name einer Achse in NC-Programmen",
+        high=NAME_LENGTH,
+    ),
+)
+
+_SPINDLES = (
+    _channel(
+        "P-CHAN-00082",
+        "spdl_anzahl",
+        ValueType.UNS16,
+        0,
+        "Number of spindles of the channel",
+        "Anzahl der Spindeln des Kanals",
+        high=MOST_SPINDLES,
+    ),
+    _channel(
+        "P-CHAN-00051",
+        "main_spindle_ax_nr",
+        ValueType.UNS16,
+        0,
+        "Logical number of the main spindle",
+        "Logische Nummer der Hauptspindel",
+    ),
+    _channel(
+        "P-CHAN-00053",
+        "main_spindle_name",
+        ValueType.STRING,
+        "S",
+        "Name of the main spindle in NC programs; begins with S",
+        "Name der Hauptspindel in NC-Programmen; beginnt mit S",
+        high=NAME_LENGTH,
+    ),
+    _channel(
+        "P-CHAN-00007",
+        f"spindel[0..{MOST_SPINDLES - 1}].bezeichnung",
+        ValueType.STRING,
+        "",
+        "Name of a spindle in NC programs; begins with S",
+        "Name einer Spindel in NC-Programmen; beginnt mit S",
+        high=NAME_LENGTH,
+    ),
+    _channel(
+        "P-CHAN-00036",
+        f"spindel[0..{MOST_SPINDLES - 1}].log_achs_nr",
+        ValueType.UNS16,
+        0,
+        "Logical number of a spindle",
+        "Logische Nummer einer Spindel",
+    ),
+    _channel(
+        "P-CHAN-00069",
+        f"spindel[0..{MOST_SPINDLES - 1}].plc_control",
+        ValueType.BOOLEAN,
+        False,
+        "The PLC turns the spindle; no axis list is needed",
+        "Die SPS dreht die Spindel; eine Achsliste ist nicht nötig",
+    ),
+)
+
+_PROGRAMS = (
+    _channel(
+        "P-CHAN-00401",
+        f"path[0..{MOST_PATHS - 1}].dir",
+        ValueType.STRING,
+        "",
+        "Folder that is searched for NC programs",
+        "Verzeichnis, in dem NC-Programme gesucht werden",
+        high=_PATH_LENGTH,
+    ),
+    _channel(
+        "P-CHAN-00402",
+        f"path[0..{MOST_PATHS - 1}].id",
+        ValueType.UNS16,
+        0,
+        "Number of the folder, unique in the controller",
+        "Nummer des Verzeichnisses, in der Steuerung eindeutig",
+        effect=Effect.CHECKED,
+    ),
+    _channel(
+        "P-CHAN-00403",
+        f"path[0..{MOST_PATHS - 1}].type",
+        ValueType.UNS16,
+        0,
+        "What the folder holds, as bits: 1 main, 2 subprograms, 4 message files, 8 debug data",
+        "Inhalt des Verzeichnisses, als Bits: 1 Haupt-, 2 Unterprogramme, 4 Meldedateien, 8 Debug",
+        high=15,
+    ),
+    _channel(
+        "P-CHAN-00404",
+        f"path[0..{MOST_PATHS - 1}].priority",
+        ValueType.UNS16,
+        0,
+        "Order of the search, the lowest first",
+        "Reihenfolge der Suche, die kleinste zuerst",
+    ),
+    _channel(
+        "P-CHAN-00119",
+        "start_init_prog_file",
+        ValueType.STRING,
+        "",
+        "Subprogram that runs at program start",
+        "Unterprogramm, das bei Programmstart läuft",
+        high=_FILE_LENGTH,
+    ),
+    _channel(
+        "P-CHAN-00252",
+        "final_prog_file",
+        ValueType.STRING,
+        "",
+        "Subprogram that runs at program end",
+        "Unterprogramm, das bei Programmende läuft",
+        high=_FILE_LENGTH,
+    ),
+    _channel(
+        "P-CHAN-00118",
+        "m6_prog_file",
+        ValueType.STRING,
+        "",
+        "Subprogram that M6 calls",
+        "Unterprogramm, das M6 ruft",
+        high=_FILE_LENGTH,
+    ),
+    _channel(
+        "P-CHAN-00187",
+        f"g800_prog_file[0..{MOST_G800 - 1}]",
+        ValueType.STRING,
+        "",
+        "Subprogram that G800 and the following call",
+        "Unterprogramm, das G800 und folgende rufen",
+        high=_FILE_LENGTH,
+    ),
+)
+
+_DEFAULTS = (
+    _channel(
+        "P-CHAN-00054",
+        "mass_einh",
+        ValueType.UNS16,
+        0,
+        "Unit of the channel's own lengths: 0 mm, 1 inch",
+        "Einheit der kanaleigenen Längen: 0 mm, 1 Inch",
+        high=1,
+        effect=Effect.CHECKED,
+    ),
+    _channel(
+        "P-CHAN-00079",
+        "rund_mass_einh",
+        ValueType.UNS16,
+        0,
+        "Unit of angles: 0 degree, 1 gon",
+        "Einheit der Winkel: 0 Grad, 1 Neugrad",
+        high=1,
+        effect=Effect.CHECKED,
+    ),
+    _channel(
+        "P-CHAN-00056",
+        "max_vb_override",
+        ValueType.UNS16,
+        1000,
+        "Highest override of the path",
+        "Größter Override der Bahn",
+        high=MOST_OVERRIDE,
+        unit="0.1 %",
+    ),
+    _channel(
+        "P-CHAN-00071",
+        "prog_start.slope.profile",
+        ValueType.SGN16,
+        0,
+        "Slope at program start: 0 trapezoid, 1 jerk-limited, 2 sine square, 3 HSC",
+        "Slope bei Programmstart: 0 linear, 1 ruckbegrenzt, 2 Sinusquadrat, 3 HSC",
+        low=0,
+        high=3,
+    ),
+    _channel(
+        "P-CHAN-00099",
+        "prog_start.feedrate",
+        ValueType.REAL64,
+        0.0,
+        "Feed until a program sets one",
+        "Vorschub, bis ein Programm einen setzt",
+        low=0,
+        unit="mm/min",
+    ),
+    _channel(
+        "P-CHAN-00108",
+        "prog_start.feedrate_factor",
+        ValueType.REAL64,
+        100.0,
+        "Unit of F: 100 mm/min, 0.1 m/min",
+        "Einheit von F: 100 mm/min, 0.1 m/min",
+    ),
+    _channel(
+        "P-CHAN-00063",
+        f"prog_start.g_gruppe[0..{MOST_G_GROUPS - 1}].nr",
+        ValueType.SGN16,
+        -1,
+        "G function of a group at program start; -1: the built-in one",
+        "G-Funktion einer Gruppe bei Programmstart; -1: die eingebaute",
+        low=-1,
+        high=_MAX_SGN16,
+    ),
+    _channel(
+        "P-CHAN-00235",
+        "exact_stop_after_g00",
+        ValueType.BOOLEAN,
+        False,
+        "Each rapid block ends with an exact stop",
+        "Jeder Eilgangsatz endet mit einem Genauhalt",
+    ),
+    _channel(
+        "P-CHAN-00219",
+        "implicit_contour_masking",
+        ValueType.BOOLEAN,
+        False,
+        "Damages of compensated contours farther apart than three blocks are errors",
+        "Verletzungen korrigierter Konturen über mehr als drei Sätze sind Fehler",
+    ),
+    _channel(
+        "P-CHAN-00030",
+        "kasto_residual_path",
+        ValueType.SGN32,
+        0,
+        "Edge banding: path that remains after the measuring signal",
+        "Kantenanleimen: Weg, der nach dem Messsignal bleibt",
+        low=0,
+        unit="0.1 µm",
+    ),
+    _channel(
+        "P-CHAN-00029",
+        "kasto_multi_block",
+        ValueType.BOOLEAN,
+        False,
+        "Edge banding across blocks",
+        "Kantenanleimen über Sätze hinweg",
+    ),
+)
+
+
+def _context(id_: str, name: str, en: str, de: str) -> Parameter:
+    old = (Alias(f"twincat.context.{name}", silent=True),)
+    path = f"schedule.context.{name}"
+    return _channel(id_, path, ValueType.UNS32, 0, en, de, restart=True, aliases=old)
+
+
+_REALTIME = (
+    _channel(
+        "P-CHAN-00406",
+        "configuration.rt_cycles.enable",
+        ValueType.BOOLEAN,
+        False,
+        "Realtime cycles are available",
+        "Echtzeit-Zyklen sind verfügbar",
+        restart=True,
+        aliases=(Alias("rt_cycles.enable", silent=True),),
+    ),
+    _channel(
+        "P-CHAN-00407",
+        "configuration.rt_cycles.memory",
+        ValueType.UNS32,
+        48_000,
+        "Memory for realtime cycles",
+        "Speicher für Echtzeit-Zyklen",
+        high=MAX_UNS32 - 1,
+        unit="byte",
+        restart=True,
+        aliases=(Alias("rt_cycles.memory", silent=True),),
+    ),
+    _channel(
+        "P-CHAN-00480",
+        "configuration.rt_cycles.buffers",
+        ValueType.UNS16,
+        5,
+        "Motions and spindle jobs that one realtime cycle may have open at once",
+        "Bewegungen und Spindelaufträge, die ein Echtzeit-Zyklus zugleich offen haben darf",
+        high=MAX_UNS16 - 1,
+        restart=True,
+    ),
+    _channel(
+        "P-CHAN-00425",
+        "rt_cycles.max_duration",
+        ValueType.UNS16,
+        75,
+        "Share of the tick that all realtime cycles together may use",
+        "Anteil am CNC-Takt, den alle Echtzeit-Zyklen zusammen nutzen dürfen",
+        low=1,
+        high=MAX_UNS16 - 1,
+        unit="%",
+    ),
+    _channel(
+        "P-CHAN-00426",
+        "rt_cycles.cont_steps",
+        ValueType.UNS32,
+        100,
+        "Elementary instructions between two checks of the time",
+        "Elementar-Anweisungen zwischen zwei Prüfungen der Zeit",
+        low=1,
+        high=MAX_UNS32 - 1,
+    ),
+    _channel(
+        "P-CHAN-00427",
+        "rt_cycles.max_steps",
+        ValueType.UNS32,
+        MAX_UNS32 - 1,
+        "Elementary instructions of all realtime cycles in one tick",
+        "Elementar-Anweisungen aller Echtzeit-Zyklen in einem CNC-Takt",
+        low=1,
+        high=MAX_UNS32 - 1,
+    ),
+    _channel(
+        "P-CHAN-00424",
+        "configuration.decoder.v_ch_memory",
+        ValueType.UNS32,
+        0,
+        "Memory for V.CH variables, their management included",
+        "Speicher für V.CH-Variablen samt ihrer Verwaltung",
+        high=MAX_UNS32 - 1,
+        unit="byte",
+        restart=True,
+        aliases=(Alias("v_ch_memory"),),
+    ),
+    _context(
+        "P-CHAN-00410",
+        "geo",
+        "Context of the thread that interpolates the channel",
+        "Kontext des Threads, der den Kanal interpoliert",
+    ),
+    _context(
+        "P-CHAN-00411",
+        "sda",
+        "Context of the thread that decodes the channel's programs",
+        "Kontext des Threads, der die Programme des Kanals dekodiert",
+    ),
+    _context(
+        "P-CHAN-00409",
+        "com",
+        "Context of the thread that communicates for the channel",
+        "Kontext des Threads, der für den Kanal kommuniziert",
+    ),
+)
+
+CHANNEL = Schema(
+    "channel",
+    Text("Channel list", "Kanalliste"),
+    ListDialect(),
+    _AXES + _SPINDLES + SPINDLE_FUNCTIONS + TECHNOLOGY + _PROGRAMS + _DEFAULTS + _REALTIME,
+)

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: MIT
+"""Lists of zero offsets (P-ZERO) and clamp offsets (P-CLMP): declarations, values -> offsets.
+
+In: checked values. Out: ``ZeroOffsets`` and ``ClampOffsets``: groups of one offset per axis of the
+channel, in mm, for rotary axes in degrees. G53 … G59 are the groups 0 … 6, G159 = n is group n.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from nctakt.base.diagnostics import Text
+from nctakt.lists.format.parameter import Parameter, Schema, ValueType
+from nctakt.lists.format.reader import ListDialect
+from nctakt.lists.format.schema import Values
+from nctakt.messages import Collector
+
+MOST_GROUPS = 97
+MOST_AXES = 32
+_POSITION_UNITS = 10_000
+_POSITION = "0.1 µm, 1e-4°"
+_AXIS = f"achse[0..{MOST_AXES - 1}]"
+_ZERO = f"np_grp[0..{MOST_GROUPS - 1}].{_AXIS}"
+_CLAMP = f"pzv_grp[0..{MOST_GROUPS - 1}].{_AXIS}"
+
+
+@dataclass(frozen=True, slots=True)
+class ZeroOffsets:
+    """The zero offsets of a channel; ``groups``: group -> index of an axis -> offset.
+
+    An offset that is not listed, or inactive in its axis (P-ZERO-00004), is 0. ``default_group``:
+    active after start-up and reset. Group 0 has no offsets unless ``g53_available``.
+    """
+
+    groups: Mapping[int, Mapping[int, float]] = field(default_factory=dict)
+    default_group: int = 0
+    g53_available: bool = False
+
+    def offset(self, group: int, axis: int) -> float:
+        """The offset of a group in an axis of the channel, mm or degrees."""
+        return self.groups.get(group, {}).get(axis, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class ClampOffsets:
+    """The clamp offsets of a channel; ``groups``: group -> index of an axis -> offset."""
+
+    groups: Mapping[int, Mapping[int, float]] = field(default_factory=dict)
+
+    def offset(self, group: int, axis: int) -> float:
+        """The offset of a group in an axis of the channel, mm or degrees."""
+        return self.groups.get(group, {}).get(axis, 0.0)
+
+
+ZERO_OFFSETS = Schema(
+    "zero_offsets",
+    Text("List of zero offsets", "Liste der Nullpunktverschiebungen"),
+    ListDialect(),
+    (
+        Parameter(
+            "P-ZERO-00001",
+            "g53_verfuegbar",
+            ValueType.BOOLEAN,
+            False,
+            Text(
+                "G53 has offsets of its own; otherwise it deselects all",
+                "G53 hat eigene Verschiebungen; sonst wählt es alle ab",
+            ),
+        ),
+        Parameter(
+            "P-ZERO-00002",
+            "default_index",
+            ValueType.UNS16,
+            0,
+            Text("Group that is active after start-up", "Gruppe, die nach dem Hochlauf aktiv ist"),
+            high=MOST_GROUPS - 1,
+        ),
+        Parameter(
+            "P-ZERO-00003",
+            f"{_ZERO}.versch",
+            ValueType.SGN32,
+            0,
+            Text("Zero offset of an axis of the channel", "Nullpunktverschiebung einer Kanalachse"),
+            unit=_POSITION,
+        ),
+        Parameter(
+            "P-ZERO-00004",
+            f"{_ZERO}.inaktiv",
+            ValueType.BOOLEAN,
+            False,
+            Text("The group leaves this axis alone", "Die Gruppe lässt diese Achse aus"),
+        ),
+    ),
+)
+
+CLAMP_OFFSETS = Schema(
+    "clamp_offsets",
+    Text("List of clamp offsets", "Liste der Platzverschiebungen"),
+    ListDialect(),
+    (
+        Parameter(
+            "P-CLMP-00001",
+            f"{_CLAMP}.versatz",
+            ValueType.SGN32,
+            0,
+            Text("Clamp offset of an axis of the channel", "Platzverschiebung einer Kanalachse"),
+            unit=_POSITION,
+        ),
+    ),
+)
+
+
+def zero_offsets_configuration(
+    values: Values, axis_count: int, collector: Collector
+) -> ZeroOffsets:
+    """The zero offsets of a channel with so many axes.
+
+    Reported: an axis that there is not (900741), offsets of G53 that do not count (900742), a
+    default group without offsets (900743).
+    """
+    g53_available = values.flag("g53_verfuegbar")
+    groups: dict[int, dict[int, float]] = {}
+    for group in values.indices("np_grp[]"):
+        inactive = "np_grp[].achse[].inaktiv"
+        offsets = {
+            axis: offset
+            for axis, offset in _offsets(
+                values, "np_grp[].achse[]", "versch", group, axis_count, collector
+            )
+            if not values.flag(inactive, group, axis)
+        }
+        if group == 0 and not g53_available:
+            wrong = next((axis for axis, offset in offsets.items() if offset), None)
+            if wrong is not None:
+                values.report(collector, 900742, ("np_grp[].achse[].versch", 0, wrong))
+            continue
+        groups[group] = offsets
+    default_group = values.integer("default_index")
+    if default_group and default_group not in groups:
+        values.report(collector, 900743, ("default_index",), group=default_group)
+    return ZeroOffsets(groups, default_group, g53_available)
+
+
+def clamp_offsets_configuration(
+    values: Values, axis_count: int, collector: Collector
+) -> ClampOffsets:
+    """The clamp offsets of a channel with so many axes; 900741: an axis that there is not."""
+    return ClampOffsets(
+        {
+            group: dict(
+                _offsets(values, "pzv_grp[].achse[]", "versatz", group, axis_count, collector)
+            )
+            for group in values.indices("pzv_grp[]")
+        }
+    )
+
+
+def _offsets(
+    values: Values, prefix: str, name: str, group: int, axis_count: int, collector: Collector
+) -> list[tuple[int, float]]:
+    """The offsets of a group as (index of the axis, mm or degrees)."""
+    pattern = f"{prefix}.{name}"
+    found: list[tuple[int, float]] = []
+    for axis in values.indices(prefix, group):
+        if axis >= axis_count:
+            if values.given(pattern, group, axis):
+                key = (pattern, group, axis)
+                values.report(collector, 900741, key, index=axis, count=axis_count)
+            continue
+        found.append((axis, values.integer(pattern, group, axis) / _POSITION_UNITS))
+    return found

@@ -1,0 +1,384 @@
+# SPDX-License-Identifier: MIT
+"""The start-up list (hochlauf.lis, startup.lis): what the controller consists of (P-STUP).
+
+In: checked values. Out: ``StartupConfiguration``: how many channels and axes there are, which
+lists describe them, and what belongs to the controller as a whole.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nctakt.base.diagnostics import Span, Text
+from nctakt.lists.format.parameter import Alias, Effect, Parameter, Schema, ValueType
+from nctakt.lists.format.reader import ListDialect
+from nctakt.lists.format.schema import Values
+from nctakt.messages import Collector
+
+MOST_CHANNELS = 12
+MOST_AXES = 32
+_PATH_LENGTH = 256
+#: Bytes of a struct member's alignment; 0 leaves it to the controller.
+ALIGNMENTS = (0, 1, 2, 4, 8)
+
+_LOOK_AHEAD = {
+    "FCT_LOOK_AHEAD_LOW": 30,
+    "FCT_LOOK_AHEAD_STANDARD": 120,
+    "FCT_LOOK_AHEAD_HIGH": 190,
+}
+_CUSTOM_LOOK_AHEAD = "FCT_LOOK_AHEAD_CUSTOM"
+_INTERPOLATOR_FLAGS: dict[str, int | None] = dict.fromkeys(
+    (
+        "FCT_IPO_DEFAULT",
+        *_LOOK_AHEAD,
+        _CUSTOM_LOOK_AHEAD,
+        "FCT_LOOK_AHEAD_OPT",
+        "FCT_SYNC",
+        "FCT_LIFT_UP_TIME",
+        "FCT_SHIFT_NCBL",
+        "FCT_CALC_STATE_AT_T",
+    )
+)
+
+
+#: The least memory of backward motion in bytes (P-STUP-00033), where there is one.
+LEAST_BACKWARD_MEMORY = 16384
+
+
+@dataclass(frozen=True, slots=True)
+class ListReference:
+    """A list that another list names: its path as written and where it is written."""
+
+    path: str
+    span: Span
+    line: str
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelStartup:
+    """What the start-up list says of one channel; ``None``: it names no such list.
+
+    ``backward_memory_bytes`` 0: no backward motion on the path (P-STUP-00033).
+    ``look_ahead_blocks``: over how many blocks the path is planned (P-STUP-00070/71).
+    """
+
+    index: int
+    parameters: ListReference | None
+    variables: ListReference | None
+    tools: ListReference | None
+    zero_offsets: ListReference | None
+    clamp_offsets: ListReference | None
+    backward_memory_bytes: int
+    look_ahead_blocks: int
+
+
+@dataclass(frozen=True, slots=True)
+class StartupConfiguration:
+    """The start-up list; ``axes`` has an item per axis, ``None`` where no list is named.
+
+    ``external_variables_bytes``: memory for the V.E variables of a channel, 0 if not limited.
+    ``member_alignment``: P-STUP-00145, 0 automatic. ``diagnosis_folder``, ``diagnosis_file``: where
+    the diagnosis data of the realtime cycles go.
+    """
+
+    channel_defaults: ListReference | None
+    channels: tuple[ChannelStartup, ...]
+    axis_defaults: ListReference | None
+    axes: tuple[ListReference | None, ...]
+    rtconf: ListReference | None
+    external_variables_bytes: int
+    member_alignment: int
+    error_texts: str
+    error_log: str
+    diagnosis_folder: str
+    diagnosis_file: str
+
+
+def _list(id_: str, path: str, en: str, de: str, *aliases: str) -> Parameter:
+    """The declaration of a path to another list."""
+    old = tuple(Alias(alias, silent=True) for alias in aliases)
+    return Parameter(
+        id_, path, ValueType.STRING, "", Text(en, de), high=_PATH_LENGTH, aliases=old, restart=True
+    )
+
+
+_LISTS = (
+    Parameter(
+        "",
+        "listen",
+        ValueType.NAME,
+        "ASCII",
+        Text(
+            "Format of the lists; only ASCII is read", "Format der Listen; gelesen wird nur ASCII"
+        ),
+        names={"ASCII": None, "BINAER": None, "BINARY": None, "XML": None},
+        restart=True,
+    ),
+    Parameter(
+        "P-STUP-00001",
+        "kanal_anzahl",
+        ValueType.UNS16,
+        1,
+        Text("Number of channels", "Anzahl der Kanäle"),
+        low=1,
+        high=MOST_CHANNELS,
+        restart=True,
+    ),
+    Parameter(
+        "P-STUP-00014",
+        "zahl_mds",
+        ValueType.UNS16,
+        0,
+        Text("Number of axis lists", "Anzahl der Achslisten"),
+        high=MOST_AXES,
+        restart=True,
+    ),
+    _list(
+        "P-STUP-00034",
+        "default_sda_mds",
+        "List with defaults for all channels",
+        "Liste mit Standardwerten für alle Kanäle",
+    ),
+    _list("P-STUP-00009", "sda_mds[0..11]", "List of a channel", "Liste eines Kanals"),
+    _list(
+        "P-STUP-00035",
+        "default_achs_mds",
+        "List with defaults for all axes",
+        "Liste mit Standardwerten für alle Achsen",
+    ),
+    _list("P-STUP-00015", "achs_mds[0..31]", "List of an axis", "Liste einer Achse"),
+    _list(
+        "P-STUP-00146",
+        "ve_var[0..11]",
+        "Variables of a channel",
+        "Variablen eines Kanals",
+        "ext_var[0..11]",
+    ),
+    _list(
+        "P-STUP-00010",
+        "werkz_data[0..11]",
+        "Tools of a channel",
+        "Werkzeuge eines Kanals",
+    ),
+    _list(
+        "P-STUP-00011",
+        "nullp_data[0..11]",
+        "Zero offsets of a channel",
+        "Nullpunktverschiebungen eines Kanals",
+    ),
+    _list(
+        "P-STUP-00012",
+        "pzv_data[0..11]",
+        "Clamp offsets of a channel",
+        "Platzverschiebungen eines Kanals",
+    ),
+    _list("", "rtconf_lis", "Scheduling of the threads", "Scheduling der Threads"),
+)
+
+_CONTROLLER = (
+    Parameter(
+        "P-STUP-00033",
+        "fb_storage_size[0..11]",
+        ValueType.UNS32,
+        0,
+        Text(
+            "Memory for backward motion on the path; 0: not available",
+            "Speicher für das Rückwärtsfahren auf der Bahn; 0: nicht verfügbar",
+        ),
+        unit="byte",
+        restart=True,
+    ),
+    Parameter(
+        "P-STUP-00037",
+        "ext_var_max",
+        ValueType.UNS16,
+        0,
+        Text(
+            "Memory for the V.E variables of each channel, in blocks of 24 byte; 0: no limit",
+            "Speicher für die V.E-Variablen jedes Kanals, in Blöcken zu 24 Byte; 0: ohne Grenze",
+        ),
+        unit="24 byte",
+        restart=True,
+        effect=Effect.CHECKED,
+    ),
+    Parameter(
+        "P-STUP-00145",
+        "ext_var_struct_member_alignment",
+        ValueType.UNS16,
+        0,
+        Text(
+            "Alignment of the members of V.E structures: 1, 2, 4, 8, or 0 for automatic",
+            "Ausrichtung der Elemente von V.E-Strukturen: 1, 2, 4, 8 oder 0 für automatisch",
+        ),
+        unit="byte",
+        restart=True,
+    ),
+    Parameter(
+        "P-STUP-00070",
+        "configuration.channel[0..11].interpolator.function",
+        ValueType.FLAGS,
+        ("FCT_IPO_DEFAULT",),
+        Text(
+            "Functions of the interpolator, above all the size of the look-ahead",
+            "Funktionen des Interpolators, vor allem die Weite der Vorausschau",
+        ),
+        names=_INTERPOLATOR_FLAGS,
+        restart=True,
+    ),
+    Parameter(
+        "P-STUP-00071",
+        "configuration.channel[0..11].interpolator.parameter",
+        ValueType.UNS32,
+        120,
+        Text(
+            "Blocks of look-ahead with FCT_LOOK_AHEAD_CUSTOM",
+            "Sätze der Vorausschau bei FCT_LOOK_AHEAD_CUSTOM",
+        ),
+        high=10000,
+        aliases=(
+            Alias("configuration.channel[0..11].interpolator.number_blocks_lah", silent=True),
+            Alias("configuration.channel[0..11].interpolator.param", silent=True),
+        ),
+        restart=True,
+    ),
+    Parameter(
+        "P-STUP-00169",
+        "error_text_user_of_id",
+        ValueType.STRING,
+        "",
+        Text("File with the texts of user errors", "Datei mit den Texten der Anwenderfehler"),
+        high=_PATH_LENGTH,
+        restart=True,
+    ),
+    Parameter(
+        "P-STUP-00170",
+        "error_log_file_name",
+        ValueType.STRING,
+        "",
+        Text("File to which errors are logged", "Datei, in die Fehler protokolliert werden"),
+        high=_PATH_LENGTH,
+        restart=True,
+        effect=Effect.CHECKED,
+    ),
+    Parameter(
+        "P-STUP-00111",
+        "configuration.diagnosis_upload.path",
+        ValueType.STRING,
+        "",
+        Text("Folder of the diagnosis data", "Verzeichnis der Diagnosedaten"),
+        high=_PATH_LENGTH,
+        restart=True,
+        effect=Effect.CHECKED,
+    ),
+    Parameter(
+        "P-STUP-00112",
+        "configuration.diagnosis_upload.default_file",
+        ValueType.STRING,
+        "diag_data.txt",
+        Text("File of the diagnosis data", "Datei der Diagnosedaten"),
+        high=_PATH_LENGTH,
+        restart=True,
+        effect=Effect.CHECKED,
+    ),
+)
+
+
+def _accepted(id_: str, path: str) -> Parameter:
+    """A parameter of the preparation of blocks that nctakt accepts without effect."""
+    text = Text("Set-up of the preparation of blocks", "Einstellung der Satzaufbereitung")
+    path = f"configuration.channel[0..11].{path}"
+    return Parameter(id_, path, ValueType.STRING, "", text, restart=True, effect=Effect.ACCEPTED)
+
+
+_ACCEPTED = (
+    _accepted("P-STUP-00050", "decoder.function"),
+    _accepted("P-STUP-00051", "decoder.max_cache_number"),
+    _accepted("P-STUP-00052", "decoder.max_cache_size"),
+    _accepted("P-STUP-00053", "decoder.max_local_subroutine_definitions"),
+    _accepted("P-STUP-00054", "decoder.log_entry_number"),
+    _accepted("P-STUP-00055", "decoder.log_level"),
+    _accepted("P-STUP-00060", "path_preparation.function"),
+    _accepted("P-STUP-00061", "path_preparation.m_pre_output_lookahead"),
+    _accepted("P-STUP-00062", "path_preparation.m_pre_output_max_distance"),
+    _accepted("P-STUP-00063", "path_preparation.log_entry_number"),
+    _accepted("P-STUP-00064", "path_preparation.log_level"),
+)
+
+STARTUP = Schema(
+    "startup",
+    Text("Start-up list", "Hochlaufliste"),
+    ListDialect(),
+    _LISTS + _CONTROLLER + _ACCEPTED,
+)
+
+
+def startup_configuration(values: Values, collector: Collector) -> StartupConfiguration:
+    """The start-up list's values as a whole; an alignment that does not exist becomes 0."""
+    alignment = values.integer("ext_var_struct_member_alignment")
+    if alignment not in ALIGNMENTS:
+        key = "ext_var_struct_member_alignment"
+        values.report(collector, 1000178, (key,), value=alignment)
+        alignment = 0
+    return StartupConfiguration(
+        _reference(values, "default_sda_mds"),
+        tuple(
+            _channel(values, index, collector) for index in range(values.integer("kanal_anzahl"))
+        ),
+        _reference(values, "default_achs_mds"),
+        tuple(_reference(values, "achs_mds[]", index) for index in range(_axis_count(values))),
+        _reference(values, "rtconf_lis"),
+        values.integer("ext_var_max") * 24,
+        alignment,
+        values.text("error_text_user_of_id"),
+        values.text("error_log_file_name"),
+        values.text("configuration.diagnosis_upload.path"),
+        values.text("configuration.diagnosis_upload.default_file"),
+    )
+
+
+def _axis_count(values: Values) -> int:
+    """The number of axes that the list gives, else as many as it names."""
+    if values.given("zahl_mds"):
+        return values.integer("zahl_mds")
+    return max(values.indices("achs_mds[]"), default=-1) + 1
+
+
+def _reference(values: Values, pattern: str, *indices: int) -> ListReference | None:
+    path = values.text(pattern, *indices)
+    if not path:
+        return None
+    return ListReference(path, *values.place(pattern, *indices))
+
+
+def _channel(values: Values, index: int, collector: Collector) -> ChannelStartup:
+    return ChannelStartup(
+        index,
+        _reference(values, "sda_mds[]", index),
+        _reference(values, "ve_var[]", index),
+        _reference(values, "werkz_data[]", index),
+        _reference(values, "nullp_data[]", index),
+        _reference(values, "pzv_data[]", index),
+        _backward_memory(values, index, collector),
+        _look_ahead(values, index),
+    )
+
+
+def _backward_memory(values: Values, index: int, collector: Collector) -> int:
+    """Bytes of the path's history: none, or at least ``LEAST_BACKWARD_MEMORY``."""
+    size = values.integer("fb_storage_size[]", index)
+    if 0 < size < LEAST_BACKWARD_MEMORY:
+        values.report(
+            collector, 50450, ("fb_storage_size[]", index), value=size, least=LEAST_BACKWARD_MEMORY
+        )
+        return LEAST_BACKWARD_MEMORY
+    return size
+
+
+def _look_ahead(values: Values, index: int) -> int:
+    """Blocks of look-ahead: what CUSTOM gives, else what the flag stands for, else standard."""
+    prefix = "configuration.channel[].interpolator"
+    flags = values.names(f"{prefix}.function", index)
+    if _CUSTOM_LOOK_AHEAD in flags:
+        return values.integer(f"{prefix}.parameter", index)
+    chosen = [blocks for name, blocks in _LOOK_AHEAD.items() if name in flags]
+    return max(chosen, default=_LOOK_AHEAD["FCT_LOOK_AHEAD_STANDARD"])

@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: MIT
+"""M, H and spindle functions in a channel list: declarations and the record of one function.
+
+A function that the list does not name is not defined, apart from the internal ones, which are
+defined and not output. Its synchronisation type says when it is output and for what the channel
+waits (P-CHAN-00041); its process time is what a simulation of the machining time adds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from nctakt.base.diagnostics import Text
+from nctakt.lists.format.parameter import Parameter, ValueType, with_indices
+from nctakt.lists.format.schema import Values
+from nctakt.messages import Collector
+
+MOST_FUNCTIONS = 1000
+_MOST_SPINDLES = 6
+#: M functions that belong to the controller itself: defined without any entry.
+INTERNAL_M_FUNCTIONS = (0, 1, 2, 3, 4, 17, 19, 29, 30)
+
+#: The synchronisation types with their bits, where a source tells them.
+SYNCHRONISATIONS: dict[str, int | None] = {
+    "NO_SYNCH": 0x0,
+    "MOS": 0x1,
+    "MVS_SVS": 0x2,
+    "MVS_SNS": 0x4,
+    "MNS_SNS": 0x8,
+    "MNE_SNS": 0x20,
+    "MVS_SLM": 0x4000,
+    "MVS_SLP": 0x8000,
+    "MOS_TS": None,
+    "MEP_SVS": None,
+    "MEP_MOS": None,
+    "MET_SVS": None,
+    "MET_MOS": None,
+}
+#: What may stand beside a synchronisation type.
+MODIFIERS: dict[str, int | None] = {
+    "PLC_INFO": 0x20000,
+    "BWD_SYNCH": None,
+    "FWD_SYNCH": None,
+    "FAW_SYNCH": None,
+}
+NOT_VALID = "NOT_VALID"
+_FLAGS = {NOT_VALID: None, **SYNCHRONISATIONS, **MODIFIERS}
+_REPLACEMENT = ("MVS_SVS",)
+
+#: The spindle functions by their number in the list's keys; ``s`` is the S word.
+SPINDLE_FUNCTION_KEYS = ("s", "m3", "m4", "m5", "m19")
+
+
+@dataclass(frozen=True, slots=True)
+class TechnologyFunction:
+    """One M or H function, or a spindle's M3, M4, M5, M19 or S word.
+
+    ``synchronisation`` is its type without modifiers. ``axis_name``: the axis or spindle in whose
+    section of the interface it is output, empty for the channel's. ``process_time_us``: µs.
+    """
+
+    number: int
+    synchronisation: str
+    modifiers: tuple[str, ...]
+    process_time_us: float
+    axis_name: str
+
+
+def _synchronisation(id_: str, path: str, default: str, en: str, de: str) -> Parameter:
+    return Parameter(
+        id_,
+        path,
+        ValueType.FLAGS,
+        (default,),
+        Text(en, de),
+        names=_FLAGS,
+        invalid=_REPLACEMENT,
+        invalid_message=20965,
+    )
+
+
+def _process_time(id_: str, path: str, en: str, de: str) -> Parameter:
+    return Parameter(id_, path, ValueType.UNS32, 0, Text(en, de), unit="0.1 µs")
+
+
+def _axis_name(id_: str, path: str, en: str, de: str) -> Parameter:
+    text = Text(en, de)
+    return Parameter(id_, path, ValueType.STRING, "", text, high=16)
+
+
+_INDEX = f"[0..{MOST_FUNCTIONS - 1}]"
+
+TECHNOLOGY = (
+    _synchronisation(
+        "P-CHAN-00041",
+        f"m_synch{_INDEX}",
+        NOT_VALID,
+        "Synchronisation type of an M function",
+        "Synchronisationsart einer M-Funktion",
+    ),
+    _synchronisation(
+        "P-CHAN-00027",
+        f"h_synch{_INDEX}",
+        NOT_VALID,
+        "Synchronisation type of an H function",
+        "Synchronisationsart einer H-Funktion",
+    ),
+    _process_time(
+        "P-CHAN-00040",
+        f"m_prozess_zeit{_INDEX}",
+        "Time that an M function takes, for simulations",
+        "Dauer einer M-Funktion, für Simulationen",
+    ),
+    _process_time(
+        "P-CHAN-00026",
+        f"h_prozess_zeit{_INDEX}",
+        "Time that an H function takes, for simulations",
+        "Dauer einer H-Funktion, für Simulationen",
+    ),
+    _axis_name(
+        "P-CHAN-00039",
+        f"m_default_outp_ax_name{_INDEX}",
+        "Axis for which an M function is output; empty: for the channel",
+        "Achse, für die eine M-Funktion ausgegeben wird; leer: für den Kanal",
+    ),
+    _axis_name(
+        "P-CHAN-00025",
+        f"h_default_outp_ax_name{_INDEX}",
+        "Axis for which an H function is output; empty: for the channel",
+        "Achse, für die eine H-Funktion ausgegeben wird; leer: für den Kanal",
+    ),
+)
+
+_SPINDLE_IDS = {
+    "s": ("P-CHAN-00081", "P-CHAN-00080"),
+    "m3": ("P-CHAN-00045", "P-CHAN-00044"),
+    "m4": ("P-CHAN-00047", "P-CHAN-00046"),
+    "m5": ("P-CHAN-00049", "P-CHAN-00048"),
+    "m19": ("P-CHAN-00043", "P-CHAN-00042"),
+}
+
+
+def _spindle_function(name: str) -> tuple[Parameter, Parameter]:
+    prefix = f"spindel[0..{_MOST_SPINDLES - 1}].{name}"
+    word = name.upper()
+    synchronisation, process_time = _SPINDLE_IDS[name]
+    return (
+        _synchronisation(
+            synchronisation,
+            f"{prefix}_synch",
+            "NO_SYNCH",
+            f"Synchronisation type of a spindle's {word}",
+            f"Synchronisationsart von {word} einer Spindel",
+        ),
+        _process_time(
+            process_time,
+            f"{prefix}_prozess_zeit",
+            f"Time that a spindle's {word} takes, for simulations",
+            f"Dauer von {word} einer Spindel, für Simulationen",
+        ),
+    )
+
+
+SPINDLE_FUNCTIONS: tuple[Parameter, ...] = tuple(
+    parameter for name in SPINDLE_FUNCTION_KEYS for parameter in _spindle_function(name)
+)
+
+
+def technology_functions(
+    values: Values,
+    letter: str,
+    axes: Collection[str],
+    collector: Collector,
+    internal: tuple[int, ...] = (),
+) -> dict[int, TechnologyFunction]:
+    """The functions of ``letter`` (``m``, ``h``) that are defined, by number, ascending.
+
+    ``axes``: the names of the channel's axes and spindles; a function for any other one is the
+    channel's (900812).
+    """
+    functions: dict[int, TechnologyFunction] = {}
+    numbers = {*values.indices(f"{letter}_synch[]"), *internal}
+    for number in sorted(numbers):
+        default = "NO_SYNCH" if number in internal else NOT_VALID
+        synchronisation, modifiers = split(values.names(f"{letter}_synch[]", number), default)
+        if synchronisation == NOT_VALID:
+            continue
+        functions[number] = TechnologyFunction(
+            number,
+            synchronisation,
+            modifiers,
+            values.integer(f"{letter}_prozess_zeit[]", number) / 10,
+            _axis_of(values, letter, number, axes, collector),
+        )
+    return functions
+
+
+def _axis_of(
+    values: Values, letter: str, number: int, axes: Collection[str], collector: Collector
+) -> str:
+    name = values.text(f"{letter}_default_outp_ax_name[]", number)
+    if name and name not in axes:
+        key = (f"{letter}_default_outp_ax_name[]", number)
+        path = with_indices(key[0], (number,))
+        values.report(collector, 900812, key, key=path, value=name)
+        return ""
+    return name
+
+
+def split(flags: tuple[str, ...], default: str) -> tuple[str, tuple[str, ...]]:
+    """The type and the modifiers among ``flags``; modifiers alone leave the type NO_SYNCH."""
+    types = [name for name in flags if name in SYNCHRONISATIONS and name != "NO_SYNCH"]
+    modifiers = tuple(name for name in flags if name in MODIFIERS)
+    if types:
+        return types[0], modifiers
+    if NOT_VALID in flags:
+        return default, modifiers
+    return "NO_SYNCH", modifiers

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""The text of a list, and entries checked against declarations."""

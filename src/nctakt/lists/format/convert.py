@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""One entry -> the value of one parameter, by the parameter's type.
+
+In: an entry, the declaration of its parameter, the default that replaces a defective value. Out:
+the value, or ``None`` after a report that says why there is none.
+"""
+
+from __future__ import annotations
+
+from nctakt.lists.format.parameter import Parameter, Value, ValueType, shown
+from nctakt.lists.format.reader import Entry, ListDialect
+from nctakt.lists.format.values import (
+    Word,
+    parse_integer,
+    parse_real,
+    read_flags,
+    read_string,
+    read_word,
+)
+from nctakt.messages import Collector
+
+_TRUTH = {"TRUE": True, "FALSE": False}
+
+
+def convert(
+    parameter: Parameter,
+    entry: Entry,
+    dialect: ListDialect,
+    default: Value,
+    collector: Collector,
+) -> Value:
+    """The value of ``entry``, ``None`` if it is missing or defective (which is then reported)."""
+    report = _Report(parameter, entry, default, collector)
+    if parameter.type is ValueType.STRING:
+        return _string(parameter, entry, report)
+    if parameter.type is ValueType.FLAGS:
+        return _flags(parameter, entry, dialect, report)
+    word = read_word(entry, collector)
+    if word is None:
+        return report.no_value()
+    if parameter.type is ValueType.NAME:
+        return _name(parameter, word, dialect, report)
+    if parameter.type is ValueType.BOOLEAN:
+        return _boolean(word, dialect, report)
+    return _number(parameter, word, dialect, report)
+
+
+class _Report:
+    """Reports on one entry; each method returns ``None`` so that it can end a conversion."""
+
+    def __init__(
+        self, parameter: Parameter, entry: Entry, default: Value, collector: Collector
+    ) -> None:
+        self.parameter = parameter
+        self.entry = entry
+        self.default = shown(default)
+        self.collector = collector
+
+    def no_value(self) -> Value:
+        entry = self.entry
+        self.collector.report(
+            900013, entry.key_span, entry.line, key=entry.path, default=self.default
+        )
+        return None
+
+    def defect(self, number: int, word: Word, **values: object) -> Value:
+        self.collector.report(
+            number, word.span, self.entry.line, key=self.entry.path, default=self.default, **values
+        )
+        return None
+
+    def quoted_number(self, word: Word) -> None:
+        if word.quoted:
+            self.collector.report(900015, word.span, self.entry.line, key=self.entry.path)
+
+
+def _string(parameter: Parameter, entry: Entry, report: _Report) -> Value:
+    word = read_string(entry, report.collector)
+    if word is None:
+        return report.no_value()
+    limit = parameter.high
+    if limit is not None and len(word.text) > limit:
+        return report.defect(900020, word, length=len(word.text), limit=limit)
+    return word.text
+
+
+def _boolean(word: Word, dialect: ListDialect, report: _Report) -> Value:
+    if dialect.boolean_words and word.text.upper() in _TRUTH:
+        return _TRUTH[word.text.upper()]
+    number = parse_integer(word.text, hexadecimal=dialect.hexadecimal)
+    if number is None:
+        return report.defect(900022 if dialect.boolean_words else 900014, word, value=word.text)
+    if number not in (0, 1):
+        return report.defect(900019, word, value=word.text, low=0, high=1)
+    report.quoted_number(word)
+    return number == 1
+
+
+def _name(parameter: Parameter, word: Word, dialect: ListDialect, report: _Report) -> Value:
+    if word.text in parameter.names:
+        return word.text
+    number = parse_integer(word.text, hexadecimal=dialect.hexadecimal)
+    if number is not None:
+        for name, value in parameter.names.items():
+            if value == number:
+                return name
+    return _bad_name(parameter, word, report)
+
+
+def _number(parameter: Parameter, word: Word, dialect: ListDialect, report: _Report) -> Value:
+    number: int | float | None
+    if parameter.type is ValueType.REAL64:
+        number = parse_real(word.text, hexadecimal=dialect.hexadecimal)
+    else:
+        number = parse_integer(word.text, hexadecimal=dialect.hexadecimal)
+    if number is None:
+        return report.defect(900014, word, value=word.text)
+    report.quoted_number(word)
+    low, high = parameter.bounds
+    if not low <= number <= high:
+        return report.defect(900019, word, value=word.text, low=low, high=high)
+    return number
+
+
+def _flags(parameter: Parameter, entry: Entry, dialect: ListDialect, report: _Report) -> Value:
+    words = read_flags(entry, report.collector)
+    if not words:
+        return report.no_value()
+    chosen: list[str] = []
+    for word in words:
+        number = parse_integer(word.text, hexadecimal=dialect.hexadecimal)
+        names = (word.text,) if number is None else _flags_of(parameter, number)
+        if not names or any(name not in parameter.names for name in names):
+            return _bad_name(parameter, word, report)
+        chosen.extend(names)
+    return tuple(name for name in parameter.names if name in chosen)
+
+
+def _flags_of(parameter: Parameter, number: int) -> tuple[str, ...]:
+    """The flags whose bits make ``number``; nothing if a bit of it belongs to none."""
+    exact = tuple(name for name, value in parameter.names.items() if value == number)
+    if exact:
+        return exact[:1]
+    rest = number
+    names: list[str] = []
+    for name, value in parameter.names.items():
+        if value and rest & value == value:
+            names.append(name)
+            rest &= ~value
+    return tuple(names) if rest == 0 else ()
+
+
+def _bad_name(parameter: Parameter, word: Word, report: _Report) -> Value:
+    if parameter.invalid_message is None:
+        return report.defect(900021, word, value=word.text, names=", ".join(parameter.names))
+    report.collector.report(
+        parameter.invalid_message,
+        word.span,
+        report.entry.line,
+        key=report.entry.path,
+        value=word.text,
+        default=shown(parameter.invalid),
+    )
+    return parameter.invalid

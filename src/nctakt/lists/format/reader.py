@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+"""ASCII list -> entries.
+
+In: the bytes of a parameter list and the dialect of its kind. Out: its entries in the order of the
+text, each with its normalised path, its indices, and the text behind its name, all with their
+places; what is odd about the text goes to the collector. What a value means is not decided here:
+that depends on the parameter's type (``values.py``, ``schema.py``).
+
+The syntax is that of the manual of rtconf.lis, chapters 2.4 and 2.5, which all lists share: one
+entry a line, a blank between name and value, ``#`` opens a comment line, ``End`` or ``Ende`` ends
+the list.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from nctakt.base.diagnostics import Span
+from nctakt.base.text import decode_text, split_lines
+from nctakt.messages import Collector
+
+BLANKS = " \t"
+_END_OF_FILE = "\x1a"
+_KEY = re.compile(r'[^ \t"]+')
+_STEP = re.compile(r"\[([0-9]{1,9})\]")
+_WELL_FORMED = re.compile(r"[A-Za-z_]\w*(\[[0-9]{1,9}\])*(\.[A-Za-z_]\w*(\[[0-9]{1,9}\])*)*", re.A)
+
+
+@dataclass(frozen=True, slots=True)
+class ListDialect:
+    """What differs between the kinds of list.
+
+    ``hexadecimal``: numbers may be written as 0x… . ``references``: a number may be written as
+    the ID of the parameter that has it (``P-AXIS-00212.0``). ``boolean_words``: TRUE and FALSE
+    beside 1 and 0. ``report_unknown``: each unknown entry is a warning of its own, not one count
+    for the file. ``expects_end``: a missing End is worth a warning. ``comment_notes``: a ``#``
+    that is not in the first column, or without a blank behind it, is worth a note.
+    """
+
+    hexadecimal: bool = True
+    references: bool = True
+    boolean_words: bool = False
+    report_unknown: bool = False
+    expects_end: bool = False
+    comment_notes: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One line ``name value`` of a list.
+
+    ``path`` is the name with its indices normalised (``thread[00].name`` -> ``thread[0].name``),
+    ``pattern`` the same with empty brackets. A name that is not well formed has itself as
+    pattern. ``rest`` is what follows the name, from ``rest_column`` on.
+    """
+
+    path: str
+    pattern: str
+    indices: tuple[int, ...]
+    rest: str
+    rest_column: int
+    key_span: Span
+    line: str
+
+    @property
+    def is_well_formed(self) -> bool:
+        """Whether each bracket of the name holds an index; otherwise it names no parameter."""
+        return self.pattern.count("[]") == len(self.indices)
+
+    def span(self, start: int, end: int) -> Span:
+        """The place of ``rest[start:end]``."""
+        place = self.key_span
+        column = self.rest_column + start
+        return Span(place.file, place.line, column, max(column + 1, self.rest_column + end))
+
+
+def read_list(
+    file: str, data: bytes, dialect: ListDialect, collector: Collector
+) -> tuple[Entry, ...]:
+    """The entries of the list ``data``; ``file`` is its name in spans."""
+    decoded = decode_text(data)
+    if decoded.guessed:
+        collector.report(900000, Span(file, 1, 1, 2), encoding=decoded.encoding)
+    lines = split_lines(decoded.text.split(_END_OF_FILE, 1)[0])
+    entries: list[Entry] = []
+    for number, line in enumerate(lines, start=1):
+        content = line.strip(BLANKS)
+        if not content:
+            continue
+        if content.startswith("#"):
+            if dialect.comment_notes:
+                _check_comment(Span(file, number, 1, 2), line, collector)
+            continue
+        entry = _read_entry(file, number, line)
+        if _is_end(entry, collector):
+            _check_after_end(file, lines, number, collector)
+            return tuple(entries)
+        if "\0" in line:
+            column = line.index("\0") + 1
+            collector.report(900006, Span(file, number, column, column + 1), line)
+            continue
+        entries.append(entry)
+    if dialect.expects_end:
+        last = max(1, len(lines))
+        collector.report(900005, Span(file, last, 1, 2), lines[-1] if lines else "")
+    return tuple(entries)
+
+
+def _check_comment(place: Span, line: str, collector: Collector) -> None:
+    column = line.index("#")
+    span = Span(place.file, place.line, column + 1, column + 2)
+    if column > 0:
+        collector.report(900002, span, line)
+    following = line[column + 1 : column + 2]
+    if following and following not in BLANKS:
+        collector.report(900001, span, line)
+
+
+def _read_entry(file: str, number: int, line: str) -> Entry:
+    start = len(line) - len(line.lstrip(BLANKS))
+    match = _KEY.match(line, start)
+    # A line that begins with a quotation mark has no name; all of its first word stands for one.
+    end = match.end() if match else len(line)
+    key = line[start:end]
+    span = Span(file, number, start + 1, end + 1)
+    rest, column = line[end:], end + 1
+    if not _WELL_FORMED.fullmatch(key):
+        return Entry(key, key, (), rest, column, span, line)
+    indices = tuple(int(text) for text in _STEP.findall(key))
+    path = _STEP.sub(lambda step: f"[{int(step[1])}]", key)
+    return Entry(path, _STEP.sub("[]", key), indices, rest, column, span, line)
+
+
+def _is_end(entry: Entry, collector: Collector) -> bool:
+    if entry.path.lower() not in {"end", "ende"}:
+        return False
+    if entry.path not in {"End", "Ende"}:
+        collector.report(900003, entry.key_span, entry.line, word=entry.path)
+    return True
+
+
+def _check_after_end(file: str, lines: list[str], end: int, collector: Collector) -> None:
+    for number, line in enumerate(lines[end:], start=end + 1):
+        content = line.strip(BLANKS)
+        if content and not content.startswith("#"):
+            collector.report(900004, Span(file, number, 1, len(line) + 1), line)
+            return

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""A folder of lists turned into an immutable machine."""

@@ -1,0 +1,315 @@
+# SPDX-License-Identifier: MIT
+"""The values of an axis list -> one axis, in natural units.
+
+In: checked values. Out: ``AxisConfiguration``: mm, mm/s, mm/s² for linear axes, degrees, °/s, °/s²
+for rotary axes and spindles; which of the two a field is in follows from ``type``, so these fields
+carry no unit in their names. Limits that contradict each other are reported and mended.
+"""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+from math import inf
+
+from nctakt.lists.declared.axis import LINEAR_TYPE, ROTARY_TYPE, SPINDLE_TYPE
+from nctakt.lists.format.schema import Values
+from nctakt.messages import Collector
+
+#: Positions of the lists (0.1 µm, 1e-4°) per mm or degree.
+POSITION_UNITS = 10_000
+#: Speeds of the lists (µm/s, 1e-3°/s) per mm/s or °/s.
+SPEED_UNITS = 1_000
+_MODULO_BIT = 0x4
+_MODULO_LINEAR_BIT = 0x400
+
+
+class AxisType(enum.Enum):
+    """P-AXIS-00018."""
+
+    LINEAR = LINEAR_TYPE
+    ROTARY = ROTARY_TYPE
+    SPINDLE = SPINDLE_TYPE
+
+
+@dataclass(frozen=True, slots=True)
+class TrapezoidSlope:
+    """Accelerations below and above a changeover speed, as the list has them (lslope_profil)."""
+
+    low: float
+    high: float
+    changeover_speed: float
+
+    def acceleration(self, top_speed: float, limit: float) -> float:
+        """The one acceleration that never exceeds the two stages up to ``top_speed``.
+
+        nctakt's trapezoid has one acceleration per motion. It is stage 1 where the changeover
+        speed is not below ``top_speed``, else the lesser of both; ``limit`` (a_max) bounds it.
+        """
+        stages = self.low if self.changeover_speed >= top_speed else min(self.low, self.high)
+        return min(stages, limit)
+
+
+@dataclass(frozen=True, slots=True)
+class JerkSlope:
+    """Accelerations and ramp times of the jerk-limited slope (``slope_profil``).
+
+    Jerk = acceleration / ramp time. Ramp times in µs, in the order: acceleration builds up, fades,
+    deceleration builds up, fades.
+    """
+
+    acceleration: float
+    deceleration: float
+    rapid_acceleration: float
+    ramp_times_us: tuple[int, int, int, int]
+    rapid_ramp_time_us: int
+
+    @property
+    def least_acceleration(self) -> float:
+        """The acceleration that never exceeds those of feed, braking and rapid."""
+        return min(self.acceleration, self.deceleration, self.rapid_acceleration)
+
+    @property
+    def jerk(self) -> float:
+        """The jerk that never exceeds those of any ramp; 0 where no ramp takes time."""
+        up, down, brake, release = self.ramp_times_us
+        longest_us = max(up, down, brake, release, self.rapid_ramp_time_us)
+        return self.least_acceleration / (longest_us / 1e6) if longest_us > 0 else 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class AxisDynamics:
+    """Limits of one gear step; ``kv``, the gain of the position control, in 1/s.
+
+    ``reduced_speed`` and ``reduced_rapid_speed``: 0 if the list gives none.
+    """
+
+    gear_number: int
+    max_speed: float
+    rapid_speed: float
+    max_acceleration: float
+    emergency_deceleration: float
+    feed_slope: TrapezoidSlope
+    rapid_slope: TrapezoidSlope
+    jerk_slope: JerkSlope
+    shortest_ramp_time_us: int
+    contour_ramp_time_us: int
+    reduced_speed: float
+    reduced_rapid_speed: float
+    kv: float
+    exact_stop_window: float
+    modulo_low: float
+    modulo_high: float
+
+    @property
+    def feed_acceleration(self) -> float:
+        """Acceleration and deceleration of feed and independent motions, trapezoid."""
+        return self.feed_slope.acceleration(self.max_speed, self.max_acceleration)
+
+    @property
+    def rapid_acceleration(self) -> float:
+        """Acceleration and deceleration of rapid motions, trapezoid."""
+        return self.rapid_slope.acceleration(self.rapid_speed, self.max_acceleration)
+
+    @property
+    def smooth_accelerations(self) -> tuple[float, float]:
+        """Acceleration of rapid motions and of feed with the jerk-limited slope."""
+        slope = self.jerk_slope
+        feed = min(slope.acceleration, slope.deceleration, self.max_acceleration)
+        return (min(slope.rapid_acceleration, self.max_acceleration), feed)
+
+    @property
+    def smooth_jerks(self) -> tuple[float, float]:
+        """Jerk of rapid motions and of feed: the slowest of the ramps counts."""
+        rapid, feed = self.smooth_accelerations
+        shortest_us = max(self.shortest_ramp_time_us, 1)
+        rapid_us = max(self.jerk_slope.rapid_ramp_time_us, shortest_us)
+        return (
+            rapid * 1e6 / rapid_us,
+            feed * 1e6 / max(*self.jerk_slope.ramp_times_us, shortest_us),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class AxisConfiguration:
+    """One axis; ``dynamics`` are those of the gear step that is active after start-up.
+
+    ``is_modulo``: positions repeat every ``modulo_range``, and there are no software limits.
+    ``feed_forward_share``: P-AXIS-00228 / P-AXIS-00229. ``override_mode``: P-AXIS-00491.
+    ``max_override_pct``: P-AXIS-00109. ``follows_exactly``:
+    actual position = command position (P-AXIS-00096). ``obstacle``: what the axis cannot pass, in
+    mm or degrees; 0: nothing. ``file``: the list that describes the axis.
+    """
+
+    logical_number: int
+    name: str
+    type: AxisType
+    is_modulo: bool
+    enable_single_axis: bool
+    override_mode: int
+    max_override_pct: float
+    software_limit_low: float
+    software_limit_high: float
+    software_limit_tolerance: float
+    optimised_schedule: bool
+    follows_exactly: bool
+    obstacle: float
+    feed_forward_share: float
+    dynamics: AxisDynamics
+    gears: tuple[AxisDynamics, ...]
+    file: str
+
+    @property
+    def is_linear(self) -> bool:
+        """Whether lengths are mm; otherwise they are degrees."""
+        return self.type is AxisType.LINEAR
+
+    @property
+    def modulo_range(self) -> float:
+        """Length of the modulo range, 0 for an axis without one."""
+        if not self.is_modulo:
+            return 0.0
+        return self.dynamics.modulo_high - self.dynamics.modulo_low
+
+    @property
+    def rapid_speed(self) -> float:
+        """Speed of G00, never above ``max_speed``."""
+        return self.dynamics.rapid_speed
+
+    @property
+    def max_speed(self) -> float:
+        """Highest speed of any motion."""
+        return self.dynamics.max_speed
+
+    @property
+    def max_acceleration(self) -> float:
+        """The acceleration that all motions of the axis may use, trapezoid: the least of both."""
+        return min(self.dynamics.feed_acceleration, self.dynamics.rapid_acceleration)
+
+    @property
+    def kv(self) -> float:
+        """Gain of the position control in 1/s; without effect if ``follows_exactly``."""
+        return self.dynamics.kv
+
+
+def axis_configuration(values: Values, collector: Collector) -> AxisConfiguration:
+    """Make one axis of the values of its list (over those of the defaults list)."""
+    type_ = AxisType(values.text("kenngr.achs_typ"))
+    mode = values.integer("kenngr.achs_mode")
+    modulo_bit = _MODULO_LINEAR_BIT if type_ is AxisType.LINEAR else _MODULO_BIT
+    steps = sorted({0, *values.indices("getriebe[]")})
+    gears = tuple(_dynamics(values, step, collector) for step in steps)
+    is_modulo = bool(mode & modulo_bit) or type_ is AxisType.SPINDLE
+    low, high = (-inf, inf) if is_modulo else _software_limits(values, collector)
+    return AxisConfiguration(
+        values.integer("kopf.achs_nr"),
+        values.text("kopf.log_achs_name"),
+        type_,
+        is_modulo,
+        values.flag("kenngr.enable_single_axis"),
+        values.integer("kenngr.indp_override_mode"),
+        values.integer("kenngr.max_vb_override") / 10,
+        low,
+        high,
+        values.integer("kenngr.swe_toleranz") / POSITION_UNITS,
+        values.flag("lr_param.field_bus_allows_optimized_schedule"),
+        values.flag("antr.simu.ist_gleich_soll"),
+        0.0 if is_modulo else values.integer("antr.simu.fixed_stop") / POSITION_UNITS,
+        _feed_forward(values),
+        _active_gear(values, gears, collector),
+        gears,
+        values.file,
+    )
+
+
+def _feed_forward(values: Values) -> float:
+    """The share of the command speed that goes past the position control; none unless given."""
+    share, whole = "vorsteuer.vs_v_faktor", "vorsteuer.vs_v_nenner"
+    if not values.given(share) and not values.given(whole):
+        return 0.0
+    return values.integer(share) / values.integer(whole)
+
+
+def _software_limits(values: Values, collector: Collector) -> tuple[float, float]:
+    low = values.integer("kenngr.swe_neg")
+    high = values.integer("kenngr.swe_pos")
+    if low >= high:
+        values.report(collector, 900075, ("kenngr.swe_neg",), low=low, high=high)
+        low, high = min(low, high), max(low, high)
+    return low / POSITION_UNITS, high / POSITION_UNITS
+
+
+def _active_gear(
+    values: Values, gears: tuple[AxisDynamics, ...], collector: Collector
+) -> AxisDynamics:
+    number = values.integer("kenngr.getriebe_stufe")
+    for gear in gears:
+        if gear.gear_number == number:
+            return gear
+    used = gears[0].gear_number
+    values.report(collector, 900074, ("kenngr.getriebe_stufe",), wanted=number, used=used)
+    return gears[0]
+
+
+def _dynamics(values: Values, step: int, collector: Collector) -> AxisDynamics:
+    gear = "getriebe[]"
+    limits = f"{gear}.dynamik"
+    # The first gear step is number 1 unless its list says otherwise (P-AXIS-00135).
+    number = values.integer(f"{gear}.nummer", step) or (1 if step == 0 else 0)
+    max_speed = values.integer(f"{limits}.vb_max", step) / SPEED_UNITS
+    rapid_speed = values.integer(f"{gear}.vb_eilgang", step) / SPEED_UNITS
+    max_acceleration = float(values.integer(f"{limits}.a_max", step))
+    emergency = float(values.integer(f"{limits}.a_emergency", step))
+    modulo_low, modulo_high = _modulo(values, step, collector)
+    return AxisDynamics(
+        number,
+        max_speed,
+        min(rapid_speed, max_speed),
+        max_acceleration,
+        emergency or max_acceleration,
+        _trapezoid(values, step, "a_stufe_1", "a_stufe_2", "vb_stufe_1_2"),
+        _trapezoid(values, step, "a_grenz_stufe_1", "a_grenz_stufe_2", "vb_grenz_stufe_1_2"),
+        _jerk(values, step),
+        values.integer(f"{limits}.tr_min", step),
+        values.integer(f"{limits}.tr_geom", step),
+        values.integer(f"{gear}.vb_max_red", step) / SPEED_UNITS,
+        values.integer(f"{gear}.rapid_speed_red", step) / SPEED_UNITS,
+        values.integer(f"{gear}.kv", step) / 100,
+        values.integer(f"{gear}.window", step) / POSITION_UNITS,
+        modulo_low,
+        modulo_high,
+    )
+
+
+def _modulo(values: Values, step: int, collector: Collector) -> tuple[float, float]:
+    low = values.integer("getriebe[].modulou", step)
+    high = values.integer("getriebe[].moduloo", step)
+    if high <= low:
+        values.report(collector, 900073, ("getriebe[].moduloo", step), low=low, high=high)
+        low, high = 0, 360 * POSITION_UNITS
+    return low / POSITION_UNITS, high / POSITION_UNITS
+
+
+def _trapezoid(values: Values, step: int, low: str, high: str, changeover: str) -> TrapezoidSlope:
+    prefix = "getriebe[].lslope_profil"
+    return TrapezoidSlope(
+        float(values.integer(f"{prefix}.{low}", step)),
+        float(values.integer(f"{prefix}.{high}", step)),
+        values.integer(f"{prefix}.{changeover}", step) / SPEED_UNITS,
+    )
+
+
+def _jerk(values: Values, step: int) -> JerkSlope:
+    prefix = "getriebe[].slope_profil"
+    return JerkSlope(
+        float(values.integer(f"{prefix}.a_beschl", step)),
+        float(values.integer(f"{prefix}.a_brems", step)),
+        float(values.integer(f"{prefix}.a_grenz", step)),
+        (
+            values.integer(f"{prefix}.tr_beschl_zu", step),
+            values.integer(f"{prefix}.tr_beschl_ab", step),
+            values.integer(f"{prefix}.tr_brems_zu", step),
+            values.integer(f"{prefix}.tr_brems_ab", step),
+        ),
+        values.integer(f"{prefix}.tr_grenz", step),
+    )

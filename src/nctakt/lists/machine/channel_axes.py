@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""The axes and spindles of a channel -> which of the machine's axis lists they are.
+
+In: what the channel list says, all axes of the machine. Out: ``ChannelAxis``, ``ChannelSpindle``.
+One that no axis list describes, or that another channel has, is reported and left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nctakt.lists.format.schema import Values
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
+from nctakt.lists.machine.channel_configuration import ChannelParameters, Spindle
+from nctakt.messages import Collector
+
+_AXIS_NUMBERS = ("gruppe[].achse[].log_achs_nr",)
+_SPINDLE_NUMBERS = ("spindel[].log_achs_nr", "main_spindle_ax_nr")
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelAxis:
+    """An axis of a channel; ``index`` into the machine's ``axes``."""
+
+    name: str
+    logical_number: int
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelSpindle:
+    """A spindle of a channel; ``index`` into the machine's ``axes``, ``None`` for the PLC's."""
+
+    spindle: Spindle
+    index: int | None
+
+    @property
+    def name(self) -> str:
+        """The name in programs."""
+        return self.spindle.name
+
+
+def channel_axes(
+    parameters: ChannelParameters,
+    values: Values,
+    axes: Sequence[AxisConfiguration],
+    channel: int,
+    owners: dict[int, int],
+    collector: Collector,
+) -> tuple[ChannelAxis, ...]:
+    """The axes of a channel, without those that an earlier one has.
+
+    ``values``: those of its list. ``owners``: index of an axis -> the channel that it belongs to.
+    """
+    found: list[ChannelAxis] = []
+    for axis in parameters.axes:
+        number = axis.logical_number
+        place = values.where(_AXIS_NUMBERS, number)
+        index = _index(number, axes)
+        if index is None:
+            collector.report(900066, *place, logical=number, name=axis.name)
+            continue
+        owner = owners.setdefault(index, channel)
+        if owner != channel:
+            collector.report(900750, *place, axis=number, first=owner, second=channel)
+        else:
+            found.append(ChannelAxis(axis.name, number, index))
+    if not parameters.axes:
+        values.report(collector, 900818, ("gruppe[].achs_anzahl", 0), channel=channel)
+    return tuple(found)
+
+
+def channel_spindles(
+    parameters: ChannelParameters,
+    values: Values,
+    axes: Sequence[AxisConfiguration],
+    collector: Collector,
+) -> tuple[ChannelSpindle, ...]:
+    """The spindles of a channel; ``values``: those of its list."""
+    found: list[ChannelSpindle] = []
+    for spindle in parameters.spindles:
+        index = None if spindle.plc_controlled else _index(spindle.logical_number, axes)
+        if index is None and not spindle.plc_controlled:
+            number = spindle.logical_number
+            place = values.where(_SPINDLE_NUMBERS, number)
+            collector.report(900066, *place, logical=number, name=spindle.name)
+        else:
+            found.append(ChannelSpindle(spindle, index))
+    return tuple(found)
+
+
+def _index(number: int, axes: Sequence[AxisConfiguration]) -> int | None:
+    return next((i for i, one in enumerate(axes) if one.logical_number == number), None)

@@ -1,0 +1,348 @@
+# SPDX-License-Identifier: MIT
+"""The values of a channel list -> what the list says of a channel.
+
+In: checked values. Out: ``ChannelParameters``. Which axis lists the channel's axes are is settled
+where all lists are at hand (``machine.py``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from nctakt.lists.declared.technology_functions import (
+    INTERNAL_M_FUNCTIONS,
+    SPINDLE_FUNCTION_KEYS,
+    TechnologyFunction,
+    split,
+    technology_functions,
+)
+from nctakt.lists.format.parameter import with_indices
+from nctakt.lists.format.schema import Values
+from nctakt.messages import Collector
+
+MAIN_PROGRAM_BIT, SUBPROGRAM_BIT = 1, 2
+MM_PER_MINUTE_FACTOR = 100.0
+#: The G functions that a group may start with (P-CHAN-00063), where nctakt knows the group.
+G_GROUPS: dict[int, tuple[int, ...]] = {
+    0: (0, 1, 2, 3, 4),
+    4: (17, 18, 19),
+    12: (70, 71),
+    14: (90, 91),
+    23: (161, 162),
+}
+#: What is active where the list says nothing: the program start of the controller.
+BUILT_IN_G_FUNCTIONS: dict[int, int] = {0: 0, 4: 17, 12: 71, 14: 90, 23: 162}
+#: The slopes of P-CHAN-00071 that are not simulated.
+OTHER_SLOPES = {2: "SIN2", 3: "HSC"}
+
+
+@dataclass(frozen=True, slots=True)
+class NamedAxis:
+    """An axis of the channel as its list names it."""
+
+    name: str
+    logical_number: int
+
+
+@dataclass(frozen=True, slots=True)
+class Spindle:
+    """A spindle of the channel.
+
+    ``name`` addresses it in programs: the main spindle has the main spindle's name, whatever
+    ``list_name`` (P-CHAN-00007) says. ``plc_controlled``: the PLC turns it. ``functions``: its
+    ``s``, ``m3``, ``m4``, ``m5``, ``m19``.
+    """
+
+    name: str
+    list_name: str
+    logical_number: int
+    is_main: bool
+    plc_controlled: bool
+    functions: Mapping[str, TechnologyFunction]
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramPath:
+    """A folder with NC programs; ``type`` is a set of bits (P-CHAN-00403)."""
+
+    folder: str
+    id: int
+    type: int
+    priority: int
+
+    @property
+    def holds_main_programs(self) -> bool:
+        """Whether main programs are searched here."""
+        return bool(self.type & MAIN_PROGRAM_BIT)
+
+    @property
+    def holds_subprograms(self) -> bool:
+        """Whether subprograms are searched here."""
+        return bool(self.type & SUBPROGRAM_BIT)
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramStart:
+    """What is active when a program starts.
+
+    ``feed_mm_min`` 0: the first feed block needs an F. ``feed_unit_mm_min``: mm/min that F1 means
+    (P-CHAN-00108). ``g_functions``: group -> G number, the built-in ones included.
+    ``slope_profile``: 0 trapezoid, 1 jerk-limited; 2 sine square and 3 HSC count as 1.
+    """
+
+    feed_mm_min: float
+    feed_unit_mm_min: float
+    g_functions: Mapping[int, int]
+    slope_profile: int
+
+
+@dataclass(frozen=True, slots=True)
+class RealtimeCycleLimits:
+    """P-CHAN-00406, 00407, 00480, 00425, 00426, 00427."""
+
+    enable: bool
+    memory_bytes: int
+    buffers: int
+    max_duration_pct: int
+    cont_steps: int
+    max_steps: int
+
+
+@dataclass(frozen=True, slots=True)
+class ImplicitPrograms:
+    """Subprograms that run without being called; empty: none. ``g800``: index -> program."""
+
+    program_start: str
+    program_end: str
+    m6: str
+    g800: Mapping[int, str]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """All programs that there are, each once."""
+        all_names = (self.program_start, self.program_end, self.m6, *self.g800.values())
+        return tuple(dict.fromkeys(name for name in all_names if name))
+
+    def of_g(self, number: int) -> str:
+        """The program that a G function calls: G800 and the following have the indices from 0 on.
+
+        G80 … G89 call what G800 … G809 do (*choice*). Empty: none.
+        """
+        if 80 <= number <= 89:
+            number += 720
+        return self.g800.get(number - 800, "")
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelParameters:
+    """A channel list.
+
+    ``m_functions`` and ``h_functions``: number -> function, only those that are defined.
+    ``inch``, ``gon``: units of the channel's own values. ``context_*``: P-CHAN-00409 … 00411.
+    """
+
+    axes: tuple[NamedAxis, ...]
+    spindles: tuple[Spindle, ...]
+    m_functions: Mapping[int, TechnologyFunction]
+    h_functions: Mapping[int, TechnologyFunction]
+    program_paths: tuple[ProgramPath, ...]
+    implicit_programs: ImplicitPrograms
+    program_start: ProgramStart
+    exact_stop_after_g00: bool
+    max_override_pct: float
+    inch: bool
+    gon: bool
+    realtime_cycles: RealtimeCycleLimits
+    channel_variables_bytes: int
+    residual_path_mm: float
+    edge_across_blocks: bool
+    looks_for_damage: bool
+    context_geo: int
+    context_sda: int
+    context_com: int
+
+
+def channel_parameters(values: Values, collector: Collector) -> ChannelParameters:
+    """Gather the values of a channel list (over those of the defaults list)."""
+    axes, spindles = _axes(values, collector), _spindles(values, collector)
+    names = {*(axis.name for axis in axes), *(spindle.name for spindle in spindles)}
+    return ChannelParameters(
+        axes,
+        spindles,
+        technology_functions(values, "m", names, collector, INTERNAL_M_FUNCTIONS),
+        technology_functions(values, "h", names, collector),
+        _program_paths(values),
+        _implicit_programs(values),
+        _program_start(values, collector),
+        values.flag("exact_stop_after_g00"),
+        values.integer("max_vb_override") / 10,
+        values.integer("mass_einh") == 1,
+        values.integer("rund_mass_einh") == 1,
+        _realtime_cycles(values, collector),
+        values.integer("configuration.decoder.v_ch_memory"),
+        values.integer("kasto_residual_path") / 10_000,
+        values.flag("kasto_multi_block"),
+        values.flag("implicit_contour_masking"),
+        values.integer("schedule.context.geo"),
+        values.integer("schedule.context.sda"),
+        values.integer("schedule.context.com"),
+    )
+
+
+def _realtime_cycles(values: Values, collector: Collector) -> RealtimeCycleLimits:
+    max_duration_pct = values.integer("rt_cycles.max_duration")
+    if max_duration_pct > 100:
+        values.report(collector, 900086, ("rt_cycles.max_duration",), value=max_duration_pct)
+    return RealtimeCycleLimits(
+        values.flag("configuration.rt_cycles.enable"),
+        values.integer("configuration.rt_cycles.memory"),
+        values.integer("configuration.rt_cycles.buffers"),
+        max_duration_pct,
+        values.integer("rt_cycles.cont_steps"),
+        values.integer("rt_cycles.max_steps"),
+    )
+
+
+def _counted(
+    values: Values, count_key: tuple[str, *tuple[int, ...]], found: int, collector: Collector
+) -> int:
+    """How many elements exist: the list's own number, if it gives one, else all that it names."""
+    if not values.given(*count_key):
+        return found
+    count = values.integer(*count_key)
+    if count != found:
+        name = with_indices(count_key[0], tuple(count_key[1:]))
+        values.report(collector, 900070, count_key, key=name, count=count, found=found)
+    return min(count, found)
+
+
+def _axes(values: Values, collector: Collector) -> tuple[NamedAxis, ...]:
+    indices = values.indices("gruppe[].achse[]", 0)
+    count = _counted(values, ("gruppe[].achs_anzahl", 0), len(indices), collector)
+    axes: list[NamedAxis] = []
+    for index in indices[:count]:
+        name = values.text("gruppe[].achse[].bezeichnung", 0, index)
+        key = ("gruppe[].achse[].bezeichnung", 0, index)
+        if not _is_usable(name, "ABCQUVWXYZ") or any(axis.name == name for axis in axes):
+            values.report(
+                collector, 900069, key, key=with_indices(key[0], (0, index)), value=name or "–"
+            )
+            continue
+        axes.append(NamedAxis(name, values.integer("gruppe[].achse[].log_achs_nr", 0, index)))
+    return tuple(axes)
+
+
+def _is_usable(name: str, first: str) -> bool:
+    """A name of an axis or spindle: its letter, then letters, digits and underscores."""
+    return bool(name) and name[0] in first and name.isascii() and name.replace("_", "a").isalnum()
+
+
+def _spindles(values: Values, collector: Collector) -> tuple[Spindle, ...]:
+    main_number = values.integer("main_spindle_ax_nr")
+    main_name = values.text("main_spindle_name")
+    indices = values.indices("spindel[]")
+    count = _counted(values, ("spdl_anzahl",), len(indices), collector)
+    spindles: list[Spindle] = []
+    for index in indices[:count]:
+        number = values.integer("spindel[].log_achs_nr", index)
+        list_name = values.text("spindel[].bezeichnung", index)
+        is_main = number == main_number != 0
+        name = main_name if is_main else list_name
+        if not _is_usable(name, "S") or any(spindle.name == name for spindle in spindles):
+            key = ("spindel[].bezeichnung", index)
+            path = with_indices(key[0], (index,))
+            values.report(collector, 900069, key, key=path, value=name or "–")
+            continue
+        plc_controlled = values.flag("spindel[].plc_control", index)
+        functions = {key: _spindle_function(values, key, index) for key in SPINDLE_FUNCTION_KEYS}
+        spindles.append(Spindle(name, list_name, number, is_main, plc_controlled, functions))
+    if main_number and not any(spindle.is_main for spindle in spindles):
+        values.report(collector, 900072, ("main_spindle_ax_nr",), logical=main_number)
+    return tuple(spindles)
+
+
+def _spindle_function(values: Values, key: str, index: int) -> TechnologyFunction:
+    synchronisation, modifiers = split(values.names(f"spindel[].{key}_synch", index), "NO_SYNCH")
+    number = int(key[1:]) if len(key) > 1 else 0
+    time = values.integer(f"spindel[].{key}_prozess_zeit", index)
+    return TechnologyFunction(number, synchronisation, modifiers, time / 10, "")
+
+
+def _program_paths(values: Values) -> tuple[ProgramPath, ...]:
+    """The folders with programs in the order of the search: by priority, then as listed."""
+    paths = [
+        ProgramPath(
+            values.text("path[].dir", index),
+            values.integer("path[].id", index),
+            values.integer("path[].type", index),
+            values.integer("path[].priority", index),
+        )
+        for index in values.indices("path[]")
+        if values.text("path[].dir", index)
+    ]
+    return tuple(sorted(paths, key=lambda path: path.priority))
+
+
+def _implicit_programs(values: Values) -> ImplicitPrograms:
+    return ImplicitPrograms(
+        values.text("start_init_prog_file"),
+        values.text("final_prog_file"),
+        values.text("m6_prog_file"),
+        {
+            index: values.text("g800_prog_file[]", index)
+            for index in values.indices("g800_prog_file[]")
+            if values.text("g800_prog_file[]", index)
+        },
+    )
+
+
+def _program_start(values: Values, collector: Collector) -> ProgramStart:
+    factor = values.real("prog_start.feedrate_factor")
+    if factor <= 0:
+        # -1 stands for "not configured" and is no defect.
+        if factor != -1:
+            values.report(
+                collector,
+                900019,
+                ("prog_start.feedrate_factor",),
+                key="prog_start.feedrate_factor",
+                value=factor,
+                low=0.1,
+                high=MM_PER_MINUTE_FACTOR,
+                default=MM_PER_MINUTE_FACTOR,
+            )
+        factor = MM_PER_MINUTE_FACTOR
+    profile = values.integer("prog_start.slope.profile")
+    if profile in OTHER_SLOPES:
+        key = ("prog_start.slope.profile",)
+        values.report(collector, 900885, key, value=profile, name=OTHER_SLOPES[profile])
+    return ProgramStart(
+        values.real("prog_start.feedrate"),
+        MM_PER_MINUTE_FACTOR / factor,
+        _g_functions(values, collector),
+        profile,
+    )
+
+
+def _g_functions(values: Values, collector: Collector) -> dict[int, int]:
+    functions = dict(BUILT_IN_G_FUNCTIONS)
+    for group in values.indices("prog_start.g_gruppe[]"):
+        number = values.integer("prog_start.g_gruppe[].nr", group)
+        if number == -1:
+            continue
+        allowed = G_GROUPS.get(group)
+        if allowed is not None and number not in allowed:
+            key = ("prog_start.g_gruppe[].nr", group)
+            values.report(
+                collector,
+                900021,
+                key,
+                key=with_indices(key[0], (group,)),
+                value=number,
+                names=", ".join(str(one) for one in allowed),
+                default=-1,
+            )
+            continue
+        functions[group] = number
+    return functions

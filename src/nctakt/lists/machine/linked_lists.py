@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""The lists that a start-up list names -> their bytes and values.
+
+In: references of the start-up list. Out: the values of the lists; reported is what cannot be found
+or read, a list of another kind than its entry asks for, and lists that name each other in a
+circle. None of these is loaded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from nctakt.base.text import is_binary
+from nctakt.lists.declared.startup import STARTUP, ListReference, startup_configuration
+from nctakt.lists.format.parameter import Schema
+from nctakt.lists.format.schema import Values, load_list
+from nctakt.lists.machine.files import find_file, find_list, read_file
+from nctakt.lists.machine.list_kinds import kind_of, other_kind, references
+from nctakt.messages import Collector
+
+
+class LinkedLists:
+    """The lists of one start-up list; ``verbose``: name each entry without effect."""
+
+    def __init__(self, startup_file: Path, collector: Collector, *, verbose: bool) -> None:
+        self._startup_file = startup_file
+        self._collector = collector
+        self._verbose = verbose
+
+    def startup(self) -> Values | None:
+        """The values of the start-up list itself; ``None`` if it cannot be read."""
+        path = self._startup_file
+        data = read_file(path, self._collector)
+        if data is None or self._is_binary(path, data, None):
+            return None
+        return self._values(STARTUP, path, data, None)
+
+    def values(
+        self, schema: Schema, reference: ListReference | None, base: Values | None = None
+    ) -> Values | None:
+        """The values of a list over those of its defaults list; ``None`` if there is none."""
+        found = self.data(schema, reference)
+        return None if found is None else self._values(schema, *found, base)
+
+    def data(self, schema: Schema, reference: ListReference | None) -> tuple[Path, bytes] | None:
+        """File and bytes of a list; ``None`` if there is none that can be used."""
+        if reference is None:
+            return None
+        path = find_list(reference, self._startup_file.parent, self._collector)
+        data = None if path is None else read_file(path, self._collector)
+        if path is None or data is None or self._is_binary(path, data, reference):
+            return None
+        return None if self._is_misplaced(schema, reference, path, data) else (path, data)
+
+    def _is_binary(self, path: Path, data: bytes, reference: ListReference | None) -> bool:
+        """Report a list that is no text."""
+        if not is_binary(data):
+            return False
+        place, line = (None, "") if reference is None else (reference.span, reference.line)
+        self._collector.report(900581, place, line, file=path.as_posix())
+        return True
+
+    def _values(self, schema: Schema, path: Path, data: bytes, base: Values | None) -> Values:
+        name = path.as_posix()
+        return load_list(schema, name, data, self._collector, base=base, verbose=self._verbose)
+
+    def _is_misplaced(
+        self, schema: Schema, reference: ListReference, path: Path, data: bytes
+    ) -> bool:
+        """Report a list of another kind, or one that leads back to the start-up list."""
+        other = other_kind(schema, path.name, data)
+        if other is None:
+            return False
+        circle = find_circle(self._startup_file, path) if other is STARTUP else ()
+        if circle:
+            way = " → ".join(one.name for one in circle)
+            self._collector.report(900744, reference.span, reference.line, circle=way)
+            return True
+        self._collector.report(
+            900745,
+            reference.span,
+            reference.line,
+            path=reference.path,
+            meaning_en=schema.title.en,
+            meaning_de=schema.title.de,
+            found_en=other.title.en,
+            found_de=other.title.de,
+        )
+        return True
+
+
+def find_circle(origin: Path, first: Path) -> tuple[Path, ...]:
+    """The way from ``origin`` over the list ``first`` that it names back to it, if there is one."""
+    ways: list[tuple[Path, ...]] = [(origin, first)]
+    seen: dict[Path, None] = {}
+    while ways:
+        way = ways.pop(0)
+        last = way[-1].resolve()
+        if last == origin.resolve():
+            return way
+        if last not in seen:
+            seen[last] = None
+            ways += [(*way, path) for path in _named_by(way[-1])]
+    return ()
+
+
+def _named_by(path: Path) -> Iterator[Path]:
+    """The lists that a start-up list names; nothing of other lists."""
+    unheard = Collector()
+    data = read_file(path, unheard)
+    if data is None or kind_of(path.name, data) is not STARTUP:
+        return
+    values = load_list(STARTUP, path.as_posix(), data, unheard)
+    for _, reference in references(startup_configuration(values, unheard)):
+        found = find_file(reference.path, path.parent)
+        if found is not None:
+            yield found

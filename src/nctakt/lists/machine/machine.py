@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: MIT
+"""A machine folder -> ``MachineConfiguration``.
+
+In: a folder with a start-up list (or that list itself), ``None`` for the demo machine. Out: all
+that its lists say, immutable, and what was found wrong with them. Only where no machine at all can
+result ``MachineError`` is raised; everything else is mended and reported.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from types import MappingProxyType
+
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.lists.declared.axis import AXIS
+from nctakt.lists.declared.channel import CHANNEL
+from nctakt.lists.declared.offsets import (
+    CLAMP_OFFSETS,
+    ZERO_OFFSETS,
+    ClampOffsets,
+    ZeroOffsets,
+    clamp_offsets_configuration,
+    zero_offsets_configuration,
+)
+from nctakt.lists.declared.rtconf import RTCONF, RtconfConfiguration
+from nctakt.lists.declared.startup import (
+    STARTUP,
+    ChannelStartup,
+    StartupConfiguration,
+    startup_configuration,
+)
+from nctakt.lists.declared.tools import TOOLS, Tool, tools_configuration
+from nctakt.lists.declared.variables import VARIABLES
+from nctakt.lists.format.schema import Values
+from nctakt.lists.machine.axis_configuration import AxisConfiguration, axis_configuration
+from nctakt.lists.machine.channel_axes import (
+    ChannelAxis,
+    ChannelSpindle,
+    channel_axes,
+    channel_spindles,
+)
+from nctakt.lists.machine.channel_configuration import ChannelParameters, channel_parameters
+from nctakt.lists.machine.files import STARTUP_NAMES, startup_list
+from nctakt.lists.machine.linked_lists import LinkedLists
+from nctakt.lists.machine.scheduling import load_rtconf
+from nctakt.lists.machine.scheduling_checks import check_contexts, check_time_limits
+from nctakt.lists.machine.user_texts import user_texts
+from nctakt.lists.machine.variable_checks import check_memory
+from nctakt.lists.machine.variables import (
+    Variable,
+    VariablesConfiguration,
+    VariableScope,
+    channel_memory_bytes,
+    variables_configuration,
+)
+from nctakt.messages import Collector
+
+#: NC cycle without rtconf.lis, in µs.
+DEFAULT_CYCLE_TIME_US = 1000
+_DEMO = Path(__file__).parent.parent.parent / "machines" / "demo"
+
+
+class MachineError(Exception):
+    """No machine can be made of the folder; ``base.diagnostics`` say why."""
+
+    def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
+        super().__init__(diagnostics[-1].headline())
+        self.diagnostics = diagnostics
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelConfiguration:
+    """One channel; ``number`` counts from 1.
+
+    ``external_variables`` holds the channel's own V.E variables and the GLOBAL ones that its list
+    declares. ``tools``: by number, the valid ones and the others.
+    """
+
+    number: int
+    startup: ChannelStartup
+    parameters: ChannelParameters
+    axes: tuple[ChannelAxis, ...]
+    spindles: tuple[ChannelSpindle, ...]
+    external_variables: tuple[Variable, ...]
+    channel_variables: tuple[Variable, ...]
+    tools: Mapping[int, Tool]
+    zero_offsets: ZeroOffsets
+    clamp_offsets: ClampOffsets
+
+    @property
+    def main_spindle(self) -> ChannelSpindle | None:
+        """The spindle that S, M3, M4, M5 and M19 as words mean."""
+        return next((one for one in self.spindles if one.spindle.is_main), None)
+
+
+@dataclass(frozen=True, slots=True)
+class MachineConfiguration:
+    """All lists of a machine; ``folder`` is that of the start-up list.
+
+    ``cycle_time_us``: the tick. ``axes``: axes and spindles that have a list, in the order of the
+    start-up list. ``global_variables``: each GLOBAL V.E variable once, whoever declares it.
+    ``user_texts``: the texts of the user's own errors by their ID.
+    """
+
+    name: str
+    folder: Path
+    cycle_time_us: int
+    startup: StartupConfiguration
+    rtconf: RtconfConfiguration | None
+    channels: tuple[ChannelConfiguration, ...]
+    axes: tuple[AxisConfiguration, ...]
+    global_variables: tuple[Variable, ...]
+    user_texts: Mapping[int, str]
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def load_machine(folder: Path | None, *, verbose: bool = False) -> MachineConfiguration:
+    """Load the machine of ``folder``, ``None``: the demo machine.
+
+    ``verbose``: name each entry that nctakt does not know, or accepts without effect. Raises
+    ``MachineError`` where the folder, the start-up list or every channel list is missing.
+    """
+    collector = Collector()
+    startup_file = _DEMO / STARTUP_NAMES[0] if folder is None else _startup_file(folder, collector)
+    return _Loader(startup_file, collector, verbose).machine()
+
+
+def _startup_file(folder: Path, collector: Collector) -> Path:
+    if folder.is_file():
+        return folder
+    if not folder.is_dir():
+        collector.report(900060, None, path=folder.as_posix())
+        raise MachineError(tuple(collector.diagnostics))
+    found = startup_list(folder)
+    if found is not None:
+        return found
+    collector.report(900061, None, path=folder.as_posix(), names=", ".join(STARTUP_NAMES))
+    raise MachineError(tuple(collector.diagnostics))
+
+
+class _Loader:
+    """Loads the lists of one machine; all of them are named by its start-up list."""
+
+    def __init__(self, startup_file: Path, collector: Collector, verbose: bool) -> None:
+        self.startup_file = startup_file
+        self.folder = startup_file.parent
+        self.collector = collector
+        self.owners: dict[int, int] = {}
+        self.startup_values = Values(STARTUP, startup_file.as_posix())
+        self.channel_values: list[Values] = []
+        self.variable_values: list[Values] = []
+        self.lists = LinkedLists(startup_file, collector, verbose=verbose)
+
+    def machine(self) -> MachineConfiguration:
+        startup = self._startup()
+        rtconf = self._rtconf(startup)
+        axes = self._axes(startup)
+        parameters = self._channel_parameters(startup)
+        if rtconf is not None:
+            check_contexts(rtconf, parameters, self.collector)
+            check_time_limits(rtconf, parameters, self.collector)
+        variables = tuple(self._variables(channel) for channel in startup.channels)
+        shared, variables = self._share(variables)
+        check_memory(startup, variables, self.startup_values, self.collector)
+        channels = tuple(
+            self._channel(startup, index, parameters[index], variables[index], axes)
+            for index in range(len(startup.channels))
+        )
+        texts = user_texts(startup.error_texts, self.folder, self.collector)
+        return MachineConfiguration(
+            self.folder.resolve().name,
+            self.folder,
+            rtconf.cycle_time_us if rtconf is not None else DEFAULT_CYCLE_TIME_US,
+            startup,
+            rtconf,
+            channels,
+            axes,
+            shared,
+            MappingProxyType(texts),
+            tuple(self.collector.diagnostics),
+        )
+
+    def _fail(self) -> MachineError:
+        return MachineError(tuple(self.collector.diagnostics))
+
+    def _startup(self) -> StartupConfiguration:
+        values = self.lists.startup()
+        if values is None:
+            raise self._fail()
+        self.startup_values = values
+        format_ = values.text("listen")
+        if format_ != "ASCII":
+            values.report(self.collector, 900064, ("listen",), format=format_)
+            raise self._fail()
+        return startup_configuration(values, self.collector)
+
+    def _rtconf(self, startup: StartupConfiguration) -> RtconfConfiguration | None:
+        found = self.lists.data(RTCONF, startup.rtconf)
+        if found is None:
+            self.collector.report(900068, None, cycle=DEFAULT_CYCLE_TIME_US)
+            return None
+        path, data = found
+        return load_rtconf(path.as_posix(), data, self.collector)
+
+    def _missing(self, key: str, count: str) -> None:
+        """Tell that ``key`` is missing, of which ``count`` says how many there are."""
+        self.startup_values.report(self.collector, 900065, (count,), key=key)
+
+    def _axes(self, startup: StartupConfiguration) -> tuple[AxisConfiguration, ...]:
+        base = self.lists.values(AXIS, startup.axis_defaults)
+        axes: list[AxisConfiguration] = []
+        for index, reference in enumerate(startup.axes):
+            if reference is None:
+                self._missing(f"achs_mds[{index}]", "zahl_mds")
+            values = self.lists.values(AXIS, reference, base)
+            if values is None:
+                continue
+            axis = axis_configuration(values, self.collector)
+            number = axis.logical_number
+            if number == 0 or any(other.logical_number == number for other in axes):
+                values.report(self.collector, 900067, ("kopf.achs_nr",), logical=number)
+                continue
+            axes.append(axis)
+        return tuple(axes)
+
+    def _channel_parameters(self, startup: StartupConfiguration) -> tuple[ChannelParameters, ...]:
+        base = self.lists.values(CHANNEL, startup.channel_defaults)
+        any_list = base is not None
+        parameters: list[ChannelParameters] = []
+        for channel in startup.channels:
+            if channel.parameters is None and base is None:
+                self._missing(f"sda_mds[{channel.index}]", "kanal_anzahl")
+            values = self.lists.values(CHANNEL, channel.parameters, base)
+            any_list = any_list or values is not None
+            values = values or base or Values(CHANNEL, self.startup_file.as_posix())
+            parameters.append(channel_parameters(values, self.collector))
+            self.channel_values.append(values)
+        if not any_list:
+            self.collector.report(900077, None)
+            raise self._fail()
+        return tuple(parameters)
+
+    def _variables(self, channel: ChannelStartup) -> VariablesConfiguration:
+        values = self.lists.values(VARIABLES, channel.variables)
+        self.variable_values.append(values or Values(VARIABLES, self.startup_file.as_posix()))
+        if values is None:
+            return VariablesConfiguration((), ())
+        return variables_configuration(values, self.collector)
+
+    def _share(
+        self, lists: tuple[VariablesConfiguration, ...]
+    ) -> tuple[tuple[Variable, ...], tuple[VariablesConfiguration, ...]]:
+        """The GLOBAL variables of all channels; a channel that differs gets the first one's."""
+        shared: dict[str, tuple[int, Variable]] = {}
+        settled: list[VariablesConfiguration] = []
+        for number, variables in enumerate(lists, start=1):
+            external: list[Variable] = []
+            for variable in variables.external:
+                if variable.scope is not VariableScope.GLOBAL:
+                    external.append(variable)
+                    continue
+                first, known = shared.setdefault(variable.name, (number, variable))
+                if known != variable:
+                    values = self.variable_values[number - 1]
+                    span, line = values.where(("var[].name",), variable.name)
+                    self.collector.report(
+                        900078, span, line, name=variable.name, channel=number, first=first
+                    )
+                external.append(known)
+            settled.append(replace(variables, external=tuple(external)))
+        return tuple(known for _, known in shared.values()), tuple(settled)
+
+    def _channel(
+        self,
+        startup: StartupConfiguration,
+        index: int,
+        parameters: ChannelParameters,
+        variables: VariablesConfiguration,
+        axes: tuple[AxisConfiguration, ...],
+    ) -> ChannelConfiguration:
+        channel = startup.channels[index]
+        values = self.channel_values[index]
+        members = channel_axes(parameters, values, axes, index + 1, self.owners, self.collector)
+        linear = tuple(axes[one.index].is_linear for one in members)
+        return ChannelConfiguration(
+            index + 1,
+            channel,
+            parameters,
+            members,
+            channel_spindles(parameters, values, axes, self.collector),
+            variables.external,
+            self._channel_variables(parameters, values, variables),
+            self._tools(channel, linear),
+            self._zero_offsets(channel, len(linear)),
+            self._clamp_offsets(channel, len(linear)),
+        )
+
+    def _tools(self, channel: ChannelStartup, linear: tuple[bool, ...]) -> Mapping[int, Tool]:
+        values = self.lists.values(TOOLS, channel.tools)
+        return {} if values is None else tools_configuration(values, linear, self.collector)
+
+    def _zero_offsets(self, channel: ChannelStartup, axis_count: int) -> ZeroOffsets:
+        values = self.lists.values(ZERO_OFFSETS, channel.zero_offsets)
+        if values is None:
+            return ZeroOffsets()
+        return zero_offsets_configuration(values, axis_count, self.collector)
+
+    def _clamp_offsets(self, channel: ChannelStartup, axis_count: int) -> ClampOffsets:
+        values = self.lists.values(CLAMP_OFFSETS, channel.clamp_offsets)
+        if values is None:
+            return ClampOffsets()
+        return clamp_offsets_configuration(values, axis_count, self.collector)
+
+    def _channel_variables(
+        self, parameters: ChannelParameters, values: Values, variables: VariablesConfiguration
+    ) -> tuple[Variable, ...]:
+        needed = channel_memory_bytes(variables.channel)
+        available = parameters.channel_variables_bytes
+        if needed > available:
+            key = "configuration.decoder.v_ch_memory"
+            values.report(self.collector, 21992, (key,), needed=needed, available=available)
+            return ()
+        return variables.channel

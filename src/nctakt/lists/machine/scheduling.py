@@ -1,0 +1,357 @@
+# SPDX-License-Identifier: MIT
+"""The values of rtconf.lis -> the effective scheduling.
+
+In: checked values. Out: ``RtconfConfiguration``, all times multiples of each other as the manual
+wants them. The order is: time_slice, ratio of cycle_time to it (of the raw values: after rounding
+it could not be below 1), cycle_time up, cycles of the threads up, windows_time down. What has no
+printed default gets one from the manual's own example, with an error that says so.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from nctakt.base.diagnostics import Severity
+from nctakt.lists.declared.rtconf import (
+    KNOWN_FUNCTIONS,
+    RTCONF,
+    ExternalThread,
+    InterruptSource,
+    RtconfConfiguration,
+    SchedulerThread,
+    ThreadFunction,
+)
+from nctakt.lists.format.parameter import MAX_UNS16, MAX_UNS32, with_indices
+from nctakt.lists.format.schema import Values, load_list
+from nctakt.lists.machine.scheduling_checks import check_priorities, is_realtime
+from nctakt.lists.machine.scheduling_profile import RtconfOptions
+from nctakt.lists.machine.scheduling_source import comment_of, read_source
+from nctakt.messages import Collector
+
+CYCLE_TIME_FALLBACK_US = 2000
+TIME_SLICE_FALLBACK_US = 500
+SHORT_WINDOWS_TIME_US = 200
+UNSTABLE_WINDOWS_TIME_US = 100
+#: Linux takes this many characters behind the '/' of a semaphore's name.
+LONGEST_OBJECT_NAME = 250
+_LONGEST_TIME_US = MAX_UNS32 - 1
+_LONGEST_SLICE_US = MAX_UNS16 - 1
+
+
+#: Errors by our choice, where the manual gives no default: warnings when they are taken leniently.
+_LENIENT = (900030, 900031, 900041, 900052, 900055)
+_STANDARD = RtconfOptions()
+
+
+def load_rtconf(
+    file: str, data: bytes, collector: Collector, options: RtconfOptions = _STANDARD
+) -> RtconfConfiguration:
+    """Read one rtconf.lis; ``file`` is its name in spans. Never fails."""
+    return read_rtconf(file, data, collector, options)[1]
+
+
+def read_rtconf(
+    file: str, data: bytes, collector: Collector, options: RtconfOptions = _STANDARD
+) -> tuple[Values, RtconfConfiguration]:
+    """As ``load_rtconf``, with the values as they stand in the list."""
+    values = load_list(RTCONF, file, data, collector)
+    return values, effective(values, collector, options)
+
+
+def effective(
+    values: Values, collector: Collector, options: RtconfOptions = _STANDARD
+) -> RtconfConfiguration:
+    """Normalise the values of an rtconf.lis."""
+    findings = Collector()
+    configuration = _effective(values, findings, options)
+    for found in findings.diagnostics:
+        if options.lenient and found.id in _LENIENT:
+            message = replace(found.message, severity=Severity.WARNING)
+            collector.diagnostics.append(replace(found, message=message))
+        else:
+            collector.diagnostics.append(found)
+    return configuration
+
+
+def _effective(values: Values, collector: Collector, options: RtconfOptions) -> RtconfConfiguration:
+    source = _interrupt_source(values, collector, options)
+    time_slice, cycle_time = _times(values, collector, options)
+    threads = _threads(values, cycle_time, collector, options)
+    external = _external_threads(values, cycle_time, collector)
+    windows_time = _windows_time(values, time_slice, cycle_time, collector, options)
+    return RtconfConfiguration(
+        source,
+        cycle_time,
+        time_slice,
+        windows_time,
+        _object_name(values, source, collector),
+        values.text("schedule"),
+        threads,
+        external,
+    )
+
+
+def _interrupt_source(
+    values: Values, collector: Collector, options: RtconfOptions
+) -> InterruptSource:
+    key = ("interrupt_source",)
+    taken = values.taken.get(("interrupt_source", ()))
+    if taken is None:
+        values.report(collector, 900030, key)
+        return InterruptSource.TIMER
+    number = values.integer("interrupt_source")
+    reading = read_source(number, comment_of(taken.entry), options.convention)
+    if reading.source is not InterruptSource.SEMAPHORE:
+        text = reading.text
+        values.report(collector, 900600, key, value=number, meaning_en=text.en, meaning_de=text.de)
+    return reading.source
+
+
+def _object_name(values: Values, source: InterruptSource, collector: Collector) -> str:
+    key = ("external_object_name",)
+    name = values.text("external_object_name")
+    if source is InterruptSource.SEMAPHORE and not name:
+        values.report(collector, 900041, key)
+    if source is not InterruptSource.SEMAPHORE and name:
+        values.report(collector, 900042, key)
+        return ""
+    if len(name.removeprefix("/")) > LONGEST_OBJECT_NAME or "/" in name.removeprefix("/"):
+        values.report(collector, 900610, key, limit=LONGEST_OBJECT_NAME)
+        return ""
+    return name
+
+
+def _times(values: Values, collector: Collector, options: RtconfOptions) -> tuple[int, int]:
+    """Effective time_slice and cycle_time in µs."""
+    cycle = _given_or(values, "cycle_time", CYCLE_TIME_FALLBACK_US, collector)
+    slice_ = _given_or(values, "time_slice", min(TIME_SLICE_FALLBACK_US, cycle), collector)
+    profile, hal = options.profile, options.hal_timer_us
+    if not profile.settable_slice and values.given("time_slice"):
+        values.report(collector, 900601, ("time_slice",), profile=profile.title)
+    if profile.name == "rtx" and hal is not None and hal != slice_:
+        values.report(collector, 900609, ("time_slice",), slice=slice_, hal=hal)
+    if slice_ > _LONGEST_SLICE_US:
+        values.report(collector, 900052, ("time_slice",), key="time_slice", limit=_LONGEST_SLICE_US)
+    ratio = {"cycle": cycle, "slice": slice_}
+    if cycle < slice_:
+        values.report(collector, 900032, ("time_slice",), **ratio)
+    elif cycle < 3 * slice_:
+        values.report(collector, 900033, ("time_slice",), **ratio)
+    elif cycle > 20 * slice_:
+        values.report(collector, 900034, ("time_slice",), **ratio)
+    rounded = _round_up(cycle, slice_)
+    if rounded > _LONGEST_TIME_US:
+        values.report(collector, 900052, ("cycle_time",), key="cycle_time", limit=_LONGEST_TIME_US)
+        rounded = _round_up(CYCLE_TIME_FALLBACK_US, slice_)
+    elif rounded != cycle:
+        values.report(collector, 1000153, ("cycle_time",), value=cycle, effective=rounded)
+    return slice_, rounded
+
+
+def _given_or(values: Values, pattern: str, fallback: int, collector: Collector) -> int:
+    if values.given(pattern):
+        return values.integer(pattern)
+    values.report(collector, 900031, (pattern,), key=pattern, fallback=fallback)
+    return fallback
+
+
+def _round_up(value: int, step: int) -> int:
+    return -(-value // step) * step
+
+
+def _windows_time(
+    values: Values, slice_: int, cycle: int, collector: Collector, options: RtconfOptions
+) -> int:
+    key = ("windows_time",)
+    wanted = _given_or(values, "windows_time", slice_, collector)
+    if wanted == 0:
+        values.report(collector, 900037, key)
+        return 0
+    if wanted < slice_:
+        values.report(
+            collector,
+            900615 if options.small_windows_is_off else 900036,
+            key,
+            value=wanted,
+            slice=slice_,
+        )
+        if options.small_windows_is_off:
+            return 0
+        wanted = slice_
+    rounded = wanted // slice_ * slice_
+    if rounded != wanted:
+        values.report(
+            collector, 900035, key, key="windows_time", value=wanted, effective=rounded, step=slice_
+        )
+    # Vendors' lists for Linux carry the cycle time here, and mean nothing by it.
+    if options.ignore_windows or (options.profile.name == "linux" and rounded >= cycle):
+        values.report(collector, 900602, key, value=rounded)
+        return 0
+    _check_windows_time(values, rounded, slice_, cycle, collector, options)
+    return rounded
+
+
+def _check_windows_time(
+    values: Values, time: int, slice_: int, cycle: int, collector: Collector, options: RtconfOptions
+) -> None:
+    key = ("windows_time",)
+    if time >= cycle:
+        values.report(collector, 900038, key, value=time, cycle=cycle)
+    if time <= SHORT_WINDOWS_TIME_US:
+        values.report(collector, 900039, key, value=time)
+    elif time != slice_:
+        values.report(collector, 900040, key, value=time, slice=slice_)
+    if options.profile.name == "rtx" and time <= UNSTABLE_WINDOWS_TIME_US:
+        values.report(collector, 900613, key, value=time)
+
+
+def _thread_cycle(
+    values: Values, pattern: str, index: int, cycle_time: int, collector: Collector
+) -> int:
+    key = (pattern, index)
+    name = with_indices(pattern, (index,))
+    wanted = values.integer(pattern, index)
+    if wanted == 0:
+        values.report(collector, 900044, key, key=name, effective=cycle_time)
+        return cycle_time
+    rounded = _round_up(wanted, cycle_time)
+    if rounded > _LONGEST_TIME_US:
+        values.report(collector, 900052, key, key=name, limit=_LONGEST_TIME_US)
+        return cycle_time
+    if rounded != wanted:
+        values.report(
+            collector, 900035, key, key=name, value=wanted, effective=rounded, step=cycle_time
+        )
+    return rounded
+
+
+def _threads(
+    values: Values, cycle_time: int, collector: Collector, options: RtconfOptions
+) -> tuple[SchedulerThread, ...]:
+    indices = values.indices("thread[]")
+    _check_gaps(values, "thread[]", indices, collector)
+    threads = tuple(_thread(values, index, cycle_time, collector, options) for index in indices)
+    _check_names(
+        values,
+        "thread[].name",
+        [(thread.index, thread.name) for thread in threads],
+        collector,
+    )
+    _check_trace_bits(values, threads, collector)
+    if not threads:
+        values.report(collector, 900612, ("thread[].name", 0))
+    elif not any(is_realtime(thread) for thread in threads):
+        values.report(collector, 900051, ("thread[].function[].name", 0, 0))
+    return check_priorities(values, threads, options.profile, collector)
+
+
+def _thread(
+    values: Values, index: int, cycle_time: int, collector: Collector, options: RtconfOptions
+) -> SchedulerThread:
+    functions = _functions(values, index, collector, options)
+    thread = SchedulerThread(
+        index,
+        values.text("thread[].name", index),
+        _thread_cycle(values, "thread[].cycle", index, cycle_time, collector),
+        values.integer("thread[].priority", index),
+        values.flag("thread[].error_on_overflow", index),
+        values.integer("thread[].cpu", index),
+        values.integer("thread[].context_info", index),
+        functions,
+    )
+    if not functions:
+        values.report(collector, 900053, ("thread[].name", index), thread=index)
+    if is_realtime(thread) and not thread.error_on_overflow:
+        values.report(collector, 900057, ("thread[].error_on_overflow", index), thread=index)
+    return thread
+
+
+def _functions(
+    values: Values, thread: int, collector: Collector, options: RtconfOptions
+) -> tuple[ThreadFunction, ...]:
+    known = (*KNOWN_FUNCTIONS, *options.functions)
+    functions: list[ThreadFunction] = []
+    indices = values.indices("thread[].function[]", thread)
+    _check_gaps(values, f"thread[{thread}].function[]", indices, collector)
+    for index in indices:
+        name = values.text("thread[].function[].name", thread, index)
+        key = ("thread[].function[].name", thread, index)
+        path = with_indices(key[0], (thread, index))
+        if not name:
+            values.report(collector, 900045, key, key=path)
+            continue
+        if name not in known:
+            values.report(collector, 900048, key, key=path, value=name, names=", ".join(known))
+        calls = values.integer("thread[].function[].calls_per_cycle", thread, index)
+        if calls > 1 and name != "task_rnd":
+            calls_key = ("thread[].function[].calls_per_cycle", thread, index)
+            values.report(collector, 900054, calls_key, function=name, value=calls)
+        trace_bit = values.integer("thread[].function[].trace_bit", thread, index)
+        functions.append(ThreadFunction(index, name, calls, trace_bit))
+    return tuple(functions)
+
+
+def _external_threads(
+    values: Values, cycle_time: int, collector: Collector
+) -> tuple[ExternalThread, ...]:
+    threads: list[ExternalThread] = []
+    indices = values.indices("external_thread[]")
+    _check_gaps(values, "external_thread[]", indices, collector)
+    for index in indices:
+        name = values.text("external_thread[].semaphore_name", index)
+        if not name:
+            key = ("external_thread[].semaphore_name", index)
+            values.report(collector, 900055, key, thread=index)
+            continue
+        cycle = _thread_cycle(values, "external_thread[].cycle", index, cycle_time, collector)
+        threads.append(ExternalThread(index, name, cycle))
+    _check_names(
+        values,
+        "external_thread[].semaphore_name",
+        [(thread.index, thread.semaphore_name) for thread in threads],
+        collector,
+    )
+    return tuple(threads)
+
+
+def _check_gaps(
+    values: Values, prefix: str, indices: tuple[int, ...], collector: Collector
+) -> None:
+    if indices and indices[-1] != len(indices) - 1:
+        missing = next(index for index in range(indices[-1]) if index not in indices)
+        collector.report(900050, values.place("schedule")[0], key=with_indices(prefix, (missing,)))
+
+
+def _check_names(
+    values: Values, pattern: str, names: list[tuple[int, str]], collector: Collector
+) -> None:
+    first: dict[str, int] = {}
+    for index, name in names:
+        path = with_indices(pattern, (index,))
+        if not name:
+            values.report(collector, 900045, (pattern, index), key=path)
+        elif name in first:
+            other = with_indices(pattern, (first[name],))
+            values.report(collector, 900047, (pattern, index), key=path, other=other, value=name)
+        else:
+            first[name] = index
+
+
+def _check_trace_bits(
+    values: Values, threads: tuple[SchedulerThread, ...], collector: Collector
+) -> None:
+    used: dict[int, str] = {}
+    pattern = "thread[].function[].trace_bit"
+    for thread in threads:
+        for function in thread.functions:
+            path = with_indices(pattern, (thread.index, function.index))
+            other = used.setdefault(function.trace_bit, path)
+            if function.trace_bit and other != path:
+                values.report(
+                    collector,
+                    900049,
+                    (pattern, thread.index, function.index),
+                    key=path,
+                    other=other,
+                    value=function.trace_bit,
+                )

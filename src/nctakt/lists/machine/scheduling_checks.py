@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: MIT
+"""What can be said about the threads' priorities only for a certain operating system.
+
+In: the threads with their priorities as written, the profile. Out: findings, and the priorities
+that count. Source: manual 4.3 (P-RTCF-00010).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from nctakt.lists.declared.rtconf import (
+    REALTIME_FUNCTION,
+    RtconfConfiguration,
+    SchedulerThread,
+)
+from nctakt.lists.format.parameter import with_indices
+from nctakt.lists.format.schema import Values
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.lists.machine.scheduling_profile import Profile
+from nctakt.lists.machine.scheduling_source import comment_of
+from nctakt.messages import Collector
+
+_KEY = "thread[].priority"
+_EXTREME = re.compile(r"\b(highest|lowest)\b", re.I)
+
+
+def is_realtime(thread: SchedulerThread) -> bool:
+    """Whether the thread holds the interpolation."""
+    return any(function.name == REALTIME_FUNCTION for function in thread.functions)
+
+
+def check_priorities(
+    values: Values, threads: tuple[SchedulerThread, ...], profile: Profile, collector: Collector
+) -> tuple[SchedulerThread, ...]:
+    """The threads with the priorities that count."""
+    checked = tuple(_check_range(values, thread, profile, collector) for thread in threads)
+    _check_equal(values, checked, collector)
+    _check_realtime(values, checked, profile, collector)
+    _check_comments(values, checked, profile, collector)
+    return checked
+
+
+def _check_range(
+    values: Values, thread: SchedulerThread, profile: Profile, collector: Collector
+) -> SchedulerThread:
+    key = (_KEY, thread.index)
+    name = with_indices(*_at(thread))
+    priority = thread.priority
+    if not profile.low <= priority <= profile.high and values.given(*key):
+        values.report(
+            collector,
+            900603,
+            key,
+            key=name,
+            value=priority,
+            low=profile.low,
+            high=profile.high,
+            profile=profile.title,
+        )
+        priority = 0
+    elif priority in profile.reserved and values.given(*key):
+        values.report(collector, 900605, key, key=name, value=priority, profile=profile.title)
+    if priority != thread.priority or not values.given(*key):
+        number = 900604 if profile.greatest_first else 900614
+        values.report(collector, number, key, key=name, profile=profile.title)
+    return replace(thread, priority=priority)
+
+
+def _at(thread: SchedulerThread) -> tuple[str, tuple[int]]:
+    return _KEY, (thread.index,)
+
+
+def _check_equal(
+    values: Values, threads: tuple[SchedulerThread, ...], collector: Collector
+) -> None:
+    first: dict[int, int] = {}
+    for thread in threads:
+        other = first.setdefault(thread.priority, thread.index)
+        if other != thread.index:
+            values.report(
+                collector,
+                900606,
+                (_KEY, thread.index),
+                key=with_indices(*_at(thread)),
+                other=with_indices(_KEY, (other,)),
+                value=thread.priority,
+            )
+
+
+def _check_realtime(
+    values: Values, threads: tuple[SchedulerThread, ...], profile: Profile, collector: Collector
+) -> None:
+    others = [one for one in threads if not is_realtime(one)]
+    for thread in threads:
+        urgency = profile.urgency(thread.priority)
+        above = [one for one in others if profile.urgency(one.priority) > urgency]
+        if is_realtime(thread) and above:
+            values.report(
+                collector,
+                900607,
+                (_KEY, thread.index),
+                thread=thread.index,
+                other=above[0].index,
+                profile=profile.title,
+            )
+
+
+def _check_comments(
+    values: Values, threads: tuple[SchedulerThread, ...], profile: Profile, collector: Collector
+) -> None:
+    urgencies = [profile.urgency(thread.priority) for thread in threads]
+    for thread, urgency in zip(threads, urgencies, strict=True):
+        taken = values.taken.get(_at(thread))
+        said = _EXTREME.search(comment_of(taken.entry)) if taken is not None else None
+        if said is None:
+            continue
+        extreme = max(urgencies) if said[1].lower() == "highest" else min(urgencies)
+        if urgency != extreme:
+            values.report(
+                collector,
+                900608,
+                (_KEY, thread.index),
+                key=with_indices(*_at(thread)),
+                word=said[1],
+            )
+
+
+def check_contexts(
+    configuration: RtconfConfiguration,
+    channels: Sequence[ChannelParameters],
+    collector: Collector,
+) -> None:
+    """P-RTCF-00017 with P-CHAN-00409 … 00411: each context of a channel needs its thread."""
+    for number, channel in enumerate(channels, start=1):
+        for key, function, context in (
+            ("schedule.context.geo", "task_int", channel.context_geo),
+            ("schedule.context.sda", "task_rnd", channel.context_sda),
+            ("schedule.context.com", "task_com", channel.context_com),
+        ):
+            if context and not any(
+                thread.context == context and any(one.name == function for one in thread.functions)
+                for thread in configuration.threads
+            ):
+                collector.report(
+                    900611, None, channel=number, key=key, context=context, function=function
+                )
+
+
+def check_time_limits(
+    configuration: RtconfConfiguration,
+    channels: Sequence[ChannelParameters],
+    collector: Collector,
+) -> None:
+    """P-CHAN-00425 with P-RTCF-00004: realtime cycles may not reach into the time of Windows.
+
+    The thread that they run in is never suspended. Both together may be the whole NC cycle, which
+    is what the default of 75 % gives with the times that the manual recommends.
+    """
+    for number, channel in enumerate(channels, start=1):
+        limits = channel.realtime_cycles
+        allowed_us = limits.max_duration_pct * configuration.cycle_time_us // 100
+        windows_us = configuration.windows_time_us
+        if limits.enable and windows_us and allowed_us + windows_us > configuration.cycle_time_us:
+            collector.report(
+                900697,
+                None,
+                channel=number,
+                share=limits.max_duration_pct,
+                allowed=allowed_us,
+                windows=windows_us,
+                cycle=configuration.cycle_time_us,
+            )

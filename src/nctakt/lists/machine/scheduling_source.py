@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: MIT
+"""P-RTCF-00001: which interrupt a number of interrupt_source means.
+
+In: the number, the comment of its line, the convention that was chosen. Out: the meaning and the
+reason. The manual contradicts itself: its table (3.1) has 1 hardware and 2 timer, the comments of
+its example lists have it the other way round. So a comment that explains the numbers is believed,
+and without one the table.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from nctakt.base.diagnostics import Text
+from nctakt.lists.declared.rtconf import INTERRUPT_SOURCES, InterruptSource
+from nctakt.lists.format.reader import BLANKS, Entry
+from nctakt.lists.machine.scheduling_profile import Convention
+
+#: What the comments of lists in the field say.
+FIELD_SOURCES = {
+    1: InterruptSource.TIMER,
+    2: InterruptSource.HARDWARE,
+    3: InterruptSource.SEMAPHORE,
+}
+_NAMES = {
+    InterruptSource.HARDWARE: Text("hardware interrupt", "Hardware-Interrupt"),
+    InterruptSource.TIMER: Text("timer", "Timer"),
+    InterruptSource.SEMAPHORE: Text("semaphore", "Semaphor"),
+}
+
+_PAIR = re.compile(r"(?<![\w.])([0-4])(?!\w)\s*(?:==|=|:|-|\))?\s*(?=[^\W\d_])")
+_NEGATION = re.compile(r"\b(?:not|no|nicht|keine?|statt|instead)\b")
+_TIMER = re.compile(r"timer|\bintern")
+_EXTERN = re.compile(r"\bextern")
+_HARDWARE = re.compile(r"\b(?:irq|isr|hw)\b|interrupt|hardware|sercos|\bextern")
+
+
+@dataclass(frozen=True, slots=True)
+class SourceReading:
+    """What a number means, by which convention, and why."""
+
+    source: InterruptSource
+    convention: Convention
+    reason: Text
+
+    @property
+    def text(self) -> Text:
+        """All of it in words."""
+        name, reason = _NAMES[self.source], self.reason
+        return Text(
+            f"{name.en} (convention '{self.convention}', {reason.en})",
+            f"{name.de} (Konvention '{self.convention}', {reason.de})",
+        )
+
+
+def comment_of(entry: Entry) -> str:
+    """What stands behind the first blank behind a number."""
+    words = entry.rest.strip(BLANKS).split(None, 1)
+    return words[1].strip(BLANKS) if len(words) > 1 else ""
+
+
+def read_source(number: int, comment: str, convention: Convention) -> SourceReading:
+    """The meaning of 1, 2 or 3."""
+    if convention != "auto":
+        table = INTERRUPT_SOURCES if convention == "table" else FIELD_SOURCES
+        return SourceReading(table[number], convention, Text("as chosen", "wie gewählt"))
+    found, reason = _judge(comment)
+    table = INTERRUPT_SOURCES if found == "table" else FIELD_SOURCES
+    return SourceReading(table[number], found, reason)
+
+
+def _judge(comment: str) -> tuple[Convention, Text]:
+    """The convention that a comment follows."""
+    text = _without_signs(comment)
+    matches = list(_PAIR.finditer(text))
+    if not text:
+        return "table", Text("the line has no comment", "die Zeile hat keinen Kommentar")
+    if not matches:
+        quoted = comment.replace("{", "(").replace("}", ")")
+        return "table", Text(
+            f"the comment '{quoted}' explains no number",
+            f"der Kommentar '{quoted}' erklärt keine Zahl",
+        )
+    meanings: dict[int, set[InterruptSource | None]] = {}
+    for place, match in enumerate(matches):
+        until = matches[place + 1].start() if place + 1 < len(matches) else len(text)
+        label = re.split(r"[,;|]", text[match.end() : until])[0]
+        meanings.setdefault(int(match[1]), set()).add(_meaning(label))
+    if meanings.get(3, {InterruptSource.SEMAPHORE}) == {InterruptSource.SEMAPHORE}:
+        named = {number: meanings[number] for number in (1, 2) if number in meanings}
+        for convention, table in (("field", FIELD_SOURCES), ("table", INTERRUPT_SOURCES)):
+            if named and all(named[number] == {table[number]} for number in named):
+                reason = Text("as the comment says", "wie der Kommentar sagt")
+                return ("field" if convention == "field" else "table"), reason
+    return "table", Text("the comment is unclear", "der Kommentar ist unklar")
+
+
+def _without_signs(comment: str) -> str:
+    """The comment in small letters without what opens and closes it."""
+    text = comment.casefold().strip(BLANKS)
+    for opener, closer in (("(", ")"), ("/*", "*/")):
+        if text.startswith(opener):
+            return text.removeprefix(opener).removesuffix(closer).strip(BLANKS)
+    return text.lstrip("#").strip(BLANKS)
+
+
+def _meaning(label: str) -> InterruptSource | None:
+    """What a label means; ``None``: nothing that can be told, or external scheduling."""
+    if "schedul" in label or _NEGATION.search(label):
+        return None
+    if "sema" in label:
+        return InterruptSource.SEMAPHORE
+    if _TIMER.search(label):
+        return None if _EXTERN.search(label) else InterruptSource.TIMER
+    return InterruptSource.HARDWARE if _HARDWARE.search(label) else None

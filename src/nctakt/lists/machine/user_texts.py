@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: MIT
+"""The texts of the user's own errors (P-STUP-00169): lines of a number and its text.
+
+In: the bytes of the file. Out: number -> text. A line that is neither empty, nor a comment that
+begins with ``#``, nor a number from 1 to 1000 with a text is reported and left out.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from nctakt.base.text import decode_text, split_lines
+from nctakt.lists.machine.files import find_file, read_file
+from nctakt.messages import Collector
+
+HIGHEST_ID = 1000
+
+_LINE = re.compile(r"\s*(\d{1,4})\s+(\S.*?)\s*$")
+
+
+def user_texts(path: str, folder: Path, collector: Collector) -> dict[int, str]:
+    """The texts of the file that a list of ``folder`` names, none where it names none."""
+    if not path:
+        return {}
+    found = find_file(path, folder)
+    if found is None:
+        collector.report(900469, None, path=path)
+        return {}
+    data = read_file(found, collector)
+    return {} if data is None else _texts(data, path, collector)
+
+
+def _texts(data: bytes, name: str, collector: Collector) -> dict[int, str]:
+    texts: dict[int, str] = {}
+    for number, line in enumerate(split_lines(decode_text(data).text), 1):
+        if not line.strip() or line.lstrip().startswith("#"):
+            continue
+        match = _LINE.match(line)
+        if match is None or not 1 <= int(match[1]) <= HIGHEST_ID:
+            collector.report(900468, None, file=name, line=number)
+            continue
+        texts[int(match[1])] = match[2]
+    return texts

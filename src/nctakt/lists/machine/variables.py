@@ -1,0 +1,331 @@
+# SPDX-License-Identifier: MIT
+"""The values of a variables list -> the variables, down to each number that they hold.
+
+In: checked values. Out: ``Variable`` trees. A structure's members take synchronisation and access
+rights from what they belong to, unless their element of the structure says otherwise (P-EXTV-00018,
+00019). A variable that cannot be is reported and left out.
+"""
+
+from __future__ import annotations
+
+import enum
+import re
+from collections.abc import Container, Iterator
+from dataclasses import dataclass
+
+from nctakt.lists.declared.variables import NAME_LENGTH, SCALARS
+from nctakt.lists.format.parameter import with_indices
+from nctakt.lists.format.schema import Values
+from nctakt.messages import Collector
+
+#: The most numbers and strings that one variable may hold.
+MOST_LEAVES = 65_536
+#: How deep structures may contain structures.
+MOST_NESTING = 32
+#: The highest place that a list may give a variable.
+MOST_OFFSET = 0xFFFFFF
+#: Bytes that V.CH memory needs for the management of each variable, beside its data.
+MANAGEMENT_BYTES = 64
+_STRING_BYTES, _EXTENDED_STRING_BYTES, _VSTRING_BYTES = 24, 128, 128
+
+_NAME = re.compile(r"[A-Za-z_]\w*", re.A)
+
+
+class VariableSpace(enum.Enum):
+    """Where a variable lives: its prefix in programs."""
+
+    EXTERNAL = "V.E"
+    CHANNEL = "V.CH"
+
+
+class VariableScope(enum.Enum):
+    """P-EXTV-00004: one for the whole controller or one for each channel."""
+
+    GLOBAL = "GLOBAL"
+    CHANNEL = "CHANNEL"
+
+
+class AccessRights(enum.Enum):
+    """P-EXTV-00006: what NC programs and realtime cycles may do; the PLC may do both."""
+
+    READ_WRITE = "READ_WRITE"
+    READ_ONLY = "READ_ONLY"
+    WRITE_ONLY = "WRITE_ONLY"
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """A variable or a member of one.
+
+    ``type``: a key of ``SCALARS``, or the structure's name where ``members`` are given.
+    ``array_elements`` 0: no array. ``size_bytes``: of one element; 0 for a structure.
+    """
+
+    name: str
+    type: str
+    array_elements: int
+    synchronous: bool
+    rights: AccessRights
+    size_bytes: int
+    members: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Leaf:
+    """One number or character string inside a variable.
+
+    ``path``: as in a program behind ``V.E.``: ``LEVEL_1_A[0].REAL64``. ``steps``: the same, in
+    parts. ``type``: a key of ``SCALARS``.
+    """
+
+    path: str
+    steps: tuple[str | int, ...]
+    type: str
+    synchronous: bool
+    rights: AccessRights
+    scope: VariableScope
+    space: VariableSpace
+    size_bytes: int
+
+    @property
+    def is_numeric(self) -> bool:
+        """Whether it is a number (or truth value), not a character string."""
+        return SCALARS[self.type].is_numeric
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A variable as its list declares it; ``byte_offset`` -1: behind the variable before."""
+
+    space: VariableSpace
+    scope: VariableScope
+    node: Node
+    byte_offset: int = -1
+
+    @property
+    def name(self) -> str:
+        """The name behind the prefix."""
+        return self.node.name
+
+    def leaves(self) -> Iterator[Leaf]:
+        """All numbers and strings, arrays in ascending order, members as listed."""
+        yield from self._leaves(self.node, self.node.name, (self.node.name,))
+
+    def numeric_leaves(self) -> Iterator[Leaf]:
+        """All numbers."""
+        return (leaf for leaf in self.leaves() if leaf.is_numeric)
+
+    def _leaves(self, node: Node, path: str, steps: tuple[str | int, ...]) -> Iterator[Leaf]:
+        if node.array_elements:
+            for index in range(node.array_elements):
+                yield from self._element(node, f"{path}[{index}]", (*steps, index))
+        else:
+            yield from self._element(node, path, steps)
+
+    def _element(self, node: Node, path: str, steps: tuple[str | int, ...]) -> Iterator[Leaf]:
+        if node.members:
+            for member in node.members:
+                yield from self._leaves(member, f"{path}.{member.name}", (*steps, member.name))
+            return
+        yield Leaf(
+            path,
+            steps,
+            node.type,
+            node.synchronous,
+            node.rights,
+            self.scope,
+            self.space,
+            node.size_bytes,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class VariablesConfiguration:
+    """The variables of a list, in the order of their indices.
+
+    ``checks_overlapping``: P-EXTV-00011, whether overlapping places are told.
+    """
+
+    external: tuple[Variable, ...]
+    channel: tuple[Variable, ...]
+    checks_overlapping: bool = False
+
+
+def variables_configuration(values: Values, collector: Collector) -> VariablesConfiguration:
+    """Make the variables of a list."""
+    builder = _Builder(values, collector)
+    count = values.integer("number_used_variables")
+    indices = values.indices("var[]")
+    beyond = [index for index in indices if index >= count]
+    if beyond:
+        key = with_indices("var[]", (beyond[0],))
+        values.report(collector, 900081, ("var[].name", beyond[0]), key=key, count=count)
+    external = builder.variables(
+        "var[]", VariableSpace.EXTERNAL, tuple(index for index in indices if index < count)
+    )
+    channel = builder.variables("vch[]", VariableSpace.CHANNEL, values.indices("vch[]"))
+    return VariablesConfiguration(external, channel, values.flag("check_overlapping_variables"))
+
+
+def channel_memory_bytes(variables: tuple[Variable, ...]) -> int:
+    """What V.CH variables need of P-CHAN-00424: their data, and management for each of them."""
+    data = sum(leaf.size_bytes for variable in variables for leaf in variable.leaves())
+    return data + MANAGEMENT_BYTES * len(variables)
+
+
+@dataclass(frozen=True, slots=True)
+class _Element:
+    """An element of a structure and its indices in the list."""
+
+    name: str
+    indices: tuple[int, int]
+
+
+class _Builder:
+    """Makes the variables of one list; knows its structures by name."""
+
+    def __init__(self, values: Values, collector: Collector) -> None:
+        self.values = values
+        self.collector = collector
+        self.structures: dict[str, tuple[_Element, ...]] = {}
+        self.counts: dict[str, int] = {}
+        for index in values.indices("struct[]"):
+            name = values.text("struct[].name", index)
+            if not self._usable(name, self.structures, "struct[].name", index):
+                continue
+            elements = tuple(self._elements(index))
+            if elements and name not in SCALARS:
+                self.structures[name] = elements
+
+    def _elements(self, structure: int) -> Iterator[_Element]:
+        prefix = "struct[].element[]"
+        names: list[str] = []
+        for element in self.values.indices(prefix, structure):
+            name = self.values.text(f"{prefix}.name", structure, element)
+            if self._usable(name, names, f"{prefix}.name", structure, element):
+                names.append(name)
+                yield _Element(name, (structure, element))
+
+    def variables(
+        self, prefix: str, space: VariableSpace, indices: tuple[int, ...]
+    ) -> tuple[Variable, ...]:
+        """The variables at ``indices`` of ``prefix``; what cannot be is reported."""
+        made: dict[str, Variable] = {}
+        for index in indices:
+            name = self.values.text(f"{prefix}.name", index)
+            if not self._usable(name, made, f"{prefix}.name", index):
+                continue
+            if not self._fits(f"{prefix}.type", f"{prefix}.array_elements", index):
+                continue
+            made[name] = self._variable(prefix, space, name, index)
+        return tuple(made.values())
+
+    def _variable(self, prefix: str, space: VariableSpace, name: str, index: int) -> Variable:
+        values = self.values
+        synchronous = values.flag(f"{prefix}.synchronisation", index)
+        external = space is VariableSpace.EXTERNAL
+        rights = AccessRights.READ_WRITE
+        scope = VariableScope.CHANNEL
+        if external:
+            rights = AccessRights(values.text(f"{prefix}.access_rights", index))
+            scope = VariableScope(values.text(f"{prefix}.scope", index))
+        node = self._node(prefix, (index,), name, synchronous, rights)
+        offset = values.integer(f"{prefix}.byte_offset", index) if external else -1
+        if offset > MOST_OFFSET:
+            at = (f"{prefix}.byte_offset", index)
+            key = with_indices(at[0], (index,))
+            values.report(self.collector, 900088, at, key=key, value=offset, limit=MOST_OFFSET)
+            offset = -1
+        return Variable(space, scope, node, offset)
+
+    def _node(
+        self,
+        prefix: str,
+        indices: tuple[int, ...],
+        name: str,
+        synchronous: bool,
+        rights: AccessRights,
+    ) -> Node:
+        values = self.values
+        type_ = values.text(f"{prefix}.type", *indices)
+        size = self._size(type_, values.integer(f"{prefix}.size", *indices))
+        members: tuple[Node, ...] = ()
+        if type_ in self.structures:
+            members = tuple(self._members(type_, synchronous, rights))
+        elements = values.integer(f"{prefix}.array_elements", *indices)
+        return Node(name, type_, elements, synchronous, rights, size, members)
+
+    def _members(self, type_: str, synchronous: bool, rights: AccessRights) -> Iterator[Node]:
+        prefix = "struct[].element[]"
+        values = self.values
+        for element in self.structures[type_]:
+            key = element.indices
+            own_synchronous, own_rights = synchronous, rights
+            if values.given(f"{prefix}.synchronisation", *key):
+                own_synchronous = values.flag(f"{prefix}.synchronisation", *key)
+            if values.given(f"{prefix}.access_rights", *key):
+                own_rights = AccessRights(values.text(f"{prefix}.access_rights", *key))
+            yield self._node(prefix, key, element.name, own_synchronous, own_rights)
+
+    def _size(self, type_: str, given: int) -> int:
+        if type_ == "STRING":
+            extended = self.values.flag("use_extended_string_var")
+            return _EXTENDED_STRING_BYTES if extended else _STRING_BYTES
+        if type_ == "VSTRING":
+            return given or _VSTRING_BYTES
+        return SCALARS[type_].size_bytes if type_ in SCALARS else 0
+
+    def _usable(self, name: str, used: Container[str], pattern: str, *indices: int) -> bool:
+        if _NAME.fullmatch(name) and len(name) <= NAME_LENGTH and name not in used:
+            return True
+        key = with_indices(pattern, indices)
+        self.values.report(
+            self.collector, 900080, (pattern, *indices), key=key, value=name, limit=NAME_LENGTH
+        )
+        return False
+
+    def _fits(self, type_pattern: str, array_pattern: str, index: int) -> bool:
+        """Whether the variable's type exists, ends somewhere and is not too large."""
+        type_ = self.values.text(type_pattern, index)
+        elements = self._count(type_, (type_pattern, index), ())
+        if elements is None:
+            return False
+        elements *= max(1, self.values.integer(array_pattern, index))
+        if elements > MOST_LEAVES:
+            key = with_indices(array_pattern, (index,))
+            self.values.report(
+                self.collector, 900084, (array_pattern, index), key=key, limit=MOST_LEAVES
+            )
+            return False
+        return True
+
+    def _count(
+        self, type_: str, at: tuple[str, *tuple[int, ...]], outer: tuple[str, ...]
+    ) -> int | None:
+        """Leaves of one element of a type, ``None`` if there is no such type."""
+        if type_ in SCALARS:
+            return 1
+        if type_ in self.counts:
+            return self.counts[type_]
+        if type_ in outer:
+            self.values.report(self.collector, 900083, at, name=type_)
+            return None
+        if len(outer) > MOST_NESTING:
+            self.values.report(self.collector, 900085, at, name=outer[0], limit=MOST_NESTING)
+            return None
+        if type_ not in self.structures:
+            key = with_indices(at[0], tuple(at[1:]))
+            names = ", ".join(SCALARS)
+            self.values.report(self.collector, 900082, at, key=key, value=type_, names=names)
+            return None
+        total = 0
+        prefix = "struct[].element[]"
+        for element in self.structures[type_]:
+            inner = self.values.text(f"{prefix}.type", *element.indices)
+            count = self._count(inner, (f"{prefix}.type", *element.indices), (*outer, type_))
+            if count is None:
+                return None
+            array = self.values.integer(f"{prefix}.array_elements", *element.indices)
+            total += count * max(1, array)
+        self.counts[type_] = total
+        return total

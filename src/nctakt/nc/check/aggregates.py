@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""Structures and arrays that are assigned as wholes: what can be known before (RC-208, RC-310).
+
+In: assignments whose right side names one. Out: diagnostics. In the program they may be given to
+one of the same type; realtime cycles copy nothing (21984). Where a single value is needed the
+member that is probably meant is suggested.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Protocol
+
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import Assignment, Expression, Parameter, Variable
+from nctakt.nc.vocabulary.cells import leaf_cells, same_type
+from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve, resolve_whole
+from nctakt.nc.vocabulary.variable_table import (
+    RIGHTS,
+    Access,
+    Location,
+    NameTable,
+    NotFound,
+    Problem,
+    Whole,
+)
+
+
+class AssignmentChecks(Protocol):
+    """The checks of expressions and targets that an assignment of an aggregate needs, too."""
+
+    def value(self, expression: Expression) -> None:
+        """Check an expression whose value is needed."""
+
+    def write(
+        self, target: Variable | Parameter, *, compound: bool = False, text: bool = False
+    ) -> None:
+        """Check the target of an assignment; ``compound``: it is read as well, as in ``+=``."""
+
+    def not_found(self, variable: Variable, found: NotFound) -> None:
+        """Report why a variable does not exist."""
+
+    def indices_fit(self, variable: Variable, location: Location | Whole) -> bool:
+        """Return whether the constant indices are inside the array; report those that are not."""
+
+
+class WholeChecker:
+    """Beside ``values``, which checks everything else of an assignment."""
+
+    def __init__(
+        self, values: AssignmentChecks, names: NameTable, findings: Findings, *, in_cycle: bool
+    ) -> None:
+        self._values = values
+        self._names = names
+        self._findings = findings
+        self._in_cycle = in_cycle
+
+    def names_one(self, variable: Variable) -> bool:
+        """Whether a variable names a structure or a whole array."""
+        return self._find(variable) is not None
+
+    def _find(self, expression: Expression) -> Whole | None:
+        if not isinstance(expression, Variable):
+            return None
+        found = resolve_whole(expression, self._names)
+        return found if isinstance(found, Whole) else None
+
+    def copy(self, statement: Assignment, value: Variable) -> None:
+        """``target = value``: both must be wholes of one type, with the rights for it."""
+        target = statement.target
+        source, place = self._find(value), self._find(target)
+        assert source is not None
+        if place is None or statement.operator != "=":
+            self._values.write(target, compound=statement.operator != "=")
+            self._no_value(target, value)
+            return
+        assert isinstance(target, Variable)
+        name, member = path_text(target), _first_member(source)
+        if self._in_cycle:
+            self._findings.report(21984, target.span, name=name, member=member)
+            return
+        for index in (*indices_of(target), *indices_of(value)):
+            self._values.value(index)
+        if not same_type(source.node, place.node):
+            other = path_text(value)
+            self._findings.report(900345, value.span, name=name, value=other, member=member)
+            return
+        fits = [self._values.indices_fit(target, place), self._values.indices_fit(value, source)]
+        if all(fits):
+            self._may(target, place, Access.WRITE, 900216)
+            self._may(value, source, Access.READ, 900217)
+
+    def _may(self, variable: Variable, whole: Whole, wanted: Access, number: int) -> None:
+        """The first member that may not be written or read is told."""
+        one = replace(whole.node, array_elements=0)
+        for name, leaf, _ in leaf_cells(one, whole.name, 0):
+            if wanted not in RIGHTS[leaf.rights]:
+                self._findings.report(number, variable.span, name=name)
+                return
+
+    def _no_value(self, target: Variable | Parameter, value: Variable) -> None:
+        """A structure or array where one value is needed."""
+        found = resolve(value, self._names)
+        assert isinstance(found, NotFound)
+        if found.reason is Problem.STRUCTURE:
+            member = self._member_like(target, value) or found.nearest
+            self._findings.report(900215, value.span, name=found.name, member=member)
+        else:
+            self._values.not_found(value, found)
+
+    def _member_like(self, target: Variable | Parameter, value: Variable) -> str:
+        """The member of ``value`` that is named as the last part of ``target``, empty if none."""
+        if not isinstance(target, Variable) or not target.parts:
+            return ""
+        name = target.parts[-1].name
+        parts = [(part.name, len(part.indices)) for part in value.parts]
+        wanted = self._names.resolve(value.family, [*parts, (name, 0)])
+        known = isinstance(wanted, Location)
+        return f"{self._findings.written(value.span)}.{name}" if known else ""
+
+
+def _first_member(whole: Whole) -> str:
+    """An example of what can be assigned instead."""
+    if whole.node.array_elements:
+        return f"{whole.name}[0]"
+    return f"{whole.name}.{whole.node.members[0].name}"

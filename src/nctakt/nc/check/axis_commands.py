@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+"""Single-axis commands of realtime cycles: every rule that can be known before they run.
+
+In: brackets with INDP in the body of a cycle. Out: diagnostics (RC-405 … RC-407): which axis may be
+moved so, which keywords may stand together, what needs what. What depends on values is found in the
+tick.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.nc.check.blocks import WordChecker
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import BracketCommand, Statement
+from nctakt.nc.vocabulary.axis_commands import (
+    AxisCommand,
+    Wrong,
+    axis_commands_in,
+    is_axis_command,
+    read_axis_command,
+    refusal,
+)
+from nctakt.nc.vocabulary.variable_table import NameTable
+
+
+class AxisCommandChecker:
+    """Checks the single-axis commands of one cycle after another."""
+
+    def __init__(
+        self, names: NameTable, words: WordChecker, values: ValueChecker, findings: Findings
+    ) -> None:
+        self._names = names
+        self._words = words
+        self._values = values
+        self._findings = findings
+        self._with_feed: dict[str, None] = {}
+
+    def begin(self, body: Sequence[Statement]) -> None:
+        """A cycle with this body is checked from now on: which of its axes get a FEED."""
+        commands = [read_axis_command(one)[0] for one in axis_commands_in(body)]
+        self._with_feed = {one.axis: None for one in commands if one.feed is not None}
+
+    def command(self, bracket: BracketCommand) -> None:
+        """One command."""
+        assert is_axis_command(bracket)
+        command, wrong = read_axis_command(bracket)
+        self._axis(bracket)
+        if not wrong:
+            wrong = self._needs(command, bracket)
+        for one in wrong:
+            self._report(one)
+        self._values.block(*command.expressions())
+
+    def _axis(self, bracket: BracketCommand) -> None:
+        """An axis of the channel that may be moved on its own (RC-406)."""
+        axis = self._names.axis(bracket.name)
+        if bracket.name in self._words.spindles:
+            self._findings.report(900262, bracket.span, spindle=bracket.name)
+        elif axis is None:
+            self._words.unknown(bracket)
+        elif not axis.moves_alone:
+            self._findings.report(50966, bracket.span, axis=bracket.name)
+
+    def _needs(self, command: AxisCommand, bracket: BracketCommand) -> list[Wrong]:
+        """What the command needs of its axis, and of the cycle's other commands."""
+        if command.position is None:
+            return []
+        axis = self._names.axis(command.axis)
+        if command.direction is not None and axis is not None and not axis.is_modulo:
+            return [refusal(bracket, 9)]
+        if command.rapid is False and command.axis not in self._with_feed:
+            return [refusal(bracket, 7)]
+        return []
+
+    def _report(self, wrong: Wrong) -> None:
+        values = dict(wrong.values)
+        if wrong.written:
+            values[wrong.written] = self._findings.written(wrong.span)
+        self._findings.report(wrong.number, wrong.span, **values)

@@ -1,0 +1,437 @@
+# SPDX-License-Identifier: MIT
+"""The words of a program's block: which exist, what may stand together (nc-programs, RC-403).
+
+In: a block of the main program or a subprogram, not of a realtime cycle. Out: diagnostics. Behind
+it each block is one that the decoder can run: axis words of the channel with a value, at most one
+G function of a group, F, M and H functions of the channel list with constant numbers.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from typing import Literal
+
+from nctakt.lists.declared.offsets import MOST_GROUPS
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.check.motion_words import RADIUS_FUNCTION, check_arc
+from nctakt.nc.check.path_commands import check_path_axis
+from nctakt.nc.check.spindle_commands import SpindleChecker
+from nctakt.nc.tree import (
+    AxisWord,
+    Block,
+    BlockWord,
+    BracketCommand,
+    Expression,
+    Keyword,
+    Name,
+    Number,
+    OffsetCommand,
+    StringWord,
+    Word,
+)
+from nctakt.nc.vocabulary import support_level
+from nctakt.nc.vocabulary.axis_commands import is_axis_command
+from nctakt.nc.vocabulary.spindle_commands import split
+from nctakt.nc.vocabulary.support_level import Answer, Entry
+
+#: The G function that selects a zero offset by its number.
+_FURTHER_ZERO = 159
+#: The kinds of offsets that a command can name (RC-407).
+OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")
+_NUMBERED = ("G", "M", "H")
+#: What an M or H function may have as its value: 32 bits with a sign.
+LEAST_VALUE, MOST_VALUE = -(2**31), 2**31 - 1
+#: M functions that end a subprogram.
+_SUBPROGRAM_ENDS = (17, 29)
+#: Commands with options that end a subprogram.
+RETURN_COMMANDS = ("M17", "M29")
+#: M functions that end the main program.
+_PROGRAM_ENDS = (2, 30)
+
+
+#: What M17 and M30 end: the main program, a subprogram, or a file that may be any of both.
+Role = Literal["main", "called", "either"]
+
+
+@dataclass(slots=True)
+class _Block:
+    """What was seen of a block: names of words, the G function of each group, anything unknown.
+
+    A block that begins with an unknown word is mostly no NC text at all, so one report is enough.
+    """
+
+    role: Role
+    returns: bool = False
+    names: dict[str, None] = field(default_factory=dict)
+    groups: dict[str, str] = field(default_factory=dict)
+    unknown: bool = False
+
+
+class WordChecker:
+    """Checks blocks of one channel."""
+
+    def __init__(
+        self, channel: ChannelParameters, values: ValueChecker, findings: Findings
+    ) -> None:
+        self._channel = channel
+        self._values = values
+        self._findings = findings
+        self.axes = tuple(axis.name for axis in channel.axes)
+        self.spindles = tuple(spindle.name for spindle in channel.spindles)
+        self._commands = SpindleChecker(channel, values, findings, in_cycle=False)
+
+    def block(self, block: Block, role: Role = "either") -> None:
+        """One block of a program in this role."""
+        self._values.line(*_expressions(block))
+        if _dwell(block) is not None:
+            self._dwell_block(block)
+            return
+        state = _Block(role, any(_returns(word) for word in block.words))
+        commands, words = split(block.words, self.spindles)
+        for command in commands:
+            self._commands.check(command)
+        for word in words:
+            match word:
+                case AxisWord():
+                    self._axis(word, state)
+                case Word():
+                    self._word(word, state)
+                case BracketCommand():
+                    if self._is_of_path(word):
+                        continue
+                    if not self.bracket(word, state):
+                        self._unknown(word, state)
+                case StringWord():
+                    pass  # what it stands for is known when it is decoded
+        check_arc(block, self._findings)
+        self._exact_stop(block)
+        self._reference(block)
+
+    # --- axes, feed ------------------------------------------------------------------------------
+
+    def _axis(self, word: AxisWord, state: _Block) -> None:
+        if word.name not in self.axes:
+            self._unknown(word, state)
+        else:
+            self._value(word, state)
+
+    def _value(self, word: AxisWord | Word, state: _Block) -> None:
+        """The value of a word that stands once in a block."""
+        if word.value is None:
+            if not state.unknown:
+                self._needs_value(word)
+        elif word.name in state.names:
+            self._findings.report(900209, word.span, word=word.name)
+        else:
+            state.names[word.name] = None
+            self._values.value(word.value)
+
+    def _unknown(self, word: AxisWord | Word | BracketCommand, state: _Block) -> None:
+        if not state.unknown:
+            state.unknown = True
+            self.unknown(word)
+
+    def unknown(self, word: AxisWord | Word | BracketCommand) -> None:
+        """Report a word that is neither of the language nor an axis or spindle of the channel."""
+        names = [*self.axes, *self.spindles, "G", "M", "H", "F", "N"]
+        near = get_close_matches(word.name, names, 1)
+        self._findings.report(
+            900203,
+            word.span,
+            word=self._findings.written(word.span),
+            axes=", ".join(self.axes) or "–",
+            nearest=near[0] if near else "–",
+        )
+
+    def _needs_value(self, word: AxisWord | Word) -> None:
+        self._findings.report(900208, word.span, word=word.name)
+
+    def _word(self, word: Word, state: _Block) -> None:
+        if word.name in _NUMBERED:
+            self._numbered(word, state)
+            return
+        if word.name == "N" and state.returns:
+            return
+        if word.name in self.spindles:
+            written = self._findings.written(word.span)
+            self._findings.report(
+                900282, word.span, word=written, nearest=f"{word.name}[M3 REV=1000]"
+            )
+            return
+        entry = support_level.answer_word(word.name)
+        if entry is None:
+            self._unknown(word, state)
+        elif entry.answer is Answer.REFUSED:
+            self._findings.answer(entry, word.span, self._findings.written(word.span))
+        else:
+            self._findings.answer(entry, word.span)
+            self._value(word, state)
+
+    # --- G, M, H ---------------------------------------------------------------------------------
+
+    def number(self, word: Word) -> int | None:
+        """The number of a G, M or H function, or the report why there is none."""
+        value = word.value
+        if value is None:
+            self._needs_value(word)
+        elif not isinstance(value, Number):
+            written = self._findings.written(word.span)
+            self._findings.answer(support_level.form("M[P1], in cycles"), word.span, written)
+        elif not value.value.is_integer() or value.value < 0:
+            self._findings.report(900204, word.span, word=f"{word.name}{value.value:g}")
+        else:
+            return int(value.value)
+        return None
+
+    def _numbered(self, word: Word, state: _Block) -> None:
+        if word.value is not None and not isinstance(word.value, Number):
+            self._values.value(word.value)
+            self._given(word)
+            return
+        number = self.number(word)
+        if number is None:
+            return
+        if word.name == "G":
+            self._g(word, number, state)
+        elif word.name == "M" and number in _SUBPROGRAM_ENDS:
+            if state.role == "main":
+                self._findings.report(900123, word.span, word=f"M{number}")
+            self._given(word)
+        else:
+            if word.name == "M" and number in _PROGRAM_ENDS and state.role == "called":
+                self._findings.report(900124, word.span, word=f"M{number:02}")
+            self._technology(word, number)
+
+    def _g(self, word: Word, number: int, state: _Block) -> None:
+        entry = support_level.answer_g(number)
+        if self._channel.implicit_programs.of_g(number):
+            for argument in word.arguments:
+                self._values.any_value(argument)
+            return
+        if entry is None:
+            self._findings.report(900204, word.span, word=f"G{number}")
+            return
+        self._findings.answer(entry, word.span)
+        if entry.answer is Answer.REFUSED:
+            return
+        if number == _FURTHER_ZERO:
+            self._zero_offset(word)
+        elif number == RADIUS_FUNCTION:
+            if word.additional is None or word.arguments:
+                self._findings.report(900927, word.span)
+            else:
+                self._values.value(word.additional)
+        elif word.additional is not None or word.arguments:
+            self._findings.report(900212, word.span, word=entry.name)
+        if entry.group:
+            other = state.groups.setdefault(entry.group, entry.name)
+            if other != entry.name:
+                self._findings.report(900210, word.span, word=entry.name, other=other)
+
+    def _technology(self, word: Word, number: int) -> None:
+        entry = self._technology_entry(word.name, number)
+        name = f"{word.name}{number:02}"
+        if entry is None:
+            key = f"{word.name.lower()}_synch[{number}]"
+            self._findings.report(900205, word.span, word=name, key=key)
+        else:
+            self._findings.answer(entry, word.span, name)
+            self._given(word)
+
+    def _given(self, word: Word) -> None:
+        """The value that the PLC gets with a function: ``M110=130``."""
+        value = word.additional
+        if value is None:
+            return
+        self._values.value(value)
+        if isinstance(value, Number) and not LEAST_VALUE <= round(value.value) <= MOST_VALUE:
+            name = self._findings.written(word.span)
+            self._findings.report(
+                900847,
+                value.span,
+                word=name,
+                value=round(value.value),
+                least=LEAST_VALUE,
+                most=MOST_VALUE,
+            )
+
+    def _technology_entry(self, letter: str, number: int) -> Entry | None:
+        if letter == "H":
+            return support_level.answer_h(number, self._channel.h_functions)
+        if number == 6 and self._channel.implicit_programs.m6:
+            return support_level.answer_word("L")
+        return support_level.answer_m(number, self._channel.m_functions)
+
+    # --- other words -----------------------------------------------------------------------------
+
+    def _return(self, command: BracketCommand, state: _Block | None) -> None:
+        """``M17 [MAIN]``, ``M17 [JUMPS=2]``, each also with a label."""
+        if state is not None and state.role == "main":
+            self._findings.report(900123, command.span, word=command.name)
+        seen: dict[str, None] = {}
+        for item in command.items:
+            kind = _return_option(item)
+            if not kind or kind in seen:
+                written = self._findings.written(item.span)
+                self._findings.report(900135, item.span, word=written)
+            elif isinstance(item, Keyword) and item.name == "JUMPS" and item.value is not None:
+                self._values.value(item.value)
+            seen[kind] = None
+
+    def _is_of_path(self, command: BracketCommand) -> bool:
+        """Whether it is ``X[OVERRIDE …]`` or ``X[FIXED_STOP …]``; then it has been checked."""
+        if command.name not in self.axes:
+            return False
+        return check_path_axis(command, self._values, self._findings)
+
+    def bracket(self, command: BracketCommand, state: _Block | None = None) -> bool:
+        """``X[…]``, ``S2[…]``, ``M17[MAIN]``; false where nobody knows the name."""
+        name = command.name
+        if name in self.axes and is_axis_command(command):
+            self._findings.report(900260, command.span, axis=name)
+            return True
+        if name in self.axes:
+            form, shown = "X[…]", f"{name}[…]"
+        elif name in RETURN_COMMANDS:
+            self._return(command, state)
+            return True
+        else:
+            return False
+        self._findings.answer(support_level.form(form), command.span, shown)
+        return True
+
+    def _exact_stop(self, block: Block) -> None:
+        stop = next((word for word in block.words if _is_g(word, 60)), None)
+        if stop is not None and not any(isinstance(word, AxisWord) for word in block.words):
+            self._findings.report(20003, stop.span)
+
+    # --- offsets ---------------------------------------------------------------------------------
+
+    def _zero_offset(self, word: Word) -> None:
+        """``G159 = n``."""
+        if word.additional is None or word.arguments:
+            self._findings.report(900770, word.span)
+        else:
+            self._values.value(word.additional)
+            self._known_group(word.additional)
+
+    def _known_group(self, value: Expression) -> None:
+        """The group of G159, where it is a number."""
+        if isinstance(value, Number):
+            group = value.value
+            if not 0 <= round(group) < MOST_GROUPS:
+                self._findings.report(900774, value.span, group=group, highest=MOST_GROUPS - 1)
+
+    def _reference(self, block: Block) -> None:
+        """G92 has axes, whose values are offsets, and no motion."""
+        reference = next((word for word in block.words if _is_g(word, 92)), None)
+        if reference is None:
+            return
+        if not any(isinstance(word, AxisWord) for word in block.words):
+            self._findings.report(900771, reference.span, command="G92")
+        for word in block.words:
+            if any(_is_g(word, motion) for motion in (0, 1, 2, 3)):
+                written = self._findings.written(word.span)
+                self._findings.report(900772, word.span, word=written, command="G92")
+
+    def offsets(self, command: OffsetCommand, role: Role) -> None:
+        """``#PSET``, ``#PRESET``: axes with values; ``#SUPPRESS OFFSETS``: any motion."""
+        name = f"#{command.name}"
+        state = _Block(role)
+        for kind in command.kinds:
+            word = kind.name if isinstance(kind, Keyword) and kind.value is None else ""
+            if command.name != "SUPPRESS OFFSETS" or word not in OFFSETS:
+                written = self._findings.written(kind.span)
+                self._findings.report(900773, kind.span, word=written, names=", ".join(OFFSETS))
+        if command.name == "SUPPRESS OFFSETS":
+            self.block(Block(command.span, command.head, command.words), role)
+        else:
+            for other in command.words:
+                if isinstance(other, AxisWord):
+                    self._axis(other, state)
+                else:
+                    written = self._findings.written(other.span)
+                    self._findings.report(900772, other.span, word=written, command=name)
+        needs_axis = command.name != "PRESET"
+        if needs_axis and not any(isinstance(word, AxisWord) for word in command.words):
+            self._findings.report(900771, command.span, command=name)
+
+    def _dwell_block(self, block: Block) -> None:
+        """``G04`` with its time: ``G04 X0.5``, ``G04 0.5``; in revolutions, ``G04 S10``."""
+        dwell = _dwell(block)
+        assert dwell is not None
+        others = [word for word in block.words if word is not dwell]
+        times: list[Expression] = [] if dwell.additional is None else [dwell.additional]
+        wrong = bool(dwell.arguments)
+        for word in others:
+            if isinstance(word, AxisWord) and word.name == "X" and word.value is not None:
+                times.append(word.value)
+            elif isinstance(word, Word) and word.name == "S" and word.value is not None:
+                times.append(word.value)
+            else:
+                wrong = True
+        if wrong or len(times) != 1:
+            self._findings.report(900211, dwell.span)
+        for time in times:
+            self._values.value(time)
+
+
+def _returns(word: BlockWord) -> bool:
+    if isinstance(word, BracketCommand):
+        return word.name in RETURN_COMMANDS
+    return any(_is_m(word, number) for number in _SUBPROGRAM_ENDS)
+
+
+def _return_option(item: Keyword | Expression) -> str:
+    """What an item in the brackets of M17 is: how far back, a label, nothing of both."""
+    if isinstance(item, Name):
+        return "label"
+    if not isinstance(item, Keyword):
+        return ""
+    if item.name == "JUMPS":
+        return "calls" if item.value is not None else ""
+    if item.name == "N":
+        return "label" if isinstance(item.value, Number) else ""
+    if item.value is not None or item.arguments:
+        return ""
+    return "calls" if item.name == "MAIN" else "label"
+
+
+def _is_g(word: BlockWord, number: int) -> bool:
+    return _is(word, "G", number)
+
+
+def _is_m(word: BlockWord, number: int) -> bool:
+    return _is(word, "M", number)
+
+
+def _is(word: BlockWord, name: str, number: int) -> bool:
+    return (
+        isinstance(word, Word)
+        and word.name == name
+        and isinstance(word.value, Number)
+        and word.value.value == number
+    )
+
+
+def _dwell(block: Block) -> Word | None:
+    """The G04 of a block."""
+    for word in block.words:
+        if _is_g(word, 4):
+            assert isinstance(word, Word)
+            return word
+    return None
+
+
+def _expressions(block: Block) -> list[Expression]:
+    """The values of a block's words."""
+    found: list[Expression] = []
+    for word in block.words:
+        if isinstance(word, Word | AxisWord) and word.value is not None:
+            found.append(word.value)
+        if isinstance(word, Word) and word.additional is not None:
+            found.append(word.additional)
+    return found

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""The branches of a realtime cycle as a list: what stands in what, and where (RC-201, RC-203).
+
+In: the tree of a program. Out: its realtime cycles wherever they stand, and for each of them its
+branches in the order of their places, with the branch around each one and the ones before it in the
+same ``$IF``. A branch is found again in the realtime part by its span.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from nctakt.base.diagnostics import Span
+from nctakt.nc import tree
+from nctakt.nc.parse.printer import print_statement
+
+BranchWord = Literal["$IF", "$ELSEIF", "$ELSE"]
+
+
+@dataclass(frozen=True, slots=True)
+class BranchPlace:
+    """One branch: ``outer`` and ``earlier`` are positions in the list of the cycle's branches.
+
+    ``frequency`` is ``ONCE``, ``EDGE``, ``ALWAYS`` or empty; ``condition`` is ``None`` for
+    ``$ELSE``. ``lines`` are those of the branch itself and of the statements in its body that stand
+    in no further branch, ``commands`` the texts of those statements.
+    """
+
+    span: Span
+    word: BranchWord
+    frequency: str
+    condition: tree.Expression | None
+    outer: int | None
+    earlier: tuple[int, ...]
+    lines: tuple[int, ...]
+    commands: tuple[str, ...]
+
+
+def branch_places(statement: tree.RealtimeCycle) -> list[BranchPlace]:
+    """The branches of a cycle in the order of their places."""
+    found: list[BranchPlace] = []
+    _walk(statement.body, None, found)
+    return found
+
+
+def combined(condition: tree.Expression) -> list[tree.Expression]:
+    """What ``&&`` and ``||`` combine in a condition; the condition itself where there is none."""
+    if isinstance(condition, tree.Binary) and condition.operator in ("&&", "||"):
+        return [*combined(condition.left), *combined(condition.right)]
+    return [condition]
+
+
+def accesses_in(expression: tree.Expression) -> Iterator[tree.Variable | tree.Parameter]:
+    """The variables and parameters in an expression, those in their indices included."""
+    match expression:
+        case tree.Variable():
+            yield expression
+            for part in expression.parts:
+                for index in part.indices:
+                    yield from accesses_in(index)
+        case tree.Parameter():
+            yield expression
+            yield from accesses_in(expression.index)
+        case tree.Unary():
+            yield from accesses_in(expression.operand)
+        case tree.Binary():
+            yield from accesses_in(expression.left)
+            yield from accesses_in(expression.right)
+        case tree.Call():
+            for argument in expression.arguments:
+                yield from accesses_in(argument)
+
+
+def lines_without_branch(statement: tree.RealtimeCycle) -> list[int]:
+    """The lines of the definition and of its statements that stand in no branch."""
+    return [statement.span.line, *_own_lines(statement.body)]
+
+
+def _own_lines(body: Sequence[tree.Statement]) -> list[int]:
+    return [one.span.line for one in body if not isinstance(one, tree.If)]
+
+
+def _commands(body: Sequence[tree.Statement]) -> tuple[str, ...]:
+    """The statements that stand in no branch, as text without block number."""
+    bare = (replace(one, head=tree.NO_HEAD) for one in body if not isinstance(one, tree.If))
+    return tuple(" ".join(line.strip() for line in print_statement(one)) for one in bare)
+
+
+def _walk(body: Sequence[tree.Statement], outer: int | None, found: list[BranchPlace]) -> None:
+    for statement in body:
+        if isinstance(statement, tree.If):
+            _branches(statement, outer, found)
+
+
+def _branches(statement: tree.If, outer: int | None, found: list[BranchPlace]) -> None:
+    """The branches of one ``$IF``, each with what stands in its body."""
+    earlier: list[int] = []
+
+    def add(
+        span: Span,
+        word: BranchWord,
+        condition: tree.Expression | None,
+        body: Sequence[tree.Statement],
+    ) -> None:
+        frequency = (statement.frequency or "") if word == "$IF" else ""
+        lines = (span.line, *_own_lines(body))
+        place = len(found)
+        found.append(
+            BranchPlace(
+                span, word, frequency, condition, outer, tuple(earlier), lines, _commands(body)
+            )
+        )
+        earlier.append(place)
+        _walk(body, place, found)
+
+    add(statement.span, "$IF", statement.condition, statement.body)
+    for elseif in statement.elseifs:
+        add(elseif.span, "$ELSEIF", elseif.condition, elseif.body)
+    if statement.else_body is not None and statement.else_span is not None:
+        add(statement.else_span, "$ELSE", None, statement.else_body)
+
+
+def realtime_cycles(statements: Sequence[tree.Statement]) -> Iterator[tree.RealtimeCycle]:
+    """The definitions of realtime cycles in statements and in the structures among them."""
+    for statement in statements:
+        match statement:
+            case tree.RealtimeCycle():
+                yield statement
+            case tree.If():
+                yield from realtime_cycles(statement.body)
+                for elseif in statement.elseifs:
+                    yield from realtime_cycles(elseif.body)
+                yield from realtime_cycles(statement.else_body or ())
+            case tree.For() | tree.While() | tree.Do() | tree.Repeat():
+                yield from realtime_cycles(statement.body)
+            case tree.Switch():
+                for case in statement.cases:
+                    yield from realtime_cycles(case.body)

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+"""Calls of subprograms: what can be known of them before they are decoded.
+
+In: ``L``, ``LL`` and their forms with CYCLE. Out: diagnostics, and the calls whose name is
+constant, for those who look for what is called.
+"""
+
+from __future__ import annotations
+
+import re
+from difflib import get_close_matches
+
+from nctakt.nc.check.blocks import WordChecker
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import Block, Expression, Keyword, StringLiteral, SubprogramCall
+
+#: The highest number of a parameter of a call.
+CALL_PARAMETERS = 200
+
+_PARAMETER = re.compile(r"@P(\d+)")
+#: Keywords of modal calls: behind each block with a motion, behind each block.
+MODAL_MOVE = ("MODAL_MOVE", "MODAL")
+MODAL_BLOCK = "MODAL_BLOCK"
+_MODAL = (*MODAL_MOVE, MODAL_BLOCK)
+
+
+def parameter_number(keyword: Keyword) -> int | None:
+    """The number of ``@P1 = …``; ``None`` for any other keyword."""
+    found = _PARAMETER.fullmatch(keyword.name)
+    number = 0 if found is None else int(found[1][:4])
+    return number if 1 <= number <= CALL_PARAMETERS else None
+
+
+class CallChecker:
+    """Checks the calls of one program."""
+
+    def __init__(self, words: WordChecker, values: ValueChecker, findings: Findings) -> None:
+        self._words = words
+        self._values = values
+        self._findings = findings
+        self._calls: list[SubprogramCall] = []
+
+    def take(self) -> list[SubprogramCall]:
+        """The calls by a constant name since the last time."""
+        taken, self._calls = self._calls, []
+        return taken
+
+    def call(self, call: SubprogramCall) -> None:
+        """One call with the words of its block."""
+        if call.words:
+            self._words.block(Block(call.span, call.head, call.words))
+        self._values.line(*_given(call))
+        if isinstance(call.name, StringLiteral):
+            self._calls.append(call)
+        else:
+            self._values.text(call.name)
+        seen: dict[str, None] = {}
+        for item in call.keywords:
+            if isinstance(item, Keyword):
+                self._keyword(item, seen)
+            else:
+                self._unknown(item)
+
+    def _keyword(self, keyword: Keyword, seen: dict[str, None]) -> None:
+        if keyword.name in _MODAL and keyword.value is None and not keyword.arguments:
+            if _MODAL[0] in seen:
+                self._findings.report(900224, keyword.span, word=keyword.name)
+            seen[_MODAL[0]] = None
+        elif parameter_number(keyword) is None:
+            self._unknown(keyword)
+        elif keyword.name in seen:
+            self._findings.report(900224, keyword.span, word=keyword.name)
+        elif keyword.value is None:
+            self._findings.report(900208, keyword.span, word=keyword.name)
+        else:
+            seen[keyword.name] = None
+            self._values.any_value(keyword.value)
+
+    def _unknown(self, item: Keyword | Expression) -> None:
+        word = self._findings.written(item.span)
+        near = get_close_matches(word.upper(), ("@P1", *_MODAL), 1, 0.0)
+        self._findings.report(900133, item.span, word=word, nearest=near[0])
+
+
+def _given(call: SubprogramCall) -> list[Expression]:
+    """The values that the call hands over."""
+    keywords = (one for one in call.keywords if isinstance(one, Keyword))
+    return [one.value for one in keywords if one.value is not None]

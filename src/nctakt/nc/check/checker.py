@@ -1,0 +1,332 @@
+# SPDX-License-Identifier: MIT
+"""Statements -> diagnostics: what can be known of a program before it runs.
+
+In: statements, the variables and the list of their channel. Out: diagnostics; nothing is executed.
+What passes without an error the decoder can run; what depends on values is the decoder's. Which
+commands exist and what becomes of them: ``support_level.py``. Where a constant condition lets
+nothing run nothing is checked, unless a jump might lead there. Who goes through a whole text:
+``inspection.py``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from difflib import get_close_matches
+
+from nctakt.base.diagnostics import Span
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.messages import Collector
+from nctakt.nc.check.axis_commands import AxisCommandChecker
+from nctakt.nc.check.blocks import Role, WordChecker
+from nctakt.nc.check.calls import CallChecker
+from nctakt.nc.check.coordinate_systems import check_system
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.check.hash_commands import CommandChecker
+from nctakt.nc.check.macros import MacroPlaces
+from nctakt.nc.check.path_commands import check_path_command
+from nctakt.nc.check.program_variables import OwnChecker
+from nctakt.nc.check.realtime_cycles import CycleChecker
+from nctakt.nc.check.realtime_loops import LoopChecker
+from nctakt.nc.check.user_errors import UserErrorChecker
+from nctakt.nc.outline import labels_in
+from nctakt.nc.parse.open_structures import is_false
+from nctakt.nc.source import Source
+from nctakt.nc.tree import (
+    Assignment,
+    Block,
+    Break,
+    Continue,
+    CycleControl,
+    Do,
+    Expression,
+    Flush,
+    For,
+    Goto,
+    HashCommand,
+    If,
+    MacroDefinition,
+    Number,
+    OffsetCommand,
+    Parameter,
+    RealtimeCycle,
+    RealtimeLoop,
+    Repeat,
+    Statement,
+    StringLiteral,
+    SubprogramCall,
+    Switch,
+    Time,
+    Timer,
+    UserError,
+    UserMessage,
+    VariableBlock,
+    VariableDeclarations,
+    While,
+    Word,
+)
+from nctakt.nc.vocabulary import support_level
+from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.message_formats import places
+from nctakt.nc.vocabulary.support_level import Answer
+from nctakt.nc.vocabulary.variable_table import NameTable
+
+__all__ = ["PROGRAM_ENDS", "SUBPROGRAM_ENDS", "Checker", "Role", "ends"]
+
+#: M functions that end a main program, and those that end whatever they stand in.
+PROGRAM_ENDS = (2, 30)
+SUBPROGRAM_ENDS = (*PROGRAM_ENDS, 17, 29)
+_MESSAGE_OPTIONS = ("SAVE", "EXCLUSIVE", "CONTINUE")
+#: Options of #MSG that exist and are not simulated.
+_REFUSED_OPTIONS = ("INFO", "SYN", "ACK")
+
+
+class Checker:
+    """Checks statements of one program one by one, in their order."""
+
+    def __init__(
+        self, source: Source, names: NameTable, channel: ChannelParameters, collector: Collector
+    ) -> None:
+        self._findings = Findings(source, collector)
+        axes = tuple(axis.name for axis in channel.axes)
+        self._values = ValueChecker(names, axes, self._findings, in_cycle=False)
+        self._words = WordChecker(channel, self._values, self._findings)
+        in_cycle = ValueChecker(names, axes, self._findings, in_cycle=True)
+        single = AxisCommandChecker(names, self._words, in_cycle, self._findings)
+        self._cycles = CycleChecker(
+            channel, self._words, self._values, in_cycle, single, self._findings
+        )
+        self._realtime_loops = LoopChecker(channel, names, self._findings, self.statement)
+        self._calls = CallChecker(self._words, self._values, self._findings)
+        self._own = OwnChecker(self._values, self._findings)
+        self._commands = CommandChecker(self._values, self._findings)
+        self._macros = MacroPlaces(names, self._macro)
+        self._loops = 0
+        self._switches = 0
+        self._role: Role = "main"
+        #: The labels that jumps of this section name, and where they do.
+        self.targets: dict[str, list[Span]] = {}
+
+    def begin(self, role: Role) -> None:
+        """A main program or a subprogram begins."""
+        self._role = role
+        self.targets = {}
+        self._findings.has_other_macros |= role != "main"
+
+    def take_calls(self) -> list[SubprogramCall]:
+        """The calls by a constant name since the last time."""
+        return self._calls.take()
+
+    def _macro(self, text: StringLiteral) -> Expression | None:
+        """A number that is not known yet, for a macro that is or may be defined."""
+        if self._findings.has_other_macros or text.value in self._findings.macros:
+            return Parameter(text.span, Number(text.span, 1.0))
+        return None
+
+    def _all(self, statements: Sequence[Statement]) -> None:
+        for statement in statements:
+            self.statement(statement)
+
+    def statement(self, statement: Statement) -> None:
+        """One statement with all that is inside it."""
+        if self._findings.macros or self._findings.has_other_macros:
+            statement = self._macros.statement(statement)
+        if statement.head.number is not None:
+            self._values.block(statement.head.number)
+        match statement:
+            case Block():
+                self._words.block(statement, self._role)
+            case OffsetCommand():
+                self._words.offsets(statement, self._role)
+            case Assignment():
+                self._values.assignment(statement)
+            case VariableBlock():
+                self._values.line(statement.variable)
+                self._values.any_value(statement.variable)
+            case RealtimeCycle():
+                self._cycles.definition(statement)
+            case CycleControl():
+                self._cycles.control(statement)
+            case RealtimeLoop():
+                self._realtime_loops.loop(statement)
+            case Time():
+                self._values.block(statement.seconds)
+            case UserMessage():
+                self._message(statement)
+            case If() | For() | While() | Do() | Repeat() | Switch():
+                self._structure(statement)
+            case Break() | Continue():
+                self._leave(statement)
+            case Flush():
+                pass
+            case _:
+                self._other(statement)
+
+    # --- structures ------------------------------------------------------------------------------
+
+    def _structure(self, statement: If | For | While | Do | Repeat | Switch) -> None:
+        match statement:
+            case If():
+                self._if(statement)
+            case For():
+                bounds = (statement.start, statement.end, statement.step)
+                self._values.line(statement.variable, *bounds)
+                self._values.write(statement.variable, compound=True)
+                for bound in bounds:
+                    self._values.value(bound)
+                self._loop(statement.body)
+            case While():
+                self._values.block(statement.condition)
+                if not is_false(statement.condition):
+                    self._loop(statement.body)
+            case Do() | Repeat():
+                self._loop(statement.body)
+                self._values.block(statement.condition)
+            case Switch():
+                self._switch(statement)
+
+    def _loop(self, body: Sequence[Statement]) -> None:
+        self._loops += 1
+        self._all(body)
+        self._loops -= 1
+
+    def _switch(self, switch: Switch) -> None:
+        self._values.block(switch.subject)
+        self._switches += 1
+        for case in switch.cases:
+            if case.head.number is not None:
+                self._values.block(case.head.number)
+            if case.value is not None:
+                self._values.block(case.value)
+            self._all(case.body)
+        self._switches -= 1
+
+    def _if(self, statement: If) -> None:
+        if statement.preprocessor and statement.head.number is not None:
+            self._findings.report(900125, statement.span)
+        if statement.frequency is not None:
+            word = f"$IF {statement.frequency}"
+            self._findings.report(900222, statement.span, word=word)
+        self._branch(statement.condition, statement.body)
+        for branch in statement.elseifs:
+            if branch.frequency is not None:
+                word = f"$ELSEIF {branch.frequency}"
+                self._findings.report(900222, branch.span, word=word)
+            self._branch(branch.condition, branch.body)
+        self._all(statement.else_body or ())
+
+    def _branch(self, condition: Expression, body: Sequence[Statement]) -> None:
+        self._values.block(condition)
+        if not is_false(condition) or any(_has_label(statement) for statement in body):
+            self._all(body)
+
+    def _leave(self, statement: Break | Continue) -> None:
+        inside = self._loops or (isinstance(statement, Break) and self._switches)
+        if not inside:
+            word = "$BREAK" if isinstance(statement, Break) else "$CONTINUE"
+            self._findings.report(900223, statement.span, word=word)
+
+    # --- commands --------------------------------------------------------------------------------
+
+    def _message(self, message: UserMessage) -> None:
+        seen: dict[str, None] = {}
+        for option in message.options:
+            if option.name in _REFUSED_OPTIONS:
+                self._refuse_hash(message, "MSG", "INFO", shown=f"#MSG {option.name}")
+            elif option.name not in _MESSAGE_OPTIONS:
+                near = get_close_matches(option.name, _MESSAGE_OPTIONS, 1)
+                names = [*near, *(name for name in _MESSAGE_OPTIONS if name not in near)]
+                self._findings.report(
+                    900234, option.span, command="#MSG", word=option.text, names=", ".join(names)
+                )
+            elif option.name in seen:
+                self._findings.report(900224, option.span, word=option.name)
+            seen[option.name] = None
+        self._message_text(message)
+
+    def _message_text(self, message: UserMessage) -> None:
+        self._values.line(message.format, *message.arguments)
+        if not isinstance(message.format, StringLiteral):
+            self._values.text(message.format)
+            for argument in message.arguments:
+                self._values.any_value(argument)
+            return
+        found = list(places(message.format.value))
+        wrong = next((place for place in found if not place.known), None)
+        if wrong is not None:
+            self._findings.report(900231, message.format.span, word=wrong.text)
+        elif len(found) != len(message.arguments):
+            expected, given = len(found), len(message.arguments)
+            self._findings.report(900230, message.format.span, expected=expected, given=given)
+        for index, argument in enumerate(message.arguments):
+            self._values.any_value(argument)
+            if not self._values.is_text(argument):
+                continue
+            if index < len(found) and found[index].known and not found[index].takes_text:
+                self._findings.report(900232, argument.span, word=found[index].text)
+
+    def _other(self, statement: Statement) -> None:
+        """Jumps, calls, and statements that this version refuses as a whole."""
+        match statement:
+            case Goto():
+                self.targets.setdefault(statement.label, []).append(statement.span)
+            case SubprogramCall():
+                self._calls.call(statement)
+                self._findings.has_other_macros = True
+            case MacroDefinition():
+                self._findings.macros.add(statement.name)  # its text: where it is used
+            case VariableDeclarations():
+                self._own.declarations(statement)
+            case Timer():
+                self._commands.timer(statement)
+            case UserError():
+                UserErrorChecker(self._values, self._findings, in_cycle=False).check(statement)
+            case HashCommand():
+                self._hash(statement)
+
+    def _refuse_hash(self, statement: Statement, *words: str, shown: str = "") -> None:
+        entry = support_level.answer_hash(words)
+        assert entry is not None
+        self._findings.answer(entry, statement.span, shown)
+
+    def _hash(self, command: HashCommand) -> None:
+        words = [word.name for word in command.words]
+        entry = support_level.answer_hash(words)
+        name = "#" + " ".join(words)
+        if entry is None:
+            nearest = support_level.nearest_hash(words) or "–"
+            self._findings.report(900202, command.span, word=name, nearest=nearest)
+        elif words == ["EXPL", "SYN"] and not command.arguments:
+            return
+        elif check_path_command(command, self._values, self._findings):
+            return
+        elif check_system(command, self._values, self._findings):
+            return
+        elif words == ["DELETE"]:
+            self._own.delete(command)
+        elif self._commands.command(command, words):
+            pass
+        elif entry.answer is Answer.SIMULATED:
+            forms = forms_of(entry.name)
+            self._findings.report(900233, command.span, command=entry.name, forms=forms)
+        else:
+            self._findings.answer(entry, command.span, name)
+
+
+def ends(statement: Statement, numbers: Sequence[int]) -> bool:
+    """Whether a block holds one of these M functions, whatever the skip levels are."""
+    return (
+        isinstance(statement, Block)
+        and statement.head.skip is None
+        and any(
+            isinstance(word, Word)
+            and word.name == "M"
+            and isinstance(word.value, Number)
+            and word.value.value in numbers
+            for word in statement.words
+        )
+    )
+
+
+def _has_label(statement: Statement) -> bool:
+    return any(True for _ in labels_in(statement))

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+"""``#CS``: the coordinate systems of a program (MO-8).
+
+In: the tree of a command. Out: a ``SystemCommand``, and diagnostics of what has none of the forms
+``#CS DEF|ON [id] [v1, v2, v3, a1, a2, a3]``, ``#CS ON``, ``#CS OFF``, ``#CS OFF ALL``. One value
+alone in brackets is the ID. Checker and decoder share it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Number
+from nctakt.nc.vocabulary.command_forms import FORMS, forms_of
+
+#: Shift along three axes, three angles.
+MOST_COMPONENTS = 6
+
+ACTIONS = ("DEF", "ON", "OFF", "OFF ALL", "ADD", "SELECT")
+
+#: The longest name of a system, and the names of those that kinematics make.
+MOST_CHARACTERS = 8
+RESERVED = ("ACS", "IMCS", "MCS")
+
+
+@dataclass(frozen=True, slots=True)
+class SystemCommand:
+    """``components``: ``None`` where a stored system is meant, the last one without an ID.
+
+    ``name``: that of ADD and SELECT.
+    """
+
+    action: str
+    identity: Expression | None
+    components: tuple[Expression, ...] | None
+    name: str = ""
+
+
+def system_command(command: HashCommand) -> SystemCommand | None:
+    """What the command says; ``None`` where it has no form that there is."""
+    words = [word.name for word in command.words]
+    action = " ".join(words[1:])
+    if words[0] != "CS" or action not in ACTIONS:
+        return None
+    name = ""
+    arguments = list(command.arguments)
+    if action in ("ADD", "SELECT"):
+        name = _name(arguments.pop(0)) if arguments else ""
+        if not name or (action == "SELECT") != (not arguments):
+            return None
+    brackets: list[tuple[Expression, ...]] = []
+    for argument in arguments:
+        if not isinstance(argument, Bracket):
+            return None
+        values = tuple(item for item in argument.items if isinstance(item, Expression))
+        if len(values) != len(argument.items) or not 0 < len(values) <= MOST_COMPONENTS:
+            return None
+        brackets.append(values)
+    if name:
+        return SystemCommand(action, None, brackets[0] if brackets else None, name)
+    if action.startswith("OFF"):
+        return SystemCommand(action, None, None) if not brackets else None
+    identity = None
+    if brackets and len(brackets[0]) == 1:
+        identity = brackets.pop(0)[0]
+    if len(brackets) > 1 or (action == "DEF" and not brackets):
+        return None
+    return SystemCommand(action, identity, brackets[0] if brackets else None)
+
+
+def _name(argument: Bracket | Keyword | Expression) -> str:
+    """The name between brackets, in upper case; empty where there is none."""
+    if not isinstance(argument, Bracket) or len(argument.items) != 1:
+        return ""
+    (item,) = argument.items
+    if isinstance(item, Name):
+        return item.name
+    if not isinstance(item, Keyword) or item.arguments:
+        return ""
+    if item.value is None:
+        return item.name
+    number = item.value
+    return f"{item.name}{number.value:.0f}" if isinstance(number, Number) else ""
+
+
+def check_system(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:
+    """Check the command; false where it is another one."""
+    words = [word.name for word in command.words]
+    if words[0] != "CS" or " ".join(words[1:]) not in ("", *ACTIONS):
+        return False
+    found = system_command(command)
+    if found is None:
+        name = "#" + " ".join(words)
+        forms = forms_of(name if name in FORMS else "#CS")
+        findings.report(900233, command.span, command=name, forms=forms)
+        return True
+    if len(found.name) > MOST_CHARACTERS or found.name in RESERVED:
+        most = MOST_CHARACTERS
+        findings.report(900929, command.span, name=found.name, most=most)
+    for value in (found.identity, *(found.components or ())):
+        if value is not None:
+            values.value(value)
+    return True

@@ -1,0 +1,413 @@
+# SPDX-License-Identifier: MIT
+"""Expressions and accesses to variables: what can be known before they are evaluated.
+
+In: nodes, in the context of the program or of a realtime cycle. Out: diagnostics. Names and
+indices (RC-310), rights (RC-303), writing of asynchronous variables (RC-301), ``Vs.`` for a whole
+block (RC-301), texts, structures and lists of values (RC-208), functions (RC-206).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from difflib import get_close_matches
+from itertools import zip_longest
+
+from nctakt.nc.check.aggregates import WholeChecker
+from nctakt.nc.check.cost import is_live
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.check.missing_names import MissingNames
+from nctakt.nc.tree import (
+    ArrayLiteral,
+    Assignment,
+    Binary,
+    Call,
+    Expression,
+    Name,
+    Number,
+    Parameter,
+    StringLiteral,
+    Unary,
+    Variable,
+)
+from nctakt.nc.vocabulary import strings, support_level
+from nctakt.nc.vocabulary.cells import leaf_cells
+from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS
+from nctakt.nc.vocabulary.resolution import (
+    indices_of,
+    is_own,
+    is_text,
+    may_be_text,
+    path_text,
+    resolve,
+    resolve_whole,
+    variables_in,
+)
+from nctakt.nc.vocabulary.support_level import Answer
+from nctakt.nc.vocabulary.system_variables import system_variable
+from nctakt.nc.vocabulary.variable_table import (
+    DECLARED,
+    Access,
+    Location,
+    NameTable,
+    NotFound,
+    Whole,
+)
+
+_RIGHTS = {Access.NONE: "–", Access.READ: "R", Access.WRITE: "W", Access.BOTH: "R/W"}
+_M_FUNCTION = re.compile(r"[MH]\d{1,5}")
+
+
+#: Indices that a variable of a program's own may have.
+MOST_DIMENSIONS = 4
+
+
+class ValueChecker:
+    """Checks expressions and accesses; ``in_cycle``: those of a realtime cycle's body."""
+
+    def __init__(
+        self, names: NameTable, axes: Sequence[str], findings: Findings, *, in_cycle: bool
+    ) -> None:
+        self._names = names
+        self._axes = axes
+        self._missing = MissingNames(names, axes, findings)
+        self._findings = findings
+        self._in_cycle = in_cycle
+        self._wholes = WholeChecker(self, names, findings, in_cycle=in_cycle)
+
+    # --- expressions -----------------------------------------------------------------------------
+
+    def block(self, *expressions: Expression) -> None:
+        """All expressions of one block: their values, and ``Vs.`` in all of them or in none."""
+        self.line(*expressions)
+        for expression in expressions:
+            self.value(expression)
+
+    def line(self, *expressions: Expression) -> None:
+        """A variable is synchronous for its whole block or not at all."""
+        found: dict[str, list[Variable]] = {}
+        for expression in expressions:
+            for variable in variables_in(expression):
+                if variable.family in DECLARED:
+                    found.setdefault(path_text(variable), []).append(variable)
+        for name, variables in found.items():
+            if not any(variable.synchronous for variable in variables):
+                continue
+            if self._is_synchronous(variables[0]):
+                continue
+            for variable in variables:
+                if not variable.synchronous:
+                    self._findings.report(900228, variable.span, name=name)
+
+    def _is_synchronous(self, variable: Variable) -> bool:
+        """Whether a variable is synchronous by its list; a structure: all that is in it."""
+        location = resolve(variable, self._names)
+        if isinstance(location, Location):
+            return location.synchronous
+        whole = resolve_whole(variable, self._names)
+        if isinstance(whole, NotFound):
+            return True
+        return all(leaf.synchronous for _, leaf, _ in leaf_cells(whole.node, "", 0))
+
+    def value(self, expression: Expression) -> None:
+        """An expression whose value is needed."""
+        match expression:
+            case Variable():
+                self.read(expression)
+            case Parameter():
+                self._parameter(expression)
+            case Unary():
+                self.value(expression.operand)
+            case Binary():
+                self._binary(expression)
+            case Call():
+                self._call(expression)
+                if self.is_text(expression):
+                    self._no_number(expression, expression.function)
+            case Name():
+                known = [*FUNCTIONS, *CONSTANTS]
+                near = get_close_matches(expression.name, known, 1)
+                self._findings.report(
+                    900221, expression.span, word=expression.text, nearest=near[0] if near else "–"
+                )
+            case StringLiteral():
+                self._no_number(expression, '"…"')
+            case ArrayLiteral():
+                self._findings.answer(support_level.form("[1, 2]"), expression.span)
+
+    def any_value(self, expression: Expression) -> None:
+        """An expression whose value may be a number or a text."""
+        if self.is_text(expression):
+            self.text(expression)
+        else:
+            self.value(expression)
+
+    def is_text(self, expression: Expression) -> bool:
+        """Whether the value of an expression is a text; never in a realtime cycle (21981)."""
+        return not self._in_cycle and is_text(expression, self._names)
+
+    def text(self, expression: Expression) -> None:
+        """An expression whose value must be a text."""
+        if isinstance(expression, StringLiteral):
+            return
+        if isinstance(expression, Call) and self.is_text(expression):
+            self._call(expression)
+        elif may_be_text(expression):
+            self.value(expression)
+        elif isinstance(expression, Variable) and self.is_text(expression):
+            self.read(expression, text=True)
+        elif isinstance(expression, Binary) and self.is_text(expression):
+            self.text(expression.left)
+            self.text(expression.right)
+        else:
+            written = self._findings.written(expression.span)
+            self._findings.report(900342, expression.span, value=written)
+
+    def _binary(self, expression: Binary) -> None:
+        """Two numbers, or two texts under ``==`` and ``!=``."""
+        left, right = expression.left, expression.right
+        if self.is_text(left) or self.is_text(right):
+            if expression.operator in ("==", "!="):
+                self.text(left)
+                self.text(right)
+                return
+            if expression.operator != "+":
+                self._findings.report(900341, expression.span, operator=expression.operator)
+                return
+        self.value(left)
+        self.value(right)
+
+    def _no_number(self, expression: Expression, name: str) -> None:
+        """A text where a number is needed; in a realtime cycle it is out of place anywhere."""
+        self._findings.report(21981 if self._in_cycle else 900340, expression.span, name=name)
+
+    def _parameter(self, parameter: Parameter) -> None:
+        if parameter.call:
+            self._findings.answer(support_level.call_parameter(), parameter.span)
+        self.value(parameter.index)
+        if self._in_cycle and self._is_live(parameter.index):
+            self._findings.report(900227, parameter.span, name="P")
+
+    def _call(self, call: Call) -> None:
+        function = FUNCTIONS.get(call.function)
+        if function is None:
+            near = get_close_matches(call.function, list(FUNCTIONS), 1)
+            nearest = near[0] if near else "–"
+            self._findings.report(900218, call.span, word=call.function, nearest=nearest)
+        elif function.decoder_only and self._in_cycle:
+            self._findings.report(900220, call.span, word=call.function)
+            return
+        elif not function.minimum <= len(call.arguments) <= function.maximum:
+            self._findings.report(
+                900219,
+                call.span,
+                word=call.function,
+                expected=function.minimum,
+                given=len(call.arguments),
+            )
+        kinds = "" if function is None else function.arguments
+        for kind, argument in zip_longest(kinds[: len(call.arguments)], call.arguments):
+            self._argument(kind, argument)
+
+    def _argument(self, kind: str | None, argument: Expression) -> None:
+        """What a function takes: see ``operators.Function``."""
+        if kind == "T":
+            self.text(argument)
+        elif kind == "V":
+            self.any_value(argument)
+        elif kind == "A":
+            self._asked(argument)
+        else:
+            self.value(argument)
+
+    def _asked(self, argument: Expression) -> None:
+        """A name that may exist or not; only its indices have to."""
+        if isinstance(argument, Variable):
+            for index in indices_of(argument):
+                self.value(index)
+        elif isinstance(argument, Parameter):
+            self.value(argument.index)
+        elif not isinstance(argument, Name) or _M_FUNCTION.fullmatch(argument.name) is None:
+            written = self._findings.written(argument.span)
+            self._findings.report(900138, argument.span, word=written)
+
+    # --- variables -------------------------------------------------------------------------------
+
+    def read(self, variable: Variable, *, text: bool = False) -> None:
+        """A variable whose value is needed, as a number or as a text."""
+        if is_own(variable):
+            self._own(variable)
+            return
+        system = system_variable(variable, self._axes)
+        if system is not None:
+            for index in system.indices:
+                self.value(index)
+            return
+        location = self._found(variable)
+        if location is None or not self._may(variable, location, Access.READ):
+            return
+        if not (location.is_numeric or text):
+            self._no_number(variable, location.name)
+        elif self._in_cycle and not (location.synchronous or variable.synchronous):
+            if any(self._is_live(index) for index in indices_of(variable)):
+                self._findings.report(900227, variable.span, name=location.name)
+
+    def write(
+        self, target: Variable | Parameter, *, compound: bool = False, text: bool = False
+    ) -> None:
+        """What is assigned to; ``compound``: it is read as well, as in ``+=``."""
+        if isinstance(target, Parameter):
+            self._parameter(target)
+            if self._in_cycle:
+                self._asynchronous(target)
+            return
+        if is_own(target):
+            if self._in_cycle:
+                self._asynchronous(target)
+            else:
+                self._own(target)
+            return
+        entry = support_level.answer_family(target.family)
+        if self._in_cycle and entry is not None and entry.answer is Answer.REFUSED:
+            self._asynchronous(target)
+            return
+        system = system_variable(target, self._axes)
+        if system is not None and system.is_writable:
+            return
+        location = self._found(target)
+        if location is None or not self._may(target, location, Access.WRITE):
+            return
+        if compound and not self._may(target, location, Access.READ):
+            return
+        if not (location.is_numeric or text):
+            self._no_number(target, location.name)
+        elif self._in_cycle and not (location.synchronous or target.synchronous):
+            self._findings.report(22009, target.span, name=location.name)
+
+    def _own(self, variable: Variable) -> None:
+        """V.P, V.S, V.L, V.CYC: whether it exists only the run shows."""
+        for index in indices_of(variable):
+            self.value(index)
+        if not variable.parts:
+            self._findings.report(900213, variable.span, name=path_text(variable), nearest="–")
+        elif sum(1 for _ in indices_of(variable)) > MOST_DIMENSIONS:
+            name = path_text(variable)
+            self._findings.report(900139, variable.span, name=name, most=MOST_DIMENSIONS)
+
+    def assignment(self, statement: Assignment) -> None:
+        """``target operator value``, texts, structures and lists of values among them."""
+        target, value = statement.target, statement.value
+        self.line(target, value)
+        if isinstance(value, ArrayLiteral):
+            self._list_of_values(target, value)
+        elif isinstance(value, Variable) and self._wholes.names_one(value):
+            self._wholes.copy(statement, value)
+        elif isinstance(target, Variable) and self.is_text(target):
+            self._assigned_text(statement, target)
+        else:
+            self.write(target, compound=statement.operator != "=")
+            if may_be_text(target) and self.is_text(value):
+                if statement.operator not in ("=", "+="):
+                    operator = statement.operator[0]
+                    self._findings.report(900341, statement.span, operator=operator)
+                self.text(value)
+            else:
+                self.value(value)
+
+    def _assigned_text(self, statement: Assignment, target: Variable) -> None:
+        """A text is given to a variable, or put behind what it holds."""
+        self.write(target, compound=statement.operator != "=", text=True)
+        if statement.operator not in ("=", "+="):
+            self._findings.report(900341, statement.span, operator=statement.operator[0])
+            return
+        self.text(statement.value)
+        location = resolve(target, self._names)
+        if isinstance(statement.value, StringLiteral) and isinstance(location, Location):
+            text, size = statement.value.value, location.size_bytes
+            wrong = strings.misfit(location.name, location.type, size, text)
+            if wrong is not None:
+                self._findings.report(wrong[0], statement.value.span, **wrong[1])
+
+    def _list_of_values(self, target: Variable | Parameter, value: ArrayLiteral) -> None:
+        if self._in_cycle:
+            name = path_text(target) if isinstance(target, Variable) else "P"
+            self._findings.report(22001, value.span, name=name)
+        elif isinstance(target, Variable) and is_own(target):
+            self._own(target)
+            self.list_items(value)
+        else:
+            self._findings.answer(support_level.form("[1, 2]"), value.span)
+
+    def list_items(self, value: ArrayLiteral) -> None:
+        """The values of a list, lists inside it included."""
+        for item in value.items:
+            if isinstance(item, ArrayLiteral):
+                self.list_items(item)
+            else:
+                self.any_value(item)
+
+    def _asynchronous(self, target: Variable | Parameter) -> None:
+        name = path_text(target) if isinstance(target, Variable) else "P"
+        if isinstance(target, Parameter) and isinstance(target.index, Number):
+            name = f"P{target.index.value:g}"
+        self._findings.report(22009, target.span, name=name)
+
+    def _found(self, variable: Variable) -> Location | None:
+        """The location, or the report why there is none; the indices are checked, too."""
+        entry = support_level.answer_family(variable.family)
+        if entry is None:
+            nearest = support_level.nearest_family(variable.family) or "–"
+            name = path_text(variable)
+            self._findings.report(900213, variable.span, name=name, nearest=nearest)
+            return None
+        if entry.answer is not Answer.SIMULATED:
+            self._findings.answer(entry, variable.span, path_text(variable))
+            return None
+        for index in indices_of(variable):
+            self.value(index)
+        found = resolve(variable, self._names)
+        if isinstance(found, NotFound):
+            self.not_found(variable, found)
+            return None
+        return found if self.indices_fit(variable, found) else None
+
+    def not_found(self, variable: Variable, found: NotFound) -> None:
+        """Report why a variable does not exist."""
+        self._missing.report(variable, found)
+
+    def indices_fit(self, variable: Variable, location: Location | Whole) -> bool:
+        """Constant indices inside the array; those that are computed are checked when they are."""
+        fits = True
+        for index, dimension in zip(indices_of(variable), location.dimensions, strict=True):
+            if isinstance(index, Number) and not 0 <= round(index.value) < dimension.count:
+                fits = False
+                self._findings.report(
+                    50929,
+                    index.span,
+                    variable=location.name,
+                    index=round(index.value),
+                    count=dimension.count,
+                )
+        return fits
+
+    def _may(self, variable: Variable, location: Location, wanted: Access) -> bool:
+        allowed = location.cycle if self._in_cycle else location.decoder
+        if wanted in allowed:
+            return True
+        if location.family in DECLARED:
+            number = 900216 if wanted is Access.WRITE else 900217
+            self._findings.report(number, variable.span, name=location.name)
+            return False
+        self._findings.report(
+            21993,
+            variable.span,
+            name=location.name,
+            access=_RIGHTS[wanted],
+            decoder=_RIGHTS[location.decoder],
+            cycle=_RIGHTS[location.cycle],
+        )
+        return False
+
+    def _is_live(self, index: Expression) -> bool:
+        """Whether an index holds something that a realtime cycle reads in each tick."""
+        return any(is_live(variable, self._names) for variable in variables_in(index))

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+"""Where the checker puts what it finds: diagnostics with their source line.
+
+In: message numbers with spans. Out: diagnostics in the collector. The answers of
+``support_level.py`` become diagnostics here: an error for what is refused, one notice per program
+for what is accepted.
+"""
+
+from __future__ import annotations
+
+from nctakt.base.diagnostics import Span
+from nctakt.messages import Collector
+from nctakt.nc.source import Source
+from nctakt.nc.vocabulary.support_level import Answer, Entry
+
+
+class Findings:
+    """Collects the diagnostics of one program."""
+
+    def __init__(self, source: Source, collector: Collector) -> None:
+        self._source = source
+        self._collector = collector
+        self._told: dict[str, None] = {}
+        #: Macros that the program has defined so far; others may be, where programs call.
+        self.macros: set[str] = set()
+        self.has_other_macros = False
+
+    def report(self, number: int, span: Span, **values: object) -> None:
+        """Add a diagnostic."""
+        self._collector.report(number, span, self._source.line_of(span), **values)
+
+    def written(self, span: Span) -> str:
+        """The text that a span covers, cut to what fits into a message."""
+        text = self._source.line_of(span)[span.column - 1 : span.end_column - 1]
+        return " ".join(text.split())[:40]
+
+    def answer(self, entry: Entry, span: Span, name: str = "") -> None:
+        """Report a refused entry, tell of an accepted one once; ``name`` as the program has it."""
+        command = name or entry.name
+        if entry.answer is Answer.SIMULATED:
+            return
+        if entry.answer is Answer.ACCEPTED:
+            if command in self._told:
+                return
+            self._told[command] = None
+        values = {
+            "command": command,
+            "meaning_en": entry.meaning.en,
+            "meaning_de": entry.meaning.de,
+        }
+        if entry.answer is Answer.ACCEPTED:
+            self.report(900201, span, **values)
+            return
+        instead = entry.instead
+        values["instead_en"] = f" {instead.en}" if instead.en else ""
+        values["instead_de"] = f" {instead.de}" if instead.de else ""
+        self.report(900200, span, **values)

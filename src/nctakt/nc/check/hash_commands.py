@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""``#`` commands of the main program that the decoder carries out: their forms.
+
+In: ``#TIMER``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``,
+``#DISABLE MODAL CYCLE``. Out: diagnostics.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from difflib import get_close_matches
+
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Timer
+from nctakt.nc.vocabulary.command_forms import forms_of
+
+_TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
+_POSITIONS = ("CMDPOS", "ACTPOS")
+_WITHOUT_ARGUMENTS = (("BACKWARD", "STORAGE", "CLEAR"), ("DISABLE", "MODAL", "CYCLE"))
+
+
+class CommandChecker:
+    """Checks them for one program."""
+
+    def __init__(self, values: ValueChecker, findings: Findings) -> None:
+        self._values = values
+        self._findings = findings
+
+    def timer(self, timer: Timer) -> None:
+        """``#TIMER START|STOP|READ|CLEAR [SYN] [ID=…]``."""
+        if timer.action not in _TIMER_ACTIONS:
+            self._option("#TIMER", timer.action, _TIMER_ACTIONS, timer)
+        for option in timer.options:
+            if option.name != "SYN":
+                self._option("#TIMER", option.text, ("SYN",), option)
+        for item in timer.keywords:
+            if isinstance(item, Keyword) and item.name == "ID" and item.value is not None:
+                self._values.block(item.value)
+            else:
+                self._option("#TIMER", self._findings.written(item.span), ("ID",), item)
+
+    def command(self, command: HashCommand, words: Sequence[str]) -> bool:
+        """Whether the command is one of these; then it has been checked."""
+        if tuple(words) in (("FILENAME",), ("FILE", "NAME")):
+            self._file(command)
+        elif tuple(words) == ("CHANNEL", "INIT"):
+            self._channel(command)
+        elif tuple(words) in _WITHOUT_ARGUMENTS:
+            if command.arguments:
+                name = "#" + " ".join(words)
+                self._findings.report(900233, command.span, command=name, forms=forms_of(name))
+        else:
+            return False
+        return True
+
+    def _file(self, command: HashCommand) -> None:
+        """``#FILENAME [MSG=file]``."""
+        items = self._items(command, "#FILENAME")
+        for item in items:
+            if not isinstance(item, Keyword) or item.name != "MSG" or item.value is None:
+                self._option("#FILENAME", self._findings.written(item.span), ("MSG",), item)
+            elif not isinstance(item.value, Name):
+                self._values.text(item.value)
+
+    def _channel(self, command: HashCommand) -> None:
+        """``#CHANNEL INIT [CMDPOS]``, also without brackets."""
+        if not command.arguments:
+            return
+        for item in self._items(command, "#CHANNEL INIT"):
+            if not isinstance(item, Keyword) or item.name not in _POSITIONS or item.value:
+                self._option("#CHANNEL INIT", self._findings.written(item.span), _POSITIONS, item)
+
+    def _items(self, command: HashCommand, name: str) -> tuple[Keyword | Expression, ...]:
+        """What stands in the one bracket of the command."""
+        if len(command.arguments) == 1 and isinstance(command.arguments[0], Bracket):
+            return command.arguments[0].items
+        self._findings.report(900233, command.span, command=name, forms=forms_of(name))
+        return ()
+
+    def _option(
+        self, command: str, word: str, names: Sequence[str], node: Timer | Keyword | Expression
+    ) -> None:
+        near = get_close_matches(word.upper(), names, 1)
+        order = [*near, *(name for name in names if name not in near)]
+        listed = ", ".join(order)
+        self._findings.report(900234, node.span, command=command, word=word, names=listed)

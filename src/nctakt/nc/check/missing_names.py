@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""Variables of lists and of the realtime part that do not exist: why, and what may be meant.
+
+In: a variable of the tree and what the table of names says of it. Out: a diagnostic.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import Variable
+from nctakt.nc.vocabulary.resolution import indices_of, path_text
+from nctakt.nc.vocabulary.variable_table import DECLARED, Location, NameTable, NotFound, Problem
+
+_INDEX = re.compile(r"\[\d+\]")
+
+
+class MissingNames:
+    """Reports them, for the axes of one channel."""
+
+    def __init__(self, names: NameTable, axes: Sequence[str], findings: Findings) -> None:
+        self._names = names
+        self._axes = axes
+        self._findings = findings
+
+    def report(self, variable: Variable, found: NotFound) -> None:
+        """Report why a variable does not exist."""
+        report, span = self._findings.report, variable.span
+        match found.reason:
+            case Problem.UNKNOWN:
+                nearest = (
+                    self._with_axis(variable) or self._spelled(variable) or found.nearest or "–"
+                )
+                report(900213, span, name=path_text(variable), nearest=nearest)
+            case Problem.INDICES:
+                given = sum(1 for _ in indices_of(variable))
+                report(900214, span, name=found.name, expected=found.expected_indices, given=given)
+            case Problem.STRUCTURE:
+                report(900215, span, name=found.name, member=found.nearest)
+
+    def _with_axis(self, variable: Variable) -> str:
+        """``V.RTA.ACS.ACT_POS.X`` where the axis is missing at the end; else nothing."""
+        if variable.family == "RTA":
+            parts = [(part.name, len(part.indices)) for part in variable.parts]
+            for axis in self._axes:
+                location = self._names.resolve("RTA", [*parts, (axis, 0)])
+                if isinstance(location, Location):
+                    return location.name
+        return ""
+
+    def _spelled(self, variable: Variable) -> str:
+        """The variable that differs in upper and lower case only; else nothing."""
+        wanted = path_text(variable).casefold()
+        if variable.family in DECLARED:
+            known = (_INDEX.sub("[]", name) for name, _, _ in self._names.values())
+            return next((name for name in known if name.casefold() == wanted), "")
+        parts = [(part.name.upper(), len(part.indices)) for part in variable.parts]
+        found = self._names.resolve(variable.family, parts)
+        return found.name if isinstance(found, Location) else ""

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""What sets how the path goes on: ``#CONTOUR MODE``, ``#SLOPE``, overrides (MO-2, MO-3, MO-5).
+
+Their words and keywords are those that are simulated; every other one is refused by name, since it
+would change positions or times.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from nctakt.base.diagnostics import NOTHING, Span
+from nctakt.base.text import nearest
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import (
+    Bracket,
+    BracketCommand,
+    Expression,
+    HashCommand,
+    Keyword,
+    Name,
+    Number,
+)
+from nctakt.nc.vocabulary.command_forms import forms_of
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """What a command may have: words in brackets, keywords with a number, keywords with a word."""
+
+    words: tuple[str, ...] = ()
+    numbers: tuple[str, ...] = ()
+    names: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    needs_bracket: bool = True
+
+    @property
+    def keywords(self) -> tuple[str, ...]:
+        """What may stand in its bracket."""
+        return (*self.words, *self.numbers, *self.names)
+
+
+#: The commands by their words. Contouring: the corner deviation is the only mode.
+FORMS = {
+    "CONTOUR MODE": Form(("DEV",), ("PATH_DEV",)),
+    "CONTOUR MODE ON": Form(("DEV",), ("PATH_DEV",), needs_bracket=False),
+    "CONTOUR MODE OFF": Form(needs_bracket=False),
+    "SLOPE": Form(names={"TYPE": ("STEP", "TRAPEZ")}),
+    "SLOPE DEFAULT": Form(needs_bracket=False),
+    "OVERRIDE": Form(numbers=("FEED_FACT", "RAPID_FACT")),
+}
+
+
+#: ``X[OVERRIDE FEED_FACT=50]``.
+_AXIS_OVERRIDE = Form(("OVERRIDE",), ("FEED_FACT", "RAPID_FACT"))
+
+
+#: ``X[FIXED_STOP ON POS_LAG_LIMIT=0.5]``; torque and window change nothing in the simulation.
+_FIXED_STOP = Form(
+    ("FIXED_STOP", "ON", "OFF"),
+    (
+        "TORQUE_LIMIT",
+        "POS_LAG_LIMIT",
+        "CYCLES",
+        "WINDOW",
+        "START",
+        "END",
+        "ERR_NOT_DETECTED",
+    ),
+)
+
+#: Commands for one axis of the path, by their first keyword.
+_AXIS_FORMS = {"OVERRIDE": _AXIS_OVERRIDE, "FIXED_STOP": _FIXED_STOP}
+_AXIS_EXAMPLES = {"OVERRIDE": "FEED_FACT=50", "FIXED_STOP": "ON"}
+
+
+def command_name(command: HashCommand) -> str:
+    """The words of a command."""
+    return " ".join(word.name for word in command.words)
+
+
+def keywords(command: HashCommand) -> tuple[Keyword, ...]:
+    """The keywords in the brackets of a checked command."""
+    return tuple(
+        item
+        for argument in command.arguments
+        if isinstance(argument, Bracket)
+        for item in argument.items
+        if isinstance(item, Keyword)
+    )
+
+
+def check_path_command(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:
+    """Check one of the commands; false where it is none of them."""
+    name = command_name(command)
+    form = FORMS.get(name)
+    if form is None:
+        return False
+    bracket = command.arguments[0] if len(command.arguments) == 1 else None
+    says_something = isinstance(bracket, Bracket) and bool(bracket.items)
+    if not says_something and (form.needs_bracket or command.arguments):
+        forms = forms_of(
+            f"#{name.removesuffix(' ON').removesuffix(' OFF').removesuffix(' DEFAULT')}"
+        )
+        findings.report(900233, command.span, command=f"#{name}", forms=forms)
+        return True
+    for argument in command.arguments:
+        assert isinstance(argument, Bracket)
+        for item in argument.items:
+            _check_item(form, f"#{name}", item, values, findings)
+    return True
+
+
+def check_path_axis(command: BracketCommand, values: ValueChecker, findings: Findings) -> bool:
+    """Check ``X[OVERRIDE …]``, ``X[FIXED_STOP …]``; false where it is another command."""
+    first = command.items[0] if command.items else None
+    if not isinstance(first, Keyword) or first.name not in _AXIS_FORMS:
+        return False
+    form, name = _AXIS_FORMS[first.name], f"{command.name}[{first.name}]"
+    if len(command.items) == 1 and first.value is None:
+        forms = f"{command.name}[{first.name} {_AXIS_EXAMPLES[first.name]}]"
+        findings.report(900233, first.span, command=name, forms=forms)
+    for item in command.items:
+        _check_item(form, name, item, values, findings)
+    return True
+
+
+def _check_item(
+    form: Form, name: str, item: Keyword | Expression, values: ValueChecker, findings: Findings
+) -> None:
+    if not isinstance(item, Keyword):
+        _refuse(name, findings.written(item.span), form.keywords, item.span, findings)
+        return
+    if item.name in form.words and item.value is None:
+        return
+    if item.value is None and item.name in (*form.numbers, *form.names):
+        findings.report(900208, item.span, word=item.name)
+    elif item.value is not None and item.name in form.numbers:
+        values.value(item.value)
+        _check_number(item, findings)
+    elif item.name not in form.names or not isinstance(item.value, Name):
+        word = item.name if item.name not in form.keywords else findings.written(item.span)
+        _refuse(name, word, form.keywords, item.span, findings)
+    elif item.value.name not in form.names[item.name]:
+        known = form.names[item.name]
+        _refuse(f"{name} [{item.name}]", item.value.name, known, item.value.span, findings)
+
+
+def _check_number(item: Keyword, findings: Findings) -> None:
+    """What is known to be wrong before the program runs."""
+    value = item.value
+    if item.name == "PATH_DEV" and isinstance(value, Number) and value.value <= 0.0:
+        findings.report(900707, value.span, value=value.value)
+
+
+def _refuse(name: str, word: str, known: Sequence[str], span: Span, findings: Findings) -> None:
+    """Report a word: one that is only misspelt, or one that is not simulated."""
+    near = nearest(word, known)
+    names = ", ".join(known) or NOTHING
+    if near and near != word:
+        findings.report(900900, span, command=name, word=word, nearest=near)
+    else:
+        findings.report(900706, span, command=name, word=word, names=names)

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+"""Declarations and deletion of the variables that programs make themselves: V.P, V.S, V.L, V.CYC.
+
+In: ``#VAR`` and ``#DELETE``. Out: diagnostics.
+"""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+
+from nctakt.lists.declared.variables import SCALARS
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import (
+    ArrayLiteral,
+    Declaration,
+    HashCommand,
+    Node,
+    Number,
+    Variable,
+    VariableDeclarations,
+)
+from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.resolution import OWN_FAMILIES, indices_of, is_own, path_text
+
+#: What a declaration may say: name -> type. REAL is short for REAL64.
+TYPES = {
+    **{name: name for name, scalar in SCALARS.items() if scalar.is_numeric},
+    "REAL": "REAL64",
+    "STRING": "STRING",
+}
+
+
+class OwnChecker:
+    """Checks the declarations of one program."""
+
+    def __init__(self, values: ValueChecker, findings: Findings) -> None:
+        self._values = values
+        self._findings = findings
+
+    def declarations(self, statement: VariableDeclarations) -> None:
+        """``#VAR`` … ``#ENDVAR``."""
+        for declaration in statement.declarations:
+            self._declaration(declaration)
+
+    def _declaration(self, declaration: Declaration) -> None:
+        variable = declaration.variable
+        if not is_own(variable):
+            self._no_own(variable)
+            return
+        self._values.write(variable)
+        for index in indices_of(variable):
+            if isinstance(index, Number) and not 1 <= index.value == int(index.value):
+                name = path_text(variable)
+                self._findings.report(900140, index.span, name=name, count=f"{index.value:g}")
+        if declaration.type_name is not None and declaration.type_name not in TYPES:
+            word = declaration.type_name
+            near = get_close_matches(word, TYPES, 1, 0.0)
+            self._findings.report(900136, declaration.span, word=word, nearest=near[0])
+        if declaration.size is not None:
+            self._values.value(declaration.size)
+        if isinstance(declaration.initial, ArrayLiteral):
+            self._values.list_items(declaration.initial)
+        elif declaration.initial is not None:
+            self._values.any_value(declaration.initial)
+
+    def _no_own(self, node: Node) -> None:
+        word = self._findings.written(node.span)
+        families = ", ".join(f"V.{family}" for family in OWN_FAMILIES)
+        self._findings.report(900137, node.span, word=word, families=families)
+
+    def delete(self, command: HashCommand) -> None:
+        """``#DELETE V.P.A, V.S.B``; a family alone, ``V.P.``, means all of it."""
+        if not command.arguments:
+            forms = forms_of("#DELETE")
+            self._findings.report(900233, command.span, command="#DELETE", forms=forms)
+        for argument in command.arguments:
+            if not isinstance(argument, Variable) or not is_own(argument):
+                self._no_own(argument)

@@ -1,0 +1,278 @@
+# SPDX-License-Identifier: MIT
+"""Realtime cycles: every rule that can be known before a cycle runs.
+
+In: definitions and management commands. Out: diagnostics. Keywords (RC-101 … RC-105), P-CHAN-00406
+(RC-114), the statements of a body (RC-201 … RC-208), M and H functions (RC-403). Expressions and
+accesses are those of ``expressions.py`` in the context of a cycle, single-axis commands those of
+``axis_commands.py``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from difflib import get_close_matches
+
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.nc.check.axis_commands import AxisCommandChecker
+from nctakt.nc.check.blocks import RETURN_COMMANDS, WordChecker
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.check.spindle_commands import SpindleChecker
+from nctakt.nc.check.user_errors import UserErrorChecker
+from nctakt.nc.tree import (
+    Assignment,
+    Block,
+    BlockWord,
+    BracketCommand,
+    CycleControl,
+    Expression,
+    HashCommand,
+    If,
+    Keyword,
+    Name,
+    Number,
+    RealtimeCycle,
+    Statement,
+    Timer,
+    Unreadable,
+    UserError,
+    VariableBlock,
+    Word,
+)
+from nctakt.nc.vocabulary import support_level
+from nctakt.nc.vocabulary.axis_commands import is_axis_command
+from nctakt.nc.vocabulary.spindle_commands import split
+
+SCOPES = ("BLOCK", "PROG", "GLOBAL")
+END_ACTIONS = ("MOVE_ABORT", "MOVE_CONT")
+#: M functions that control programs (RC-403).
+RESERVED_M = (0, 1, 2, 17, 29, 30)
+_TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
+
+#: The highest ID of a realtime cycle.
+HIGHEST_ID = 2147483647
+
+
+class CycleChecker:
+    """Checks definitions and management commands.
+
+    ``words`` and ``program_values`` are the checkers of the program around the cycles, ``values``
+    and ``axes`` those of the cycles.
+    """
+
+    def __init__(
+        self,
+        channel: ChannelParameters,
+        words: WordChecker,
+        program_values: ValueChecker,
+        values: ValueChecker,
+        axes: AxisCommandChecker,
+        findings: Findings,
+    ) -> None:
+        self._axes = axes
+        self._channel = channel
+        self._words = words
+        self._program_values = program_values
+        self._values = values
+        self._findings = findings
+        self._spindles = SpindleChecker(channel, values, findings, in_cycle=True)
+        self._user_errors = UserErrorChecker(values, findings, in_cycle=True)
+
+    # --- definition and management ---------------------------------------------------------------
+
+    def definition(self, cycle: RealtimeCycle) -> None:
+        """``#RT CYCLE … #RT CYCLE END``."""
+        command = "#RT CYCLE DEF" if cycle.definition_only else "#RT CYCLE"
+        self._enabled(cycle, command)
+        found = self._keywords(cycle.keywords, ("ID", "SCOPE", "END_ACTION"))
+        scope = self._choice(found.get("SCOPE"), SCOPES)
+        self._choice(found.get("END_ACTION"), END_ACTIONS)
+        if "ID" in found:
+            self._identity(found["ID"], is_global=scope == "GLOBAL")
+        elif cycle.definition_only:
+            self._findings.report(22003, cycle.span, word="DEF")
+        elif scope == "GLOBAL":
+            self._findings.report(22003, cycle.span, word="SCOPE=GLOBAL")
+        self._axes.begin(cycle.body)
+        self._statements(cycle.body)
+
+    def control(self, control: CycleControl) -> None:
+        """``#RT CYCLE START [ID=…]`` and its kin (RC-111)."""
+        self._enabled(control, f"#RT CYCLE {control.action}")
+        found = self._keywords(control.keywords, ("ID",))
+        if "ID" in found:
+            self._identity(found["ID"], is_global=False)
+        else:
+            self._findings.report(900226, control.span, action=control.action)
+
+    def _enabled(self, statement: Statement, command: str) -> None:
+        if not self._channel.realtime_cycles.enable:
+            self._findings.report(21982, statement.span, command=command)
+
+    def _keywords(
+        self, items: Sequence[Keyword | Expression], known: Sequence[str]
+    ) -> dict[str, Keyword]:
+        found: dict[str, Keyword] = {}
+        for item in items:
+            if not isinstance(item, Keyword) or item.name not in known or item.arguments:
+                self._findings.report(
+                    21985, item.span, keyword=self._findings.written(item.span) or "–"
+                )
+            elif item.name in found:
+                self._findings.report(900224, item.span, word=item.name)
+            else:
+                found[item.name] = item
+        return found
+
+    def _choice(self, keyword: Keyword | None, names: Sequence[str]) -> str:
+        """The value of a keyword that is one of ``names``; empty without one."""
+        if keyword is None:
+            return ""
+        value = keyword.value
+        if isinstance(value, Name) and value.name in names:
+            return value.name
+        written = "–" if value is None else self._findings.written(value.span)
+        near = get_close_matches(value.name, names, 1) if isinstance(value, Name) else []
+        order = [*near, *(name for name in names if name not in near)]
+        span = keyword.span if value is None else value.span
+        self._findings.report(
+            900225, span, word=keyword.name, value=written, names=", ".join(order)
+        )
+        return ""
+
+    def _identity(self, keyword: Keyword, *, is_global: bool) -> None:
+        """The ID: constant ones are whole and above 0 (RC-103)."""
+        value = keyword.value
+        if value is None:
+            self._findings.report(900208, keyword.span, word="ID")
+            return
+        self._program_values.block(value)
+        if not isinstance(value, Number):
+            return
+        if is_global and value.value <= 0:
+            self._findings.report(21983, value.span, id=f"{value.value:g}")
+        elif not 1 <= value.value <= HIGHEST_ID or not value.value.is_integer():
+            self._findings.report(50875, value.span, id=f"{value.value:g}")
+
+    # --- the body --------------------------------------------------------------------------------
+
+    def _statements(self, statements: Sequence[Statement]) -> None:
+        for statement in statements:
+            self._statement(statement)
+
+    def _statement(self, statement: Statement) -> None:
+        if statement.head.number is not None:
+            self._program_values.block(statement.head.number)
+        match statement:
+            case Block():
+                self._block(statement)
+            case Assignment():
+                self._values.assignment(statement)
+            case VariableBlock():
+                self._values.block(statement.variable)
+            case If():
+                self._if(statement)
+            case Timer():
+                self._timer(statement)
+            case UserError():
+                self._user_errors.check(statement)
+            case HashCommand():
+                self._hash(statement)
+            case Unreadable():
+                self._findings.report(900229, statement.span)
+            case _:
+                self._no_meaning(statement)
+
+    def _no_meaning(self, node: Statement | Word) -> None:
+        self._findings.report(22002, node.span, command=self._findings.written(node.span))
+
+    def _if(self, statement: If) -> None:
+        if statement.preprocessor:
+            self._no_meaning(statement)
+            return
+        if statement.frequency is not None:
+            if statement.elseifs or statement.else_body is not None:
+                self._findings.report(22022, statement.span, word=statement.frequency)
+        self._values.block(statement.condition)
+        self._statements(statement.body)
+        for branch in statement.elseifs:
+            if branch.frequency is not None:
+                self._findings.report(22021, branch.span, word=branch.frequency)
+            self._values.block(branch.condition)
+            self._statements(branch.body)
+        self._statements(statement.else_body or ())
+
+    def _timer(self, timer: Timer) -> None:
+        """``#TIMER`` with SYN and at most an ID (RC-401)."""
+        for option in timer.options:
+            if option.name != "SYN":
+                self._findings.report(22004, option.span, command="#TIMER", word=option.text)
+        for item in timer.keywords:
+            if not isinstance(item, Keyword) or item.name != "ID":
+                written = self._findings.written(item.span)
+                self._findings.report(22004, item.span, command="#TIMER", word=written)
+        if timer.action not in _TIMER_ACTIONS:
+            self._findings.report(22004, timer.span, command="#TIMER", word=timer.action)
+        elif not any(option.name == "SYN" for option in timer.options):
+            self._findings.report(22006, timer.span, action=timer.action)
+        for item in timer.keywords:
+            if isinstance(item, Keyword) and item.value is not None:
+                self._values.block(item.value)
+
+    def _hash(self, command: HashCommand) -> None:
+        words = [word.name for word in command.words]
+        if support_level.answer_hash(words) is not None:
+            self._no_meaning(command)
+            return
+        nearest = support_level.nearest_hash(words) or "–"
+        self._findings.report(900202, command.span, word="#" + " ".join(words), nearest=nearest)
+
+    # --- words -----------------------------------------------------------------------------------
+
+    def _block(self, block: Block) -> None:
+        """Functions, spindles, single axes; of words for the path the first is reported."""
+        told: dict[int, None] = {}
+        for word in block.words:
+            if isinstance(word, BracketCommand) and _moves_an_axis(word):
+                self._axes.command(word)
+        others = [one for one in block.words if not _moves_an_axis(one)]
+        commands, words = split(others, self._words.spindles)
+        for command in commands:
+            self._spindles.check(command)
+        for word in words:
+            if isinstance(word, Word) and word.name in ("M", "H"):
+                self._function(word)
+            elif isinstance(word, BracketCommand) and word.name not in RETURN_COMMANDS:
+                if not self._words.bracket(word):
+                    self._words.unknown(word)
+            elif 22002 not in told:
+                told[22002] = None
+                self._findings.report(22002, word.span, command=self._findings.written(word.span))
+
+    def _function(self, word: Word) -> None:
+        """An M or H function: of the channel, in its list, not one that controls programs."""
+        number = self._words.number(word)
+        if number is None:
+            return
+        name, letter = f"{word.name}{number:02}", word.name.lower()
+        is_m = word.name == "M"
+        functions = self._channel.m_functions if is_m else self._channel.h_functions
+        if is_m and number in RESERVED_M:
+            self._findings.report(900207, word.span, word=name)
+        elif number not in functions:
+            self._findings.report(50938 if is_m else 50940, word.span, function=number)
+        elif functions[number].axis_name:
+            self._findings.report(
+                900206,
+                word.span,
+                word=name,
+                axis=functions[number].axis_name,
+                key=f"{letter}_default_outp_ax_name[{number}]",
+            )
+        elif word.additional is not None or word.arguments:
+            written = self._findings.written(word.span)
+            self._findings.answer(support_level.form("M110=130, in cycles"), word.span, written)
+
+
+def _moves_an_axis(word: BlockWord) -> bool:
+    return isinstance(word, BracketCommand) and is_axis_command(word)

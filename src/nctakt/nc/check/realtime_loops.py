@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: MIT
+"""Realtime loops, ``#RT WHILE … #RT ENDWHILE``: what may stand in them.
+
+The realtime part repeats what was decoded once. So nothing may stand in a loop that the decoder
+would have to wait for or decide anew: motions with G00 to G03, and writing of synchronous V.E
+variables (22073).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import (
+    Assignment,
+    AxisWord,
+    Block,
+    BlockWord,
+    Expression,
+    Number,
+    RealtimeLoop,
+    Statement,
+    Unreadable,
+    Variable,
+    Word,
+)
+from nctakt.nc.vocabulary.resolution import resolve, variables_in
+from nctakt.nc.vocabulary.variable_table import Location, NameTable
+
+#: G functions of a loop.
+MOTIONS = (0, 1, 2, 3)
+#: Words of a motion beside its axes: centre, radius, feed.
+_VALUES = ("I", "J", "K", "R", "F")
+
+
+class LoopChecker:
+    """Checks loops; ``check`` is told each statement that a loop may have."""
+
+    def __init__(
+        self,
+        channel: ChannelParameters,
+        names: NameTable,
+        findings: Findings,
+        check: Callable[[Statement], None],
+    ) -> None:
+        self._channel = channel
+        self._names = names
+        self._findings = findings
+        self._check = check
+
+    def loop(self, loop: RealtimeLoop) -> None:
+        """The loop with its body."""
+        if not self._channel.realtime_cycles.enable:
+            self._findings.report(21982, loop.span, command="#RT WHILE")
+        for statement in loop.body:
+            if self._belongs(statement):
+                self._check(statement)
+
+    def _belongs(self, statement: Statement) -> bool:
+        match statement:
+            case Block():
+                return self._motion(statement)
+            case Assignment():
+                return self._writes(statement)
+            case RealtimeLoop():
+                self._findings.report(22181, statement.span, found="#RT WHILE")
+                return False
+            case Unreadable():
+                return False
+        self._refuse(statement)
+        return False
+
+    def _refuse(self, node: Statement | BlockWord | Expression) -> None:
+        self._findings.report(22073, node.span, command=self._findings.written(node.span))
+
+    def _motion(self, block: Block) -> bool:
+        wrong = next((word for word in block.words if not self._is_of_motion(word)), None)
+        if wrong is not None:
+            self._refuse(wrong)
+            return False
+        return self._is_known_ahead(value for word in block.words for value in _values(word))
+
+    def _is_of_motion(self, word: BlockWord) -> bool:
+        if isinstance(word, AxisWord):
+            return True
+        if not isinstance(word, Word) or word.arguments or word.additional is not None:
+            return False
+        if word.name == "G":
+            return isinstance(word.value, Number) and word.value.value in MOTIONS
+        return word.name in _VALUES
+
+    def _writes(self, statement: Assignment) -> bool:
+        target = statement.target
+        if not isinstance(target, Variable) or target.family != "E":
+            self._refuse(statement)
+            return False
+        found = resolve(target, self._names)
+        if isinstance(found, Location) and not (found.synchronous or target.synchronous):
+            self._refuse(statement)
+            return False
+        values = [statement.value] if isinstance(statement.value, Expression) else []
+        if statement.operator != "=":
+            values.append(target)
+        return self._is_known_ahead(values)
+
+    def _is_known_ahead(self, values: Iterator[Expression] | list[Expression]) -> bool:
+        """Whether the decoder knows values without waiting for the realtime part."""
+        for value in values:
+            for variable in variables_in(value):
+                found = resolve(variable, self._names)
+                if isinstance(found, Location) and (found.synchronous or variable.synchronous):
+                    self._refuse(variable)
+                    return False
+        return True
+
+
+def _values(word: BlockWord) -> Iterator[Expression]:
+    value = getattr(word, "value", None)
+    if isinstance(value, Expression):
+        yield value

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""Commands to spindles: what may stand together (RC-404).
+
+In: a ``SpindleCommand``. Out: diagnostics. The main program may give speed, direction and position
+in several blocks; a realtime cycle gives a whole job in one.
+"""
+
+from __future__ import annotations
+
+from nctakt.base.diagnostics import NOTHING
+from nctakt.base.text import nearest
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.vocabulary.spindle_commands import (
+    CLOCKWISE,
+    COUNTER_CLOCKWISE,
+    POSITION,
+    STOP,
+    SpindleCommand,
+)
+
+#: What a command to a spindle may have, for a misspelt word.
+WORDS = ("M3", "M4", "M5", "M19", "S", "REV", "S.POS", "POS")
+
+
+class SpindleChecker:
+    """Checks commands to the spindles of one channel; ``in_cycle``: those of realtime cycles."""
+
+    def __init__(
+        self,
+        channel: ChannelParameters,
+        values: ValueChecker,
+        findings: Findings,
+        *,
+        in_cycle: bool,
+    ) -> None:
+        self._has_main = any(spindle.is_main for spindle in channel.spindles)
+        self._values = values
+        self._findings = findings
+        self._in_cycle = in_cycle
+
+    def check(self, command: SpindleCommand) -> None:
+        """One command."""
+        if not command.name and not self._has_main:
+            self._findings.report(900473, command.span)
+        for word in command.wrong:
+            written = self._findings.written(word.span)
+            known = nearest(written, WORDS) or NOTHING
+            self._findings.report(900282, word.span, word=written, nearest=known)
+        for doubled in command.doubled:
+            self._findings.report(900224, doubled.span, word=self._findings.written(doubled.span))
+        for value in (command.speed, command.position):
+            if value is not None:
+                self._values.value(value)
+        if command.wrong or command.doubled:
+            return
+        if not self._in_cycle:
+            self._fit(command)
+        elif not self._is_job(command):
+            self._findings.report(50954, command.span, command=self._findings.written(command.span))
+
+    def _fit(self, command: SpindleCommand) -> None:
+        """The words of the main program have to go together."""
+        turns = [one for one in command.functions if one in (CLOCKWISE, COUNTER_CLOCKWISE)]
+        if len(turns) > 1 or (STOP in command.functions and len(command.functions) > 1):
+            words = ", ".join(f"M{one}" for one in command.functions)
+            self._findings.report(900901, command.span, words=words)
+        elif command.position is not None and POSITION not in command.functions:
+            self._findings.report(900902, command.position.span)
+        elif not command.functions and command.speed is None:
+            self._findings.report(50954, command.span, command=self._findings.written(command.span))
+
+    def _is_job(self, command: SpindleCommand) -> bool:
+        """Whether they are a complete job: turn, go to a position, or stop."""
+        functions = sorted(command.functions)
+        given = (command.speed is not None, command.position is not None)
+        if functions == [STOP]:
+            return given == (False, False)
+        if len(functions) == 1:
+            return functions[0] != POSITION and given == (True, False)
+        turns = functions[:1] in ([CLOCKWISE], [COUNTER_CLOCKWISE])
+        return turns and functions[1:] == [POSITION] and given == (True, True)

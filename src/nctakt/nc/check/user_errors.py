@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: MIT
+"""``#ERROR`` of programs and realtime cycles: which keywords and values it has (RC-402).
+
+In: the statement. Out: diagnostics. Behind it each keyword is a known one that stands once and has
+a value, there is an ID, and constant values are within their bounds.
+"""
+
+from __future__ import annotations
+
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import Expression, Keyword, Number, StringLiteral, UserError
+
+KEYWORDS = (
+    "ID",
+    "RC",
+    "MID",
+    *(f"{kind}{number}" for number in range(1, 6) for kind in ("PV", "PM", "PIV")),
+)
+#: Characters of a text that is told with an error.
+LONGEST_TEXT = 23
+
+#: Lowest and highest constant value, and the message for others.
+_BOUNDS = {"ID": (1, 1000, 900460), "RC": (0, 7, 900461), "MID": (1, 4294967295, 900462)}
+
+
+class UserErrorChecker:
+    """Checks ``#ERROR``; ``in_cycle``: in the body of a realtime cycle."""
+
+    def __init__(self, values: ValueChecker, findings: Findings, *, in_cycle: bool) -> None:
+        self._values = values
+        self._findings = findings
+        self._in_cycle = in_cycle
+
+    def check(self, error: UserError) -> None:
+        """One statement."""
+        found: dict[str, Keyword] = {}
+        lost = False  # a value whose = is missing
+        for item in error.keywords:
+            if lost and isinstance(item, Expression):
+                lost = False
+                continue
+            lost = isinstance(item, Keyword) and item.value is None
+            if not isinstance(item, Keyword) or item.name not in KEYWORDS or item.arguments:
+                written = self._findings.written(item.span)
+                if self._in_cycle:
+                    self._findings.report(22004, item.span, command="#ERROR", word=written)
+                else:
+                    names = ", ".join(KEYWORDS)
+                    self._findings.report(
+                        900234, item.span, command="#ERROR", word=written, names=names
+                    )
+            elif item.name in found:
+                self._findings.report(900224, item.span, word=item.name)
+            else:
+                found[item.name] = item
+        if "ID" not in found:
+            self._findings.report(900280, error.span)
+        expressions = [one.value for one in found.values() if one.value is not None]
+        self._values.line(*expressions)
+        for keyword in found.values():
+            self._value(keyword)
+
+    def _value(self, keyword: Keyword) -> None:
+        value = keyword.value
+        if value is None:
+            self._findings.report(900208, keyword.span, word=keyword.name)
+        elif keyword.name.startswith("PV") and isinstance(value, StringLiteral):
+            if len(value.value) > LONGEST_TEXT:
+                self._findings.report(900281, value.span, longest=LONGEST_TEXT)
+        elif keyword.name.startswith("PV"):
+            self._values.any_value(value)
+        else:
+            self._values.value(value)
+            if isinstance(value, Number) and keyword.name in _BOUNDS:
+                low, high, message = _BOUNDS[keyword.name]
+                if not (low <= value.value <= high and value.value.is_integer()):
+                    self._findings.report(message, value.span, value=f"{value.value:g}")

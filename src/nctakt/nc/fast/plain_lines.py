@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""Plain blocks, read without a tree: a number, G00 or G01, axis words, F above 0, comments.
+
+In: lines. Out: what a line says, in numbers, where it is plain. Programs of CAM systems consist of
+such lines. Whatever is not exactly one of them is for the parser: there is one language, and this
+is a short way through a small part of it. Numbers are read as ``float`` reads them, to the last
+bit: up to 15 digits both the digits and their power of ten are exact, so one division rounds once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.nc.fast.line_scanner import LineScanner
+
+#: What a line may be.
+OTHER = 0
+EMPTY = 1
+PLAIN = 2
+
+
+def shape_code(shape: Sequence[str | float]) -> int:
+    """The ``shape`` of plain blocks with these letters; G is followed by its number. 0: of none."""
+    code = 0
+    for one in shape:
+        if isinstance(one, str):
+            if len(one) > 1:
+                return 0
+            code = code * 32 + ord(one) - 64
+        elif one in (0.0, 1.0):
+            code = code * 32 + 27 + int(one)
+        else:
+            return 0
+    return code if len(shape) <= 12 else 0
+
+
+class PlainScanner(LineScanner):
+    """Reads lines of a channel with these axes; the last line that was ``PLAIN`` is in the fields.
+
+    ``number``: the N word, 0 without. ``column``: where the first word begins, from 1.
+    ``motion``: 0 or 1 for G00 and G01, else -1. ``has_feed``, ``run.queue_feeder``: the F word.
+    ``axes``: bits of the axes that have a word, ``values`` their numbers. ``shape``: its letters
+    and G functions in their order, as one number; blocks of one shape are the same to every check.
+    """
+
+    def __init__(self, axes: Sequence[str]) -> None:
+        super().__init__()
+        #: The place of the axis that a letter names, -1 for none.
+        self.places = memoryview(bytearray(8 * 27)).cast("q")
+        for i in range(27):
+            self.places[i] = -1
+        for index, name in enumerate(axes[:62]):
+            if len(name) == 1 and name in "ABCQUVWXYZ":
+                self.places[ord(name) - 64] = index
+        self.values = memoryview(bytearray(8 * max(1, len(axes)))).cast("d")
+        self.number = 0
+        self.column = 0
+        self.motion = -1
+        self.has_feed = False
+        self.feed = 0.0
+        self.axes = 0
+        self.shape = 0
+        self.words = 0
+
+    def pass_over(self, lines: list[str], index: int, shapes: set[int]) -> int:
+        """The first line from ``index`` on that is neither empty nor plain and of these shapes."""
+        end = len(lines)
+        last = 0
+        while index < end:
+            what = self.read(lines[index])
+            if what == 0:
+                return index
+            if what == 2 and self.shape != last:
+                if self.shape not in shapes:
+                    return index
+                last = self.shape
+            index += 1
+        return index
+
+    def read(self, line: str) -> int:
+        """What the line is: ``OTHER``, ``EMPTY`` or ``PLAIN``."""
+        end = len(line)
+        if end > 4000:
+            return 0
+        self.number = 0
+        self.motion = -1
+        self.has_feed = False
+        self.axes = 0
+        self.shape = 0
+        self.words = 0
+        i = self.blanks(line, 0, end)
+        if i < end and (line[i] == "N" or line[i] == "n"):
+            i = self.digits(line, self.blanks(line, i + 1, end), end)
+            if i < 0:
+                return 0
+        while True:
+            i = self.blanks(line, i, end)
+            if i >= end or line[i] == ";":
+                break
+            i = self.comment(line, i, end) if line[i] == "(" else self.word(line, i, end)
+            if i < 0:
+                return 0
+        while i < end:
+            if line[i] == "\0":
+                return 0
+            i += 1
+        if self.words == 0:
+            return 1 if self.number == 0 else 0
+        return 2
+
+    def blanks(self, line: str, i: int, end: int) -> int:
+        """The next place that is no blank."""
+        while i < end and (line[i] == " " or line[i] == "\t"):
+            i += 1
+        return i
+
+    def digits(self, line: str, i: int, end: int) -> int:
+        """The digits of a block number above 0; where they end, -1 for anything else."""
+        first = i
+        while i < end and "0" <= line[i] <= "9":
+            self.number = self.number * 10 + ord(line[i]) - 48
+            i += 1
+            if i - first > 15:
+                return -1
+        return i if self.number > 0 else -1
+
+    def word(self, line: str, i: int, end: int) -> int:
+        """A word; where it ends, -1 for one that no plain block has."""
+        letter = ord(line[i])
+        if 97 <= letter <= 122:
+            letter -= 32
+        if letter < 65 or letter > 90 or self.words == 12:
+            return -1
+        if self.shape == 0:
+            self.column = i + 1
+        i = self.signed(line, self.blanks(line, i + 1, end), end)
+        if i < 0:
+            return -1
+        self.shape = self.shape * 32 + letter - 64
+        self.words += 1
+        place = self.places[letter - 64]
+        if place >= 0:
+            if self.axes >> place & 1:
+                return -1
+            self.axes |= 1 << place
+            self.values[place] = self.value
+        elif letter == 71 and self.motion < 0 and self.words < 12:
+            self.motion = 0 if self.value == 0.0 else 1
+            if self.value != self.motion:
+                return -1
+            self.shape = self.shape * 32 + 27 + self.motion
+            self.words += 1
+        elif letter == 70 and not self.has_feed and self.value > 0.0:
+            self.has_feed = True
+            self.feed = self.value
+        else:
+            return -1
+        return i

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: MIT
+# C types of recipes.py.
+cimport cython
+from nctakt.nc.fast cimport raw_nodes
+from nctakt.nc.fast.shapes cimport Shape
+
+cdef class Occurrence:
+    cdef readonly str file
+    cdef readonly long long first
+    cdef readonly list lines
+    cdef readonly list numbers
+    cdef readonly list ends
+    cdef readonly list inside
+
+cdef class Recipe:
+    cpdef object make(self, Occurrence at)
+
+cdef class Same(Recipe):
+    cdef object value
+    cpdef object make(self, Occurrence at)
+
+cdef class Place(Recipe):
+    cdef Py_ssize_t line
+    cdef Py_ssize_t begin
+    cdef Py_ssize_t column
+    cdef Py_ssize_t end
+    cdef Py_ssize_t end_column
+    @cython.locals(column=Py_ssize_t, end_column=Py_ssize_t)
+    cpdef object make(self, Occurrence at)
+
+cdef class Value(Recipe):
+    cdef readonly Py_ssize_t place
+    cdef readonly double sign
+    cpdef object make(self, Occurrence at)
+
+cdef class Items(Recipe):
+    cdef list parts
+    @cython.locals(part=Recipe)
+    cpdef object make(self, Occurrence at)
+
+cdef class Body(Recipe):
+    cdef list parts
+    @cython.locals(made=list)
+    cpdef object make(self, Occurrence at)
+
+cdef class Filled(Recipe):
+    cdef type cls
+    cdef list fields
+    cdef list parts
+    @cython.locals(i=Py_ssize_t, part=Recipe)
+    cpdef object make(self, Occurrence at)
+
+cdef class Expressed(Recipe):
+    cdef type cls
+    cdef object form
+    cdef object form_slot
+    cdef object at_slot
+    cpdef object make(self, Occurrence at)
+
+cdef class RecipeBook:
+    cdef public dict recipes
+
+    @cython.locals(recipe=Recipe, inside=list, run=list, statements=list, one=Shape)
+    cpdef object made(self, Shape shape, str file, long long first)

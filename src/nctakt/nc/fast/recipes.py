@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: MIT
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
+"""How the tree of a statement is made anew for another occurrence of its shape.
+
+In: an ``Occurrence``: what differs between two statements of one shape, their numbers and places.
+Out: nodes, equal to those that the parser makes. ``templates.py`` writes the recipes into a
+``RecipeBook``, which makes a statement with all that is inside it. A compound
+expression of numbers is not made but stands there as a ``Formed``: whoever evaluates it needs its
+form and the numbers, and its tree only where something goes wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from nctakt.base.diagnostics import Span
+from nctakt.nc.fast import raw_nodes
+from nctakt.nc.fast.shapes import Shape
+
+_FILE = Span.__dict__["file"]
+_LINE = Span.__dict__["line"]
+_COLUMN = Span.__dict__["column"]
+_END_COLUMN = Span.__dict__["end_column"]
+
+
+class Occurrence:
+    """A statement of a shape: its file, the number of the first line at hand, what it leaves out.
+
+    ``inside``: the statements of its runs.
+    """
+
+    def __init__(self, file: str, first: int, shape: Shape, inside: list[list[Any]]) -> None:
+        self.file = file
+        self.first = first
+        self.lines = shape.lines
+        self.numbers = shape.numbers
+        self.ends = shape.ends
+        self.inside = inside
+
+
+class Recipe:
+    """Makes one value of a tree: a node, its span, a tuple, or what is the same each time."""
+
+    def make(self, at: Occurrence) -> Any:
+        """The value in this occurrence."""
+        raise AssertionError(self)
+
+
+class Same(Recipe):
+    """What does not depend on the occurrence."""
+
+    def __init__(self, value: object) -> None:
+        self.value = value
+
+    def make(self, at: Occurrence) -> Any:
+        return self.value
+
+
+class Place(Recipe):
+    """A span: in which of the shape's lines, with columns that count from the ends of its places.
+
+    ``begin`` and ``end``: the places that the two columns are counted from, -1: the line's begin.
+    """
+
+    def __init__(self, line: int, begin: int, column: int, end: int, end_column: int) -> None:
+        self.line = line
+        self.begin = begin
+        self.column = column
+        self.end = end
+        self.end_column = end_column
+
+    def make(self, at: Occurrence) -> Any:
+        span = raw_nodes.fresh(Span, 0)
+        column = self.column
+        end_column = self.end_column
+        if self.begin >= 0:
+            column += at.ends[self.begin]
+        if self.end >= 0:
+            end_column += at.ends[self.end]
+        raw_nodes.put(_FILE, span, at.file)
+        raw_nodes.put(_LINE, span, at.first + at.lines[self.line])
+        raw_nodes.put(_COLUMN, span, column)
+        raw_nodes.put(_END_COLUMN, span, end_column)
+        return span
+
+
+class Value(Recipe):
+    """A number of the shape, or that number with another sign."""
+
+    def __init__(self, place: int, sign: float) -> None:
+        self.place = place
+        self.sign = sign
+
+    def make(self, at: Occurrence) -> Any:
+        return at.numbers[self.place] * self.sign
+
+
+class Items(Recipe):
+    """A tuple."""
+
+    def __init__(self, parts: Sequence[Recipe]) -> None:
+        self.parts = list(parts)
+
+    def make(self, at: Occurrence) -> Any:
+        return tuple([part.make(at) for part in self.parts])
+
+
+class Body(Recipe):
+    """A tuple of statements, the runs of the shape among them."""
+
+    def __init__(self, parts: Sequence[Recipe | int]) -> None:
+        self.parts = list(parts)
+
+    def make(self, at: Occurrence) -> Any:
+        made: list[Any] = []
+        for part in self.parts:
+            if isinstance(part, int):
+                made += at.inside[part]
+            else:
+                made.append(part.make(at))
+        return tuple(made)
+
+
+class Filled(Recipe):
+    """A node: its class, its slots, and what stands in them."""
+
+    def __init__(self, cls: type[Any], fields: Sequence[tuple[Any, Recipe]]) -> None:
+        self.cls = cls
+        self.fields = [slot for slot, _ in fields]
+        self.parts = [part for _, part in fields]
+
+    def make(self, at: Occurrence) -> Any:
+        node = raw_nodes.fresh(self.cls, 0)
+        for i in range(len(self.parts)):
+            part = self.parts[i]
+            raw_nodes.put(self.fields[i], node, part.make(at))
+        return node
+
+
+class Expressed(Recipe):
+    """An expression as its form: ``cls`` has the slots ``form`` and ``at``."""
+
+    def __init__(self, cls: type[Any], form: object) -> None:
+        self.cls = cls
+        self.form = form
+        self.form_slot = cls.__dict__["form"]
+        self.at_slot = cls.__dict__["at"]
+
+    def make(self, at: Occurrence) -> Any:
+        node = raw_nodes.fresh(self.cls, 0)
+        raw_nodes.put(self.form_slot, node, self.form)
+        raw_nodes.put(self.at_slot, node, at)
+        return node
+
+
+class RecipeBook:
+    """The recipes of shapes, by their keys."""
+
+    def __init__(self) -> None:
+        self.recipes: dict[bytes, Recipe] = {}
+
+    def made(self, shape: Shape, file: str, first: int) -> Any:
+        """The statement of a shape, ``None`` where it or one inside it has no recipe.
+
+        ``first``: the number of the first line at hand.
+        """
+        recipe = self.recipes.get(shape.key)
+        if recipe is None:
+            return None
+        inside: list[list[Any]] = []
+        for run in shape.runs:
+            statements: list[Any] = []
+            for one in run:
+                made = self.made(one, file, first)
+                if made is None:
+                    return None
+                statements.append(made)
+            inside.append(statements)
+        return recipe.make(Occurrence(file, first, shape, inside))

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: MIT
+"""Whether the check of a statement depends on nothing but its shape.
+
+In: the tree of a shape, and which of its numbers stand for any other. Out: whether each statement
+of the shape is in order if one is, and leaves nothing behind that others are checked with: no
+labels and jumps, no calls, no cycles, no end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator, Sequence
+
+from nctakt.base.diagnostics import Span
+from nctakt.nc.tree import (
+    Assignment,
+    AxisWord,
+    Binary,
+    Block,
+    BlockWord,
+    Break,
+    Call,
+    Case,
+    Constant,
+    Continue,
+    Do,
+    ElseIf,
+    Expression,
+    For,
+    Head,
+    If,
+    Number,
+    Repeat,
+    Statement,
+    Switch,
+    Unary,
+    While,
+    Word,
+)
+from nctakt.nc.vocabulary.operators import FUNCTIONS
+
+#: Words whose number may be any that is not 0.
+VALUE_WORDS = ("F", "I", "J", "K", "R")
+
+#: M functions that end a program or a subprogram.
+_ENDS = (2, 17, 29, 30)
+
+#: What ``$BREAK`` leaves.
+_LEFT = (For, While, Do, Repeat, Switch)
+
+
+class _LoudError(Exception):
+    """More than the shape counts."""
+
+
+def is_silent(statement: Statement, numbers: Container[Span], count: int) -> bool:
+    """Whether all numbers of the shape, so many at these places, stand where any number may.
+
+    What is inside it has shapes of its own.
+    """
+    try:
+        return sum(number.span in numbers for number in _free(statement, ())) == count
+    except _LoudError:
+        return False
+
+
+def _free(
+    statement: Statement | ElseIf | Case, around: tuple[type[Statement], ...]
+) -> Iterator[Number]:
+    """The numbers of a statement and of all that is inside it that may be any.
+
+    ``around``: the kinds of structures that it stands in, as far as they are known.
+    """
+    yield from _of_head(statement.head)
+    if isinstance(statement, Statement):
+        around = (*around, type(statement))
+    match statement:
+        case Block():
+            for word in statement.words:
+                yield from _of_word(word)
+        case Assignment():
+            yield from _of_value(statement.value)
+        case If() if not statement.preprocessor:
+            yield from _of_condition(statement.condition)
+            yield from _inside(statement.body, around)
+            yield from _inside(statement.elseifs, around)
+            yield from _inside(statement.else_body or (), around)
+        case ElseIf() | While() | Do() | Repeat():
+            yield from _of_condition(statement.condition)
+            yield from _inside(statement.body, around)
+        case For():
+            for bound in (statement.start, statement.end, statement.step):
+                yield from _of_value(bound)
+            yield from _inside(statement.body, around)
+        case Switch():
+            yield from _of_value(statement.subject)
+            yield from _inside(statement.cases, around)
+        case Case():
+            if statement.value is not None:
+                yield from _of_value(statement.value)
+            yield from _inside(statement.body, around)
+        case Break() if any(one in _LEFT for one in around):
+            pass
+        case Continue() if any(one in _LEFT and one is not Switch for one in around):
+            pass
+        case _:
+            raise _LoudError
+
+
+def _inside(
+    parts: Sequence[Statement | ElseIf | Case], around: tuple[type[Statement], ...]
+) -> Iterator[Number]:
+    for part in parts:
+        yield from _free(part, around)
+
+
+def _of_head(head: Head) -> Iterator[Number]:
+    if head.label is not None:
+        raise _LoudError
+    if head.number is not None:
+        yield from _of_value(head.number)
+
+
+def _of_word(word: BlockWord) -> Iterator[Number]:
+    match word:
+        case AxisWord():
+            if word.value is not None:
+                yield from _of_value(word.value)
+        case Word(name="M"):
+            if not isinstance(word.value, Number) or word.value.value in _ENDS:
+                raise _LoudError
+        case Word():
+            if word.name in VALUE_WORDS and word.value is not None:
+                yield from _of_value(word.value)
+        case _:
+            raise _LoudError
+
+
+def _of_condition(condition: Expression) -> Iterator[Number]:
+    """A number alone is true or false, and what it leads to is checked or not."""
+    if isinstance(condition, Number | Constant):
+        raise _LoudError
+    yield from _of_value(condition)
+
+
+def _of_value(expression: Expression) -> Iterator[Number]:
+    """The numbers of an expression but those of elements and of functions of texts."""
+    match expression:
+        case Number():
+            yield expression
+        case Unary():
+            yield from _of_value(expression.operand)
+        case Binary():
+            yield from _of_value(expression.left)
+            yield from _of_value(expression.right)
+        case Call():
+            function = FUNCTIONS.get(expression.function)
+            if function is None or function.decoder_only:
+                raise _LoudError
+            for argument in expression.arguments:
+                yield from _of_value(argument)

@@ -1,0 +1,381 @@
+# SPDX-License-Identifier: MIT
+"""Statements whose shape came before: made from a template, without lexer and parser.
+
+In: the lines that come next in a long program. Out: the statement that they are, as the parser
+would give it but for compound expressions of numbers, which are ``Formed``; nothing where its shape
+is new. A template is made of its shape: the text with other numbers goes through the parser, and
+each of these numbers has to become one node of the tree; so what a number may be for the language
+is known to the parser alone. Not more is remembered than ``MOST_SHAPE_TEXT``.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from bisect import bisect_right
+from dataclasses import dataclass
+from typing import Any, TypeVar, cast
+
+from nctakt.base.diagnostics import Span
+from nctakt.messages import Collector
+from nctakt.nc.fast import recipes
+from nctakt.nc.fast.recipes import Occurrence, Recipe, RecipeBook
+from nctakt.nc.fast.shape_checks import VALUE_WORDS, is_silent
+from nctakt.nc.fast.shapes import COMMENT, NUMBER, RUN, Shape, ShapeScanner
+from nctakt.nc.parse.parser import StatementReader
+from nctakt.nc.source import LineReader, Source
+from nctakt.nc.tree import (
+    Assignment,
+    AxisWord,
+    Binary,
+    Call,
+    Case,
+    Constant,
+    Do,
+    ElseIf,
+    Expression,
+    For,
+    If,
+    Number,
+    Parameter,
+    Repeat,
+    Statement,
+    Switch,
+    Unary,
+    Variable,
+    While,
+    Word,
+)
+from nctakt.nc.vocabulary.operators import FUNCTIONS
+from nctakt.nc.vocabulary.resolution import OWN_FAMILIES
+
+_Node = TypeVar("_Node", bound=Expression)
+
+#: Characters of all shapes that are remembered; then all are forgotten. Their templates take about
+#: a hundred times as many bytes.
+MOST_SHAPE_TEXT = 60_000
+
+#: The numbers that a shape's text has in its places: this one and those behind it.
+_FIRST_NUMBER = 1001
+
+#: What stands for a run in the shape's text.
+_RUN = "G1"
+
+#: The slots of a number.
+_SLOTS = tuple(getattr(Number, one.name) for one in dataclasses.fields(Number))
+
+#: What the decoder evaluates, by its node: there an expression may be formed.
+_EVALUATED: dict[type[Any], tuple[str, ...]] = {
+    AxisWord: ("value",),
+    Word: ("value",),
+    Assignment: ("target", "value"),
+    If: ("condition",),
+    ElseIf: ("condition",),
+    For: ("variable", "start", "end", "step"),
+    While: ("condition",),
+    Do: ("condition",),
+    Repeat: ("condition",),
+    Switch: ("subject",),
+    Case: ("value",),
+}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Form:
+    """A compound expression of a shape: one object, whatever its numbers are.
+
+    ``tree`` has the numbers of the shape's text; ``numbers``: which of them stand for which place.
+    ``recipe`` makes the expression of an occurrence, ``place`` its span.
+    """
+
+    tree: Expression
+    numbers: dict[Span, recipes.Value]
+    recipe: Recipe
+    place: Recipe
+
+
+class Formed(Expression):
+    """A compound expression of numbers, variables of programs and parameters, by its form."""
+
+    __slots__ = ("at", "form")
+
+    form: Form
+    at: Occurrence
+
+    @property
+    def span(self) -> Span:
+        """Where it stands."""
+        made: Span = self.form.place.make(self.at)
+        return made
+
+    @property
+    def tree(self) -> Expression:
+        """The expression as the parser gives it."""
+        made: Expression = self.form.recipe.make(self.at)
+        return made
+
+
+def unformed(node: _Node) -> _Node:
+    """The node as the parser gives it."""
+    return cast(_Node, node.tree) if isinstance(node, Formed) else node
+
+
+@dataclass(frozen=True, slots=True)
+class Template:
+    """How a statement of one shape is made; ``is_silent``: whatever its numbers are.
+
+    One that was in order is then always in order, and nothing else has to know of it.
+    """
+
+    recipe: Recipe
+    is_silent: bool
+
+
+class Templates:
+    """The templates of one text, and which shapes need no check any more."""
+
+    def __init__(self) -> None:
+        self.scanner = ShapeScanner()
+        self._silent: set[bytes] = set()
+        self._known: dict[bytes, Template | None] = {}
+        self._book = RecipeBook()
+        self._seen: set[bytes] = set()
+        self._characters = 0
+
+    def next(self, lines: LineReader | None, file: str) -> Statement | None:
+        """Take the statement that comes next, if its shape came before; empty lines are taken."""
+        if lines is None:
+            return None
+        scanner = self.scanner
+        while lines.more():
+            count = scanner.read(lines.group, lines.index)
+            if count == 0:
+                return None
+            shape = scanner.shape
+            if shape is not None:
+                made: Statement | None = self._book.made(shape, file, lines.number - lines.index)
+                if made is None:
+                    self._meet(shape)
+                    return None
+                lines.index += count
+                return made
+            lines.index += count
+        return None
+
+    def _meet(self, shape: Shape) -> None:
+        """A statement came that is not made from templates: next time it may be."""
+        self.of(shape.key)
+        self._meet_inside(shape)
+
+    def _meet_inside(self, shape: Shape) -> None:
+        for run in shape.runs:
+            for one in run:
+                self._meet(one)
+
+    def pass_over(self, lines: list[str], index: int) -> int:
+        """The first line from ``index`` on that has to be checked; its shape is the scanner's."""
+        return self.scanner.pass_over(lines, index, self._silent)
+
+    def was_in_order(self, shape: Shape) -> None:
+        """A statement of this shape was checked, and nothing was found.
+
+        Where that depends on more than the shape, something inside may not have been looked at.
+        """
+        template = self.of(shape.key)
+        if template is None:
+            self._meet_inside(shape)
+        if template is None or not template.is_silent:
+            return
+        self._silent.add(shape.key)
+        for run in shape.runs:
+            for one in run:
+                self.was_in_order(one)
+
+    def of(self, key: bytes) -> Template | None:
+        """The template of a shape; ``None`` for one that is new or has none."""
+        if key in self._known:
+            return self._known[key]
+        if key in self._seen:
+            template = self._known[key] = make_template(key)
+            if template is not None:
+                self._book.recipes[key] = template.recipe
+            return template
+        self._characters += len(key)
+        if self._characters > MOST_SHAPE_TEXT:
+            self._characters = len(key)
+            self._known.clear()
+            self._book.recipes.clear()
+            self._seen.clear()
+            self._silent.clear()
+        self._seen.add(key)
+        return None
+
+
+def make_template(key: bytes) -> Template | None:
+    """The template of a shape, ``None`` where a number of it is not simply a number."""
+    lines, places, runs = _text_of(key)
+    found = Collector()
+    statements = [statement for _, statement in StatementReader(Source("", lines), found)]
+    if found.diagnostics or len(statements) != 1:
+        return None
+    writer = _Writer(places, runs)
+    recipe = writer.recipe(statements[0])
+    numbers = sum(place.number > 0.0 for place in places)
+    if len(writer.numbers) != numbers or len(writer.taken) != numbers:
+        return None
+    if sorted(writer.runs) != list(range(len(runs))):
+        return None
+    return Template(recipe, is_silent(statements[0], writer.numbers, numbers))
+
+
+@dataclass(frozen=True, slots=True)
+class _Gap:
+    """A place in a shape's text: its line from 0, its columns from 0; ``number`` 0: a comment."""
+
+    line: int
+    start: int
+    end: int
+    number: float
+
+
+def _text_of(key: bytes) -> tuple[list[str], list[_Gap], list[int]]:
+    """NC text of this shape, the places in it, and which of its lines stand for runs."""
+    lines: list[str] = []
+    places: list[_Gap] = []
+    runs: list[int] = []
+    for number, shape in enumerate(key.split(b"\n")):
+        text = ""
+        for code in shape:
+            start = len(text)
+            if code == RUN:
+                runs.append(number)
+                text = _RUN
+            elif code == NUMBER:
+                value = _FIRST_NUMBER + len(places)
+                text += str(value)
+                places.append(_Gap(number, start, len(text), float(value)))
+            elif code == COMMENT:
+                text += "()"
+                places.append(_Gap(number, start, len(text), 0.0))
+            else:
+                text += chr(code)
+        lines.append(text)
+    return lines, places, runs
+
+
+class _Writer:
+    """Writes the recipe of a tree; ``numbers``: its nodes that are numbers of the shape.
+
+    ``taken``: their places; ``runs``: those that it has found.
+    """
+
+    def __init__(self, places: list[_Gap], runs: list[int]) -> None:
+        self._places = places
+        self._runs = runs
+        self._order = [(place.line, place.end) for place in places]
+        self.numbers: dict[Span, recipes.Value] = {}
+        self.taken: set[int] = set()
+        self.runs: list[int] = []
+
+    def recipe(self, value: Any) -> Recipe:
+        """How a value of the tree is made: a node, a span, a tuple, anything else as it is."""
+        if isinstance(value, Span):
+            return self._span(value)
+        if isinstance(value, tuple):
+            return self._tuple(value)
+        if isinstance(value, Number):
+            return self._number(value)
+        if dataclasses.is_dataclass(value):
+            return self._node(value)
+        return recipes.Same(value)
+
+    def _tuple(self, values: tuple[Any, ...]) -> Recipe:
+        """A tuple of parts; one object for all occurrences where all of them are."""
+        parts: list[Recipe] = []
+        body: list[Recipe | int] = []
+        for value in values:
+            line = value.span.line - 1 if isinstance(value, Statement) else -1
+            if line in self._runs:
+                self.runs.append(self._runs.index(line))
+                body.append(self.runs[-1])
+            else:
+                parts.append(self.recipe(value))
+                body.append(parts[-1])
+        if len(parts) < len(body):
+            return recipes.Body(body)
+        if all(isinstance(part, recipes.Same) for part in parts):
+            return recipes.Same(values)
+        return recipes.Items(parts)
+
+    def _node(self, node: Any) -> Recipe:
+        cls = type(node)
+        fields = []
+        for field in dataclasses.fields(cls):
+            part = self.recipe(getattr(node, field.name))
+            if field.name in _EVALUATED.get(cls, ()):
+                part = self._formed(node, field.name, part)
+            fields.append((getattr(cls, field.name), part))
+        if all(isinstance(part, recipes.Same) for _, part in fields):
+            return recipes.Same(node)
+        return recipes.Filled(cls, fields)
+
+    def _formed(self, node: Any, name: str, recipe: Recipe) -> Recipe:
+        """The recipe of a value that is evaluated: formed, if that can be."""
+        tree = getattr(node, name)
+        if isinstance(tree, Number) or not isinstance(tree, Expression) or not _is_now(tree):
+            return recipe
+        if isinstance(node, Word) and node.name not in VALUE_WORDS:
+            return recipe
+        return recipes.Expressed(Formed, Form(tree, self.numbers, recipe, self._span(tree.span)))
+
+    def _number(self, node: Number) -> Recipe:
+        span = self._span(node.span)
+        slot, value_slot = _SLOTS
+        for index, place in enumerate(self._places):
+            if place.number and abs(node.value) == place.number and _covers(node.span, place):
+                value = recipes.Value(index, node.value / place.number)
+                self.numbers[node.span] = value
+                self.taken.add(index)
+                return recipes.Filled(Number, [(slot, span), (value_slot, value)])
+        return recipes.Filled(Number, [(slot, span), (value_slot, recipes.Same(node.value))])
+
+    def _span(self, span: Span) -> Recipe:
+        line = span.line - 1
+        begin, column = self._anchor(line, span.column - 1)
+        end, end_column = self._anchor(line, span.end_column - 1)
+        return recipes.Place(line, begin, column + 1, end, end_column + 1)
+
+    def _anchor(self, line: int, column: int) -> tuple[int, int]:
+        """The last place of the line in front of a column, and how far behind it that is."""
+        index = bisect_right(self._order, (line, column)) - 1
+        if index < 0 or self._places[index].line != line:
+            return -1, column
+        return index, column - self._places[index].end
+
+
+def _covers(span: Span, place: _Gap) -> bool:
+    is_inside = span.column - 1 <= place.start and place.end <= span.end_column - 1
+    return span.line - 1 == place.line and is_inside
+
+
+def _is_now(expression: Expression) -> bool:
+    """Whether nothing but the program's own variables and parameters have to be known for it.
+
+    What has elements is left to the tree.
+    """
+    match expression:
+        case Number() | Constant():
+            return True
+        case Variable():
+            is_single = not any(part.indices for part in expression.parts)
+            return expression.family in OWN_FAMILIES and is_single and bool(expression.parts)
+        case Parameter():
+            return not expression.call and isinstance(expression.index, Number)
+        case Unary():
+            return _is_now(expression.operand)
+        case Binary():
+            return _is_now(expression.left) and _is_now(expression.right)
+        case Call():
+            function = FUNCTIONS.get(expression.function)
+            is_of_numbers = function is not None and not function.decoder_only
+            return is_of_numbers and all(_is_now(one) for one in expression.arguments)
+    return False

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: MIT
+"""What empties the channel while tool radius compensation is active (RC-308, 20651).
+
+In: statements between G41 or G42 and G40. Out: an error for each realtime variable that the decoder
+reads or writes, each synchronous variable that it reads, each ``#FLUSH``. Realtime cycles read
+theirs in the tick and are not concerned.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import (
+    Assignment,
+    Block,
+    BracketCommand,
+    CycleControl,
+    Do,
+    Expression,
+    Flush,
+    For,
+    HashCommand,
+    If,
+    Keyword,
+    Number,
+    RealtimeCycle,
+    Repeat,
+    Statement,
+    Switch,
+    Time,
+    Timer,
+    UserMessage,
+    Variable,
+    VariableBlock,
+    While,
+    Word,
+)
+from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve, variables_in
+from nctakt.nc.vocabulary.variable_table import Location, NameTable
+
+
+class ChannelUse:
+    """Reports what empties the channel."""
+
+    def __init__(self, names: NameTable, findings: Findings) -> None:
+        self._names = names
+        self._findings = findings
+
+    def check(self, statement: Statement, active: str) -> None:
+        """One statement, but not what is inside it; ``active`` is G41 or G42."""
+        if _waits(statement):
+            command = self._findings.written(statement.span)
+            self._findings.report(20651, statement.span, command=command, word=active)
+            return
+        if isinstance(statement, Block) and _ends_compensation(statement):
+            return
+        if isinstance(statement, Assignment) and isinstance(statement.target, Variable):
+            # Writing V.E and V.CH goes through the queue like a command.
+            if statement.target.family in ("RTG", "RTA") or statement.operator != "=":
+                self._access(statement.target, active)
+        for expression in _expressions(statement):
+            for variable in variables_in(expression):
+                self._access(variable, active)
+
+    def _access(self, variable: Variable, active: str) -> None:
+        found = resolve(variable, self._names)
+        if isinstance(found, Location) and (found.synchronous or variable.synchronous):
+            self._findings.report(
+                20651,
+                variable.span,
+                command=path_text(variable),
+                word=active,
+            )
+
+
+def _waits(statement: Statement) -> bool:
+    """Whether the command itself waits until the path stands."""
+    match statement:
+        case Flush():
+            return True
+        case CycleControl():
+            return statement.action == "DELETE"
+        case Timer():
+            return statement.action == "READ" and bool(statement.options)
+        case HashCommand():
+            return [word.name for word in statement.words] == ["CHANNEL", "INIT"]
+    return False
+
+
+def _ends_compensation(block: Block) -> bool:
+    return any(
+        isinstance(word, Word)
+        and word.name == "G"
+        and isinstance(word.value, Number)
+        and word.value.value == 40
+        for word in block.words
+    )
+
+
+def _expressions(statement: Statement) -> Iterator[Expression]:
+    """What the decoder evaluates for this statement; not what stands inside a structure."""
+    if statement.head.number is not None:
+        yield statement.head.number
+    match statement:
+        case Block():
+            for word in statement.words:
+                if isinstance(word, BracketCommand):
+                    yield from _values(word.items)
+                else:
+                    yield from (one for one in _word_values(word) if one is not None)
+        case Assignment():
+            if isinstance(statement.target, Variable):
+                yield from indices_of(statement.target)
+            else:
+                yield statement.target
+            yield statement.value
+        case VariableBlock():
+            yield statement.variable
+        case Time():
+            yield statement.seconds
+        case UserMessage():
+            yield from statement.arguments
+        case RealtimeCycle() | CycleControl() | Timer():
+            yield from _values(statement.keywords)
+        case If():
+            yield statement.condition
+            yield from (branch.condition for branch in statement.elseifs)
+        case For():
+            yield from (statement.start, statement.end, statement.step)
+        case While() | Do() | Repeat():
+            yield statement.condition
+        case Switch():
+            yield statement.subject
+            yield from (case.value for case in statement.cases if case.value is not None)
+
+
+def _word_values(word: object) -> Iterator[Expression | None]:
+    if isinstance(word, Word):
+        yield from (word.value, word.additional, *word.arguments)
+    else:
+        yield getattr(word, "value", None)
+
+
+def _values(items: Sequence[Keyword | Expression]) -> Iterator[Expression]:
+    for item in items:
+        if not isinstance(item, Keyword):
+            yield item
+            continue
+        if item.value is not None:
+            yield item.value
+        yield from _values(item.arguments)

@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: MIT
+"""Tree -> findings beyond errors: programs that run, and do not do what is likely meant.
+
+In: the statements of a program, the variables of its channel, what fits into a tick. Out: warnings
+and notes, and what the program does with GLOBAL realtime cycles, since only a set of programs tells
+whether one of them ends a cycle. ``nctakt check`` asks for this, a run does not. Two findings are
+errors: what empties the channel between G41 and G40 (``channel_flush.py``), and a D that no tool of
+the channel answers to.
+
+Nothing is guessed: a finding that depends on the way through the program is given only where every
+way leads to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from math import isfinite
+
+from nctakt.base.diagnostics import Span
+from nctakt.lists.declared.tools import Tool
+from nctakt.messages import Collector
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
+from nctakt.nc.lint.channel_flush import ChannelUse
+from nctakt.nc.lint.realtime_cycles import Budget, CycleLinter, Known
+from nctakt.nc.lint.uses import element_text, place_text, whole
+from nctakt.nc.parse.open_structures import is_false
+from nctakt.nc.source import Source
+from nctakt.nc.tree import (
+    Assignment,
+    Block,
+    CycleControl,
+    Do,
+    Expression,
+    For,
+    If,
+    Keyword,
+    Name,
+    Number,
+    Parameter,
+    RealtimeCycle,
+    RealtimeLoop,
+    Repeat,
+    Statement,
+    StringWord,
+    SubprogramCall,
+    Switch,
+    Variable,
+    While,
+    Word,
+)
+from nctakt.nc.vocabulary.variable_table import NameTable
+
+_COMPENSATION = (41, 42)
+
+
+@dataclass(frozen=True, slots=True)
+class GlobalCycle:
+    """A GLOBAL cycle that a program defines."""
+
+    identity: int
+    span: Span
+    line: str
+
+
+@dataclass(frozen=True, slots=True)
+class GlobalCycles:
+    """What one program does with them; ``deletes_any``: it deletes by an ID that it computes."""
+
+    defined: tuple[GlobalCycle, ...] = ()
+    deleted: tuple[int, ...] = ()
+    deletes_any: bool = False
+
+
+def never_deleted(programs: Sequence[GlobalCycles], collector: Collector) -> None:
+    """Report the GLOBAL cycles that none of these programs deletes."""
+    if any(one.deletes_any for one in programs):
+        return
+    deleted = {identity for one in programs for identity in one.deleted}
+    for one in programs:
+        for cycle in one.defined:
+            if cycle.identity not in deleted:
+                collector.report(900245, cycle.span, cycle.line, id=cycle.identity)
+
+
+@dataclass(slots=True)
+class _State:
+    """What is certain at a place: active compensation (``G41``, ``G42``), values that were set,
+    that no radius of arcs has come, that G02 or G03 is active.
+    """
+
+    compensation: str = ""
+    known: dict[str, Known] = field(default_factory=dict)
+    lacks_radius: bool = False
+    is_arc: bool = False
+
+    def copy(self) -> _State:
+        return _State(self.compensation, dict(self.known), self.lacks_radius, self.is_arc)
+
+    def join(self, *others: _State) -> None:
+        """Two ways meet here: certain is what is so on both."""
+        for other in others:
+            if not other.compensation:
+                self.compensation = ""
+            self.lacks_radius = self.lacks_radius and other.lacks_radius
+            self.is_arc = self.is_arc and other.is_arc
+            self.known = {
+                number: known
+                for number, known in self.known.items()
+                if other.known.get(number) == known
+            }
+
+
+@dataclass(frozen=True, slots=True)
+class _Writer:
+    """A cycle that writes a variable."""
+
+    line: int
+    scope: str
+    identity: int | None
+
+
+class Linter:
+    """Goes through one program as it would run, each statement once.
+
+    Whoever drives it says where a section (main program, local subprogram) begins and gives the
+    statements up to its end, one by one: the program need not be in memory. ``tools``: those of
+    the channel's list, empty where it has none.
+    """
+
+    def __init__(
+        self,
+        source: Source,
+        names: NameTable,
+        budget: Budget,
+        collector: Collector,
+        tools: Mapping[int, Tool],
+    ) -> None:
+        self._source = source
+        self._tools = tools
+        self._findings = Findings(source, collector)
+        self._cycles = CycleLinter(names, self._findings, budget)
+        self._channel = ChannelUse(names, self._findings)
+        self._state = _State()
+        self._writers: dict[str, _Writer] = {}
+        self._defined: list[GlobalCycle] = []
+        self._deleted: list[int] = []
+        self._deletes_any = False
+
+    def section(self) -> None:
+        """A main program or subprogram begins: nothing of what was before is certain.
+
+        But that a subprogram lives on a radius of its caller is not expected.
+        """
+        self._state = _State(lacks_radius=True)
+
+    @property
+    def global_cycles(self) -> GlobalCycles:
+        """What the statements so far do with GLOBAL cycles."""
+        return GlobalCycles(tuple(self._defined), tuple(self._deleted), self._deletes_any)
+
+    def _all(self, statements: Sequence[Statement]) -> None:
+        for statement in statements:
+            self.statement(statement)
+
+    def statement(self, statement: Statement) -> None:
+        """One statement with all that is inside it."""
+        if statement.head.label is not None:
+            self._state = _State()  # a jump may lead here from anywhere
+        if self._state.compensation:
+            self._channel.check(statement, self._state.compensation)
+        match statement:
+            case Block():
+                self._block(statement)
+            case Assignment():
+                self._assignment(statement)
+            case RealtimeCycle():
+                self._definition(statement)
+            case CycleControl():
+                self._control(statement)
+            case If():
+                self._if(statement)
+            case Switch():
+                self._switch(statement)
+            case For() | While() | Do() | Repeat() | RealtimeLoop():
+                self._loop(statement)
+            case SubprogramCall():
+                self._state.known.clear()
+                self._state.lacks_radius = False
+                self._state.is_arc = False
+
+    # --- ways through the program ----------------------------------------------------------------
+
+    def _if(self, statement: If) -> None:
+        before = self._state
+        ways: list[_State] = []
+        bodies = [(statement.condition, statement.body)]
+        bodies += [(branch.condition, branch.body) for branch in statement.elseifs]
+        for condition, body in bodies:
+            if not is_false(condition):
+                ways.append(self._way(before, body))
+        ways.append(self._way(before, statement.else_body or ()))
+        self._state = ways[0]
+        self._state.join(*ways[1:])
+
+    def _switch(self, switch: Switch) -> None:
+        before = self._state
+        ways = [self._way(before, case.body) for case in switch.cases]
+        self._state = before.copy()
+        self._state.join(*ways)
+
+    def _way(self, before: _State, body: Sequence[Statement]) -> _State:
+        self._state = before.copy()
+        self._all(body)
+        return self._state
+
+    def _loop(self, loop: For | While | Do | Repeat | RealtimeLoop) -> None:
+        """Values may have changed in a round before; the body may not run at all."""
+        if isinstance(loop, While) and is_false(loop.condition):
+            return
+        self._state.known.clear()
+        self._state.is_arc = False
+        before = self._state.copy()
+        self._all(loop.body)
+        self._state.known.clear()
+        if isinstance(loop, For | While | RealtimeLoop):
+            self._state.join(before)
+
+    # --- values ----------------------------------------------------------------------------------
+
+    def _assignment(self, statement: Assignment) -> None:
+        """The target and what lies within it have other values; of a number that is known."""
+        target = statement.target
+        if isinstance(target, Parameter) and target.call:
+            return
+        place = place_text(target)
+        root = place.split("[]")[0]
+        known = {
+            name: value
+            for name, value in self._state.known.items()
+            if name != root and not name.startswith((f"{root}.", f"{root}["))
+        }
+        if isinstance(statement.value, Number) and statement.operator == "=" and root == place:
+            known[place] = Known(statement.value.value, statement.span.line)
+        self._state.known = known
+
+    # --- realtime cycles -------------------------------------------------------------------------
+
+    def _definition(self, cycle: RealtimeCycle) -> None:
+        keywords = {item.name: item.value for item in cycle.keywords if isinstance(item, Keyword)}
+        identity = self._identity(keywords.get("ID"))
+        scope = keywords.get("SCOPE")
+        name = scope.name if isinstance(scope, Name) else "PROG"
+        writes = self._cycles.cycle(cycle, self._state.known)
+        self._writes(writes, _Writer(cycle.span.line, name, identity))
+        if name == "GLOBAL" and identity is not None and identity > 0:
+            line = self._source.line_of(cycle.span)
+            self._defined.append(GlobalCycle(identity, cycle.span, line))
+
+    def _writes(self, writes: dict[str, Variable], writer: _Writer) -> None:
+        """Two cycles that can live at the same time and write the same: told once for both."""
+        common: dict[_Writer, list[Variable]] = {}
+        for name, target in writes.items():
+            first = self._writers.setdefault(name, writer)
+            if first is writer or first.scope == writer.scope == "BLOCK":
+                continue
+            if first.identity is None or first.identity != writer.identity:
+                common.setdefault(first, []).append(target)
+        for first, targets in common.items():
+            names = ", ".join(element_text(target) for target in targets)
+            self._findings.report(900244, targets[0].span, names=names, line=first.line)
+
+    def _control(self, control: CycleControl) -> None:
+        if control.action != "DELETE":
+            return
+        values = [item.value for item in control.keywords if isinstance(item, Keyword)]
+        identity = self._identity(values[0]) if values else 0
+        if identity is None:
+            self._deletes_any = True
+        else:
+            self._deleted.append(identity)
+            self._writers = {
+                name: writer
+                for name, writer in self._writers.items()
+                if writer.identity is None or writer.identity != identity
+            }
+
+    def _identity(self, value: Expression | None) -> int | None:
+        """The value of an ID where it is known; ``None`` for one that is not, or not given."""
+        if isinstance(value, Parameter):
+            known = self._state.known.get(place_text(value))
+            return None if known is None or not isfinite(known.value) else int(known.value)
+        return whole(value)
+
+    # --- tool radius compensation ----------------------------------------------------------------
+
+    def _block(self, block: Block) -> None:
+        check_feed(block, self._findings)
+        if has_radius(block) or any(isinstance(word, StringWord) for word in block.words):
+            self._state.lacks_radius = False
+        elif self._state.lacks_radius and lacks_centre(block, is_modal=self._state.is_arc):
+            self._findings.report(900906, block.span)
+        self._state.is_arc = leaves_arc(block, before=self._state.is_arc)
+        for word in block.words:
+            if isinstance(word, Word) and word.name == "G" and isinstance(word.value, Number):
+                if word.value.value in _COMPENSATION:
+                    self._state.compensation = f"G{word.value.value:g}"
+                elif word.value.value == 40:
+                    self._state.compensation = ""
+            elif isinstance(word, Word) and word.name in ("D", "T") and self._tools:
+                self._tool(word)
+
+    def _tool(self, word: Word) -> None:
+        """A number behind D has to be that of a valid tool; D0 selects none; T mostly names one."""
+        if not isinstance(word.value, Number) or not word.value.value.is_integer():
+            return
+        number = int(word.value.value)
+        if word.name == "T":
+            if number > 0 and number not in self._tools:
+                self._findings.report(900928, word.span, tool=number)
+        elif number > 0 and number not in self._tools:
+            self._findings.report(900865, word.span, tool=number)
+        elif number > 0 and not self._tools[number].valid:
+            self._findings.report(900866, word.span, tool=number)

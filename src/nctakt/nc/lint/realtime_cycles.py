@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: MIT
+"""One realtime cycle -> what in it is likely meant otherwise.
+
+In: a definition, what is known of the parameters in front of it. Out: warnings and notes, and what
+the cycle writes. Nothing here is an error: each of these cycles runs. Frozen values (RC-302),
+frequencies and nesting (RC-203, RC-204), overrides (RC-305), M and H functions (RC-403), limits
+(RC-502, RC-503).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from nctakt.lists.declared.variables import SCALARS
+from nctakt.nc.check.cost import is_live, most_steps
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.lint.uses import (
+    always,
+    comparisons_in,
+    element_text,
+    is_override,
+    is_position,
+    operands_of,
+    place_text,
+    targets,
+)
+from nctakt.nc.tree import (
+    Assignment,
+    Binary,
+    Block,
+    BracketCommand,
+    Expression,
+    If,
+    Keyword,
+    Number,
+    Parameter,
+    RealtimeCycle,
+    Statement,
+    Timer,
+    UserError,
+    Variable,
+    VariableBlock,
+    Word,
+)
+from nctakt.nc.vocabulary.axis_commands import is_axis_command, read_axis_command
+from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve
+from nctakt.nc.vocabulary.variable_table import Location, NameTable
+
+_MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
+_DECLARED = ("E", "CH")
+_THEN_EN = "the value that it has when the cycle is defined"
+_THEN_DE = "den Wert, den sie bei der Definition des Zyklus hat"
+_THOSE_EN = "the values that they have when the cycle is defined"
+_THOSE_DE = "die Werte, die sie bei der Definition des Zyklus haben"
+
+
+@dataclass(frozen=True, slots=True)
+class Budget:
+    """Elementary instructions that fit into a tick: by P-CHAN-00427, by P-CHAN-00425."""
+
+    max_steps: int
+    duration_steps: int
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """The value that the program gave to something, and the line that did it."""
+
+    value: float
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Around:
+    """What stands around a statement of a cycle.
+
+    ``single``: ONCE or EDGE where that makes the statement run in single ticks. ``skipped``: the
+    nearest ``$IF`` is one that does not come by in each tick. ``resets``: a plain branch around it
+    changes its own condition.
+    """
+
+    single: str = ""
+    once: bool = False
+    skipped: bool = False
+    resets: bool = False
+
+
+class CycleLinter:
+    """Looks at the cycles of one program, one by one."""
+
+    def __init__(self, names: NameTable, findings: Findings, budget: Budget) -> None:
+        self._names = names
+        self._findings = findings
+        self._budget = budget
+        self._known: Mapping[str, Known] = {}
+        self._told: dict[str, None] = {}
+
+    def cycle(self, cycle: RealtimeCycle, known: Mapping[str, Known]) -> dict[str, Variable]:
+        """Report; the variables that the cycle writes, by their text."""
+        self._known = known
+        self._told = {}
+        self._limits(cycle)
+        self._all(cycle.body, _Around())
+        return {
+            element_text(target): target
+            for target in targets(cycle.body)
+            if isinstance(target, Variable)
+        }
+
+    def _limits(self, cycle: RealtimeCycle) -> None:
+        steps = most_steps(cycle.body, self._names)
+        for number, limit in (
+            (900246, self._budget.max_steps),
+            (900247, self._budget.duration_steps),
+        ):
+            if steps > limit:
+                self._findings.report(number, cycle.span, steps=steps, limit=limit)
+
+    # --- statements ------------------------------------------------------------------------------
+
+    def _all(self, statements: Sequence[Statement], around: _Around) -> None:
+        for statement in statements:
+            match statement:
+                case If() if not statement.preprocessor:
+                    self._if(statement, around)
+                case Assignment():
+                    self._assignment(statement, around)
+                case VariableBlock():
+                    self._frozen(statement.variable)
+                case Timer() | UserError():
+                    for item in statement.keywords:
+                        if isinstance(item, Keyword) and item.value is not None:
+                            self._frozen(item.value)
+                case Block():
+                    self._block(statement, around)
+
+    def _if(self, statement: If, around: _Around) -> None:
+        self._condition(statement.condition, statement.frequency or "")
+        if statement.frequency is not None:
+            self._nesting(statement, around)
+            self._all(statement.body, _inside(statement.frequency, around))
+            return
+        asked = [statement.condition]
+        self._branch(statement.body, asked, around)
+        for branch in statement.elseifs:
+            self._condition(branch.condition, "")
+            asked.append(branch.condition)
+            self._branch(branch.body, asked, around)
+        self._branch(statement.else_body or (), asked, around)
+
+    def _branch(
+        self, body: Sequence[Statement], asked: Sequence[Expression], around: _Around
+    ) -> None:
+        """A plain branch: does it change what it was taken for?"""
+        written = {element_text(one) for one in targets(body) if isinstance(one, Variable)}
+        read = {
+            element_text(one)
+            for condition in asked
+            for one in operands_of(condition, self._names)
+            if isinstance(one, Variable)
+        }
+        resets = around.resets or not written.isdisjoint(read)
+        self._all(body, replace(around, skipped=True, resets=resets))
+
+    def _nesting(self, statement: If, around: _Around) -> None:
+        if around.once:
+            self._findings.report(900241, statement.span, word="ONCE")
+        elif around.skipped:
+            self._findings.report(900240, statement.span, word=statement.frequency)
+
+    def _assignment(self, statement: Assignment, around: _Around) -> None:
+        target = statement.target
+        if isinstance(target, Variable):
+            for index in indices_of(target):
+                self._frozen(index)
+            if around.single and is_override(target):
+                name = path_text(target)
+                self._findings.report(900242, target.span, name=name, word=around.single)
+        self._frozen(statement.value)
+
+    def _block(self, block: Block, around: _Around) -> None:
+        """What its commands read; the first of its functions stands for all of them."""
+        for word in block.words:
+            if isinstance(word, BracketCommand) and is_axis_command(word):
+                self._axis_command(word, around)
+        if around.single or around.resets:
+            return
+        for word in block.words:
+            if isinstance(word, Word) and word.name in ("M", "H"):
+                written = self._findings.written(word.span)
+                self._findings.report(900243, word.span, word=written)
+                return
+
+    def _axis_command(self, bracket: BracketCommand, around: _Around) -> None:
+        """A way or a motion that waits adds up, if it is commanded in each tick (RC-405)."""
+        command, wrong = read_axis_command(bracket)
+        for expression in command.expressions():
+            self._frozen(expression)
+        if wrong or around.single or around.resets:
+            return
+        if command.kind == "distance" or command.buffered:
+            word = "BUFFERED" if command.buffered else "G91"
+            self._findings.report(900270, bracket.span, axis=command.axis, word=word)
+
+    # --- conditions ------------------------------------------------------------------------------
+
+    def _condition(self, condition: Expression, frequency: str) -> None:
+        operands = list(operands_of(condition, self._names))
+        frozen = [one for one in operands if self._is_frozen(one)]
+        if len(frozen) < len(operands) or (frozen and frequency == "ONCE"):
+            for operand in frozen:
+                self._report_frozen(operand, in_condition=True)
+        elif frequency == "ONCE":
+            return
+        elif frozen:
+            self._never_changes(condition, frozen)
+        else:
+            self._findings.report(900237, condition.span)
+        for comparison in comparisons_in(condition):
+            self._compare(comparison)
+
+    def _never_changes(self, condition: Expression, frozen: Sequence[Expression]) -> None:
+        names = list(dict.fromkeys(self._name(one) for one in frozen))
+        meaning_en, meaning_de = self._value(frozen[0])
+        if len(names) > 1:
+            meaning_en, meaning_de = _THOSE_EN, _THOSE_DE
+        self._findings.report(
+            900238,
+            condition.span,
+            names=", ".join(names),
+            meaning_en=meaning_en,
+            meaning_de=meaning_de,
+        )
+
+    def _compare(self, comparison: Binary) -> None:
+        left, right, operator = comparison.left, comparison.right, comparison.operator
+        if isinstance(left, Number):
+            left, right, operator = right, left, _MIRRORED.get(operator, operator)
+        if isinstance(left, Variable) and isinstance(right, Number):
+            self._range(comparison, left, operator, right.value)
+        if operator == "==":
+            self._exact(left, right)
+
+    def _range(self, comparison: Binary, variable: Variable, operator: str, value: float) -> None:
+        """A whole number that its type lets never, or always, fulfil the comparison."""
+        found = resolve(variable, self._names)
+        if not isinstance(found, Location) or not is_live(variable, self._names):
+            return
+        scalar = SCALARS[found.type]
+        if not scalar.is_integer:
+            return
+        truth = always(operator, value, scalar.low, scalar.high)
+        if truth is None:
+            return
+        self._findings.report(
+            900239,
+            comparison.span,
+            name=found.name,
+            type=found.type,
+            meaning_en="always true" if truth else "never true",
+            meaning_de="immer wahr" if truth else "nie wahr",
+            low=int(scalar.low),
+            high=int(scalar.high),
+        )
+
+    def _exact(self, left: Expression, right: Expression) -> None:
+        """A position that changes in motion, compared with anything but the target position."""
+        for one, other in ((left, right), (right, left)):
+            if is_position(one, "ACT_POS", "CUR_POS") and not is_position(other, "CMD_POS"):
+                assert isinstance(one, Variable)
+                self._findings.report(900248, one.span, name=path_text(one))
+                return
+
+    # --- frozen values ---------------------------------------------------------------------------
+
+    def _frozen(self, expression: Expression) -> None:
+        for operand in operands_of(expression, self._names):
+            if self._is_frozen(operand):
+                self._report_frozen(operand, in_condition=False)
+
+    def _is_frozen(self, operand: Expression) -> bool:
+        if isinstance(operand, Parameter):
+            return not operand.call
+        if not isinstance(operand, Variable) or operand.family not in _DECLARED:
+            return False
+        found = resolve(operand, self._names)
+        return isinstance(found, Location) and not is_live(operand, self._names)
+
+    def _report_frozen(self, operand: Expression, *, in_condition: bool) -> None:
+        """Each once in a cycle."""
+        name = self._name(operand)
+        if name in self._told:
+            return
+        self._told[name] = None
+        meaning_en, meaning_de = self._value(operand)
+        number = 900235 if in_condition and isinstance(operand, Variable) else 900236
+        self._findings.report(
+            number, operand.span, name=name, meaning_en=meaning_en, meaning_de=meaning_de
+        )
+
+    def _name(self, operand: Expression) -> str:
+        return " ".join(self._findings.written(operand.span).split())
+
+    def _value(self, operand: Expression) -> tuple[str, str]:
+        """With which value it is read, where that can be told, in both languages."""
+        assert isinstance(operand, Variable | Parameter)
+        known = self._known.get(place_text(operand))
+        if known is not None:
+            value = f"{known.value:.15g}"
+            return f"{value}, set in line {known.line}", f"{value} aus Zeile {known.line}"
+        return _THEN_EN, _THEN_DE
+
+
+def _inside(frequency: str, around: _Around) -> _Around:
+    if frequency == "ALWAYS":
+        return replace(around, skipped=False)
+    single = around.single or frequency
+    return replace(around, single=single, once=around.once or frequency == "ONCE", skipped=True)

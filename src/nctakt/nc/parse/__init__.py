@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""From lines to the tree, and back to text."""

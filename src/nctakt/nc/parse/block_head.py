@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""What stands in front of a block: skip level, block number, label; and ``%`` lines.
+
+In: a block's text at its beginning. Out: a ``Head``; the position stands behind it. A label is
+``N20:`` or a name in brackets, and does not distinguish upper and lower case.
+"""
+
+from __future__ import annotations
+
+import re
+
+from nctakt.nc.parse.expressions import number_at, parse_expression
+from nctakt.nc.parse.lexer import BlockError, BlockText
+from nctakt.nc.tree import NO_HEAD, Expression, Head, ProgramStart
+
+SKIP_LEVELS = 10
+
+_HEAD = re.compile(
+    r"""\s* (?:/(\d*)\s*)?                         # skip level
+        (?:N\s*(\d+)(?:\s*(:))?\s*)?               # number, colon of a label
+        (?:\[\s*([^\W\d]\w*)\s*\]\s*)?             # named label""",
+    re.VERBOSE | re.IGNORECASE,
+)
+_COMPUTED_NUMBER = re.compile(r"\s*N(?=\s*(?:=|\[|@?P[\d\[]|Vs?\.))\s*=?", re.IGNORECASE)
+_LABEL = re.compile(r"\s*(?:N\s*(\d+)|\[\s*([^\W\d]\w*)\s*\])(?!\w)", re.IGNORECASE)
+_START = re.compile(r"\s*%\s*(?:([Ll])\s+(?=\S))?(.*\S)?", re.DOTALL)
+
+
+def parse_head(text: BlockText) -> Head:
+    """Skip level, number and label of the block."""
+    found = text.match(_HEAD)
+    assert found is not None
+    skip, digits, colon, name = found.groups()
+    if skip is None and digits is None and name is None:
+        computed = text.match(_COMPUTED_NUMBER)
+        return NO_HEAD if computed is None else Head(parse_expression(text, names=False))
+    level = None if skip is None else int(skip[:3] or 1)
+    if level is not None and not 1 <= level <= SKIP_LEVELS:
+        raise BlockError(900122, *found.span(1), level=skip, limit=SKIP_LEVELS)
+    number: Expression | None = None
+    label = None if name is None else name.upper()
+    if digits is not None:
+        number = number_at(text, *found.span(2))
+        if colon and label is None:
+            label = number_label(digits)
+    return Head(number, level, label)
+
+
+def number_label(digits: str) -> str:
+    """The label of a block number: ``N020`` and ``N20`` are the same."""
+    return "N" + (digits.lstrip("0") or "0")
+
+
+def parse_label(text: BlockText) -> str | None:
+    """The label that a jump names."""
+    found = text.match(_LABEL)
+    if found is None:
+        return None
+    return number_label(found[1]) if found[1] is not None else found[2].upper()
+
+
+def parse_program_start(text: BlockText) -> ProgramStart:
+    """The ``%name`` or ``%L name`` that stands next; blanks inside the name belong to it."""
+    start = text.skip_blanks()
+    found = text.match(_START)
+    assert found is not None
+    span = text.span(start, found.end())
+    text.pos = len(text.text)
+    return ProgramStart(span, NO_HEAD, found[2] or "", found[1] is not None)

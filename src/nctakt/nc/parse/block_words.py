@@ -1,0 +1,340 @@
+# SPDX-License-Identifier: MIT
+"""The words of a block -> statements.
+
+In: a block's text behind its number and label. Out: a ``Block``, or assignments, calls and macro
+definitions, or several of them where one line holds several. Words need no blanks between them and
+allow them nearly everywhere. Blocks of letters and numbers only, which most programs consist of,
+take a short way: one pattern per word.
+"""
+
+from __future__ import annotations
+
+import re
+from string import ascii_letters
+from typing import NamedTuple, cast
+
+from nctakt.base.diagnostics import Span
+from nctakt.base.text import nearest
+from nctakt.nc.parse.expressions import (
+    EQUALS,
+    FUNCTION_NAMES,
+    OPENING,
+    STRING,
+    expected,
+    is_keyword_list,
+    number_at,
+    parse_expression,
+    parse_item,
+    parse_items,
+    parse_list,
+    parse_target,
+    parse_variable,
+    starts_value,
+    unreadable,
+)
+from nctakt.nc.parse.lexer import BlockError, BlockText
+from nctakt.nc.tree import (
+    NO_HEAD,
+    Assignment,
+    AssignmentOperator,
+    AxisWord,
+    Block,
+    BlockWord,
+    BracketCommand,
+    Expression,
+    Head,
+    Keyword,
+    MacroDefinition,
+    Number,
+    OffsetCommand,
+    OffsetCommandName,
+    Statement,
+    StringLiteral,
+    StringWord,
+    SubprogramCall,
+    VariableBlock,
+    Word,
+)
+
+#: Letters that the name of an axis may begin with.
+AXIS_LETTERS = frozenset("ABCQUVWXYZ")
+#: Letters whose number may be followed by a further value: ``M110=130``, ``G129=50``.
+_NUMBERED = frozenset("DGHMT")
+#: Letters of functions of the PLC.
+_FUNCTIONS = frozenset("HM")
+
+# L calls, N numbers, P is a parameter: they are never plain.
+_PLAIN_WORD = re.compile(r"\s*([A-KMOQ-Za-kmoq-z])\s*([+-]?(?:\d+\.?\d*|\.\d+))", re.ASCII)
+_PLAIN_KINDS: dict[str, tuple[type[AxisWord] | type[Word], str]] = {
+    letter: (AxisWord if letter.upper() in AXIS_LETTERS else Word, letter.upper())
+    for letter in ascii_letters
+}
+_TARGET = re.compile(r"\s*(?:Vs?\.|@?P(?:\d|\[))", re.IGNORECASE)
+_ASSIGN = re.compile(r"\s*([-+*/]?=)(?!=)")
+_LETTERS = re.compile(r"\s*([^\W\d]+)")
+_NAMED = re.compile(r"\s*([^\W\d]+)(\d*)\s*=(?!=)")
+_NAMED_COMMAND = re.compile(r"\s*([^\W\d]+\d+)(?=\s*\[)")
+_SPINDLE_POSITION = re.compile(r"\s*(S\.POS)(?![^\W\d])", re.IGNORECASE)
+_GLUED = re.compile(rf"(?:Vs?\.|@|P(?:\d|\[)|(?:{FUNCTION_NAMES})\s*\[)", re.IGNORECASE)
+#: A text that may hold names of macros between \" and \".
+_MACRO_TEXT = re.compile(r'\s*"((?:[^"\\]|\\"|\\(?!"))*)"')
+_DIGITS = re.compile(r"\.?\d")
+_BARE_VALUE = re.compile(r"\s+(?:[-+\d]|\.\d|Vs?\.|P(?:\d|\[))", re.IGNORECASE)
+_CALL = re.compile(
+    r"""\s*(LL|L(?!L)|ll|l(?!l))
+        (?: (?=\s*") | \s+(?=[^\s=\[+\-])                # a text, or a blank and a name,
+          | (?=[A-Z\d])(?![A-Z]+\d*\s*(?:=|\[)) )         # or glued: LM06, but not LX=5""",
+    re.VERBOSE,
+)
+_OFFSETS = re.compile(r"\s*#\s*(PSET|PRESET|SUPPRESS\s+OFFSETS)(?!\w)", re.IGNORECASE)
+_CALL_CYCLE = re.compile(r"\s*CYCLE(?=\s*\[)", re.IGNORECASE)
+_CALL_NAME = re.compile(r"\s*([^\s\[\]\"]+)")
+_NAME_KEYWORD = re.compile(r"\s*(NAME)\s*=", re.IGNORECASE)
+
+
+def parse_plain(text: BlockText, head: Head) -> Block | None:
+    """The block, if it holds nothing but letters with numbers; the position stays if not."""
+    if len(text.pieces) > 1:
+        return None
+    content, file, line = text.text, text.file, text.line_number
+    match = _PLAIN_WORD.match
+    words: list[BlockWord] = []
+    start = end = text.pos
+    while (found := match(content, end)) is not None:
+        letter, number = found.groups()
+        column = found.start(1) + 1
+        digits_at, end = found.span(2)
+        value = Number(Span(file, line, digits_at + 1, end + 1), float(number))
+        make, name = _PLAIN_KINDS[letter]
+        words.append(make(Span(file, line, column, end + 1), name, value))
+    # A number too large for float64 is for the long way to report.
+    if not words or end - start > 300 or not (end == len(content) or content[end:].isspace()):
+        return None
+    text.pos = len(content)
+    return Block(Span(file, line, start + 1, end + 1), head, tuple(words))
+
+
+def parse_content(text: BlockText, head: Head) -> list[Statement]:
+    """The statements of the rest of the block, at least one; the first of them has the head."""
+    plain = parse_plain(text, head)
+    if plain is not None:
+        return [plain]
+    statements = [_statement(text, head)]
+    while not text.at_end():
+        statements.append(_statement(text, NO_HEAD))
+    return statements
+
+
+def parse_offsets(text: BlockText, head: Head) -> OffsetCommand | None:
+    """The ``#`` command whose rest are words as in any block; ``None`` for any other command."""
+    start = text.skip_blanks()
+    found = text.match(_OFFSETS)
+    if found is None:
+        return None
+    name = cast(OffsetCommandName, " ".join(found[1].upper().split()))
+    kinds = parse_items(text) if text.looking_at(OPENING) is not None else ()
+    words: list[BlockWord] = []
+    while not text.at_end():
+        words.append(_word(text))
+    end = start + len(text.text[start:].rstrip())
+    return OffsetCommand(text.span(start, end), head, name, kinds, tuple(words))
+
+
+def _statement(text: BlockText, head: Head) -> Statement:
+    """One statement; words end where a variable begins, which is assigned or stands alone."""
+    start = text.skip_blanks()
+    if text.looking_at(_TARGET) is not None:
+        return _assignment(text, head)
+    words: list[BlockWord] = []
+    call: _Call | None = None
+    while not text.at_end() and text.looking_at(_TARGET) is None:
+        quoted = text.match(STRING)
+        if quoted is not None:
+            if not words and text.match(EQUALS) is not None:
+                return _macro(text, head, start, quoted[1])
+            span = text.span(quoted.start(1) - 1, quoted.end())
+            words.append(StringWord(span, quoted[1]))
+        elif call is None and (found := text.match(_CALL)) is not None:
+            call = _call(text, local=len(found[1]) == 2)
+        else:
+            words.append(_word(text))
+    end = start + len(text.text[start : text.pos].rstrip())
+    span = text.span(start, end)
+    if call is None:
+        return Block(span, head, tuple(words))
+    return SubprogramCall(span, head, *call, tuple(words))
+
+
+def _assignment(text: BlockText, head: Head) -> Statement:
+    start = text.pos
+    target = parse_target(text)
+    assert target is not None
+    found = text.match(_ASSIGN)
+    if found is None:
+        return VariableBlock(text.span(start, text.pos), head, target)
+    value = parse_expression(text)
+    operator = cast(AssignmentOperator, found[1])
+    return Assignment(text.span(start, text.pos), head, target, operator, value)
+
+
+def _macro(text: BlockText, head: Head, start: int, name: str) -> MacroDefinition:
+    value = text.match(_MACRO_TEXT) or text.match(STRING)
+    if value is None:
+        raise expected(text)
+    meaning = value[1].replace('\\"', '"')
+    return MacroDefinition(text.span(start, text.pos), head, name, meaning)
+
+
+# --- calls ---------------------------------------------------------------------------------------
+
+
+class _Call(NamedTuple):
+    local: bool
+    name: Expression
+    cycle: bool
+    keywords: tuple[Keyword | Expression, ...]
+
+
+def _call(text: BlockText, *, local: bool) -> _Call:
+    if text.match(_CALL_CYCLE) is None:
+        return _Call(local, _called_name(text), False, ())
+    start = text.skip_blanks()
+    keywords: list[Keyword | Expression] = []
+    name: Expression | None = None
+    for item in parse_items(text, item=_call_item):
+        if name is None and isinstance(item, Keyword) and item.name == "NAME":
+            name = item.value
+        else:
+            keywords.append(item)
+    if name is None:
+        raise _without_name(keywords, start)
+    return _Call(local, name, True, tuple(keywords))
+
+
+def _without_name(keywords: list[Keyword | Expression], start: int) -> BlockError:
+    """No NAME: perhaps a keyword is a misspelt one, else nothing tells what is called."""
+    for item in keywords:
+        if isinstance(item, Keyword) and nearest(item.name, ("NAME",)):
+            return BlockError(900133, 0, 0, item.span, word=item.name, nearest="NAME")
+    return BlockError(900916, start, start + 1)
+
+
+def _call_item(text: BlockText, depth: int) -> Keyword | Expression:
+    found = text.match(_NAME_KEYWORD)
+    if found is None:
+        return parse_item(text, depth)
+    return Keyword(text.span(*found.span(1)), "NAME", _called_name(text))
+
+
+def _called_name(text: BlockText) -> Expression:
+    """A text in quotes, a variable, or whatever stands up to the next blank or bracket."""
+    quoted = text.match(STRING)
+    if quoted is not None:
+        return StringLiteral(text.span(quoted.start(1) - 1, quoted.end()), quoted[1])
+    variable = parse_variable(text)
+    if variable is not None:
+        return variable
+    found = text.match(_CALL_NAME)
+    if found is None:
+        raise expected(text, 900114)
+    return StringLiteral(text.span(*found.span(1)), found[1])
+
+
+# --- words ---------------------------------------------------------------------------------------
+
+
+def _word(text: BlockText) -> BlockWord:
+    position = text.match(_SPINDLE_POSITION)
+    if position is not None:
+        return _make(text, "S.POS", position.start(1), _optional_value(text, equals=True))
+    named = text.match(_NAMED)
+    if named is not None:
+        return _named_word(text, named)
+    letters = text.match(_LETTERS)
+    if letters is None:
+        raise _unreadable_word(text)
+    start, end = letters.span(1)
+    if _GLUED.match(text.text, start + 1) is not None:
+        text.pos = start + 1
+        return _computed(text, letters[1][0], start, parse_expression(text, names=False))
+    text.pos = start
+    command = text.match(_NAMED_COMMAND)
+    if command is not None:
+        return _numbered_command(text, command)
+    text.pos = end
+    name = letters[1]
+    if text.looking_at(OPENING) is not None and is_keyword_list(text):
+        items = parse_items(text)
+        return BracketCommand(text.span(start, text.pos), name.upper(), items)
+    if len(name) > 1 and text.looking_at(OPENING) is None and text.looking_at(_DIGITS) is None:
+        return _make(text, name, start, None)
+    value = _optional_value(text, equals=False)
+    if name.upper() == "G" and isinstance(value, Number) and value.value.is_integer():
+        return _with_bare_value(text, start, value)
+    return _computed(text, name, start, value)
+
+
+def _computed(text: BlockText, name: str, start: int, value: Expression | None) -> BlockWord:
+    """``XP1``; ``M[P1]=5``, a function whose number is computed, with its own value."""
+    if name.upper() in _FUNCTIONS and value is not None and text.match(EQUALS) is not None:
+        given = parse_expression(text, names=False)
+        return Word(text.span(start, text.pos), name.upper(), value, given)
+    return _make(text, name, start, value)
+
+
+def _make(text: BlockText, name: str, start: int, value: Expression | None) -> BlockWord:
+    span = text.span(start, text.pos)
+    upper = name.upper()
+    if upper[0] in AXIS_LETTERS:
+        return AxisWord(span, upper, value)
+    return Word(span, upper, value)
+
+
+def _optional_value(text: BlockText, *, equals: bool) -> Expression | None:
+    if equals and text.match(EQUALS) is not None:
+        return parse_expression(text, names=False)
+    return parse_expression(text, names=False) if starts_value(text) else None
+
+
+def _named_word(text: BlockText, named: re.Match[str]) -> BlockWord:
+    """``X1=10``, ``F=100``, ``M110=130``."""
+    letters, digits = named[1].upper(), named[2]
+    if digits and letters[1:] == "P" and letters[0] in _FUNCTIONS:
+        text.pos = named.start(1) + 1
+        number = parse_expression(text, names=False)
+        return _computed(text, letters[0], named.start(1), number)
+    value = parse_expression(text, names=False)
+    if digits and letters in _NUMBERED:
+        span = text.span(named.start(1), text.pos)
+        number = number_at(text, *named.span(2))
+        return Word(span, letters, number, value)
+    return _make(text, letters + digits, named.start(1), value)
+
+
+def _numbered_command(text: BlockText, command: re.Match[str]) -> BlockWord:
+    """``S2[M03 REV=1000]``, ``M17[MAIN]``, ``G805[1, 2]``."""
+    name = command[1].upper()
+    if name[0] == "G" and name[1:].isdigit():
+        number = number_at(text, command.start(1) + 1, command.end(1))
+        arguments = tuple(item.node for item in parse_list(text))
+        return Word(text.span(command.start(1), text.pos), "G", number, None, arguments)
+    items = parse_items(text)
+    return BracketCommand(text.span(command.start(1), text.pos), name, items)
+
+
+def _with_bare_value(text: BlockText, start: int, value: Number) -> Word:
+    """``G04 3.0``: a value of its own behind a G word, unless it is assigned to."""
+    behind = text.pos
+    additional: Expression | None = None
+    if text.looking_at(_BARE_VALUE) is not None:
+        additional = parse_expression(text, names=False)
+        if text.looking_at(_ASSIGN) is not None:
+            text.pos, additional = behind, None
+    return Word(text.span(start, text.pos), "G", value, additional)
+
+
+def _unreadable_word(text: BlockText) -> BlockError:
+    start = text.skip_blanks()
+    if text.text.startswith('"', start):
+        return BlockError(900104, start, start + 1)
+    return unreadable(text)

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT
+"""The lines between ``#VAR`` and ``#ENDVAR`` -> declarations.
+
+In: a block's text behind its head. Out: ``V.L.NAME[3] : STRING[20] = value`` as a node. An initial
+value in brackets may go on in the next lines, with ``\\`` at their ends or without.
+"""
+
+from __future__ import annotations
+
+import re
+
+from nctakt.nc.parse.expressions import (
+    EQUALS,
+    OPENING,
+    expected,
+    parse_expression,
+    parse_list,
+    parse_variable,
+    unreadable,
+)
+from nctakt.nc.parse.lexer import BlockError, BlockText, Lexer
+from nctakt.nc.tree import Declaration, Expression, Head
+
+_QUOTED = re.compile(r'"[^"]*"?')
+_COLON = re.compile(r"\s*:")
+_TYPE = re.compile(r"\s*([^\W\d]\w*)")
+
+
+def whole_declaration(text: BlockText, lexer: Lexer) -> BlockText:
+    """The text with the lines that its open brackets need, at the same reading position."""
+    while _is_open(text.text):
+        longer = lexer.extend(text)
+        if longer is None:
+            return text
+        longer.pos = text.pos
+        text = longer
+    return text
+
+
+def _is_open(content: str) -> bool:
+    without_texts = _QUOTED.sub("", content)
+    return without_texts.count("[") > without_texts.count("]")
+
+
+def parse_declaration(text: BlockText, head: Head) -> Declaration:
+    """One declaration; anything else is 900116."""
+    start = text.skip_blanks()
+    variable = parse_variable(text)
+    if variable is None:
+        raise _no_declaration(text)
+    type_name: str | None = None
+    size: Expression | None = None
+    initial: Expression | None = None
+    if text.match(_COLON) is not None:
+        found = text.match(_TYPE)
+        if found is None:
+            raise expected(text, 900114)
+        type_name = found[1].upper()
+        if text.looking_at(OPENING) is not None:
+            size = parse_list(text)[0].node
+    if text.match(EQUALS) is not None:
+        initial = parse_expression(text)
+    span = text.span(start, text.pos)
+    if not text.at_end():
+        raise unreadable(text)
+    return Declaration(span, head, variable, type_name, size, initial)
+
+
+def _no_declaration(text: BlockText) -> BlockError:
+    start = text.pos
+    end = start + len(text.text[start:].split("\n", 1)[0].rstrip())
+    return BlockError(900116, start, max(end, start + 1))

@@ -1,0 +1,387 @@
+# SPDX-License-Identifier: MIT
+"""Text -> expression trees, and what expressions have in common with commands: ``[ … ]`` lists.
+
+In: a block's text at the reading position. Out: nodes of ``tree.py``; the position stands behind
+them. Infix operators are put together with two stacks, so only brackets and functions recurse, and
+neither their nesting nor the height of the tree goes beyond ``EXPRESSION_DEPTH`` (50861).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from math import isinf
+from typing import NamedTuple
+
+from nctakt.base.diagnostics import Text
+from nctakt.nc.parse.lexer import BlockError, BlockText
+from nctakt.nc.tree import (
+    ArrayLiteral,
+    Binary,
+    Call,
+    Constant,
+    Expression,
+    Keyword,
+    Name,
+    Number,
+    Parameter,
+    Part,
+    StringLiteral,
+    Unary,
+    Variable,
+)
+from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS, INFIX, PREFIX
+
+#: Nodes from the root of an expression to any leaf, and brackets inside each other. Whoever walks
+#: the tree may recurse that deep.
+EXPRESSION_DEPTH = 64
+
+#: How messages call the end of a block, in any language.
+END_OF_BLOCK = Text("the end of the block", "dem Satzende")
+
+FUNCTION_NAMES = "|".join(sorted(FUNCTIONS, key=len, reverse=True))
+
+NUMBER = re.compile(r"\s*(\d+\.?\d*|\.\d+)")
+STRING = re.compile(r'\s*"([^"]*)"')
+VARIABLE = re.compile(r"\s*V([sS])?\.", re.IGNORECASE)
+PARAMETER = re.compile(r"\s*(@?)P(?:(\d+)|(?=\[))", re.IGNORECASE)
+OPENING = re.compile(r"\s*\[")
+CLOSING = re.compile(r"\s*\]")
+COMMA = re.compile(r"\s*,")
+EQUALS = re.compile(r"\s*=(?!=)")
+
+_PREFIX = re.compile(r"\s*([-+]|NOT(?![\w.]))", re.IGNORECASE)
+_INFIX = re.compile(
+    r"\s*(\*\*|&&|\|\||==|!=|<=|>=|[-+*/<>&|^]|(?:MOD|XOR)(?![A-Z_.]))", re.IGNORECASE
+)
+_CALL = re.compile(r"\s*([^\W\d]\w*)\s*\[")
+_NAME = re.compile(r"\s*([^\W\d]\w*(?:[.:\\/][\w.:\\/+-]*)?)")
+_FAMILY = re.compile(r"[^\W\d]\w*")
+_PART = re.compile(r"\.([-+]?\w+)")
+_INDEX = re.compile(r"\[")
+_FOUND = re.compile(r"\s*(\w+|\S)")
+_STARTS_VALUE = re.compile(
+    rf'\s*(?:[-+\d\["@]|\.\d|Vs?\.|P(?:\d|\[)|(?:TRUE|FALSE|PI|NOT)(?![\w.])|(?:{FUNCTION_NAMES})\s*\[)',
+    re.IGNORECASE,
+)
+
+_KEYWORD = re.compile(r"\s*([^\W\d]+(?:\.[^\W\d]+)*)")
+_KEYWORD_AND_DIGITS = re.compile(r"\s*([^\W\d]+\d+)\s*=(?!=)")
+_CALL_KEYWORD = re.compile(r"\s*(@[^\W\d]+\d*)\s*=(?!=)")
+_GLUED_VALUE = re.compile(r"[-+]?\.?\d")
+
+
+Item = Keyword | Expression
+
+
+class Sized(NamedTuple):
+    """An expression with the number of nodes from it to its farthest leaf."""
+
+    node: Expression
+    height: int
+
+
+class _SizedTarget(NamedTuple):
+    node: Variable | Parameter
+    height: int
+
+
+class _Pending(NamedTuple):
+    """An operator that waits for its right operand; ``start`` is where it stands."""
+
+    symbol: str
+    precedence: int
+    prefix: bool
+    start: int
+
+
+def parse_expression(text: BlockText, *, names: bool = True) -> Expression:
+    """The expression at the reading position; ``names``: a bare word is a value, too."""
+    return _expression(text, 0, names).node
+
+
+def starts_value(text: BlockText) -> bool:
+    """Whether a value other than a bare word stands next."""
+    return text.looking_at(_STARTS_VALUE) is not None
+
+
+def parse_target(text: BlockText) -> Variable | Parameter | None:
+    """A variable or a parameter, if one stands next."""
+    target = _target(text, 0)
+    return None if target is None else target.node
+
+
+def expected(text: BlockText, message: int = 900101, symbol: str | None = None) -> BlockError:
+    """The error that something is missing at the reading position, showing what stands there."""
+    found = text.looking_at(_FOUND)
+    word: str | Text = END_OF_BLOCK
+    if found is None:
+        start = len(text.text.rstrip())
+        end = start + 1
+    else:
+        start, end = found.span(1)
+        word = quoted(found[1])
+    if symbol is None:
+        return BlockError(message, start, end, found=word)
+    return BlockError(message, start, end, found=word, symbol=symbol)
+
+
+def number_at(text: BlockText, start: int, end: int) -> Number:
+    """The literal at a place; one that no float64 holds is 900119."""
+    value = float(text.text[start:end])
+    if isinf(value):
+        raise BlockError(900119, start, end)
+    return Number(text.span(start, end), value)
+
+
+def unreadable(text: BlockText) -> BlockError:
+    """The error that nobody knows what to do with the text at the reading position."""
+    closing = text.looking_at(CLOSING)
+    if closing is not None:
+        return BlockError(900103, closing.end() - 1, closing.end())
+    return expected(text, 900100)
+
+
+def shown(found: str) -> str:
+    """A piece of the text for a message: short, and nothing in it that does not print."""
+    return "".join(c if c.isprintable() else f"U+{ord(c):04X}" for c in found[:40])
+
+
+def quoted(found: str) -> str:
+    """The same in quotation marks."""
+    return f"'{shown(found)}'"
+
+
+def require(text: BlockText, pattern: re.Pattern[str], symbol: str) -> None:
+    """Go behind a sign that has to stand next."""
+    if text.match(pattern) is None:
+        raise expected(text, 900113, symbol=symbol)
+
+
+def _expression(text: BlockText, depth: int, names: bool) -> Sized:
+    """Operands and operators on two stacks; an operator is applied when a weaker one follows."""
+    if depth > EXPRESSION_DEPTH:
+        raise _too_deep(text)
+    operands: list[Sized] = []
+    waiting: list[_Pending] = []
+    while True:
+        while (prefix := text.match(_PREFIX)) is not None:
+            symbol = prefix[1].upper()
+            # A plus sign in front changes nothing and leaves no node.
+            if symbol != "+":
+                waiting.append(_Pending(symbol, PREFIX[symbol].precedence, True, prefix.start(1)))
+        operands.append(_operand(text, depth, names))
+        infix = text.match(_INFIX)
+        if infix is None:
+            break
+        symbol = infix[1].upper()
+        operator = INFIX[symbol]
+        while waiting and (
+            waiting[-1].precedence > operator.precedence
+            or (waiting[-1].precedence == operator.precedence and not operator.right_associative)
+        ):
+            _apply(text, waiting.pop(), operands)
+        waiting.append(_Pending(symbol, operator.precedence, False, infix.start(1)))
+    while waiting:
+        _apply(text, waiting.pop(), operands)
+    assert len(operands) == 1
+    return operands[0]
+
+
+def _apply(text: BlockText, operator: _Pending, operands: list[Sized]) -> None:
+    right = operands.pop()
+    if operator.prefix:
+        operand = right.node
+        if operator.symbol == "-" and isinstance(operand, Number):
+            span = text.span(operator.start, text.pos)
+            operands.append(Sized(Number(span, 0.0 - operand.value), 1))
+            return
+        height = right.height + 1
+        node: Expression = Unary(text.span(operator.start, text.pos), operator.symbol, operand)
+    else:
+        left = operands.pop()
+        height = max(left.height, right.height) + 1
+        span = text.span(operator.start, operator.start + len(operator.symbol))
+        node = Binary(span, operator.symbol, left.node, right.node)
+    operands.append(Sized(node, _checked(text, height)))
+
+
+def _too_deep(text: BlockText) -> BlockError:
+    start = min(text.skip_blanks(), len(text.text) - 1)
+    return BlockError(50861, start, start + 1, limit=EXPRESSION_DEPTH)
+
+
+def _operand(text: BlockText, depth: int, names: bool) -> Sized:
+    """A number, text, variable, parameter, function, constant, bracket or bare word."""
+    number = text.match(NUMBER)
+    if number is not None:
+        return Sized(number_at(text, *number.span(1)), 1)
+    target = _target(text, depth)
+    if target is not None:
+        return Sized(*target)
+    if text.looking_at(OPENING) is not None:
+        return _brackets(text, depth)
+    call = text.looking_at(_CALL)
+    if call is not None:
+        text.pos = call.end() - 1
+        arguments = parse_list(text, depth)
+        height = _checked(text, 1 + max(argument.height for argument in arguments))
+        nodes = tuple(argument.node for argument in arguments)
+        return Sized(Call(text.span(*call.span(1)), call[1].upper(), nodes), height)
+    string = text.match(STRING)
+    if string is not None:
+        return Sized(StringLiteral(text.span(string.start(1) - 1, string.end()), string[1]), 1)
+    name = text.looking_at(_NAME)
+    if name is not None:
+        upper = name[1].upper()
+        if upper in CONSTANTS:
+            text.pos = name.end()
+            return Sized(Constant(text.span(*name.span(1)), upper), 1)
+        if names:
+            text.pos = name.end()
+            return Sized(Name(text.span(*name.span(1)), upper, name[1]), 1)
+    start = text.skip_blanks()
+    if text.text.startswith('"', start):
+        raise BlockError(900104, start, start + 1)
+    raise expected(text)
+
+
+def _brackets(text: BlockText, depth: int) -> Sized:
+    """``[a]`` is a, ``[a, b]`` the value of an array."""
+    start = text.skip_blanks()
+    items = parse_list(text, depth)
+    if len(items) == 1:
+        return items[0]
+    height = _checked(text, 1 + max(item.height for item in items))
+    return Sized(ArrayLiteral(text.span(start, text.pos), tuple(i.node for i in items)), height)
+
+
+def parse_list(text: BlockText, depth: int = 0) -> list[Sized]:
+    """``[a, b, …]`` at the reading position; at least one value."""
+    start = text.skip_blanks()
+    require(text, OPENING, "[")
+    items = [_expression(text, depth + 1, True)]
+    while text.match(COMMA) is not None:
+        items.append(_expression(text, depth + 1, True))
+    if text.match(CLOSING) is None:
+        if text.at_end():
+            raise BlockError(900102, start, start + 1)
+        raise expected(text, 900113, symbol="]")
+    return items
+
+
+def _target(text: BlockText, depth: int) -> _SizedTarget | None:
+    variable = text.match(VARIABLE)
+    if variable is not None:
+        start = variable.end() - len("Vs." if variable[1] else "V.")
+        return _variable(text, start, variable[1] is not None, depth, False)
+    found = text.match(PARAMETER)
+    if found is None:
+        return None
+    start, end = found.start(1), found.end()
+    if found[2] is not None:
+        index = Sized(number_at(text, *found.span(2)), 1)
+    else:
+        items = parse_list(text, depth)
+        if len(items) != 1:
+            raise BlockError(900100, end, end + 1, found=quoted("["))
+        index = items[0]
+    parameter = Parameter(text.span(start, text.pos), index.node, bool(found[1]))
+    return _SizedTarget(parameter, _checked(text, index.height + 1))
+
+
+def parse_variable(text: BlockText, *, whole_family: bool = False) -> Variable | None:
+    """A variable, if one stands next; ``whole_family``: ``V.E.`` may have no name behind it."""
+    found = text.match(VARIABLE)
+    if found is None:
+        return None
+    start = found.end() - len("Vs." if found[1] else "V.")
+    node = _variable(text, start, found[1] is not None, 0, whole_family).node
+    assert isinstance(node, Variable)
+    return node
+
+
+def _variable(
+    text: BlockText, start: int, synchronous: bool, depth: int, whole_family: bool
+) -> _SizedTarget:
+    """The variable whose family stands next; ``start`` is where its ``V`` stands."""
+    family = text.match(_FAMILY)
+    if family is None:
+        raise expected(text, 900114)
+    parts = []
+    height = 1
+    while (part := text.match(_PART)) is not None:
+        indices: list[Expression] = []
+        while text.looking_at(_INDEX) is not None:
+            for index in parse_list(text, depth):
+                indices.append(index.node)
+                height = max(height, index.height + 1)
+        parts.append(Part(text.span(part.start(1), text.pos), part[1], tuple(indices)))
+    open_end = text.text.startswith(".", text.pos)
+    text.pos += open_end
+    if (open_end and parts) or not (parts or whole_family):
+        raise expected(text, 900114)
+    span = text.span(start, text.pos)
+    variable = Variable(span, family[0].upper(), tuple(parts), synchronous)
+    return _SizedTarget(variable, _checked(text, height))
+
+
+def _checked(text: BlockText, height: int) -> int:
+    if height > EXPRESSION_DEPTH:
+        raise _too_deep(text)
+    return height
+
+
+# --- keywords in brackets ------------------------------------------------------------------------
+
+
+def is_keyword_list(text: BlockText) -> bool:
+    """Whether the ``[`` at the reading position opens keywords and not a value."""
+    opening = text.looking_at(OPENING)
+    assert opening is not None
+    if CLOSING.match(text.text, opening.end()) is not None:
+        return True
+    if _CALL_KEYWORD.match(text.text, opening.end()) is not None:
+        return True
+    return _STARTS_VALUE.match(text.text, opening.end()) is None
+
+
+def parse_items(
+    text: BlockText, depth: int = 0, item: Callable[[BlockText, int], Item] | None = None
+) -> tuple[Item, ...]:
+    """``[ … ]`` at the reading position with keywords and values, commas between them or none.
+
+    ``item`` reads one of them, by default ``parse_item``.
+    """
+    start = text.skip_blanks()
+    require(text, OPENING, "[")
+    if depth > EXPRESSION_DEPTH:
+        raise _too_deep(text)
+    items: list[Item] = []
+    while text.match(CLOSING) is None:
+        if text.at_end():
+            raise BlockError(900102, start, start + 1)
+        if text.match(COMMA) is None:
+            items.append((item or parse_item)(text, depth))
+    return tuple(items)
+
+
+def parse_item(text: BlockText, depth: int = 0) -> Item:
+    """One keyword with its value, or one value."""
+    named = text.match(_CALL_KEYWORD)
+    if named is None and not starts_value(text):
+        named = text.match(_KEYWORD_AND_DIGITS)
+    if named is not None:
+        value = _expression(text, depth, True).node
+        return Keyword(text.span(*named.span(1)), named[1].upper(), value)
+    if starts_value(text):
+        return _expression(text, depth, True).node
+    keyword = text.match(_KEYWORD)
+    if keyword is None:
+        raise unreadable(text)
+    span, name = text.span(*keyword.span(1)), keyword[1].upper()
+    if text.match(EQUALS) is not None or text.looking_at(_GLUED_VALUE) is not None:
+        return Keyword(span, name, _expression(text, depth, True).node)
+    if text.looking_at(_INDEX) is not None:
+        return Keyword(span, name, None, parse_items(text, depth + 1))
+    return Keyword(span, name)

@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: MIT
+"""``#`` commands -> statements, and the ``#`` lines that open or close a structure.
+
+In: a block's text at its ``#``. Each command is read the same way, words and then arguments; then a
+few known ones get a node of their own if they have the form that they should have. What has not
+stays a ``HashCommand``, which the checker refuses or accepts by its name.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal, cast
+
+from nctakt.nc.parse.expressions import (
+    CLOSING,
+    COMMA,
+    OPENING,
+    Item,
+    expected,
+    parse_expression,
+    parse_item,
+    parse_items,
+    parse_variable,
+    quoted,
+    starts_value,
+)
+from nctakt.nc.parse.lexer import BlockError, BlockText
+from nctakt.nc.tree import (
+    Bracket,
+    CycleControl,
+    Expression,
+    Flush,
+    HashCommand,
+    Head,
+    Keyword,
+    Name,
+    Number,
+    Statement,
+    Time,
+    Timer,
+    UserError,
+    UserMessage,
+)
+from nctakt.nc.vocabulary.operators import TEXT_FUNCTIONS
+
+CYCLE_ACTIONS = ("START", "HOLD", "CONTINUE", "ABORT ACTION", "DELETE")
+
+_HASH = re.compile(r"\s*#\s*")
+_WORD = re.compile(r"\s*([^\W\d]\w*)(?!\w|\s*=|\.\w)")
+
+Argument = Bracket | Keyword | Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Hash:
+    """A ``#`` command as written: ``[start, end)`` in the block, words, arguments."""
+
+    start: int
+    end: int
+    words: tuple[Name, ...]
+    arguments: tuple[Argument, ...]
+
+    @property
+    def name(self) -> tuple[str, ...]:
+        """The words in upper case."""
+        return tuple(word.name for word in self.words)
+
+
+def parse_words(text: BlockText) -> tuple[Name, ...]:
+    """``#`` and the words behind it, at least one."""
+    text.match(_HASH)
+    words: list[Name] = []
+    while (word := text.looking_at(_WORD)) is not None:
+        if words and word[1].upper() not in TEXT_FUNCTIONS and starts_value(text):
+            break
+        text.pos = word.end()
+        words.append(Name(text.span(*word.span(1)), word[1].upper(), word[1]))
+    if not words:
+        raise expected(text, 900114)
+    return tuple(words)
+
+
+def parse_arguments(text: BlockText, name: tuple[str, ...]) -> tuple[Argument, ...]:
+    """What follows the words, up to the end of the block."""
+    arguments: list[Argument] = []
+    if name == ("TIME",) and not text.at_end():
+        # The only command whose brackets may be those of an expression: ``#TIME [P1] * 2``.
+        arguments.append(parse_expression(text))
+    while not text.at_end():
+        if text.match(COMMA) is None:
+            arguments.append(_components(text) if name[0] == "CS" else _argument(text))
+    return tuple(arguments)
+
+
+def _components(text: BlockText) -> Argument:
+    """Values in brackets by their places (``#CS``); none between two commas is 0."""
+    if text.looking_at(OPENING) is None:
+        return _argument(text)
+    start = text.skip_blanks()
+    text.match(OPENING)
+    items: list[Item] = []
+    is_gap = True
+    while text.match(CLOSING) is None:
+        if text.at_end():
+            raise BlockError(900102, start, start + 1)
+        place = text.skip_blanks()
+        is_comma = text.match(COMMA) is not None
+        if not is_comma:
+            items.append(parse_item(text))
+        elif is_gap:
+            items.append(Number(text.span(place, place + 1), 0.0))
+        is_gap = is_comma
+    return Bracket(text.span(start, text.pos), tuple(items))
+
+
+def _argument(text: BlockText) -> Argument:
+    if text.looking_at(OPENING) is not None:
+        start = text.skip_blanks()
+        items = parse_items(text)
+        return Bracket(text.span(start, text.pos), items)
+    return parse_variable(text, whole_family=True) or parse_item(text)
+
+
+def only_bracket(command: Hash) -> tuple[Item, ...] | None:
+    """The items of the one bracket that the command has; none is as good as an empty one."""
+    if not command.arguments:
+        return ()
+    if len(command.arguments) > 1 or not isinstance(command.arguments[0], Bracket):
+        return None
+    return command.arguments[0].items
+
+
+def cycle_keywords(text: BlockText, command: Hash) -> tuple[Item, ...]:
+    """The keywords of an ``#RT CYCLE`` line, which may have nothing else behind its words."""
+    items = only_bracket(command)
+    if items is None:
+        wrong = next(
+            argument
+            for index, argument in enumerate(command.arguments)
+            if index or not isinstance(argument, Bracket)
+        )
+        found = quoted(text.text_of(wrong.span))
+        raise BlockError(900100, 0, 0, wrong.span, found=found)
+    return items
+
+
+def simple_command(text: BlockText, head: Head, command: Hash) -> Statement:
+    """The statement of a command that opens and closes nothing."""
+    special = _SPECIAL.get(command.words[0].name)
+    statement = special(text, head, command) if special is not None else None
+    if statement is not None:
+        return statement
+    span = text.span(command.start, command.end)
+    return HashCommand(span, head, command.words, command.arguments)
+
+
+def cycle_control(text: BlockText, head: Head, command: Hash) -> CycleControl:
+    """``#RT CYCLE`` with one of the ``CYCLE_ACTIONS``."""
+    keywords = cycle_keywords(text, command)
+    action = " ".join(command.name[2:])
+    return CycleControl(text.span(command.start, command.end), head, action, keywords)
+
+
+def _flush(text: BlockText, head: Head, command: Hash) -> Statement | None:
+    name = command.name
+    if command.arguments or len(name) > 2 or (len(name) == 2 and name[1] not in _FLUSH_MODES):
+        return None
+    mode = cast(Literal["WAIT", "CONTINUE"], name[1]) if len(name) == 2 else None
+    return Flush(text.span(command.start, command.end), head, mode)
+
+
+_FLUSH_MODES = ("WAIT", "CONTINUE")
+
+
+def _time(text: BlockText, head: Head, command: Hash) -> Statement | None:
+    if len(command.words) != 1 or len(command.arguments) != 1:
+        return None
+    value = command.arguments[0]
+    assert isinstance(value, Expression)
+    return Time(text.span(command.start, command.end), head, value)
+
+
+def _message(text: BlockText, head: Head, command: Hash) -> Statement | None:
+    items = only_bracket(command)
+    if not items or not all(isinstance(item, Expression) for item in items):
+        return None
+    values = cast(tuple[Expression, ...], items)
+    span = text.span(command.start, command.end)
+    return UserMessage(span, head, command.words[1:], values[0], values[1:])
+
+
+def _timer(text: BlockText, head: Head, command: Hash) -> Statement | None:
+    items = only_bracket(command)
+    if items is None or len(command.words) < 2:
+        return None
+    span = text.span(command.start, command.end)
+    return Timer(span, head, command.words[1].name, command.words[2:], items)
+
+
+def _error(text: BlockText, head: Head, command: Hash) -> Statement | None:
+    items = only_bracket(command)
+    if items is None or len(command.words) != 1:
+        return None
+    return UserError(text.span(command.start, command.end), head, items)
+
+
+_SPECIAL: dict[str, Callable[[BlockText, Head, Hash], Statement | None]] = {
+    "ERROR": _error,
+    "FLUSH": _flush,
+    "MSG": _message,
+    "TIME": _time,
+    "TIMER": _timer,
+}

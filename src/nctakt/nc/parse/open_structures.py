@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: MIT
+"""Structures that are open while the parser goes through the blocks.
+
+Each frame stands for one opened structure: it takes the statements inside it and becomes a node
+when it is closed. A stack of frames replaces recursion, so that nothing overflows. A frame whose
+end is missing becomes a node as well: what is inside it shall be checked, too.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from nctakt.base.diagnostics import Span
+from nctakt.nc.parse.expressions import Item
+from nctakt.nc.tree import (
+    Case,
+    Constant,
+    Declaration,
+    Do,
+    ElseIf,
+    Expression,
+    For,
+    Frequency,
+    Head,
+    If,
+    Number,
+    Parameter,
+    RealtimeCycle,
+    RealtimeLoop,
+    Repeat,
+    Statement,
+    Switch,
+    Variable,
+    VariableDeclarations,
+    While,
+)
+
+
+@dataclass(slots=True)
+class Opening:
+    """The block that opens a structure: words for messages, place, the whole line."""
+
+    begin: str
+    end: str
+    span: Span
+    line: str
+    head: Head
+
+
+@dataclass(slots=True)
+class Frame:
+    """An open structure; ``body`` takes the statements of the branch that is open.
+
+    ``inside_dead``: the branch that this structure stands in can never run.
+    """
+
+    opening: Opening
+    body: list[Statement] = field(default_factory=list)
+    inside_dead: bool = False
+
+    @property
+    def dead(self) -> bool:
+        """Whether the open branch can never run, so that its text need not be NC text."""
+        return False
+
+    def finish(self) -> Statement:
+        """The node of the structure."""
+        raise AssertionError(self.opening.begin)
+
+
+def is_false(condition: Expression) -> bool:
+    """Whether a condition is a constant that is false."""
+    if isinstance(condition, Number):
+        return abs(condition.value) < 0.5
+    return isinstance(condition, Constant) and condition.name == "FALSE"
+
+
+@dataclass(slots=True)
+class _Branch:
+    span: Span
+    head: Head
+    frequency: Frequency | None
+    condition: Expression
+    body: list[Statement]
+
+
+class IfFrame(Frame):
+    """``$IF`` and ``#IF`` with their branches."""
+
+    __slots__ = ("branches", "else_body", "else_span", "preprocessor")
+
+    def __init__(
+        self,
+        opening: Opening,
+        frequency: Frequency | None,
+        condition: Expression,
+        *,
+        preprocessor: bool,
+    ) -> None:
+        super().__init__(opening)
+        self.preprocessor = preprocessor
+        self.else_body: list[Statement] | None = None
+        self.else_span: Span | None = None
+        self.branches = [_Branch(opening.span, opening.head, frequency, condition, self.body)]
+
+    @property
+    def dead(self) -> bool:
+        return self.else_body is None and is_false(self.branches[-1].condition)
+
+    def add_branch(
+        self, span: Span, head: Head, frequency: Frequency | None, condition: Expression
+    ) -> None:
+        """Begin an ``$ELSEIF``."""
+        self.body = []
+        self.branches.append(_Branch(span, head, frequency, condition, self.body))
+
+    def add_else(self, span: Span) -> None:
+        """Begin the ``$ELSE``."""
+        self.body = self.else_body = []
+        self.else_span = span
+
+    def finish(self) -> If:
+        first = self.branches[0]
+        return If(
+            first.span,
+            first.head,
+            first.frequency,
+            first.condition,
+            tuple(first.body),
+            tuple(
+                ElseIf(b.span, b.head, b.frequency, b.condition, tuple(b.body))
+                for b in self.branches[1:]
+            ),
+            None if self.else_body is None else tuple(self.else_body),
+            self.preprocessor,
+            self.else_span,
+        )
+
+
+class SwitchFrame(Frame):
+    """``$SWITCH`` with its ``$CASE`` and ``$DEFAULT`` branches."""
+
+    __slots__ = ("cases", "subject")
+
+    def __init__(self, opening: Opening, subject: Expression) -> None:
+        super().__init__(opening)
+        self.subject = subject
+        self.cases: list[tuple[Span, Head, Expression | None, list[Statement]]] = []
+
+    def add_case(self, span: Span, head: Head, value: Expression | None) -> None:
+        """Begin a branch."""
+        self.body = []
+        self.cases.append((span, head, value, self.body))
+
+    def finish(self) -> Switch:
+        cases = tuple(
+            Case(span, head, value, tuple(body)) for span, head, value, body in self.cases
+        )
+        return Switch(self.opening.span, self.opening.head, self.subject, cases)
+
+
+class ForFrame(Frame):
+    """``$FOR``."""
+
+    __slots__ = ("bounds", "variable")
+
+    def __init__(
+        self,
+        opening: Opening,
+        variable: Variable | Parameter,
+        bounds: tuple[Expression, Expression, Expression],
+    ) -> None:
+        super().__init__(opening)
+        self.variable = variable
+        self.bounds = bounds
+
+    def finish(self) -> For:
+        opening = self.opening
+        return For(opening.span, opening.head, self.variable, *self.bounds, tuple(self.body))
+
+
+class WhileFrame(Frame):
+    """``$WHILE``."""
+
+    __slots__ = ("condition",)
+
+    def __init__(self, opening: Opening, condition: Expression) -> None:
+        super().__init__(opening)
+        self.condition = condition
+
+    @property
+    def dead(self) -> bool:
+        return is_false(self.condition)
+
+    def finish(self) -> While:
+        return While(self.opening.span, self.opening.head, self.condition, tuple(self.body))
+
+
+class LoopFrame(Frame):
+    """``#RT WHILE``."""
+
+    __slots__ = ("modulo",)
+
+    def __init__(self, opening: Opening) -> None:
+        super().__init__(opening)
+        self.modulo = False
+
+    def finish(self) -> RealtimeLoop:
+        return RealtimeLoop(self.opening.span, self.opening.head, self.modulo, tuple(self.body))
+
+
+class _FootFrame(Frame):
+    """A loop whose condition stands at its end; it counts as false where the end is missing."""
+
+    __slots__ = ("condition",)
+
+    def __init__(self, opening: Opening) -> None:
+        super().__init__(opening)
+        self.condition: Expression = Constant(opening.span, "FALSE")
+
+
+class DoFrame(_FootFrame):
+    """``$DO``."""
+
+    __slots__ = ()
+
+    def finish(self) -> Do:
+        return Do(self.opening.span, self.opening.head, tuple(self.body), self.condition)
+
+
+class RepeatFrame(_FootFrame):
+    """``$REPEAT``."""
+
+    __slots__ = ()
+
+    def finish(self) -> Repeat:
+        return Repeat(self.opening.span, self.opening.head, tuple(self.body), self.condition)
+
+
+class CycleFrame(Frame):
+    """``#RT CYCLE``."""
+
+    __slots__ = ("definition_only", "end_span", "keywords", "reported")
+
+    def __init__(self, opening: Opening, *, definition_only: bool) -> None:
+        super().__init__(opening)
+        self.definition_only = definition_only
+        self.keywords: tuple[Item, ...] = ()
+        #: Where its end stands, once that was found.
+        self.end_span = opening.span
+        #: Whether it was reported already that the ends do not fit.
+        self.reported = False
+
+    def finish(self) -> RealtimeCycle:
+        return RealtimeCycle(
+            self.opening.span,
+            self.opening.head,
+            self.definition_only,
+            self.keywords,
+            tuple(self.body),
+            self.end_span,
+        )
+
+
+class VariablesFrame(Frame):
+    """``#VAR``; ``strangers`` counts the blocks in a row that declare nothing."""
+
+    __slots__ = ("declarations", "strangers")
+
+    def __init__(self, opening: Opening) -> None:
+        super().__init__(opening)
+        self.declarations: list[Declaration] = []
+        self.strangers = 0
+
+    def finish(self) -> VariableDeclarations:
+        return VariableDeclarations(self.opening.span, self.opening.head, tuple(self.declarations))

@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: MIT
+"""NC text -> tree.
+
+In: a ``Source``. Out: its statements one by one, read no further than needed (``parse``), or the
+whole program (``parse_program``). Each mistake is a diagnostic, and reading goes on at the next
+block. The parser accepts a little more than is valid: which words and commands exist and what is
+allowed where is the checker's matter. The grammar as text: ``grammar.txt``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.messages import Collector
+from nctakt.nc.parse.block_head import parse_head, parse_program_start
+from nctakt.nc.parse.block_words import parse_content
+from nctakt.nc.parse.controls import control_line, hash_line
+from nctakt.nc.parse.declarations import parse_declaration, whole_declaration
+from nctakt.nc.parse.expressions import unreadable
+from nctakt.nc.parse.lexer import BlockError, BlockText, Lexer
+from nctakt.nc.parse.open_structures import VariablesFrame
+from nctakt.nc.parse.structure_stack import Structure
+from nctakt.nc.source import LineReader, Source
+from nctakt.nc.tree import (
+    NO_HEAD,
+    Block,
+    Head,
+    Number,
+    Program,
+    ProgramStart,
+    Statement,
+    Subprogram,
+    Word,
+)
+
+#: M functions that end a program or a subprogram.
+_ENDS = (2, 17, 29, 30)
+
+
+def parse(source: Source, collector: Collector) -> Iterator[Statement]:
+    """The statements of a source in their order; diagnostics in the order of their discovery.
+
+    A structure is one statement, given when it is closed. Lines are read when they are due.
+    """
+    for _, statement in StatementReader(source, collector):
+        yield statement
+
+
+class StatementReader:
+    """As ``parse``, from a line on, each statement with the line in which it begins.
+
+    ``first_line`` is one that was given before, so that no structure is open there. Between two
+    statements others may take lines (``lines``).
+    """
+
+    def __init__(self, source: Source, collector: Collector, first_line: int = 1) -> None:
+        self._structure = Structure(collector)
+        self._lexer = Lexer(source, collector, first_line)
+        self._statements = self._read(source, collector, first_line)
+        self._given = 0
+
+    def __iter__(self) -> Iterator[tuple[int, Statement]]:
+        return self
+
+    def __next__(self) -> tuple[int, Statement]:
+        return next(self._statements)
+
+    @property
+    def lines(self) -> LineReader | None:
+        """The lines that come next, unless they belong to what has been begun."""
+        structure = self._structure
+        is_between = structure.top is None and self._given == len(structure.ready)
+        return self._lexer.lines if is_between and self._lexer.is_between else None
+
+    def _read(
+        self, source: Source, collector: Collector, first_line: int
+    ) -> Iterator[tuple[int, Statement]]:
+        structure = self._structure
+        begin = first_line
+        empty = True
+        for text in self._lexer.blocks():
+            empty = False
+            if structure.top is None:
+                begin = text.line_number
+            _block(text, self._lexer, structure)
+            if structure.ready:
+                yield from self._ready(begin)
+                structure.ready.clear()
+        structure.close_all()
+        yield from self._ready(begin)
+        if empty and not collector.has_errors:
+            place = Span(source.file, 1, 1, 2)
+            collector.report(900109, place, source.line_of(place))
+
+    def _ready(self, begin: int) -> Iterator[tuple[int, Statement]]:
+        """What is finished, counted as it is given."""
+        self._given = 0
+        for statement in self._structure.ready:
+            self._given += 1
+            yield begin, statement
+
+
+def parse_program(source: Source, collector: Collector) -> Program:
+    """The whole program; diagnostics in the order of the text."""
+    found = Collector()
+    program = _assemble(source, StatementReader(source, found), found)
+    found.diagnostics.sort(key=_place)
+    collector.diagnostics += found.diagnostics
+    return program
+
+
+def _place(diagnostic: Diagnostic) -> tuple[int, int]:
+    span = diagnostic.span
+    return (span.line, span.column) if span is not None else (0, 0)
+
+
+def _block(text: BlockText, lexer: Lexer, structure: Structure) -> None:
+    """One block into the structure, or the report why that cannot be."""
+    head = NO_HEAD
+    try:
+        head = parse_head(text)
+        start = text.skip_blanks()
+        first = text.text[start : start + 1]
+        if isinstance(structure.top, VariablesFrame):
+            if _declaration_line(text, first, head, lexer, structure):
+                return
+        if first == "$":
+            control_line(text, head, structure)
+        elif first == "#":
+            hash_line(text, head, structure)
+        elif first == "%":
+            _program_start(text, structure)
+        else:
+            _content(text, head, structure)
+        if not text.at_end():
+            raise unreadable(text)
+    except BlockError as error:
+        structure.add_unreadable(text, head, error)
+
+
+def _content(text: BlockText, head: Head, structure: Structure) -> None:
+    statements = parse_content(text, head)
+    for statement in statements:
+        structure.add_block(statement, text)
+    if "M" in text.text or "m" in text.text:
+        if any(_is_program_end(statement) for statement in statements):
+            structure.end_program()
+
+
+def _is_program_end(statement: Statement) -> bool:
+    return (
+        isinstance(statement, Block)
+        and statement.head.skip is None
+        and any(
+            isinstance(word, Word)
+            and word.name == "M"
+            and isinstance(word.value, Number)
+            and word.value.value in _ENDS
+            for word in statement.words
+        )
+    )
+
+
+def _program_start(text: BlockText, structure: Structure) -> None:
+    start = parse_program_start(text)
+    structure.begin_program()
+    structure.add(start)
+
+
+def _declaration_line(
+    text: BlockText, first: str, head: Head, lexer: Lexer, structure: Structure
+) -> bool:
+    """A line inside ``#VAR``; false if the line does not belong there, and ``#VAR`` is closed.
+
+    A second line in a row that declares nothing tells that ``#ENDVAR`` was forgotten.
+    """
+    frame = structure.top
+    assert isinstance(frame, VariablesFrame)
+    if first == "#" and text.text[text.pos + 1 :].lstrip().upper().startswith(
+        ("ENDVAR", "COMMENT")
+    ):
+        return False
+    if first in ("#", "$", "%") or (frame.strangers and not _declares(text)):
+        structure.give_up()
+        return False
+    text = whole_declaration(text, lexer)
+    try:
+        frame.declarations.append(parse_declaration(text, head))
+        frame.strangers = 0
+    except BlockError as error:
+        frame.strangers += error.number == 900116
+        structure.block_error(text, error)
+    return True
+
+
+def _declares(text: BlockText) -> bool:
+    return text.text[text.pos : text.pos + 2].upper() in ("V.", "VS")
+
+
+# --- the program ---------------------------------------------------------------------------------
+
+
+def sections(
+    source: Source, statements: Iterator[tuple[int, Statement]], collector: Collector
+) -> Iterator[tuple[int, int, Statement]]:
+    """Line, section and statement: 0 is the main program, 1 … are the local subprograms.
+
+    -1 is what never runs. The ``%`` line that begins a section comes first in it: ``%L name`` a
+    subprogram, the first other one the main program unless that has begun without one. Inside the
+    main program a further ``%`` line is a comment; behind a subprogram it begins a program that
+    never runs, with a warning.
+    """
+    section = subprograms = 0
+    begun = False
+    for begin, statement in statements:
+        if not isinstance(statement, ProgramStart):
+            begun = begun or section == 0
+        elif statement.local:
+            subprograms += 1
+            section = subprograms
+        elif not begun:
+            section, begun = 0, True
+        elif section == 0:
+            continue
+        else:
+            line = source.line_of(statement.span)
+            collector.report(900117, statement.span, line, name=statement.name)
+            section = -1
+        yield begin, section, statement
+
+
+def _assemble(
+    source: Source, statements: Iterator[tuple[int, Statement]], collector: Collector
+) -> Program:
+    """Main program and local subprograms from the statements in their order."""
+    name = ""
+    bodies: dict[int, list[Statement]] = {0: []}
+    starts: dict[int, ProgramStart] = {}
+    for _, section, statement in sections(source, statements, collector):
+        if not isinstance(statement, ProgramStart):
+            bodies.setdefault(section, []).append(statement)
+        elif section == 0:
+            name = statement.name
+        elif section > 0:
+            starts[section] = statement
+    subprograms = tuple(
+        Subprogram(start.span, start.name, tuple(bodies.get(section, ())))
+        for section, start in starts.items()
+    )
+    return Program(source, name, tuple(bodies[0]), subprograms)

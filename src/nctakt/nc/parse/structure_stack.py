@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: MIT
+"""What is open while the blocks go by, and where statements and mistakes go.
+
+In: opened and closed structures, statements, mistakes. Out: finished statements in ``ready`` and
+diagnostics in the collector. The rules of recovery are here: a closing word closes the nearest
+structure that it fits, what stands open above that is reported and closed as well; what fits
+nothing is reported and has no effect.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from nctakt.base.diagnostics import Span
+from nctakt.messages import Collector
+from nctakt.nc.parse.lexer import BlockError, BlockText
+from nctakt.nc.parse.open_structures import CycleFrame, Frame, LoopFrame, SwitchFrame
+from nctakt.nc.tree import Head, Statement, Unreadable
+
+#: Structures inside each other. Whoever walks the tree may recurse that deep.
+STRUCTURE_DEPTH = 100
+
+
+class Structure:
+    """The stack of open structures; ``ready`` holds what is finished and inside nothing."""
+
+    def __init__(self, collector: Collector) -> None:
+        self.ready: list[Statement] = []
+        self._stack: list[Frame] = []
+        self._collector = collector
+        #: Behind a program end text is read with patience: it may be no NC text at all.
+        self._ended = False
+        self._patience_told = False
+        #: Ends of realtime cycles that were closed for want of one, should it still come.
+        self._forgiven_ends = 0
+
+    @property
+    def top(self) -> Frame | None:
+        """The innermost open structure."""
+        return self._stack[-1] if self._stack else None
+
+    # --- statements ------------------------------------------------------------------------------
+
+    def add(self, statement: Statement) -> None:
+        """Put a statement into the open branch, or out if nothing is open."""
+        if not self._stack:
+            self.ready.append(statement)
+        else:
+            self._stack[-1].body.append(statement)
+
+    def add_block(self, statement: Statement, text: BlockText) -> None:
+        """Add what is not a structure; between ``$SWITCH`` and ``$CASE`` it has no place."""
+        top = self.top
+        if isinstance(top, SwitchFrame) and not top.cases:
+            self.report(900115, statement.span, text.source_line(statement.span))
+        self.add(statement)
+
+    def add_unreadable(self, text: BlockText, head: Head, error: BlockError) -> None:
+        """Report why a block could not be read, and keep its place."""
+        self.block_error(text, error)
+        content = text.text.strip()
+        start = text.text.index(content) if content else 0
+        span = text.span(start, start + len(content))
+        self.add(Unreadable(span, head, content))
+
+    def end_program(self) -> None:
+        """A program end stood here: what follows runs only if a jump leads there."""
+        self._ended = not self._stack
+
+    def begin_program(self) -> None:
+        """A ``%`` line: nothing stays open, and mistakes count again."""
+        self.close_all()
+        self._ended = self._patience_told = False
+
+    # --- mistakes --------------------------------------------------------------------------------
+
+    def block_error(self, text: BlockText, error: BlockError) -> None:
+        """Report why a block could not be read, unless it stands where nothing ever runs."""
+        if self._stack and (self._stack[-1].dead or self._stack[-1].inside_dead):
+            return
+        span = error.span or text.span(error.start, error.end)
+        self.report(error.number, span, text.source_line(span), **error.values)
+
+    def report(self, number: int, span: Span, line: str, **values: object) -> None:
+        """Report a mistake; behind a program end one warning stands for all of them."""
+        if not self._ended:
+            self._collector.report(number, span, line, **values)
+        elif not self._patience_told:
+            self._patience_told = True
+            self._collector.report(900118, span, line)
+
+    # --- structures ------------------------------------------------------------------------------
+
+    def open(self, frame: Frame) -> None:
+        """Begin a structure."""
+        if self._stack:
+            frame.inside_dead = self._stack[-1].dead or self._stack[-1].inside_dead
+        self._stack.append(frame)
+        if len(self._stack) == STRUCTURE_DEPTH + 1:
+            opening = frame.opening
+            self.report(
+                900111, opening.span, opening.line, limit=STRUCTURE_DEPTH, begin=opening.begin
+            )
+
+    def find(self, fits: Callable[[Frame], bool]) -> Frame | None:
+        """The innermost structure that fits; those inside it are reported and closed."""
+        index = self._index(fits)
+        if index is None:
+            return None
+        while len(self._stack) > index + 1:
+            self.give_up()
+        return self._stack[index]
+
+    def _index(self, fits: Callable[[Frame], bool]) -> int | None:
+        """Where the innermost structure that fits is; looked for no deeper than structures go."""
+        last = len(self._stack) - 1
+        for index in range(last, max(-1, last - 2 * STRUCTURE_DEPTH), -1):
+            if fits(self._stack[index]):
+                return index
+        return None
+
+    def close(self, frame: Frame) -> None:
+        """The innermost structure ends; one that is too deep leaves no node."""
+        assert frame is self._stack[-1]
+        self._stack.pop()
+        if len(self._stack) < STRUCTURE_DEPTH:
+            self.add(frame.finish())
+
+    def give_up(self) -> None:
+        """The innermost structure lacks its end: report that, and close it."""
+        frame = self._stack[-1]
+        opening = frame.opening
+        if isinstance(frame, CycleFrame):
+            if not frame.reported:
+                self.report(22005, opening.span, opening.line, found=opening.begin)
+                self.expect_stray_cycle_end()
+        elif isinstance(frame, LoopFrame):
+            self.report(50992, opening.span, opening.line)
+        else:
+            self.report(900105, opening.span, opening.line, begin=opening.begin, end=opening.end)
+        self.close(frame)
+
+    def close_all(self) -> None:
+        """The text ends, or another program begins: whatever is open lacks its end."""
+        while self._stack:
+            self.give_up()
+
+    def forgive_cycle_end(self) -> bool:
+        """Whether an ``#RT CYCLE END`` without begin belongs to a cycle reported before."""
+        if not self._forgiven_ends:
+            return False
+        self._forgiven_ends -= 1
+        return True
+
+    def expect_stray_cycle_end(self) -> None:
+        """One ``#RT CYCLE END`` more than begins will come: its begin was reported already."""
+        self._forgiven_ends += 1
+
+    def close_cycle_before(self, span: Span, line: str) -> None:
+        """A definition begins: none may be open (22005)."""
+        index = self._index(_is_cycle)
+        if index is None:
+            return
+        cycle = self._stack[index]
+        assert isinstance(cycle, CycleFrame)
+        self.report(22005, span, line, found="#RT CYCLE")
+        cycle.reported = True
+        if cycle is self.top:
+            # Most likely its end was forgotten; if not, the end that is left over is forgiven.
+            self.expect_stray_cycle_end()
+            self.close(cycle)
+
+
+def _is_cycle(frame: Frame) -> bool:
+    return isinstance(frame, CycleFrame)

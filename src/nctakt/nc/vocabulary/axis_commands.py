@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: MIT
+"""Single-axis commands of realtime cycles, ``X[INDP …]``: what they say (RC-405, RC-407).
+
+In: the bracket of the tree. Out: an ``AxisCommand``, and what is wrong with it as far as no value
+is needed for that. Checker, decoder and listing read commands through this module only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Literal
+
+from nctakt.base.diagnostics import Span, Text
+from nctakt.nc.tree import Block, BracketCommand, Expression, If, Keyword, Name, Number, Statement
+
+#: OFFSET keywords, those of single kinds in the order of ``kernel/axes/coordinates.py``.
+OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL", "ALL")
+#: What DIR names, as the number that the realtime part takes.
+DIRECTIONS = MappingProxyType({"POS": 1.0, "CUR": 0.0, "NEG": -1.0})
+
+_FLAGS = ("INDP", "ABORTING", "BUFFERED", "STOP")
+_VALUES = ("OFFSET", "FEED", "POS", "DIR")
+#: All keywords, for suggestions.
+KEYWORDS = (*_FLAGS, *_VALUES, "G90", "G91", "G00", "G01")
+_G_WORDS = MappingProxyType({90.0: "G90", 91.0: "G91", 0.0: "G00", 1.0: "G01"})
+
+#: Why a combination is refused (50967), by number: those that only the tick knows travel as such.
+REFUSALS = MappingProxyType(
+    {
+        1: Text("STOP stands alone", "STOP steht allein"),
+        2: Text("either ABORTING or BUFFERED", "entweder ABORTING oder BUFFERED"),
+        3: Text("either G90 or G91", "entweder G90 oder G91"),
+        4: Text("either G00 or G01", "entweder G00 oder G01"),
+        5: Text("POS needs G90 or G91", "POS braucht G90 oder G91"),
+        6: Text(
+            "G00 moves with rapid speed, not with FEED", "G00 fährt im Eilgang, nicht mit FEED"
+        ),
+        7: Text(
+            "POS with G01 needs FEED, here or in an earlier command of the cycle for this axis",
+            "POS mit G01 braucht FEED, hier oder in einem früheren Befehl des Zyklus an die Achse",
+        ),
+        8: Text("FEED is 0", "FEED ist 0"),
+        9: Text("DIR with POS is for modulo axes", "DIR mit POS ist für Modulo-Achsen"),
+        10: Text(
+            "with G91 the sign of POS is the direction, not DIR",
+            "bei G91 ist das Vorzeichen von POS die Richtung, nicht DIR",
+        ),
+        11: Text("neither POS nor FEED nor STOP", "weder POS noch FEED noch STOP"),
+        12: Text("FEED with POS is above 0", "FEED mit POS ist größer als 0"),
+    }
+)
+
+
+@dataclass(frozen=True, slots=True)
+class AxisNature:
+    """What programs have to know of an axis; ``number`` is that of the whole machine."""
+
+    number: int
+    is_linear: bool
+    is_modulo: bool
+    moves_alone: bool
+
+
+@dataclass(frozen=True, slots=True)
+class AxisCommand:
+    """What a command says; what is not there is ``None``, empty or false.
+
+    ``rapid``: G00 true, G01 false. ``absolute``: G90 true, G91 false.
+    """
+
+    axis: str
+    span: Span
+    stops: bool
+    buffered: bool
+    offset: str
+    absolute: bool | None
+    rapid: bool | None
+    feed: Expression | None
+    position: Expression | None
+    direction: Expression | None
+
+    @property
+    def kind(self) -> Literal["stop", "position", "distance", "endless"]:
+        """What the axis does."""
+        if self.stops:
+            return "stop"
+        if self.position is None:
+            return "endless"
+        return "position" if self.absolute else "distance"
+
+    def expressions(self) -> list[Expression]:
+        """What is computed in the tick, in the order of the computation."""
+        direction = None if isinstance(self.direction, Name) else self.direction
+        found = [self.feed, self.position, direction]
+        return [one for one in found if one is not None]
+
+
+@dataclass(frozen=True, slots=True)
+class Wrong:
+    """A message number with its place and values; ``written``: the value that is the text there."""
+
+    number: int
+    span: Span
+    values: dict[str, object]
+    written: str = ""
+
+
+def is_axis_command(command: BracketCommand) -> bool:
+    """Whether a bracket is a single-axis command: INDP stands in it."""
+    return any(isinstance(item, Keyword) and item.name == "INDP" for item in command.items)
+
+
+def axis_commands_in(statements: Sequence[Statement]) -> Iterator[BracketCommand]:
+    """All single-axis commands of these statements and those inside them."""
+    for statement in statements:
+        match statement:
+            case Block():
+                for word in statement.words:
+                    if isinstance(word, BracketCommand) and is_axis_command(word):
+                        yield word
+            case If():
+                yield from axis_commands_in(statement.body)
+                for branch in statement.elseifs:
+                    yield from axis_commands_in(branch.body)
+                yield from axis_commands_in(statement.else_body or ())
+
+
+def read_axis_command(command: BracketCommand) -> tuple[AxisCommand, list[Wrong]]:
+    """The command, and what is wrong with it."""
+    wrong: list[Wrong] = []
+    found = _sorted(command, wrong)
+    made = AxisCommand(
+        command.name,
+        command.span,
+        "STOP" in found,
+        "BUFFERED" in found,
+        _offset(found.get("OFFSET"), wrong),
+        True if "G90" in found else False if "G91" in found else None,
+        True if "G00" in found else False if "G01" in found else None,
+        _value(found, "FEED"),
+        _value(found, "POS"),
+        _value(found, "DIR"),
+    )
+    if isinstance(made.direction, Name) and made.direction.name not in DIRECTIONS:
+        wrong.append(_unknown_choice(made.direction, "DIR", tuple(DIRECTIONS)))
+    if not wrong:
+        wrong += [refusal(command, number) for number in _combination(made, found)]
+    return made, wrong
+
+
+def refusal(command: BracketCommand, number: int) -> Wrong:
+    """50967 with one of ``REFUSALS``."""
+    reason = REFUSALS[number]
+    values: dict[str, object] = {
+        "axis": command.name,
+        "reason_en": reason.en,
+        "reason_de": reason.de,
+    }
+    return Wrong(50967, command.span, values)
+
+
+def _sorted(command: BracketCommand, wrong: list[Wrong]) -> dict[str, Keyword]:
+    """The keywords by name; G functions by their names, as ``G90``."""
+    found: dict[str, Keyword] = {}
+    for item in command.items:
+        name = item.name if isinstance(item, Keyword) else ""
+        if isinstance(item, Keyword) and name == "G":
+            name = _g_word(item)
+            if not name:
+                wrong.append(Wrong(50965, item.span, {"axis": command.name, "word": _shown(item)}))
+                continue
+        elif not isinstance(item, Keyword) or item.arguments or name not in _FLAGS + _VALUES:
+            wrong.append(Wrong(900261, item.span, {"axis": command.name}, "word"))
+            continue
+        if name in found:
+            wrong.append(Wrong(22032, item.span, {"axis": command.name, "word": name}))
+        elif name in _FLAGS and item.value is not None:
+            wrong.append(Wrong(900263, item.span, {"word": name}))
+        elif name in _VALUES and item.value is None:
+            wrong.append(Wrong(900208, item.span, {"word": name}))
+        found.setdefault(name, item)
+    return found
+
+
+def _g_word(keyword: Keyword) -> str:
+    """``G90`` and its kin; empty for any other G function and for a computed number."""
+    return _G_WORDS.get(keyword.value.value, "") if isinstance(keyword.value, Number) else ""
+
+
+def _shown(keyword: Keyword) -> str:
+    return f"G{keyword.value.value:g}" if isinstance(keyword.value, Number) else "G"
+
+
+def _value(found: dict[str, Keyword], name: str) -> Expression | None:
+    keyword = found.get(name)
+    return None if keyword is None else keyword.value
+
+
+def _offset(keyword: Keyword | None, wrong: list[Wrong]) -> str:
+    if keyword is None or keyword.value is None:
+        return ""
+    value = keyword.value
+    if isinstance(value, Name) and value.name in OFFSETS:
+        return value.name
+    wrong.append(_unknown_choice(value, "OFFSET", OFFSETS))
+    return ""
+
+
+def _unknown_choice(value: Expression, word: str, names: tuple[str, ...]) -> Wrong:
+    return Wrong(900225, value.span, {"word": word, "names": ", ".join(names)}, "value")
+
+
+def _combination(command: AxisCommand, found: dict[str, Keyword]) -> list[int]:
+    """Numbers of ``REFUSALS`` that need no value."""
+    if command.stops:
+        return [1] if len(found) > 2 else []
+    refused = [
+        number
+        for number, pair in (
+            (2, ("ABORTING", "BUFFERED")),
+            (3, ("G90", "G91")),
+            (4, ("G00", "G01")),
+        )
+        if all(word in found for word in pair)
+    ]
+    if command.rapid and command.feed is not None:
+        refused.append(6)
+    if isinstance(command.feed, Number) and command.feed.value == 0.0:
+        refused.append(8)
+    if command.position is None:
+        return refused if command.feed is not None else [*refused, 11]
+    if command.absolute is None:
+        refused.append(5)
+    if isinstance(command.feed, Number) and command.feed.value < 0.0:
+        refused.append(12)
+    if command.absolute is False and command.direction is not None:
+        refused.append(10)
+    return refused

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""How the ``#`` commands that are simulated are written: for remedies and for explanation."""
+
+from __future__ import annotations
+
+from nctakt.base.diagnostics import NOTHING
+
+#: Command -> examples of its forms; each is a line that a program may have.
+FORMS: dict[str, tuple[str, ...]] = {
+    "#BACKWARD STORAGE CLEAR": ("#BACKWARD STORAGE CLEAR",),
+    "#CHANNEL INIT": ("#CHANNEL INIT", "#CHANNEL INIT [CMDPOS]", "#CHANNEL INIT [ACTPOS]"),
+    "#CONTOUR MODE": (
+        "#CONTOUR MODE [DEV PATH_DEV=0.1]",
+        "#CONTOUR MODE ON",
+        "#CONTOUR MODE OFF",
+    ),
+    "#CS": (
+        "#CS DEF [1] [10, 0, 0, 0, 0, 30]",
+        "#CS ON [1]",
+        "#CS ON",
+        "#CS OFF",
+        "#CS OFF ALL",
+    ),
+    "#CS ADD": ("#CS ADD [WCS] [10, 0, 0, 0, 0, 30]",),
+    "#CS SELECT": ("#CS SELECT [WCS]",),
+    "#DISABLE MODAL CYCLE": ("#DISABLE MODAL CYCLE",),
+    "#DELETE": ("#DELETE V.P.NAME", "#DELETE V.P."),
+    "#ERROR": ("#ERROR [ID=455]", "#ERROR [ID=455 RC=2 MID=1 PV1=P1 PM1=3]"),
+    "#EXPL SYN": ("#EXPL SYN",),
+    "#FILE NAME": ("#FILE NAME [MSG=report.txt]",),
+    "#FILENAME": ("#FILENAME [MSG=report.txt]",),
+    "#FLUSH": ("#FLUSH", "#FLUSH WAIT", "#FLUSH CONTINUE"),
+    "#MSG": ('#MSG ["text"]', '#MSG ["%d of %f", V.E.COUNT, P1]'),
+    "#OVERRIDE": ("#OVERRIDE [FEED_FACT=50]", "#OVERRIDE [RAPID_FACT=50]"),
+    "#PRESET": ("#PRESET X10",),
+    "#PSET": ("#PSET X10",),
+    "#SLOPE": ("#SLOPE [TYPE=STEP]", "#SLOPE [TYPE=TRAPEZ]", "#SLOPE DEFAULT"),
+    "#SUPPRESS OFFSETS": ("#SUPPRESS OFFSETS G00 X0",),
+    "#TIME": ("#TIME 0.5", "#TIME P1"),
+    "#TIMER": ("#TIMER START [ID=3]", "#TIMER STOP", "#TIMER READ", "#TIMER CLEAR"),
+}
+
+
+def forms_of(command: str) -> str:
+    """The forms of a command, one behind the other."""
+    return "  |  ".join(FORMS.get(command, ())) or NOTHING

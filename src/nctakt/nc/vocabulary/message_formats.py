@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+"""The text of a ``#MSG`` with places for values, as in ``"X = %f"``: its places in order.
+
+Who fills them is ``decoder/values/texts.py``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+_PLACE = re.compile(
+    r"%(?:%|[-+ 0]*\d{0,3}(?:\.\d{1,3})?(?P<kind>[diuxXocfeEgGs])|(?P<wrong>[-+ 0#]*[\d.]*.?))"
+)
+
+
+class Place(NamedTuple):
+    """One place as it is written; ``known`` is false where it is none that can be filled."""
+
+    text: str
+    known: bool
+
+    @property
+    def takes_text(self) -> bool:
+        """Whether a text fits, not only a number."""
+        return self.text.endswith("s")
+
+
+def places(text: str) -> Iterator[Place]:
+    """Each place in the order of the text; ``%%`` is none but the sign itself."""
+    for found in _PLACE.finditer(text):
+        if found["kind"] is not None:
+            yield Place(found[0], True)
+        elif found["wrong"] is not None:
+            yield Place(found[0], False)

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""Variables of the tree -> their places in the table of names.
+
+One way from a node to ``NameTable.resolve``, for checker and decoder.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import zip_longest
+
+from nctakt.nc.tree import (
+    ArrayLiteral,
+    Binary,
+    Call,
+    Expression,
+    Parameter,
+    StringLiteral,
+    Unary,
+    Variable,
+)
+from nctakt.nc.vocabulary.operators import FUNCTIONS
+from nctakt.nc.vocabulary.variable_table import Location, NameTable, NotFound, Whole
+
+
+def resolve(variable: Variable, names: NameTable) -> Location | NotFound:
+    """The location of a variable, or why there is none; its index values are not looked at."""
+    parts = [(part.name, len(part.indices)) for part in variable.parts]
+    return names.resolve(variable.family, parts)
+
+
+def resolve_whole(variable: Variable, names: NameTable) -> Whole | NotFound:
+    """The structure or whole array that a variable names, or why it names none."""
+    parts = [(part.name, len(part.indices)) for part in variable.parts]
+    return names.resolve_whole(variable.family, parts)
+
+
+#: Families of variables that programs make themselves.
+OWN_FAMILIES = ("P", "S", "L", "CYC")
+
+
+def is_own(expression: Expression) -> bool:
+    """Whether it is a variable that a program makes itself: what it is only the run shows."""
+    return isinstance(expression, Variable) and expression.family in OWN_FAMILIES
+
+
+def own_path(variable: Variable) -> str:
+    """The name of such a variable without its family and its indices."""
+    return ".".join(part.name for part in variable.parts)
+
+
+def may_be_text(expression: Expression) -> bool:
+    """Whether only the run shows if the value is a text or a number."""
+    match expression:
+        case Parameter():
+            return expression.call
+        case Binary(operator="+"):
+            return may_be_text(expression.left) and may_be_text(expression.right)
+    return is_own(expression)
+
+
+def is_text(expression: Expression, names: NameTable) -> bool:
+    """Whether an expression has a text as its value, or would have, if it were right."""
+    match expression:
+        case StringLiteral():
+            return True
+        case Call():
+            function = FUNCTIONS.get(expression.function)
+            return function is not None and function.is_text
+        case Variable():
+            found = resolve(expression, names)
+            return isinstance(found, Location) and not found.is_numeric
+        case Binary(operator="+"):
+            return is_text(expression.left, names) or is_text(expression.right, names)
+    return False
+
+
+def indices_of(variable: Variable) -> list[Expression]:
+    """All indices of a variable in the order of ``Location.dimensions``."""
+    return [index for part in variable.parts for index in part.indices]
+
+
+def path_text(variable: Variable) -> str:
+    """The variable as messages show it: ``V.E.LIST[].MEMBER``, indices left out."""
+    parts = (part.name + "[]" * len(part.indices) for part in variable.parts)
+    return ".".join((f"V.{variable.family}", *parts))
+
+
+def variables_in(expression: Expression) -> Iterator[Variable]:
+    """All variables in an expression; those in an index come before the variable it belongs to."""
+    match expression:
+        case Variable():
+            for index in indices_of(expression):
+                yield from variables_in(index)
+            yield expression
+        case Parameter():
+            yield from variables_in(expression.index)
+        case Unary():
+            yield from variables_in(expression.operand)
+        case Binary():
+            yield from variables_in(expression.left)
+            yield from variables_in(expression.right)
+        case Call():
+            yield from _variables_in_call(expression)
+        case ArrayLiteral():
+            for item in expression.items:
+                yield from variables_in(item)
+
+
+def _variables_in_call(call: Call) -> Iterator[Variable]:
+    """Those whose values a function needs: not the one that it asks for by name."""
+    function = FUNCTIONS.get(call.function)
+    kinds = "" if function is None else function.arguments
+    for kind, argument in zip_longest(kinds[: len(call.arguments)], call.arguments):
+        if kind == "A" and isinstance(argument, Variable):
+            for index in indices_of(argument):
+                yield from variables_in(index)
+        else:
+            yield from variables_in(argument)

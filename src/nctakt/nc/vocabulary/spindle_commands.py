@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+"""What a block says to spindles: the words of the main one, and ``S2[M3 REV=1000]`` (RC-404).
+
+In: the words of a block. Out: one ``SpindleCommand`` for the main spindle's words together and one
+for each bracket, and the words that are for nobody's spindle. Checker and decoder share it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nctakt.base.diagnostics import Span
+from nctakt.nc.tree import (
+    AxisWord,
+    BlockWord,
+    BracketCommand,
+    Expression,
+    Keyword,
+    Number,
+    Word,
+)
+
+#: M functions of spindles.
+CLOCKWISE, COUNTER_CLOCKWISE, STOP, POSITION = 3, 4, 5, 19
+FUNCTIONS = (CLOCKWISE, COUNTER_CLOCKWISE, STOP, POSITION)
+
+_SPEED = ("S", "REV")
+_POSITION = ("S.POS", "POS")
+
+
+@dataclass(slots=True)
+class SpindleCommand:
+    """One spindle's part of a block; ``name`` is empty for the words of the main spindle.
+
+    ``doubled`` are words that stand there twice, ``wrong`` those that no spindle command has.
+    """
+
+    name: str
+    span: Span
+    functions: list[int]
+    speed: Expression | None
+    position: Expression | None
+    doubled: list[Word | Keyword]
+    wrong: list[BlockWord | Keyword | Expression]
+
+
+def split(
+    words: Sequence[BlockWord], spindles: Sequence[str]
+) -> tuple[list[SpindleCommand], list[BlockWord]]:
+    """The commands to spindles among the words of a block, and the other words."""
+    commands: list[SpindleCommand] = []
+    others: list[BlockWord] = []
+    main: SpindleCommand | None = None
+    for word in words:
+        if isinstance(word, AxisWord):
+            others.append(word)
+        elif isinstance(word, BracketCommand) and word.name in spindles:
+            commands.append(_bracket(word))
+        elif isinstance(word, Word) and _is_main(word):
+            if main is None:
+                main = SpindleCommand("", word.span, [], None, None, [], [])
+                commands.append(main)
+            _add(main, word)
+        else:
+            others.append(word)
+    return commands, others
+
+
+def _is_main(word: Word) -> bool:
+    """Whether a word is for the main spindle."""
+    return word.name in ("S", "S.POS") or (word.name == "M" and _function(word) is not None)
+
+
+def _function(word: Word | Keyword) -> int | None:
+    """The number of a spindle function."""
+    value = word.value
+    if isinstance(value, Number) and value.value in FUNCTIONS:
+        return int(value.value)
+    return None
+
+
+def _bracket(command: BracketCommand) -> SpindleCommand:
+    found = SpindleCommand(command.name, command.span, [], None, None, [], [])
+    for item in command.items:
+        if isinstance(item, Keyword):
+            _add(found, item)
+        else:
+            found.wrong.append(item)
+    return found
+
+
+def _add(command: SpindleCommand, word: Word | Keyword) -> None:
+    """Add a word to what it says."""
+    function = _function(word) if word.name == "M" else None
+    if word.arguments or (isinstance(word, Word) and word.additional is not None):
+        command.wrong.append(word)
+    elif function is not None:
+        if function in command.functions:
+            command.doubled.append(word)
+        else:
+            command.functions.append(function)
+    elif word.value is None or word.name not in (*_SPEED, *_POSITION):
+        command.wrong.append(word)
+    elif word.name in _SPEED:
+        if command.speed is not None:
+            command.doubled.append(word)
+        command.speed = word.value
+    else:
+        if command.position is not None:
+            command.doubled.append(word)
+        command.position = word.value

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""Character strings as the memory holds them: one byte a character, ended by a zero byte.
+
+In: texts, or the bytes of a string variable. Out: the other of both. The characters are those of
+Windows-1252, as in the lists (``base.text.py``). A variable of ``size_bytes`` takes one character
+less than it has bytes; STRING without P-EXTV-00022 has 24 bytes and takes 20.
+"""
+
+from __future__ import annotations
+
+from nctakt.base.text import WINDOWS_1252
+from nctakt.nc.vocabulary.cells import CELL_BYTES
+
+_BYTES = {ord(character): byte for byte, character in WINDOWS_1252.items()}
+_SHORT_STRING_BYTES, _SHORT_STRING_CHARACTERS = 24, 20
+
+
+def most_characters(type_: str, size_bytes: int) -> int:
+    """The longest text that a variable takes."""
+    if type_ == "STRING" and size_bytes == _SHORT_STRING_BYTES:
+        return _SHORT_STRING_CHARACTERS
+    return size_bytes - 1
+
+
+def decode(data: bytes | bytearray | memoryview) -> str:
+    """The text of a string variable: its characters before the first zero byte."""
+    return bytes(data).split(b"\0", 1)[0].decode("latin-1").translate(WINDOWS_1252)
+
+
+def encode(text: str, size_bytes: int) -> bytes:
+    """The bytes of a variable that holds ``base.text``, zeros behind it; it fits (``misfit``)."""
+    data = text.translate(_BYTES).encode("latin-1")
+    assert len(data) < size_bytes, (text, size_bytes)
+    return data.ljust(size_bytes, b"\0")
+
+
+def misfit(
+    name: str, type_: str, size_bytes: int, text: str
+) -> tuple[int, dict[str, object]] | None:
+    """Why variable ``name`` cannot hold ``base.text``: message number and values, ``None`` if it
+    can."""
+    for character in text:
+        code = _BYTES.get(ord(character), ord(character))
+        if not 0 < code < 256 or WINDOWS_1252.get(code, chr(code)) != character:
+            return 900344, {"name": name, "character": f"U+{ord(character):04X}"}
+    limit = most_characters(type_, size_bytes)
+    if len(text) > limit:
+        return 900343, {"name": name, "limit": limit, "count": len(text)}
+    return None
+
+
+def read(memory: memoryview, cell: int, size_bytes: int) -> str:
+    """The text of the variable at ``cell``; ``memory``: the machine's, as bytes."""
+    first = cell * CELL_BYTES
+    return decode(memory[first : first + size_bytes])
+
+
+def write(memory: memoryview, cell: int, data: bytes) -> None:
+    """Store what ``encode`` gave."""
+    first = cell * CELL_BYTES
+    memory[first : first + len(data)] = data

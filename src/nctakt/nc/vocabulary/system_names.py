@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: MIT
+"""The data of the controller that programs may use by V.G and V.A: names, types, rights, meaning.
+
+One row for each; ``system_variables.py`` finds them in the tree, the decoder gives their values,
+``nctakt explain`` shows them. ``<X>`` is an axis of the channel, or its place ``[0]``. All are read
+when the block is decoded; those that ``wait`` empty the channel first, as they show the present.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from nctakt.base.diagnostics import Text
+
+
+class SystemRow(NamedTuple):
+    """``family`` G or A, ``path`` without it and without axis; ``unit`` mm: also degrees, inch."""
+
+    family: str
+    path: str
+    type: str
+    unit: str
+    meaning: Text
+    has_axis: bool = False
+    is_writable: bool = False
+    waits: bool = False
+
+    @property
+    def name(self) -> str:
+        """As in the documents: ``V.A.ABS.X``."""
+        return f"V.{self.family}.{self.path}" + (".X" if self.has_axis else "")
+
+
+def _axis(path: str, en: str, de: str, *, unit: str = "mm", waits: bool = False) -> SystemRow:
+    return SystemRow("A", path, "REAL64", unit, Text(en, de), has_axis=True, waits=waits)
+
+
+def _channel(path: str, type_: str, unit: str, en: str, de: str) -> SystemRow:
+    return SystemRow("G", path, type_, unit, Text(en, de))
+
+
+ROWS = (
+    _axis(
+        "ABS",
+        "end of the block before, with all offsets, in the active coordinate system",
+        "Ende des vorigen Satzes, mit allen Verschiebungen, im aktiven Koordinatensystem",
+    ),
+    _axis(
+        "PROG",
+        "end of the block before as it was programmed, without offsets",
+        "Ende des vorigen Satzes wie programmiert, ohne Verschiebungen",
+    ),
+    _axis(
+        "MENT",
+        "as V.A.PROG before mirroring, which is not simulated",
+        "wie V.A.PROG vor einer Spiegelung, die es hier nicht gibt",
+    ),
+    _axis(
+        "ACT_POS",
+        "measured position in the active coordinate system, without offsets of the program",
+        "gemessene Position im aktiven Koordinatensystem, ohne Verschiebungen des Programms",
+        waits=True,
+    ),
+    _axis(
+        "ACS.ABS",
+        "measured position of the axis itself",
+        "gemessene Position der Achse selbst",
+        waits=True,
+    ),
+    _axis("+SWE", "positive software limit in force", "wirksamer positiver Software-Endschalter"),
+    _axis("-SWE", "negative software limit in force", "wirksamer negativer Software-Endschalter"),
+    _axis("+SWE_MDS", "positive software limit of the list", "positiver Endschalter der Liste"),
+    _axis("-SWE_MDS", "negative software limit of the list", "negativer Endschalter der Liste"),
+    _axis("BZP", "reference point offset (G92)", "Bezugspunktverschiebung (G92)"),
+    _axis("PZV", "clamp offset", "Platzversatz"),
+    _axis(
+        "MODULO_VALUE",
+        "range of a modulo axis, 0 of any other",
+        "Bereich einer Moduloachse, 0 bei anderen",
+    ),
+    _channel("MASS_MM", "BOOLEAN", "", "lengths: 0 in mm, 1 in inch", "Längen: 0 mm, 1 Zoll"),
+    _channel("MASS_360", "BOOLEAN", "", "angles: 0, in degrees", "Winkel: 0, in Grad"),
+    _channel(
+        "FEEDRATE", "REAL64", "as F", "the last F of the active kind", "letztes F der aktiven Art"
+    ),
+    _channel(
+        "FEEDRATE_MODE",
+        "UNS16",
+        "",
+        "93, 94, 95, 194: what F is",
+        "93, 94, 95, 194: was F bedeutet",
+    ),
+    _channel(
+        "FEEDRATE_SCALE",
+        "REAL64",
+        "",
+        "mm per minute in an F of 1 (P-CHAN-00108)",
+        "mm je Minute bei F1 (P-CHAN-00108)",
+    ),
+    SystemRow(
+        "G",
+        "NP_DEFAULT",
+        "UNS16",
+        "",
+        Text(
+            "zero offset with which programs begin",
+            "Nullpunktverschiebung, mit der Programme beginnen",
+        ),
+        is_writable=True,
+    ),
+    SystemRow(
+        "G",
+        "NP_AKT.V",
+        "REAL64",
+        "mm",
+        Text("active zero offset of an axis", "aktive Nullpunktverschiebung einer Achse"),
+        has_axis=True,
+        is_writable=True,
+    ),
+    SystemRow(
+        "G",
+        "NP[1].V",
+        "REAL64",
+        "mm",
+        Text(
+            "zero offset 1 (G54) of an axis, in the list",
+            "Nullpunktverschiebung 1 (G54) einer Achse, in der Liste",
+        ),
+        has_axis=True,
+        is_writable=True,
+    ),
+)
+
+#: The rows by family and path.
+BY_PATH = {(row.family, row.path): row for row in ROWS}
+
+#: The rows by their names.
+BY_NAME = {row.name: row for row in ROWS}

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""Which of the controller's data V.G and V.A programs may use here.
+
+In: a variable of the tree. Out: what it is, ``None`` for what is refused by name. All of them are
+numbers, read when the block is decoded; ``system_names.py`` has those that are not of tools.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
+
+from nctakt.nc.tree import Expression, Part, Variable
+from nctakt.nc.vocabulary.resolution import is_own
+from nctakt.nc.vocabulary.system_names import BY_PATH
+
+SYSTEM_FAMILIES = ("G", "A")
+
+#: Timers of the main program: IDs 0 … 127.
+TIMERS = 128
+
+#: What programs read of a tool beside its elements: radius, length, valid, cutting edge, spindle.
+_TOOL_VALUES = ("R", "L", "OK", "SRK_ID", "SPDL_AX_NR")
+
+
+class SystemVariable(NamedTuple):
+    """``subject`` is the name of a value, of a tool's or that of a row of ``system_names.py``.
+
+    ``number`` is that of a timer or, beside the active one, a tool or zero offset; ``element`` that
+    of a parameter or axis, ``axis`` the axis that is named instead. ``is_writable``: programs may
+    give it a value. ``waits``: what it shows is of the moment in which the channel is empty.
+    """
+
+    kind: Literal["timer", "tool", "axis", "channel"]
+    subject: str = ""
+    number: Expression | None = None
+    element: Expression | None = None
+    axis: str = ""
+    is_writable: bool = False
+    waits: bool = False
+
+    @property
+    def indices(self) -> list[Expression]:
+        """What has to be evaluated for it."""
+        return [one for one in (self.number, self.element) if one is not None]
+
+
+def system_variable(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
+    """What a variable of these families is; ``axes``: those of the channel."""
+    names = [part.name for part in variable.parts]
+    indices = [index for part in variable.parts for index in part.indices]
+    if variable.family == "G" and names == ["TIMER"] and len(indices) == 1:
+        return SystemVariable("timer", "", indices[0])
+    if not variable.parts:
+        return None
+    return _of_row(variable, axes) or _of_tools(variable, axes)
+
+
+def _of_row(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
+    """``V.A.ABS.X``, ``V.A.ABS[0]``, ``V.G.NP[1].V.X``, ``V.G.MASS_MM``."""
+    parts = list(variable.parts)
+    axis, element, number = "", None, None
+    if len(parts) > 1 and parts[-1].name in axes and not parts[-1].indices:
+        axis = parts.pop().name
+    elif len(parts[-1].indices) == 1:
+        element = parts[-1].indices[0]
+        parts[-1] = _without(parts[-1])
+    if variable.family == "G" and parts[0].name == "NP" and len(parts[0].indices) == 1:
+        number = parts[0].indices[0]
+        parts[0] = _without(parts[0])
+    if any(part.indices for part in parts):
+        return None
+    path = ".".join(part.name for part in parts)
+    row = BY_PATH.get(
+        (variable.family, "NP[1].V" if number is not None and path == "NP.V" else path)
+    )
+    if row is None or row.has_axis != bool(axis or element is not None):
+        return None
+    if (number is not None) != (row.path == "NP[1].V"):
+        return None
+    kind: Literal["axis", "channel"] = "axis" if row.has_axis else "channel"
+    return SystemVariable(kind, row.path, number, element, axis, row.is_writable, row.waits)
+
+
+def _without(part: Part) -> Part:
+    """A part of a name without its indices."""
+    return Part(part.span, part.name)
+
+
+def _of_tools(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
+    """``WZ_AKT.R``, ``WZ[5].V.X``, ``WZR``, ``T_AKT``, ``D_AKT``."""
+    if variable.family != "G":
+        return None
+    first, rest = variable.parts[0], variable.parts[1:]
+    if not rest and not first.indices:
+        if first.name in ("T_AKT", "D_AKT"):
+            return SystemVariable("tool", first.name)
+        return SystemVariable("tool", "R", is_writable=True) if first.name == "WZR" else None
+    if first.name == "WZ_AKT" and not first.indices:
+        number = None
+    elif first.name == "WZ" and len(first.indices) == 1:
+        (number,) = first.indices
+    else:
+        return None
+    names = [part.name for part in rest]
+    indices = [index for part in rest for index in part.indices]
+    if len(names) == 1 and names[0] in _TOOL_VALUES and not indices:
+        is_writable = number is None and names[0] in ("R", "L")
+        return SystemVariable("tool", names[0], number, is_writable=is_writable)
+    if len(names) == 1 and names[0] in ("V", "P") and len(indices) == 1:
+        return SystemVariable("tool", names[0], number, indices[0])
+    if len(names) == 2 and names[0] == "V" and names[1] in axes and not indices:
+        return SystemVariable("tool", "V", number, axis=names[1])
+    return None
+
+
+def is_decoder_data(variable: Variable) -> bool:
+    """Whether only the decoder knows the variable: a realtime cycle gets it as a constant."""
+    return is_own(variable) or variable.family in SYSTEM_FAMILIES

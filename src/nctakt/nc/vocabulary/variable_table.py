@@ -1,0 +1,499 @@
+# SPDX-License-Identifier: MIT
+"""The V.* table: path -> type, unit, rights, and the memory cell where the value lives.
+
+In: what the lists say of axes and variables. Out: ``Layout``, which gives each variable of the
+machine its place in the one memory, and ``NameTable``, one channel's view of it. Names are resolved
+once, when a program is checked or decoded; the tick knows only cells. Realtime variables: seed
+tables of 3.2 (RC-303, RC-304); V.E and V.CH: RC-301, RC-310.
+"""
+
+from __future__ import annotations
+
+import enum
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from nctakt.base.text import nearest
+from nctakt.lists.declared.variables import SCALARS
+from nctakt.lists.machine.variables import AccessRights, Node, Variable, VariableScope
+from nctakt.nc.vocabulary.axis_commands import AxisNature
+from nctakt.nc.vocabulary.cells import cells_of, leaf_cells
+
+
+class Access(enum.Flag):
+    """What a context may do with a variable."""
+
+    NONE = 0
+    READ = 1
+    WRITE = 2
+    BOTH = 3
+
+
+@dataclass(frozen=True, slots=True)
+class RealtimeVariable:
+    """A row of the access tables; ``path`` without prefix and axis.
+
+    ``unit``: ``mm`` for positions (degrees for rotary axes), ``%``, ``ms`` or nothing. ``count``:
+    elements of an array, 0 for none.
+    """
+
+    path: str
+    type: str
+    unit: str
+    decoder: Access
+    cycle: Access
+    count: int = 0
+
+
+#: Signals of a spindle, in the order of its cells (``kernel/axes/spindles.py``).
+SPINDLE_VALUES = (
+    RealtimeVariable("SPEED", "REAL64", "1/min", Access.NONE, Access.NONE),
+    RealtimeVariable("POSITION", "REAL64", "°", Access.NONE, Access.NONE),
+)
+
+#: V.RTG.*, in the order of the channel's cells (``kernel/tick/channel.py``). What has no access at
+#: all is the channel's state for the trace.
+CHANNEL_VARIABLES = (
+    RealtimeVariable("OVERRIDE.VEL.CYCLE", "UNS16", "%", Access.READ, Access.BOTH),
+    RealtimeVariable("OVERRIDE.VEL.TOTAL", "UNS32", "%", Access.READ, Access.READ),
+    RealtimeVariable("CYCLES.DIAG_LEVEL", "SGN32", "", Access.BOTH, Access.BOTH),
+    RealtimeVariable("MEAS_DELTA", "REAL64", "mm", Access.BOTH, Access.NONE),
+    RealtimeVariable("LOOP.ENABLED", "BOOLEAN", "", Access.BOTH, Access.BOTH),
+    RealtimeVariable("LOOP.COUNT", "SGN32", "", Access.BOTH, Access.BOTH),
+    RealtimeVariable("PATH.SPEED", "REAL64", "mm/s", Access.NONE, Access.NONE),
+    RealtimeVariable("BLOCK", "UNS32", "", Access.NONE, Access.NONE),
+    RealtimeVariable("CYCLES.ACTIVE", "UNS32", "", Access.NONE, Access.NONE),
+    RealtimeVariable("PATH.DIST_TO_GO", "REAL64", "mm", Access.NONE, Access.NONE),
+    RealtimeVariable("TIMER", "UNS32", "ms", Access.READ, Access.READ, 128),
+)
+
+_POSITION = ("REAL64", "mm", Access.READ, Access.READ)
+
+#: V.RTA.*.<axis>, in the order of an axis' cells (``kernel/axes/axes.py``).
+AXIS_VARIABLES = (
+    RealtimeVariable("ACS.ACT_POS", *_POSITION),
+    RealtimeVariable("ACS.CUR_POS", *_POSITION),
+    RealtimeVariable("ACS.CMD_POS", *_POSITION),
+    *(
+        RealtimeVariable(f"{system}.{name}", *_POSITION)
+        for system in ("MCS", "PCS", "IPO")
+        for name in ("ACT_POS", "CUR_POS", "CMD_POS", "DIST_TO_GO")
+    ),
+    RealtimeVariable("OVERRIDE.VEL.CYCLE", "UNS16", "%", Access.READ, Access.BOTH),
+    RealtimeVariable("OVERRIDE.VEL.TOTAL", "UNS16", "%", Access.READ, Access.READ),
+    RealtimeVariable("FIXED_STOP.ACTIVE", "BOOLEAN", "", Access.READ, Access.READ),
+    RealtimeVariable("FIXED_STOP.DETECTED", "BOOLEAN", "", Access.READ, Access.READ),
+    RealtimeVariable("FIXED_STOP.ACS.POS", *_POSITION),
+    RealtimeVariable("STATE", "UNS08", "", Access.NONE, Access.NONE),
+)
+
+#: Families whose variables the variables list declares, with rights of their own.
+DECLARED = ("E", "CH")
+
+#: What programs and cycles may do with a V.E variable.
+RIGHTS = {
+    AccessRights.READ_WRITE: Access.BOTH,
+    AccessRights.READ_ONLY: Access.READ,
+    AccessRights.WRITE_ONLY: Access.WRITE,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """One index of an array access: ``count`` elements, ``stride`` cells apart."""
+
+    count: int
+    stride: int
+
+
+@dataclass(frozen=True, slots=True)
+class Location:
+    """A variable without its index values.
+
+    ``cell`` is where it lives with all indices 0; a character string takes as many cells as its
+    ``size_bytes`` need. ``dimensions`` has one entry for each index in the order of the text.
+    ``is_length`` tells that the value is mm of a linear axis, which inch programs convert.
+    """
+
+    name: str
+    family: str
+    type: str
+    cell: int
+    dimensions: tuple[Dimension, ...]
+    synchronous: bool
+    decoder: Access
+    cycle: Access
+    is_length: bool = False
+    size_bytes: int = 0
+
+    @property
+    def is_numeric(self) -> bool:
+        """Whether it is a number, not a character string."""
+        return self.type not in ("STRING", "VSTRING")
+
+
+@dataclass(frozen=True, slots=True)
+class Whole:
+    """A structure or a whole array, without its index values.
+
+    ``node`` is its declaration, without ``array_elements`` where its own index is given. ``cell``
+    and ``dimensions`` as in ``Location``.
+    """
+
+    name: str
+    node: Node
+    cell: int
+    dimensions: tuple[Dimension, ...]
+
+
+class Problem(enum.Enum):
+    """Why a path names no value."""
+
+    UNKNOWN = "unknown"
+    STRUCTURE = "structure"
+    INDICES = "indices"
+
+
+@dataclass(frozen=True, slots=True)
+class NotFound:
+    """A path that names no value: why, up to which part it is known, the nearest known name."""
+
+    reason: Problem
+    name: str
+    nearest: str = ""
+    expected_indices: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelNames:
+    """What one channel brings: names and machine-wide numbers of its axes, its variables.
+
+    ``linear`` are the numbers of the axes whose positions are lengths, ``run.spindle_setup`` names,
+    ``modulo`` the numbers of axes whose positions repeat, ``single`` of those that may be moved on
+    their own (P-AXIS-00457).
+    """
+
+    axes: tuple[tuple[str, int], ...]
+    linear: frozenset[int]
+    external: tuple[Variable, ...]
+    channel: tuple[Variable, ...]
+    spindles: tuple[str, ...] = ()
+    modulo: frozenset[int] = frozenset()
+    single: frozenset[int] = frozenset()
+
+
+def _row_cells(rows: Sequence[RealtimeVariable]) -> int:
+    return sum(max(1, row.count) for row in rows)
+
+
+class Layout:
+    """The places of all variables in the machine's memory; ``size`` cells in all.
+
+    Channels first, then axes, then ``panel_cells`` of the HLI for each channel, then the variables
+    of the lists. ``external``: the first cell of each
+    V.E variable by channel, counted from 1, and name; 0 stands for GLOBAL.
+    """
+
+    def __init__(
+        self, channels: Sequence[ChannelNames], axis_count: int, panel_cells: int = 0
+    ) -> None:
+        self.channel_cells = _row_cells(CHANNEL_VARIABLES)
+        self.axis_cells = _row_cells(AXIS_VARIABLES)
+        self.first_axis = self.channel_cells * len(channels)
+        self.panel_cells = panel_cells
+        self.first_panel = self.first_axis + self.axis_cells * axis_count
+        self.spindles = [channel.spindles for channel in channels]
+        self.first_spindle = self.first_panel + panel_cells * len(channels)
+        self.size = self.first_spindle + len(SPINDLE_VALUES) * sum(map(len, self.spindles))
+        self._names: list[tuple[int, str]] = []
+        self._global: dict[str, tuple[Variable, int]] = {}
+        self.external: dict[tuple[int, str], int] = {}
+        self.tables = [NameTable(self, i, channel) for i, channel in enumerate(channels)]
+
+    def channel_cell(self, channel: int) -> int:
+        """The first cell of a channel."""
+        return self.channel_cells * channel
+
+    def axis_cell(self, axis: int) -> int:
+        """The first cell of an axis."""
+        return self.first_axis + self.axis_cells * axis
+
+    def panel_cell(self, channel: int) -> int:
+        """The first cell of a channel's operator's panel."""
+        return self.first_panel + self.panel_cells * channel
+
+    def spindle_cell(self, channel: int) -> int:
+        """The first cell of a channel's spindles."""
+        before = sum(len(names) for names in self.spindles[:channel])
+        return self.first_spindle + len(SPINDLE_VALUES) * before
+
+    def channel_value(self, channel: int, path: str) -> int:
+        """The cell of a channel's value, ``PATH.SPEED``."""
+        return self.channel_cell(channel) + _offsets(CHANNEL_VARIABLES)[path][1]
+
+    def axis_value(self, axis: int, path: str) -> int:
+        """The cell of an axis' value, ``ACS.ACT_POS``."""
+        return self.axis_cell(axis) + _offsets(AXIS_VARIABLES)[path][1]
+
+    def place(self, variable: Variable) -> int:
+        """The first cell of a variable; GLOBAL ones are there once for all channels."""
+        if variable.scope is VariableScope.GLOBAL:
+            known = self._global.get(variable.name)
+            if known is not None and known[0].node == variable.node:
+                return known[1]
+        cell = self.size
+        self.size += cells_of(variable.node)
+        if variable.scope is VariableScope.GLOBAL:
+            self._global[variable.name] = (variable, cell)
+        return cell
+
+
+class NameTable:
+    """The variables that programs of one channel know."""
+
+    def __init__(self, layout: Layout, index: int, channel: ChannelNames) -> None:
+        self._layout = layout
+        self._index = index
+        self._axes = dict(channel.axes)
+        self._linear = channel.linear
+        self.spindles = channel.spindles
+        self._natures = {
+            name: AxisNature(
+                number,
+                number in channel.linear,
+                number in channel.modulo,
+                number in channel.single,
+            )
+            for name, number in channel.axes
+        }
+        self._variables: dict[str, dict[str, tuple[Node, int]]] = {"E": {}, "CH": {}}
+        for variable in channel.external:
+            cell = layout.place(variable)
+            owner = 0 if variable.scope is VariableScope.GLOBAL else index + 1
+            layout.external[(owner, variable.name)] = cell
+            self._variables["E"][variable.name] = (variable.node, cell)
+        for variable in channel.channel:
+            self._variables["CH"][variable.name] = (variable.node, layout.place(variable))
+        self._locations: dict[tuple[object, ...], Location | NotFound] = {}
+        self._rtg = _offsets(CHANNEL_VARIABLES)
+        self._rta = _offsets(AXIS_VARIABLES)
+
+    def axis(self, name: str) -> AxisNature | None:
+        """The nature of an axis of the channel; ``None`` for any other name."""
+        return self._natures.get(name)
+
+    def resolve(self, family: str, parts: Sequence[tuple[str, int]]) -> Location | NotFound:
+        """The location of ``V.<family>.<parts>``; each part is a name and its number of indices."""
+        key = (family, *parts)
+        if key not in self._locations:
+            self._locations[key] = self._resolve(family, parts)
+        return self._locations[key]
+
+    def _resolve(self, family: str, parts: Sequence[tuple[str, int]]) -> Location | NotFound:
+        if family in self._variables:
+            return self._resolve_external(family, parts)
+        if family == "RTG":
+            return self._resolve_channel(parts)
+        if family == "RTA":
+            return self._resolve_axis(parts)
+        return NotFound(Problem.UNKNOWN, f"V.{family}")
+
+    def resolve_whole(self, family: str, parts: Sequence[tuple[str, int]]) -> Whole | NotFound:
+        """A structure or a whole array of V.E or V.CH: a path that ``resolve`` refuses as such."""
+        if family not in self._variables:
+            return NotFound(Problem.UNKNOWN, f"V.{family}")
+        location = self.resolve(family, parts)
+        if isinstance(location, Location):
+            return NotFound(Problem.STRUCTURE, location.name)
+        found = self._walk(family, parts)
+        assert isinstance(found, NotFound) or found.node.members or found.node.array_elements
+        return found
+
+    def _resolve_external(
+        self, family: str, parts: Sequence[tuple[str, int]]
+    ) -> Location | NotFound:
+        found = self._walk(family, parts)
+        if isinstance(found, NotFound):
+            return found
+        node, text = found.node, found.name
+        if node.array_elements:
+            return NotFound(Problem.INDICES, text, expected_indices=1)
+        if node.members:
+            first = f"{text}.{node.members[0].name}"
+            return NotFound(Problem.STRUCTURE, text, first)
+        access = RIGHTS[node.rights]
+        return Location(
+            text,
+            family,
+            node.type,
+            found.cell,
+            found.dimensions,
+            node.synchronous,
+            access,
+            access,
+            size_bytes=0 if SCALARS[node.type].is_numeric else node.size_bytes,
+        )
+
+    def _walk(self, family: str, parts: Sequence[tuple[str, int]]) -> Whole | NotFound:
+        """Follow a path; only its last part may lack an index."""
+        known = self._variables[family]
+        text = f"V.{family}"
+        if not parts or parts[0][0] not in known:
+            name = parts[0][0] if parts else ""
+            return NotFound(
+                Problem.UNKNOWN, f"{text}.{name}", _nearest(f"{text}.{name}", text, known)
+            )
+        node, cell = known[parts[0][0]]
+        dimensions: list[Dimension] = []
+        for position, (name, indices) in enumerate(parts):
+            if position:
+                members = {member.name: member for member in node.members}
+                if name not in members:
+                    full = f"{text}.{name}"
+                    return NotFound(Problem.UNKNOWN, full, _nearest(full, text, members))
+                for member in node.members:
+                    if member.name == name:
+                        break
+                    cell += cells_of(member)
+                node = members[name]
+            text += f".{name}"
+            wanted = 1 if node.array_elements else 0
+            if wanted and not indices and position == len(parts) - 1:
+                break
+            if indices != wanted:
+                return NotFound(Problem.INDICES, text, expected_indices=wanted)
+            if wanted:
+                stride = cells_of(node) // node.array_elements
+                dimensions.append(Dimension(node.array_elements, stride))
+                node = replace(node, array_elements=0)
+                text += "[]"
+        return Whole(text, node, cell, tuple(dimensions))
+
+    def _resolve_channel(self, parts: Sequence[tuple[str, int]]) -> Location | NotFound:
+        path = ".".join(name for name, _ in parts)
+        first = self._layout.channel_cell(self._index)
+        return _resolve_row("RTG", path, "", parts, self._rtg, first, False)
+
+    def _resolve_axis(self, parts: Sequence[tuple[str, int]]) -> Location | NotFound:
+        axis = parts[-1][0] if parts else ""
+        path = ".".join(name for name, _ in parts[:-1])
+        if axis not in self._axes:
+            full = f"V.RTA.{path}.{axis}" if path else f"V.RTA.{axis}"
+            return NotFound(Problem.UNKNOWN, full, _nearest(axis, "", self._axes))
+        number = self._axes[axis]
+        first = self._layout.axis_cell(number)
+        return _resolve_row("RTA", path, axis, parts, self._rta, first, number in self._linear)
+
+    def resolve_text(self, text: str) -> tuple[Location, int] | NotFound:
+        """The location and the cell of a variable with its index values, as in ``V.E.LIST[3]``."""
+        match = _PATH.fullmatch(text.strip())
+        if match is None:
+            return NotFound(Problem.UNKNOWN, text.strip())
+        parts: list[tuple[str, int]] = []
+        values: list[int] = []
+        for name, indices in _PART.findall(match["parts"]):
+            numbers = [int(number) for number in re.findall(r"\d+", indices)]
+            parts.append((name, len(numbers)))
+            values += numbers
+        found = self.resolve(match["family"].upper(), parts)
+        if isinstance(found, NotFound):
+            return found
+        cell = found.cell
+        for value, dimension in zip(values, found.dimensions, strict=True):
+            if value >= dimension.count:
+                return NotFound(Problem.INDICES, found.name, expected_indices=dimension.count)
+            cell += value * dimension.stride
+        return found, cell
+
+    def signals(self) -> Iterator[tuple[str, int, RealtimeVariable]]:
+        """The trace signals of the channel and its axes: name, cell, row of the table."""
+        for axis, number in self._axes.items():
+            for row, offset in self._rta.values():
+                yield f"{axis}.{row.path}", self._layout.axis_cell(number) + offset, row
+        cell = self._layout.spindle_cell(self._index)
+        for spindle in self._layout.spindles[self._index]:
+            for row in SPINDLE_VALUES:
+                yield f"{spindle}.{row.path}", cell, row
+                cell += 1
+        first = self._layout.channel_cell(self._index)
+        for row, offset in self._rtg.values():
+            if row.count == 0:
+                yield row.path, first + offset, row
+            for index in range(row.count):
+                yield f"V.RTG.{row.path}[{index}]", first + offset + index, row
+
+    def realtime(self) -> Iterator[tuple[str, int]]:
+        """Every V.RTG and V.RTA value that programs know: its name, its cell."""
+        for axis, number in self._axes.items():
+            for row, offset in self._rta.values():
+                if row.decoder or row.cycle:
+                    yield f"V.RTA.{row.path}.{axis}", self._layout.axis_cell(number) + offset
+        for row, offset in self._rtg.values():
+            if row.decoder or row.cycle:
+                for index in range(max(1, row.count)):
+                    element = f"[{index}]" if row.count else ""
+                    cell = self._layout.channel_cell(self._index) + offset + index
+                    yield f"V.RTG.{row.path}{element}", cell
+
+    def values(self) -> Iterator[tuple[str, int, str]]:
+        """Every number and string of V.E and V.CH: its name, its first cell, its type."""
+        for family, known in self._variables.items():
+            for name, (node, cell) in known.items():
+                for path, leaf, place in leaf_cells(node, f"V.{family}.{name}", cell):
+                    yield path, place, leaf.type
+
+
+def _resolve_row(
+    family: str,
+    path: str,
+    axis: str,
+    parts: Sequence[tuple[str, int]],
+    rows: dict[str, tuple[RealtimeVariable, int]],
+    first: int,
+    linear: bool,
+) -> Location | NotFound:
+    """A row of one of the access tables."""
+    name = f"V.{family}.{path}" + (f".{axis}" if axis else "")
+    known = {key: row for key, (row, _) in rows.items() if row.decoder or row.cycle}
+    if path not in known:
+        near = _nearest(path, "", known)
+        full = f"V.{family}.{near}" + (f".{axis}" if axis else "") if near else ""
+        return NotFound(Problem.UNKNOWN, name, full)
+    row, offset = rows[path]
+    indices = sum(count for _, count in parts)
+    wanted = 1 if row.count else 0
+    if indices != wanted or (wanted and parts[-1][1] != 1):
+        return NotFound(Problem.INDICES, name, expected_indices=wanted)
+    dimensions = (Dimension(row.count, 1),) if row.count else ()
+    return Location(
+        name + ("[]" if row.count else ""),
+        family,
+        row.type,
+        first + offset,
+        dimensions,
+        True,
+        row.decoder,
+        row.cycle,
+        linear and row.unit == "mm",
+    )
+
+
+def _offsets(rows: Sequence[RealtimeVariable]) -> dict[str, tuple[RealtimeVariable, int]]:
+    offset = 0
+    table: dict[str, tuple[RealtimeVariable, int]] = {}
+    for row in rows:
+        table[row.path] = (row, offset)
+        offset += max(1, row.count)
+    return table
+
+
+def _nearest(wanted: str, prefix: str, known: Iterable[str]) -> str:
+    names = [f"{prefix}.{name}" if prefix else name for name in known]
+    return nearest(wanted, names)
+
+
+_PART = re.compile(r"([A-Za-z_][A-Za-z0-9_]*)((?:\[\s*\d+\s*\])*)")
+_PATH = re.compile(
+    rf"[Vv][Ss]?\.(?P<family>[A-Za-z]+)\.(?P<parts>{_PART.pattern}(?:\.{_PART.pattern})*)"
+)

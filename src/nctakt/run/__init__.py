@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""A controller and what a run needs: assembly, programs, the loop between decoder and kernel."""

@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: MIT
+"""A machine put together: memory, axes, channels, kernel.
+
+In: ``MachineConfiguration``. Out: ``Machine``, which the controller runs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.base.source_ids import SourceFiles
+from nctakt.base.text import nearest
+from nctakt.decoder.axis_limits import history_blocks, look_ahead, single_axes
+from nctakt.decoder.blocks.spindles import names_of
+from nctakt.decoder.state.controller_data import system_data
+from nctakt.decoder.state.environment import Surroundings
+from nctakt.decoder.state.offsets import ActiveOffsets
+from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values
+from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.base.timers import Timers
+from nctakt.kernel.cycles.cycles import CycleManager
+from nctakt.kernel.kernel import Kernel
+from nctakt.kernel.path.path import Path as KernelPath
+from nctakt.kernel.plc.panel import Panel
+from nctakt.kernel.plc.technology_slots import Hli
+from nctakt.kernel.tick.channel import Channel
+from nctakt.lists.declared.variables import SCALARS
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.lists.machine.machine import ChannelConfiguration, MachineConfiguration
+from nctakt.messages import diagnostic
+from nctakt.nc.outline import ProgramText
+from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, Location, NameTable
+from nctakt.run.event_registry import Registry
+from nctakt.run.spindle_setup import all_names, channel_spindles, turning
+from nctakt.run.variable_access import VariableAccess
+
+#: What an elementary instruction is taken to cost in virtual time, in ns (RC-503).
+INSTRUCTION_COST_NS = 10
+
+#: Owners of independent motions that a channel has room for: one for each slot of a cycle.
+CYCLE_OWNERS = 1024
+
+#: V.RTG.CYCLES.DIAG_LEVEL at start-up (RC-603).
+DEFAULT_DIAGNOSIS_LEVEL = 3.0
+
+_DIAGNOSIS_LEVEL_CELL = 2
+
+
+@dataclass(frozen=True, slots=True)
+class AssembledChannel:
+    """What belongs to one channel; ``index`` counts from 0, ``members`` are indices of axes.
+
+    ``panel`` are the operator's values by name, ``offsets`` those that count for its axes.
+    """
+
+    index: int
+    configuration: ChannelConfiguration
+    names: NameTable
+    members: tuple[int, ...]
+    panel: Mapping[str, PanelValue]
+    offsets: ActiveOffsets
+
+    @property
+    def parameters(self) -> ChannelParameters:
+        """Its list."""
+        return self.configuration.parameters
+
+    @property
+    def prefix(self) -> str:
+        """What stands in front of its names where there is more than one channel."""
+        return f"CH{self.index + 1}."
+
+
+def _offsets_of(channel: ChannelConfiguration) -> ActiveOffsets:
+    members = [axis.index for axis in channel.axes]
+    return ActiveOffsets(members, channel.zero_offsets, channel.clamp_offsets)
+
+
+def _signals_of(channel: AssembledChannel) -> dict[str, tuple[int, str, bool]]:
+    """What can be recorded of a channel."""
+    rows = channel.names.signals()
+    known = {name: (cell, row.unit, row.type != "REAL64") for name, cell, row in rows}
+    for name, cell, type_ in channel.names.values():
+        scalar = SCALARS[type_]
+        if scalar.is_numeric:
+            known[name] = (cell, "", scalar.is_integer)
+    for value in channel.panel.values():
+        entry = value.entry
+        known[value.name] = (value.cell, entry.unit, entry.type != "REAL64")
+    return known
+
+
+def _default_signals(channel: AssembledChannel) -> list[str]:
+    names = [
+        f"{axis.name}.ACS.{position}"
+        for position in ("ACT_POS", "CUR_POS")
+        for axis in channel.configuration.axes
+    ]
+    return [*names, "PATH.SPEED", "OVERRIDE.VEL.TOTAL", "BLOCK", "CYCLES.ACTIVE"]
+
+
+class Machine:
+    """One machine's realtime part with its names.
+
+    ``names``, ``parameters`` and ``members`` are those of the first channel.
+    """
+
+    def __init__(self, configuration: MachineConfiguration) -> None:
+        self.configuration = configuration
+        linear = frozenset(i for i, axis in enumerate(configuration.axes) if axis.is_linear)
+        modulo = frozenset(i for i, axis in enumerate(configuration.axes) if axis.is_modulo)
+        single = frozenset(
+            i for i, axis in enumerate(configuration.axes) if axis.enable_single_axis
+        )
+        layout = Layout(
+            [
+                ChannelNames(
+                    tuple((axis.name, axis.index) for axis in channel.axes),
+                    linear,
+                    channel.external_variables,
+                    channel.channel_variables,
+                    names_of(channel.parameters.spindles),
+                    modulo,
+                    single,
+                )
+                for channel in configuration.channels
+            ],
+            len(configuration.axes),
+            PANEL_CELLS,
+        )
+        self.memory = bytearray(8 * layout.size)
+        self.cells = memoryview(self.memory).cast("d")
+        self.record = Record(self.memory)
+        self.axes = Axes(self.memory, layout.axis_cell(0), len(configuration.axes))
+        self.single_axes = single_axes(configuration, self.axes, self.record)
+        self.channels = [
+            self._channel(index, layout) for index in range(len(configuration.channels))
+        ]
+        self.kernel = Kernel(self.memory, self.axes, self.channels, self.record, self.single_axes)
+        self.assembled = tuple(
+            AssembledChannel(
+                index,
+                one,
+                names,
+                tuple(axis.index for axis in one.axes),
+                {value.name: value for value in panel_values(layout.panel_cell(index))},
+                _offsets_of(one),
+            )
+            for index, (one, names) in enumerate(
+                zip(configuration.channels, layout.tables, strict=True)
+            )
+        )
+        self.names = self.assembled[0].names
+        self.parameters = self.assembled[0].parameters
+        self.members = self.assembled[0].members
+        self.layout = layout
+        self.files = SourceFiles()
+        spindles = all_names(configuration)
+        self.registry = Registry(self.files, self._name_of_cell, self._axis_names(), spindles)
+        self.system = system_data(configuration, self.channels, lambda: self.kernel.tick)
+        self.access = VariableAccess(
+            layout.tables, [one.panel for one in self.assembled], self.memory, self.kernel
+        )
+        self._cell_names: dict[int, str] = {}
+
+    def _axis_names(self) -> list[str]:
+        """What the axes are called: by their channel, else by their list."""
+        names = [axis.name for axis in self.configuration.axes]
+        for channel in self.configuration.channels:
+            for axis in channel.axes:
+                names[axis.index] = axis.name
+        return names
+
+    def _channel(self, index: int, layout: Layout) -> Channel:
+        configuration = self.configuration.channels[index]
+        parameters = configuration.parameters
+        members = [axis.index for axis in configuration.axes]
+        first = layout.channel_cell(index)
+        timers = layout.tables[index].resolve("RTG", (("TIMER", 1),))
+        assert isinstance(timers, Location)
+        channel = Channel(
+            self.memory,
+            first,
+            self.record,
+            Hli(Panel(self.memory, layout.panel_cell(index))),
+            CycleManager(self.record, self.single_axes, CYCLE_OWNERS * index + 1),
+            KernelPath(
+                self.axes,
+                members,
+                self.configuration.cycle_time_us,
+                history_blocks(configuration.startup.backward_memory_bytes, len(members)),
+            ),
+            Timers(self.memory, timers.cell, self.configuration.cycle_time_us),
+            parameters.max_override_pct,
+            look_ahead(
+                [self.configuration.axes[i] for i in members],
+                self.configuration.cycle_time_us,
+                configuration.startup.look_ahead_blocks,
+                parameters.max_override_pct,
+            ),
+            self.single_axes,
+        )
+        limits = parameters.realtime_cycles
+        spindles = channel_spindles(self.configuration, index, layout, self.memory, self.record)
+        channel.set_spindles(spindles, limits.buffers)
+        channel.panel.show_size(channel.path.history_size)
+        context = channel.context
+        context.max_steps = limits.max_steps
+        context.cont_steps = limits.cont_steps
+        budget_ns = 10 * self.configuration.cycle_time_us * limits.max_duration_pct
+        channel.manager.memory_limit = limits.memory_bytes
+        context.budget_steps = budget_ns // INSTRUCTION_COST_NS
+        self.cells[first] = self.cells[first + 1] = 100.0
+        self.cells[first + _DIAGNOSIS_LEVEL_CELL] = DEFAULT_DIAGNOSIS_LEVEL
+        return channel
+
+    # --- running --------------------------------------------------------------------------------
+
+    def reserve(self) -> None:
+        """Room in the record for a tick of the present load."""
+        self.kernel.reserve()
+
+    def number_in_names(self, channel: int) -> int:
+        """The number that names of cycles and events have: 0 where there is one channel only."""
+        return channel + 1 if len(self.assembled) > 1 else 0
+
+    def positions(self, channel: int = 0) -> list[float]:
+        """The command positions of a channel's axes, in the order of its list."""
+        return list(map(self.axes.positions().__getitem__, self.assembled[channel].members))
+
+    def path_stands(self, channel: int = 0) -> bool:
+        """Whether nothing moves on the channel's path."""
+        return bool(self.channels[channel].path.has_stopped())
+
+    def stands(self) -> bool:
+        """Whether all stands but for axes and spindles in motion without an end (RC-006)."""
+        ending = sum(one.context.spindles.ending_count() for one in self.channels)
+        ending += self.single_axes.ending_count()
+        return ending == 0 and all(self.path_stands(one.index) for one in self.assembled)
+
+    def surroundings(
+        self,
+        subprogram: Callable[[str, str, Span], ProgramText],
+        notice: Callable[[Diagnostic], None],
+        skip_levels: frozenset[int],
+        channel: int,
+        tells_blocks: bool,
+    ) -> Surroundings:
+        """What the decoder of a program of this channel works with."""
+        own = self.assembled[channel]
+        axes = tuple(self.configuration.axes[i] for i in own.members)
+        return Surroundings(
+            own.names,
+            own.parameters,
+            {axis.name: place for place, axis in enumerate(own.configuration.axes)},
+            axes,
+            own.offsets,
+            own.configuration.tools,
+            self.cells,
+            memoryview(self.memory),
+            self.configuration.cycle_time_us,
+            self.files.number,
+            self.files.line_at,
+            self.registry.add_user_text,
+            turning(self.configuration, channel),
+            notice,
+            subprogram,
+            skip_levels,
+            tells_blocks,
+            self.system[channel],
+            self.registry.left_in(self.channels[channel].manager),
+            lambda: self._moving_axes(channel),
+            self.channels[channel].path.history_size,
+        )
+
+    def _moving_axes(self, channel: int) -> tuple[str, ...]:
+        """The channel's axes that move beside its path, now or when they may go on."""
+        axes = self.configuration.channels[channel].axes
+        return tuple(axis.name for axis in axes if self.single_axes.moves(axis.index))
+
+    # --- variables by name ----------------------------------------------------------------------
+
+    def read(self, name: str) -> float | bool | str:
+        """The value of a variable; a value that waits for the next tick is read already."""
+        return self.access.read(name)
+
+    def write(self, name: str, value: float | bool | str) -> None:
+        """A value for the next tick."""
+        self.access.write(name, value)
+
+    def _name_of_cell(self, cell: int) -> str:
+        if not self._cell_names:
+            for one in reversed(self.assembled):
+                self._cell_names.update((place, name) for name, place, _ in one.names.values())
+                self._cell_names.update((place, name) for name, place in one.names.realtime())
+                self._cell_names.update((value.cell, value.name) for value in one.panel.values())
+        return self._cell_names[cell]
+
+    # --- signals --------------------------------------------------------------------------------
+
+    def signals(self) -> dict[str, tuple[int, str, bool]]:
+        """Everything that can be recorded: name -> cell, unit, whether it is a whole number.
+
+        A name with a channel's number in front, ``CH2.BLOCK``, is its own, else the first one's.
+        """
+        known = _signals_of(self.assembled[0])
+        for one in self.assembled:
+            known |= {f"{one.prefix}{name}": signal for name, signal in _signals_of(one).items()}
+        return known
+
+    def default_signals(self) -> list[str]:
+        """Positions of all axes, path speed, override, block number, active cycles."""
+        if len(self.assembled) == 1:
+            return _default_signals(self.assembled[0])
+        return [f"{one.prefix}{name}" for one in self.assembled for name in _default_signals(one)]
+
+    def unknown_signal(self, name: str) -> Diagnostic:
+        """The diagnostic of a signal that is none."""
+        near = nearest(name, self.signals())
+        if near:
+            return diagnostic(900545, name=name, nearest=near)
+        return diagnostic(900544, name=name)

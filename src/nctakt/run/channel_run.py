@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: MIT
+"""The programs of one channel, one after another; each channel of a machine has its own.
+
+In: checked programs, the kernel's answers. Out: commands in the channel's queue
+(``run.queue_feeder.py``), and what became of the programs. The kernel runs all channels in
+lockstep; each one is served for itself and at the tick in which it asks, so that channels do not
+depend on each other's programs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.kernel import kernel as reasons
+from nctakt.messages import diagnostic
+from nctakt.results.run import RunState
+from nctakt.run.assembly import Machine
+from nctakt.run.decode_budget import Budget
+from nctakt.run.program_loader import LoadedProgram
+from nctakt.run.queue_feeder import Feed
+
+
+class ChannelRun:
+    """What runs in a channel; ``index`` counts from 0, ``report`` takes what stops a program.
+
+    Blocks of ``skip_levels`` are left out; ``tells_blocks``: events tell of each block.
+    ``result``: how the queued programs came to their end, ``None`` while they have not.
+    ``run.decode_budget``: the decoder's time, where a schedule gives it.
+    """
+
+    def __init__(self, machine: Machine, index: int, report: Callable[[Diagnostic], None]) -> None:
+        self._machine = machine
+        self._index = index
+        self._report = report
+        self._programs: list[LoadedProgram] = []
+        self._waits_for_start = False
+        self._selected: LoadedProgram | None = None
+        self._outcome: RunState | None = None
+        self._stopped_at = -1
+        self.channel = machine.channels[index]
+        self.feed: Feed | None = None
+        self.skip_levels: frozenset[int] = frozenset()
+        self.tells_blocks = False
+        self.budget: Budget | None = None
+        self.result: RunState | None = "ended"
+
+    @property
+    def is_running(self) -> bool:
+        """Whether a program runs."""
+        return self.feed is not None
+
+    @property
+    def is_stopped(self) -> bool:
+        """Whether the channel is in error state."""
+        return bool(self.channel.is_stopped)
+
+    @property
+    def is_braking(self) -> bool:
+        """Whether an error or a reset has ended the programs, and what that does is not over yet.
+
+        The path brakes, the reset lasts; and behind an error there is at least one tick, so that
+        the realtime cycles that run on can react to it (RC-402, RC-505).
+        """
+        if self.is_stopped and not self._waits_for_start:
+            return self._stopped_at == self._machine.kernel.tick or not self._stands()
+        return self._outcome == "reset" and not self._stands()
+
+    def _stands(self) -> bool:
+        return self._machine.path_stands(self._index) and not self.channel.is_resetting
+
+    # --- a row of programs ----------------------------------------------------------------------
+
+    def queue(self, programs: Sequence[LoadedProgram], *, waits_for_start: bool) -> None:
+        """Let these programs run one after another, each from START on if it waits for it."""
+        self._programs = list(programs)
+        self._waits_for_start = waits_for_start
+        self._selected = None
+        self._outcome = None
+        self.result = None
+
+    def proceed(self) -> None:
+        """Begin the next program where one is due; settle the result where none is left."""
+        if self.result is not None or self.is_braking:
+            return
+        if self.is_stopped and not self._waits_for_start:
+            self.result = "error"
+        elif self._outcome == "reset" and self._waits_for_start:
+            assert self._selected is not None
+            self.select(self._selected)
+        elif self._outcome == "reset":
+            self.result = "reset"
+        elif self._outcome == "ended" or self._selected is None:
+            self._begin_next()
+
+    def _begin_next(self) -> None:
+        if not self._programs:
+            self.result = "ended"
+            return
+        program = self._programs.pop(0)
+        if self._waits_for_start:
+            self.select(program)
+        else:
+            self.begin(program)
+
+    def select(self, program: LoadedProgram) -> None:
+        """Let a program wait for START."""
+        self._outcome = None
+        self._selected = program
+        self.channel.panel.arm(True)
+
+    def begin(self, program: LoadedProgram) -> None:
+        """Put a checked program at the start of the channel; ``Failure`` after a fatal error."""
+        if self.channel.is_fatal:
+            raise Failure(diagnostic(900466))
+        self._outcome = None
+        self._stopped_at = -1
+        self._selected = program
+        self.feed = Feed(
+            self._machine,
+            program,
+            self._report,
+            self.skip_levels,
+            self.tells_blocks,
+            self.budget,
+        )
+        self.channel.panel.begin_program()
+
+    def close(self) -> None:
+        """The row of programs is over: nothing waits for START any more."""
+        self.result = self.result or "limit"
+        self.channel.panel.arm(False)
+
+    # --- where a schedule gives the decoder its time --------------------------------------------
+
+    @property
+    def wants_to_decode(self) -> bool:
+        """Whether the decoder of the channel has something to do."""
+        return self.feed is not None and self.feed.wants_to_decode
+
+    def decode(self) -> None:
+        """Decode for as long as the schedule lets the decoder."""
+        if self.feed is not None and self.channel.decoder_open:
+            self.feed.refill()
+
+    # --- what the kernel asks for ---------------------------------------------------------------
+
+    def serve(self) -> None:
+        """Do what the channel needs before its next tick."""
+        reason = self.channel.due()
+        if reason == reasons.ERROR:
+            if self._stopped_at < 0:
+                self._stopped_at = self._machine.kernel.tick
+            self.channel.clear_error()
+            self.channel.panel.end_program()
+            self._stop()
+        elif reason == reasons.PROGRAM_END:
+            self.channel.accept_end()
+            self.channel.panel.end_program()
+            self.feed = None
+            self._outcome = "ended"
+        elif reason == reasons.START:
+            assert self._selected is not None
+            self.begin(self._selected)
+        elif reason == reasons.RESET:
+            self._give_up()
+            self.channel.panel.accept_reset()
+            self._outcome = "reset"
+        elif reason == reasons.ANSWER:
+            assert self.feed is not None
+            self.feed.answer()
+        elif reason == reasons.REFILL:
+            assert self.feed is not None
+            self.feed.refill()
+
+    def request_reset(self) -> None:
+        """Give the program up and reset the channel (RC-007)."""
+        self._give_up()
+        self._outcome = "reset"
+        self.channel.request_reset()
+
+    def _give_up(self) -> None:
+        """A reset: nothing more of the program is decoded, and what it left is forgotten."""
+        self._stop()
+        self.channel.panel.end_program()
+        self.channel.manager.drop_unborn()
+
+    def _stop(self) -> None:
+        if self.feed is not None:
+            self.feed.stop()
+            self.feed = None

@@ -1,0 +1,479 @@
+# SPDX-License-Identifier: MIT
+"""The virtual controller: assembles a machine and runs NC programs on it.
+
+In: a machine (folder, configuration or the demo machine), programs, values of variables at times, a
+PLC. Out: a ``Run``. ``run`` does it all; ``start`` and ``step`` go tick by tick. Controllers do not
+know of each other: any number lives in one process.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Collection, Mapping, Sequence
+from pathlib import Path
+
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.kernel import kernel as reasons
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
+from nctakt.lists.machine.machine import MachineConfiguration, MachineError, load_machine
+from nctakt.messages import diagnostic
+from nctakt.nc.outline import ProgramText
+from nctakt.results.run import Run, RunState, RunStatistics, SaidMessage
+from nctakt.run import program_loader
+from nctakt.run.assembly import Machine
+from nctakt.run.channel_run import ChannelRun
+from nctakt.run.plc_view import AnyPlc, Interface
+from nctakt.run.program_loader import LoadedProgram, NcText
+from nctakt.run.recording import Recording
+from nctakt.run.scheduled_run import Pace, scheduled
+from nctakt.run.shared_image import InterfaceImage
+from nctakt.run.stimuli import Stimulus
+from nctakt.run.wait_reasons import awaited
+from nctakt.schedule.open_schedule import RunSchedule
+from nctakt.trace.events import Event
+from nctakt.trace.recorded import MemorySink
+from nctakt.trace.sinks import Sink
+
+__all__ = ["DEFAULT_LIMIT_US", "Controller", "NcText"]
+
+#: Virtual time after which a run ends where neither a time nor a number of ticks is given.
+DEFAULT_LIMIT_US = 600_000_000
+
+#: How long a run that an error has stopped waits for axes and spindles that will stand.
+REST_US = 60_000_000
+
+#: Ticks between two calls of a progress function.
+PROGRESS_TICKS = 100_000
+
+
+class Controller:
+    """One machine with its channels, from start-up on.
+
+    ``machine`` is a folder with lists, a configuration, or ``None`` for the demo machine.
+    ``schedule`` gives its ticks their length, and decoder, interpolation and PLC their time
+    (``schedule.open_schedule.open_schedule``). Raises ``Failure`` where no machine results.
+    """
+
+    def __init__(
+        self,
+        machine: MachineConfiguration | str | Path | None = None,
+        schedule: RunSchedule | None = None,
+    ) -> None:
+        if not isinstance(machine, MachineConfiguration):
+            try:
+                machine = load_machine(None if machine is None else Path(machine))
+            except MachineError as error:
+                raise Failure(*error.diagnostics) from error
+        duties = None
+        if schedule is not None:
+            machine, duties = scheduled(machine, schedule)
+        self.machine = machine
+        self.cycle_time_us = machine.cycle_time_us
+        self.diagnostics: list[Diagnostic] = list(machine.diagnostics)
+        self._machine = Machine(machine)
+        self._channels = [
+            ChannelRun(self._machine, index, self.diagnostics.append)
+            for index in range(len(self._machine.channels))
+        ]
+        self._pace: Pace | None = None
+        if schedule is not None and duties is not None:
+            self._pace = Pace(self._machine, schedule, duties)
+            for index, one in enumerate(self._channels):
+                one.budget = self._pace.budget(index)
+        self._kernel = self._machine.kernel
+        self._recording = Recording(
+            self._machine, self.diagnostics.append, functools.partial(_is_told, self._channels)
+        )
+        self._stimuli: list[Stimulus] = []
+        self._stimuli_from = 0
+        self._plc: AnyPlc | None = None
+        self._image: InterfaceImage | None = None
+        self._loaded: list[LoadedProgram] = []
+
+    # --- state and variables --------------------------------------------------------------------
+
+    @property
+    def tick(self) -> int:
+        """Ticks since the controller was started."""
+        return self._kernel.tick
+
+    @property
+    def channel_count(self) -> int:
+        """How many channels the machine has; they count from 1."""
+        return len(self._channels)
+
+    @property
+    def state(self) -> str:
+        """``running`` while a program runs, ``error`` after an NC error, else ``ready``.
+
+        Of several channels the worst counts: an error, else a program that runs.
+        """
+        if any(one.is_stopped for one in self._channels):
+            return "error"
+        return "running" if any(one.is_running for one in self._channels) else "ready"
+
+    @property
+    def hli(self) -> Interface:
+        """The interface image: what a PLC sees and the operator's side."""
+        return Interface(self._machine)
+
+    @property
+    def default_signals(self) -> tuple[str, ...]:
+        """What is recorded where nobody says it."""
+        return tuple(self._machine.default_signals())
+
+    @property
+    def channel_axes(self) -> tuple[AxisConfiguration, ...]:
+        """The axes of the channel, in its order."""
+        return tuple(self.machine.axes[index] for index in self._machine.members)
+
+    @property
+    def has_limited_jerk(self) -> bool:
+        """Whether a block of the first channel has had the jerk-limited slope by now."""
+        return self._machine.channels[0].ahead.has_smooth
+
+    @property
+    def instructions_in_tick(self) -> int:
+        """Elementary instructions that the realtime cycles ran in the last tick (RC-501)."""
+        return sum(one.channel.context.steps for one in self._channels)
+
+    def read(self, name: str) -> float | bool | str:
+        """The value of a V. variable, such as ``V.E.LIST[3]`` or ``V.RTA.ACS.ACT_POS.X``.
+
+        Of several channels the first one is meant, ``CH2.V.CH.COUNT`` is that of the second.
+
+        What ``write`` has put is read back at once. Raises ``Failure`` for an unknown name.
+        """
+        return self._machine.read(name)
+
+    def write(self, name: str, value: float | bool | str) -> None:
+        """Give a V.E or V.CH variable a value, from the next tick on.
+
+        Raises ``Failure`` for an unknown name and for a value that the variable cannot hold.
+        """
+        self._machine.write(name, value)
+
+    def signal(self, name: str) -> float:
+        """What a trace would record now; raises ``Failure`` for an unknown name."""
+        known = self._machine.signals()
+        if name not in known:
+            raise Failure(self._machine.unknown_signal(name))
+        return self._machine.cells[known[name][0]]
+
+    def interface_image(self, name: str | None = None) -> InterfaceImage:
+        """The HLI as bytes from now on until it is closed, shared under ``name`` if given.
+
+        Raises ``Failure`` where there is one already or the shared memory cannot be had.
+        """
+        machine = self._machine
+        self._image = InterfaceImage(
+            self.machine, machine.kernel, machine.channels, machine.layout, name
+        )
+        return self._image
+
+    # --- tick by tick ---------------------------------------------------------------------------
+
+    def start(self, program: str | Path | NcText, channel: int = 1) -> None:
+        """Start a program in a channel; ``step`` runs it. Raises ``Failure`` with its diagnostics.
+
+        What the program before has left, an error or itself still running, is reset first.
+        """
+        one = self._channels[self._index(channel)]
+        loaded = program_loader.load(program, self._machine, self.diagnostics, channel - 1)
+        self._make_ready([one])
+        one.begin(loaded)
+
+    def select(self, program: str | Path | NcText, channel: int = 1) -> None:
+        """Select a program: START on the HLI begins it. Raises ``Failure`` with its diagnostics."""
+        self._channels[self._index(channel)].select(
+            program_loader.load(program, self._machine, self.diagnostics, channel - 1)
+        )
+
+    def step(self, ticks: int = 1) -> None:
+        """Run so many ticks, whatever the state."""
+        end = self.tick + ticks
+        while self.tick < end:
+            self._advance(end)
+
+    def backward(self, channel: int = 1) -> None:
+        """Walk back on the path from the next tick on (MO-7); ``forward`` ends it.
+
+        Raises ``Failure`` (900880) where the machine keeps no history of the path.
+        """
+        index = self._index(channel)
+        if self._machine.channels[index].path.history_size == 0:
+            raise Failure(diagnostic(900880))
+        self._command_motion(index, backward=True)
+
+    def forward(self, channel: int = 1) -> None:
+        """Walk forward on the path again from the next tick on."""
+        self._command_motion(self._index(channel), backward=False)
+
+    def _command_motion(self, index: int, *, backward: bool) -> None:
+        prefix = self._machine.assembled[index].prefix if index else ""
+        self._machine.write(f"{prefix}HLI.BACKWARD_MOTION", backward)
+
+    def reset(self, channel: int | None = None) -> None:
+        """Reset a channel, else all (RC-007): runs until they stand, at least one tick."""
+        chosen = self._channels if channel is None else [self._channels[self._index(channel)]]
+        self._reset(chosen)
+
+    def _reset(self, chosen: Sequence[ChannelRun]) -> None:
+        for one in chosen:
+            one.request_reset()
+        while any(one.channel.is_resetting for one in chosen):
+            self.step(1)
+
+    def _index(self, channel: int) -> int:
+        """The index of a channel, which counts from 0; ``Failure`` where there is none."""
+        if not 0 < channel <= len(self._channels):
+            raise Failure(diagnostic(900749, channel=channel, count=len(self._channels)))
+        return channel - 1
+
+    # --- whole programs -------------------------------------------------------------------------
+
+    def run(
+        self,
+        *programs: str | Path | NcText,
+        channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
+        plc: AnyPlc | None = None,
+        until_us: int | None = None,
+        ticks: int | None = None,
+        after_us: int = 0,
+        initial: Mapping[str, float | str] | None = None,
+        stimuli: Sequence[Stimulus] = (),
+        sinks: Sequence[Sink] = (),
+        signals: Sequence[str] | None = None,
+        waits_for_start: bool = False,
+        skip_levels: Collection[int] = (),
+        memory_trace: bool = True,
+        record_writes: bool = True,
+        why: bool = False,
+        on_message: Callable[[SaidMessage], None] | None = None,
+        on_progress: Callable[[int, int | None], None] | None = None,
+        on_cycle: Callable[[str, CycleDefinition], None] | None = None,
+        blocks: bool = False,
+    ) -> Run:
+        """Run programs one after another; their GLOBAL cycles and V.E and V.CH variables live on.
+
+        ``programs`` are those of channel 1, ``channels`` those of others: number -> programs. All
+        channels begin together; an error stops its own channel only.
+        ``until_us`` and ``ticks`` limit the run (``DEFAULT_LIMIT_US``), ``after_us`` is how long
+        the machine goes on behind the last program. ``initial`` are values before the first tick,
+        ``run.stimuli`` values at times of the run. With ``waits_for_start`` each program is begun
+        by START on the HLI, again after a RESET. ``sinks`` get the trace, which ``memory_trace``
+        keeps in the result, of ``signals`` (positions of all axes, path speed, override, block
+        number, active cycles unless given); ``record_writes`` has each new value that a cycle gives
+        a variable as an event in it. ``why`` keeps what each condition of the realtime cycles saw
+        and did, and counts it (``Run.coverage``). Raises ``Failure`` for a name or value that does
+        not fit; mistakes of the programs are in the result. ``on_cycle`` is told the name and the
+        definition of each realtime cycle when it is decoded. Blocks of the ``skip_levels`` 1 … 10
+        are left out. ``blocks``: events tell of each block when it was decoded and when it is
+        carried out, and why the channel is emptied.
+        """
+        wanted = {1: programs, **(channels or {})}
+        for channel in wanted:
+            self._index(channel)
+        for one in self._channels:
+            one.skip_levels = frozenset(skip_levels)
+            one.tells_blocks = blocks
+        first_tick = self.tick
+        for name, value in (initial or {}).items():
+            self._machine.write(name, value)
+        self._machine.access.apply_writes()
+        for stimulus in stimuli:
+            self._machine.access.check(stimulus.name, stimulus.value)
+        begun = len(self.diagnostics) if first_tick else 0
+        memory = MemorySink() if memory_trace else None
+        registry = self._machine.registry
+        registry.on_cycle = on_cycle
+        statistics = RunStatistics(registry.reactions_of, registry.frozen_in)
+        listeners = [*sinks, *((memory,) if memory else ()), statistics]
+        records = bool(sinks) or memory_trace
+        self._recording.open(listeners, signals, records, record_writes, why)
+        self._plc = plc
+        for one in self._channels:
+            one.channel.hli.acknowledges_itself = plc is None
+        self._recording.on_message = on_message
+        self._stimuli = sorted(stimuli, key=lambda one: one.time_us)
+        self._stimuli_from = first_tick
+        limit = self._limit(until_us, ticks)
+        try:
+            state = self._run_programs(
+                wanted, first_tick + limit, after_us, waits_for_start, on_progress
+            )
+        except KeyboardInterrupt:
+            self._recording.drain()
+            state = "interrupted"
+        finally:
+            self._recording.close()
+            for one in self._channels:
+                one.close()
+            registry.on_cycle = None
+        if self._pace is not None:
+            self.diagnostics += self._pace.findings()
+        report, coverage = self._recording.why(first_tick, self._loaded_texts())
+        return Run(
+            programs=tuple(
+                program_loader.name_of(program) for one in wanted.values() for program in one
+            ),
+            cycle_time_us=self.cycle_time_us,
+            first_tick=first_tick,
+            ticks=self.tick - first_tick,
+            state=state,
+            trace=None if memory is None else memory.trace,
+            diagnostics=tuple(self.diagnostics[begun:]),
+            messages=statistics.messages,
+            cycles=statistics.cycles(self._machine.registry.runs()),
+            outputs=statistics.outputs(),
+            schedule=None if self._pace is None else self._pace.schedule,
+            starved=statistics.schedule.starved(self.tick),
+            overflows=statistics.schedule.overflows(),
+            why=report,
+            coverage=coverage,
+        )
+
+    def _loaded_texts(self) -> list[ProgramText]:
+        """The texts of the programs of this run."""
+        loaded, self._loaded = self._loaded, []
+        return [text for one in loaded for text in one.texts]
+
+    def _limit(self, until_us: int | None, ticks: int | None) -> int:
+        """The most ticks of a run."""
+        limits = [ticks] if ticks is not None else []
+        if until_us is not None:
+            limits.append(-(-until_us // self.cycle_time_us))
+        return min(limits) if limits else DEFAULT_LIMIT_US // self.cycle_time_us
+
+    def _run_programs(
+        self,
+        programs: Mapping[int, Sequence[str | Path | NcText]],
+        end: int,
+        after_us: int,
+        waits_for_start: bool,
+        on_progress: Callable[[int, int | None], None] | None,
+    ) -> RunState:
+        loaded = self._load(programs)
+        if loaded is None:
+            return "error"
+        chosen = [self._channels[number - 1] for number, own in loaded.items() if own]
+        if not waits_for_start:
+            self._make_ready(chosen)
+        for number, own in loaded.items():
+            self._channels[number - 1].queue(own, waits_for_start=waits_for_start)
+        while self._proceed(chosen):
+            if self.tick >= end:
+                self._tell_awaited()
+                return _worst(chosen, "limit")
+            # A path that brakes ends the run in the tick in which it stands.
+            patience = 1 if any(one.is_braking for one in chosen) else PROGRESS_TICKS
+            self._advance(min(end, self.tick + patience))
+            self._tell_progress(on_progress, end)
+        state = _worst(chosen, "ended")
+        if state == "reset":
+            return state
+        stop = self.tick - (-after_us // self.cycle_time_us)
+        while self.tick < min(stop, end):
+            self._advance(min(stop, end, self.tick + PROGRESS_TICKS))
+            self._tell_progress(on_progress, min(stop, end))
+        patience = REST_US // self.cycle_time_us if state == "error" else end
+        rest = min(end, self.tick + patience)
+        while self.tick < rest and not self._machine.stands():
+            self._advance(self.tick + 1)
+        if self.state == "error":
+            return "error"
+        return "limit" if self.tick < stop else "ended"
+
+    def _proceed(self, chosen: Sequence[ChannelRun]) -> bool:
+        """Let each channel begin what is due; whether one of them has still something to do."""
+        for one in chosen:
+            one.proceed()
+        return any(one.result is None for one in chosen)
+
+    def _load(
+        self, programs: Mapping[int, Sequence[str | Path | NcText]]
+    ) -> dict[int, list[LoadedProgram]] | None:
+        """The checked programs of each channel; ``None`` if one of them is not in order."""
+        loaded: dict[int, list[LoadedProgram]] = {number: [] for number in programs}
+        self._loaded = []
+        wrong = False
+        for number, own in programs.items():
+            for program in own:
+                try:
+                    tree = program_loader.load(program, self._machine, self.diagnostics, number - 1)
+                except Failure:
+                    wrong = True
+                    continue
+                loaded[number].append(tree)
+                self._loaded.append(tree)
+        return None if wrong else loaded
+
+    def _make_ready(self, chosen: Sequence[ChannelRun]) -> None:
+        """Reset what an error or a limit of an earlier run has left in these channels."""
+        left = [one for one in chosen if one.is_stopped or one.is_running]
+        if left:
+            self._reset(left)
+
+    def _tell_awaited(self) -> None:
+        """At the limit: what holds the programs up that are not at their ends."""
+        for index, one in enumerate(self._channels):
+            found = awaited(self._machine, index) if one.result is None else None
+            if found is not None:
+                self.diagnostics.append(found)
+
+    def _tell_progress(
+        self, on_progress: Callable[[int, int | None], None] | None, end: int
+    ) -> None:
+        if on_progress is not None:
+            on_progress(self.tick, end)
+
+    # --- the loop decoder <-> kernel ------------------------------------------------------------
+
+    def _advance(self, end: int) -> None:
+        """Run up to tick ``end``, at most until something of Python's is due."""
+        due = min(end, self._next_stimulus())
+        if self._plc is not None:
+            due = min(due, self.tick + 1)
+        plc_calls = 1
+        is_lost = False
+        if self._pace is not None:
+            due = min(due, self.tick + 1)
+            share = self._pace.prepare(self._channels, has_plc=self._plc is not None)
+            plc_calls, is_lost = share.plc_calls, share.is_lost
+        self._machine.access.post_writes()
+        self._machine.reserve()
+        reason = self._kernel.lose_tick() if is_lost else self._kernel.run(due - self.tick)
+        self._recording.drain()
+        if reason not in (reasons.DONE, reasons.FULL):
+            for one in self._channels:
+                one.serve()
+        if self._plc is not None and self._kernel.tick == due and reason != reasons.FULL:
+            for _ in range(plc_calls):
+                self._plc.cycle(Interface(self._machine))
+
+    def _next_stimulus(self) -> int:
+        """Post the stimuli of the coming tick; the tick before which the next one is due."""
+        while self._stimuli:
+            stimulus = self._stimuli[0]
+            tick = self._stimuli_from + -(-stimulus.time_us // self.cycle_time_us)
+            if tick > self.tick:
+                return tick
+            self._machine.write(stimulus.name, stimulus.value)
+            self._stimuli.pop(0)
+        return self.tick + (1 << 60)
+
+
+def _worst(channels: Sequence[ChannelRun], otherwise: RunState) -> RunState:
+    """How a run of several channels has ended: an error counts before a reset."""
+    if any(one.is_stopped for one in channels):
+        return "error"
+    return "reset" if any(one.result == "reset" for one in channels) else otherwise
+
+
+def _is_told(channels: Sequence[ChannelRun], event: Event) -> bool:
+    """Whether the error is the decoder's, whose diagnostic is there since it gave up."""
+    feed = channels[max(event.channel - 1, 0)].feed
+    given_up = None if feed is None else feed.given_up
+    return given_up is not None and not event.cycle and event.text == str(given_up.id)

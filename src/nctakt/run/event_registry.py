@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: MIT
+"""What the numbers of events stand for: cycles, variables, axes, texts, programs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from nctakt.base.diagnostics import Span
+from nctakt.base.source_ids import SourceFiles, begins_at
+from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.decoder.state.commands import UserMessage
+from nctakt.decoder.state.uncertain_axes import LivingCycle
+from nctakt.kernel.cycles.cycles import DEFINED, HELD, CycleManager, RealtimeCycle
+from nctakt.results.run import FrozenValue, Reaction
+
+
+class Registry:
+    """The names behind the numbers of events; they stay valid for the controller's life."""
+
+    def __init__(
+        self,
+        files: SourceFiles,
+        variable: Callable[[int], str],
+        axes: Sequence[str],
+        spindles: Sequence[str],
+    ) -> None:
+        self._files = files
+        self._axes = axes
+        self._variable = variable
+        self._cycle_names: list[str] = [""]
+        self._anonymous: dict[int, int] = {}
+        self._probes = 0
+        self._messages: list[UserMessage] = []
+        self._programs: list[str] = []
+        self._threads: Sequence[str] = ()
+        self._variable_texts: list[str] = []
+        self._user_texts: list[str] = []
+        self._spindles = spindles
+        self._variable_numbers: dict[str, int] = {}
+        self._latest: dict[str, CycleDefinition] = {}
+        self._living: dict[int, CycleDefinition] = {}
+        self._past_runs: dict[str, int] = {}
+        self.on_cycle: Callable[[str, CycleDefinition], None] | None = None
+
+    # --- what events ask ------------------------------------------------------------------------
+
+    def cycle(self, serial: int) -> str:
+        """The programmed ID of a cycle, or ``#1`` without one."""
+        return self._cycle_names[serial]
+
+    def variable(self, cell: int) -> str:
+        """The name of the variable in a memory cell."""
+        return self._variable(cell)
+
+    def axis(self, index: int) -> str:
+        """The name of an axis of the machine."""
+        return self._axes[index]
+
+    def message(self, number: int) -> str:
+        """The text of a message."""
+        return self._messages[number].text
+
+    def message_style(self, number: int) -> tuple[bool, bool, str]:
+        """Whether a message is saved without time stamp, without line end, and in which file."""
+        message = self._messages[number]
+        return message.exclusive, message.unbroken, message.file
+
+    def variable_text(self, number: int) -> str:
+        """The text of a variable whose value was frozen."""
+        return self._variable_texts[number]
+
+    def user_text(self, number: int) -> str:
+        """A text of the user's that is told with an error."""
+        return self._user_texts[number]
+
+    def program(self, number: int) -> str:
+        """The file name of a program."""
+        return self._programs[number]
+
+    def thread(self, number: int) -> str:
+        """The name of a thread of the schedule."""
+        return self._threads[number]
+
+    def place(self, source: int) -> Span | None:
+        """The place of a source number."""
+        return self._files.place(source)
+
+    def line_at(self, span: Span) -> str:
+        """The source line of a span."""
+        return self._files.line_at(span)
+
+    def definition(self, serial: int) -> CycleDefinition:
+        """The definition of a cycle that has not been forgotten."""
+        return self._living[serial]
+
+    def left_in(self, manager: CycleManager) -> tuple[LivingCycle, ...]:
+        """The cycles that earlier programs have left in a channel, with the axes they name."""
+        found = []
+        for cycle in manager.loaded:
+            state = manager.state_of(cycle.slot)
+            if DEFINED <= state <= HELD:
+                known = self._living[cycle.serial]
+                found.append(LivingCycle(known.identity, known.axes, state != DEFINED))
+        return tuple(found)
+
+    # --- what fills it --------------------------------------------------------------------------
+
+    def next_cycle(self) -> tuple[int, int]:
+        """Serial number and first probe of the cycle that is defined next."""
+        return len(self._cycle_names), self._probes
+
+    def keep(self, definition: CycleDefinition, channel: int = 0) -> None:
+        """A cycle was built, in this channel where there is more than one."""
+        assert definition.serial == len(self._cycle_names)
+        name = str(definition.identity)
+        if definition.identity == 0:
+            self._anonymous[channel] = self._anonymous.get(channel, 0) + 1
+            name = f"#{self._anonymous[channel]}"
+        if channel:
+            name = f"{channel}:{name}"
+        self._cycle_names.append(name)
+        self._probes += definition.cycle.probes
+        self._latest[name] = definition
+        self._living[definition.serial] = definition
+        if self.on_cycle is not None:
+            self.on_cycle(name, definition)
+
+    def forget(self, cycles: Sequence[RealtimeCycle]) -> None:
+        """Cycles have ended for good: only their run-throughs are kept."""
+        for cycle in cycles:
+            del self._living[cycle.serial]
+            name = self._cycle_names[cycle.serial]
+            self._past_runs[name] = self._past_runs.get(name, 0) + cycle.runs
+            if "#" in name:
+                del self._latest[name]
+
+    def add_message(self, message: UserMessage) -> int:
+        """The number of a message."""
+        self._messages.append(message)
+        return len(self._messages) - 1
+
+    def add_variable(self, text: str) -> int:
+        """The number of a variable's text, the same each time."""
+        if text not in self._variable_numbers:
+            self._variable_numbers[text] = len(self._variable_texts)
+            self._variable_texts.append(text)
+        return self._variable_numbers[text]
+
+    def spindle(self, number: int) -> str:
+        """The name of a spindle of the channel."""
+        return self._spindles[number]
+
+    def name_threads(self, names: Sequence[str]) -> None:
+        """The names of the threads of a schedule."""
+        self._threads = names
+
+    def add_user_text(self, text: str) -> int:
+        """The number of a text that is told with a user error."""
+        self._user_texts.append(text)
+        return len(self._user_texts) - 1
+
+    def add_program(self, name: str) -> int:
+        """The number of a program."""
+        self._programs.append(name.replace("\\", "/").rsplit("/", 1)[-1])
+        return len(self._programs) - 1
+
+    # --- for results ----------------------------------------------------------------------------
+
+    def reactions_of(self, name: str) -> Sequence[Reaction]:
+        """The branches of the latest cycle with this name."""
+        definition = self._latest[name]
+        return [Reaction(one.span, one.frequency) for one in definition.reactions]
+
+    def frozen_in(self, name: str, span: Span | None) -> Sequence[FrozenValue]:
+        """What was frozen into the latest living cycle of this name and place (RC-302)."""
+        for serial, definition in reversed(self._living.items()):
+            if self._cycle_names[serial] == name and begins_at(definition.span, span):
+                found = definition.frozen
+                return [FrozenValue(one.name, one.value, one.span) for one in found]
+        return ()
+
+    def runs(self) -> dict[str, int]:
+        """Run-throughs of all cycles by name."""
+        runs = dict(self._past_runs)
+        for definition in self._living.values():
+            name = self._cycle_names[definition.serial]
+            runs[name] = runs.get(name, 0) + definition.cycle.runs
+        return runs

@@ -1,0 +1,374 @@
+# SPDX-License-Identifier: MIT
+"""What a scripted PLC gets in each tick: the HLI by names.
+
+Everything that it writes counts from the next tick on (RC-002).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+from nctakt.base.failure import Failure
+from nctakt.hli.layout import AXIS, CHANNEL
+from nctakt.kernel.plc.axis_requests import CLEAR_FAULT, HALT
+from nctakt.messages import diagnostic
+from nctakt.run.assembly import Machine
+from nctakt.run.variable_access import split_channel
+
+
+class AnyPlc(Protocol):
+    """What plays the PLC; a user's class need not derive from it."""
+
+    def cycle(self, hli: Interface) -> None:
+        """Take part after each tick, through the interface image."""
+
+
+#: The states of a channel in the order of their numbers.
+STATES = ("ready", "running", "error", "reset")
+
+#: How a path walks over its history, in the order of the numbers.
+RETRACES = ("front", "backward", "forward")
+
+
+@dataclass(frozen=True, slots=True)
+class TechnologyEntry:
+    """A function that waits for its acknowledgement.
+
+    ``letter`` is M or H, ``sequence`` its number among those of the same tick and section,
+    ``time_us`` the stamp, ``is_realtime`` tells that a realtime cycle has commanded it (POS_RT),
+    ``process_time_us`` is the time that the channel list gives it (P-CHAN-00040, P-CHAN-00026),
+    ``axis`` the axis or spindle that it is for (P-CHAN-00039, P-CHAN-00025), empty: the channel.
+    ``value`` is what the program gives it, as in ``M110=130``, 0 for none.
+    """
+
+    letter: str
+    number: int
+    sequence: int
+    time_us: int
+    is_realtime: bool
+    process_time_us: float
+    axis: str
+    slot: int
+    value: int = 0
+
+    @property
+    def name(self) -> str:
+        """As in a program: ``M100``."""
+        return f"{self.letter}{self.number}"
+
+    @property
+    def key(self) -> tuple[str, int]:
+        """Its place: section and slot."""
+        return "realtime" if self.is_realtime else "program", self.slot
+
+    @property
+    def stamp(self) -> tuple[int, int]:
+        """What tells it from the ones that had this place before."""
+        return self.time_us, self.sequence
+
+
+@dataclass(frozen=True, slots=True)
+class SpindleEntry:
+    """A job of a spindle that the PLC turns, until it is acknowledged.
+
+    ``function``: M 3, 4, 5 or 19. ``speed``: revolutions per minute. ``position``: degrees, that of
+    M19. ``direction`` of M19: 1 forward, -1 back, 0 the shorter way. ``speed_before``: what the
+    last job that was acknowledged has left, revolutions per minute, negative under M4.
+    """
+
+    spindle: str
+    function: int
+    speed: float
+    position: float
+    direction: int
+    time_us: int
+    speed_before: float
+    place: int
+
+    @property
+    def name(self) -> str:
+        """That of the spindle."""
+        return self.spindle
+
+    @property
+    def key(self) -> tuple[str, int]:
+        """Its place: that of the spindle."""
+        return "spindle", self.place
+
+    @property
+    def stamp(self) -> tuple[int, int]:
+        """What tells it from the spindle's jobs before."""
+        return self.time_us, self.function
+
+
+class Interface:
+    """The PLC's side of one channel; ``of_channel(2)`` is that of the second one."""
+
+    def __init__(self, machine: Machine, index: int = 0) -> None:
+        self._machine = machine
+        self._index = index
+        self._hli = machine.channels[index].hli
+
+    def of_channel(self, number: int) -> Interface:
+        """The PLC's side of a channel, from 1; ``Failure`` where there is none."""
+        count = len(self._machine.channels)
+        if not 0 < number <= count:
+            raise Failure(diagnostic(900749, channel=number, count=count))
+        return Interface(self._machine, number - 1)
+
+    @property
+    def tick(self) -> int:
+        """The tick that has just been run."""
+        return self._machine.kernel.tick - 1
+
+    @property
+    def time_us(self) -> int:
+        """The time at which it began."""
+        return self.tick * self._machine.configuration.cycle_time_us
+
+    @property
+    def cycle_time_us(self) -> int:
+        """The length of a tick."""
+        return self._machine.configuration.cycle_time_us
+
+    def channel(self) -> dict[str, float]:
+        """The state of the channel, by the names of ``hli_channel``: ``path_speed``, ``block`` …"""
+        machine = self._machine
+        panel = machine.assembled[self._index].panel
+        shown = {one.entry.name: one.cell for one in panel.values() if not one.is_command}
+        for entry in CHANNEL.entries:
+            if entry.source:
+                shown[entry.name] = machine.layout.channel_value(self._index, entry.source)
+        return {name: machine.cells[cell] for name, cell in shown.items()}
+
+    def axis(self, name: str) -> dict[str, float]:
+        """An axis, by the names of ``hli_axis``: ``command``, ``target``, ``state`` …"""
+        machine, index = self._machine, self._axis(name)
+        return {
+            entry.name: machine.cells[machine.layout.axis_value(index, entry.source)]
+            for entry in AXIS.entries
+            if entry.source
+        }
+
+    # --- single axes: what the function blocks of ``plc/axes.py`` need --------------------------
+
+    def _axis(self, name: str) -> int:
+        """The number of an axis; raises ``Failure`` (900656) where there is none."""
+        names = {axis.name: i for i, axis in enumerate(self._machine.configuration.axes)}
+        if name not in names:
+            raise Failure(diagnostic(900656, name=name, known=", ".join(names)))
+        return names[name]
+
+    def request_axis(
+        self, kind: int, name: str, value: float, speed: float, mode: int, direction: int
+    ) -> int:
+        """A request for the next tick (``kernel/plc/axis_requests.py``): its owner number."""
+        axis = self._axis(name)
+        if kind not in (HALT, CLEAR_FAULT) and not (
+            math.isfinite(value) and 0.0 < speed < math.inf
+        ):
+            raise Failure(diagnostic(900657, name=name, value=value, speed=speed))
+        owner = self._machine.kernel.requests.post(kind, axis, value, speed, mode, direction)
+        if owner == 0:
+            raise Failure(diagnostic(900658, name=name))
+        return owner
+
+    def axis_answer(self, owner: int) -> int:
+        """0 accepted, else the number of the message that refuses; -1: no tick has latched it."""
+        return self._machine.kernel.requests.answer_to(owner)
+
+    def is_axis_open(self, owner: int) -> bool:
+        """Whether what was requested runs or waits."""
+        return self._machine.kernel.requests.is_open(owner)
+
+    def is_axis_active(self, name: str, owner: int) -> bool:
+        """Whether it is what the axis does."""
+        return self._machine.kernel.requests.is_active(self._axis(name), owner)
+
+    def has_axis_arrived(self, name: str, owner: int) -> bool:
+        """Whether it has come to its target, and no motion behind it has."""
+        return self._machine.kernel.requests.has_arrived(self._axis(name), owner)
+
+    def is_axis_at_speed(self, name: str) -> bool:
+        """Whether an endless motion has its speed."""
+        return self._machine.single_axes.at_speed(self._axis(name))
+
+    def axis_fault(self, name: str) -> int:
+        """The number of the error that the axis is in."""
+        return self._machine.single_axes.fault_of(self._axis(name))
+
+    # --- M and H functions ----------------------------------------------------------------------
+
+    def functions(self) -> list[TechnologyEntry]:
+        """The functions that wait, the main program's first, then in the order of commanding."""
+        return [*self._waiting(is_realtime=False), *self._waiting(is_realtime=True)]
+
+    def _waiting(self, *, is_realtime: bool) -> Iterator[TechnologyEntry]:
+        section = self._hli.realtime if is_realtime else self._hli.program
+        cycle_time_us = self._machine.configuration.cycle_time_us
+        parameters = self._machine.assembled[self._index].parameters
+        for slot, function, sequence, tick in section.entries():
+            letter, number = ("H", -function - 1) if function < 0 else ("M", function)
+            stamp_us = tick * cycle_time_us
+            table = parameters.m_functions if letter == "M" else parameters.h_functions
+            known = table[number]
+            yield TechnologyEntry(
+                letter,
+                number,
+                sequence,
+                stamp_us,
+                is_realtime,
+                known.process_time_us,
+                known.axis_name,
+                slot,
+                section.value_of(slot),
+            )
+
+    def acknowledge(self, entry: TechnologyEntry) -> None:
+        """The PLC has taken this function."""
+        section = self._hli.realtime if entry.is_realtime else self._hli.program
+        section.acknowledge(entry.slot)
+
+    def spindle_jobs(self) -> list[SpindleEntry]:
+        """The jobs of spindles that the PLC turns, in the order of the channel list."""
+        spindles = self._machine.channels[self._index].context.spindles
+        cycle_time_us = self._machine.configuration.cycle_time_us
+        name = self._machine.registry.spindle
+        return [
+            SpindleEntry(
+                name(spindles.first_number + place),
+                function,
+                speed_v / 6.0,
+                position,
+                way,
+                tick * cycle_time_us,
+                before_v / 6.0,
+                place,
+            )
+            for place, function, speed_v, position, way, tick, before_v in spindles.jobs()
+        ]
+
+    def acknowledge_spindle(self, job: SpindleEntry) -> None:
+        """The PLC has done this job."""
+        self._machine.channels[self._index].context.spindles.acknowledge(job.place)
+
+    def acknowledge_all(self) -> None:
+        """The PLC has taken everything that waits."""
+        for job in self.spindle_jobs():
+            self.acknowledge_spindle(job)
+        for entry in self.functions():
+            self.acknowledge(entry)
+
+    def read(self, name: str) -> float | bool | str:
+        """The value of a V. variable after this tick; V.CH is not the PLC's to see (RC-309)."""
+        return self._machine.read(self._own(name))
+
+    def write(self, name: str, value: float | bool | str) -> None:
+        """A value for a V.E variable; raises ``Failure`` for a wrong name or value."""
+        self._machine.write(self._own(name), value)
+
+    @property
+    def override_pct(self) -> float:
+        """The operator's override of the path in percent."""
+        return float(self._machine.read("HLI.OVERRIDE"))
+
+    @override_pct.setter
+    def override_pct(self, value: float) -> None:
+        if not 0.0 <= value < float("inf"):
+            raise ValueError(f"an override of {value} % is not possible")
+        self._machine.write("HLI.OVERRIDE", value)
+
+    @property
+    def feed_hold(self) -> bool:
+        """Whether the path is held."""
+        return bool(self._machine.read("HLI.FEED_HOLD"))
+
+    @feed_hold.setter
+    def feed_hold(self, value: bool) -> None:
+        self._machine.write("HLI.FEED_HOLD", value)
+
+    @property
+    def single_block(self) -> bool:
+        """Whether the channel stops in front of each block (MO-6)."""
+        return bool(self._machine.read("HLI.SINGLE_BLOCK"))
+
+    @single_block.setter
+    def single_block(self, value: bool) -> None:
+        self._machine.write("HLI.SINGLE_BLOCK", value)
+
+    @property
+    def optional_stop(self) -> bool:
+        """Whether M01 stops the program as M00 does."""
+        return bool(self._machine.read("HLI.OPTIONAL_STOP"))
+
+    @optional_stop.setter
+    def optional_stop(self, value: bool) -> None:
+        self._machine.write("HLI.OPTIONAL_STOP", value)
+
+    @property
+    def backward_motion(self) -> bool:
+        """Whether backward motion on the path is commanded (MO-7)."""
+        return bool(self._machine.read("HLI.BACKWARD_MOTION"))
+
+    @backward_motion.setter
+    def backward_motion(self, value: bool) -> None:
+        self._machine.write("HLI.BACKWARD_MOTION", value)
+
+    @property
+    def retrace(self) -> str:
+        """``front``, or how the path walks over its history: ``backward`` or ``forward``."""
+        return RETRACES[int(self._machine.read("HLI.RETRACE"))]
+
+    @property
+    def history(self) -> int:
+        """How many blocks the history of the path holds now."""
+        return int(self._machine.read("HLI.HISTORY"))
+
+    @property
+    def history_size(self) -> int:
+        """How many blocks fit into it (P-STUP-00033)."""
+        return int(self._machine.read("HLI.HISTORY_SIZE"))
+
+    def start(self) -> None:
+        """Press START: the selected program begins, or goes on behind M00 or single block."""
+        self._machine.write("HLI.START", 1.0)
+
+    def reset(self) -> None:
+        """Press RESET: the program is given up, the path brakes to a stand (RC-007)."""
+        self._machine.write("HLI.RESET", 1.0)
+
+    @property
+    def state(self) -> str:
+        """``ready``, ``running``, ``error`` or ``reset``."""
+        return STATES[int(self._machine.read("HLI.STATE"))]
+
+    @property
+    def is_paused(self) -> bool:
+        """Whether single block, M00 or M01 waits for START."""
+        return bool(self._machine.read("HLI.PAUSED"))
+
+    @property
+    def is_armed(self) -> bool:
+        """Whether a selected program waits for START."""
+        return bool(self._machine.read("HLI.ARMED"))
+
+    @property
+    def error(self) -> int:
+        """The number of the error that has stopped the channel, 0 without one."""
+        return int(self._machine.read("HLI.ERROR"))
+
+    def _own(self, name: str) -> str:
+        """The name with its channel, unless it is that of a variable that a PLC does not see."""
+        prefix, _, path = split_channel(name)
+        own = self._machine.assembled[self._index].prefix if self._index else ""
+        return f"{prefix or own}{_seen(path)}"
+
+
+def _seen(name: str) -> str:
+    """The name, unless it is that of a variable that a PLC does not see."""
+    if name.upper().replace(" ", "").startswith(("V.CH.", "VS.CH.")):
+        raise Failure(diagnostic(900351, name=name))
+    return name

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: MIT
+"""What the kernel has recorded -> those who listen: sinks, histories, messages, diagnostics.
+
+In: the record of a machine's ticks. Out: rows and events at the sinks of a run, errors of the
+realtime part as diagnostics. Without a run the events are still read, and nothing else is kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.kernel.cycles.cycles import DEFINED, HELD
+from nctakt.nc.outline import ProgramText
+from nctakt.results.coverage import Coverage
+from nctakt.results.probe_log import ProbeLog
+from nctakt.results.run import SaidMessage
+from nctakt.results.user_errors import user_errors
+from nctakt.results.why import WhyReport
+from nctakt.run.assembly import Machine
+from nctakt.run.error_events import realtime_diagnostic
+from nctakt.trace.events import Event, EventChunk, EventDecoder
+from nctakt.trace.sinks import Signal, Sink, TraceHeader
+
+
+class Recording:
+    """The listeners of a machine.
+
+    ``report`` takes the diagnostics of the realtime part, but for those that ``is_told`` knows
+    already. ``on_message`` is told each message as it comes.
+    """
+
+    def __init__(
+        self,
+        machine: Machine,
+        report: Callable[[Diagnostic], None],
+        is_told: Callable[[Event], bool],
+    ) -> None:
+        self._machine = machine
+        self._report = report
+        self._is_told = is_told
+        self._events = EventDecoder(machine.configuration.cycle_time_us, machine.registry)
+        self._sinks: Sequence[Sink] = ()
+        self._probes: ProbeLog | None = None
+        self.on_message: Callable[[SaidMessage], None] | None = None
+
+    def open(
+        self,
+        sinks: Sequence[Sink],
+        signals: Sequence[str] | None,
+        records: bool,
+        record_writes: bool,
+        why: bool,
+    ) -> None:
+        """Record for these sinks: rows and writes of cycles only where something ``records``.
+
+        Raises ``Failure`` for unknown signals.
+        """
+        header = self._select(signals, records, record_writes)
+        self._sinks = sinks
+        for sink in sinks:
+            sink.open(header)
+        self._probes = self._probe_log() if why else None
+        self._machine.record.records_series = why
+
+    def close(self) -> None:
+        """The run is over."""
+        for sink in self._sinks:
+            sink.close()
+        self._sinks = ()
+
+    def drain(self) -> None:
+        """Hand on what the kernel has recorded."""
+        record = self._machine.record
+        rows_count = record.row_count
+        first_tick = self._machine.kernel.tick - rows_count
+        probes, event_rows = record.take_probes(), record.take_events()
+        if self._probes is not None:
+            self._probes.add(probes, event_rows)
+        events = EventChunk(self._events, event_rows)
+        rows = memoryview(record.take_rows()).cast("d")
+        if len(events):
+            self._watch(events)
+        for sink in self._sinks:
+            if len(events):
+                sink.events(events)
+            if rows_count:
+                sink.rows(first_tick, rows, record.signal_count)
+
+    def why(
+        self, first_tick: int, texts: Sequence[ProgramText]
+    ) -> tuple[WhyReport | None, Coverage | None]:
+        """What was gathered of the conditions since ``open``, if it was asked for."""
+        log = self._probes
+        if log is None:
+            return None, None
+        self._probes = None
+        self._machine.record.records_series = False
+        ticks = self._machine.kernel.tick - first_tick
+        cycle_time_us = self._machine.configuration.cycle_time_us
+        histories = log.histories(texts)
+        report = WhyReport(cycle_time_us, first_tick, ticks, histories, log.left_out)
+        return report, log.coverage(histories)
+
+    def _probe_log(self) -> ProbeLog:
+        """What gathers the histories of conditions, those of living cycles from now on."""
+        machine = self._machine
+        living = [
+            (machine.registry.definition(cycle.serial), manager.state_of(cycle.slot))
+            for manager in (channel.manager for channel in machine.channels)
+            for cycle in manager.loaded
+            if DEFINED <= manager.state_of(cycle.slot) <= HELD
+        ]
+        return ProbeLog(machine.registry, machine.kernel.tick, living)
+
+    def _watch(self, events: EventChunk) -> None:
+        """Messages are said as they come; errors of the realtime part become diagnostics."""
+        machine = self._machine
+        raised = iter(user_errors(events))
+        for event, subject in zip(events, events.subjects(), strict=True):
+            if event.kind == "message" and self.on_message is not None:
+                exclusive, unbroken, file = machine.registry.message_style(subject)
+                said = SaidMessage(
+                    event.time_us, event.text, exclusive, unbroken, event.channel, file
+                )
+                self.on_message(said)
+            elif event.kind == "user_error":
+                report = next(raised)
+                line = "" if report.span is None else machine.files.line_at(report.span)
+                self._report(report.diagnostic(machine.configuration.user_texts, line))
+            elif event.kind in ("error", "warning") and not self._is_told(event):
+                self._report(realtime_diagnostic(event, machine))
+
+    def _select(
+        self, names: Sequence[str] | None, records: bool, record_writes: bool
+    ) -> TraceHeader:
+        """Choose the signals of the trace; unknown ones raise ``Failure`` with the nearest."""
+        machine = self._machine
+        known = machine.signals()
+        if names is None:
+            names = machine.default_signals()
+        unknown = [name for name in names if name not in known]
+        if unknown:
+            raise Failure(*(machine.unknown_signal(name) for name in unknown))
+        machine.record.select([known[name][0] for name in names] if records else [])
+        machine.record.records_writes = records and record_writes
+        signals = tuple(Signal(name, known[name][1], known[name][2]) for name in names)
+        return TraceHeader(machine.configuration.cycle_time_us, signals if records else ())

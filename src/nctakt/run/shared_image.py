@@ -1,0 +1,368 @@
+# SPDX-License-Identifier: MIT
+"""The HLI as a PLC or another process sees it: one memory, with the packed V.E variables in it.
+
+In: a machine. Out: descriptions of the layout (``image_layout``, ``describe_hli_c``; for the V.E
+variables ``describe``, ``describe_c``), and the live image of a running controller
+(``Controller.interface_image``), in memory of this process or in named shared memory. The V.E
+variables have one section for GLOBAL and one for each channel; V.CH is in none. What the PLC writes
+into its places counts from the next tick on, what the tick does is in it at the end of the tick
+(``kernel/plc/interface_image.py``).
+"""
+
+from __future__ import annotations
+
+import contextlib
+import struct
+import weakref
+from collections.abc import Iterator, Mapping, Sequence
+from multiprocessing.shared_memory import SharedMemory
+from types import TracebackType
+
+from nctakt.base.failure import Failure
+from nctakt.hli.header import describe_hli_c
+from nctakt.hli.layout import (
+    AXIS,
+    CHANNEL,
+    COMMAND,
+    HEADER,
+    LAMPS,
+    LINK,
+    MAGIC,
+    PANEL,
+    SPINDLE,
+    SPINDLE_COMMAND,
+    VERSION,
+    Structure,
+)
+from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
+from nctakt.hli.variables_c_header import describe_c
+from nctakt.hli.variables_memory import Section, describe, image_bytes, sections
+from nctakt.kernel.kernel import Kernel
+from nctakt.kernel.plc.image_slots import SectionUnits, SpindleUnits, Units
+from nctakt.kernel.plc.interface_image import KINDS
+from nctakt.kernel.tick.channel import Channel
+from nctakt.lists.declared.technology_functions import MOST_FUNCTIONS, TechnologyFunction
+from nctakt.lists.machine.channel_configuration import Spindle
+from nctakt.lists.machine.machine import ChannelConfiguration, MachineConfiguration
+from nctakt.lists.machine.variables_layout import Field, fields, pack_of
+from nctakt.messages import diagnostic
+from nctakt.nc.vocabulary.cells import CELL_BYTES
+from nctakt.nc.vocabulary.variable_table import SPINDLE_VALUES, Layout
+
+__all__ = [
+    "Field",
+    "ImageLayout",
+    "InterfaceImage",
+    "Section",
+    "describe",
+    "describe_c",
+    "describe_hli_c",
+    "image_bytes",
+    "image_layout",
+    "sections",
+]
+
+#: A row of ``kernel.plc.interface_image``: byte, kind, cell, bytes, whether the PLC may write it.
+_Row = tuple[int, int, int, int, bool]
+
+
+class InterfaceImage:
+    """The live image of a controller; also a context manager.
+
+    ``memory``: all its bytes, ``layout`` says what stands where; ``external`` are those of the V.E
+    variables, and ``section`` gives those of one scope. ``name`` is that of the shared memory,
+    ``None`` without. Closing it releases the views and removes the shared memory; it is done at the
+    latest when the controller goes, and by the system's helper when the process dies.
+    """
+
+    def __init__(
+        self,
+        machine: MachineConfiguration,
+        kernel: Kernel,
+        channels: Sequence[Channel],
+        cells: Layout,
+        name: str | None = None,
+    ) -> None:
+        """``channels``: of the realtime part; ``cells``: where values live in the memory."""
+        if kernel.image.is_attached:
+            raise Failure(diagnostic(900347))
+        self.name = name
+        self.layout = layout = image_layout(machine)
+        self._sections = sections(machine)
+        shared = None if name is None else _create(name, layout.size)
+        buffer = memoryview(bytearray(layout.size)) if shared is None else shared.buf
+        assert buffer is not None
+        self.memory = buffer[: layout.size]
+        self.external = self.memory[layout.ve_offset :]
+        _put_header(self.memory, layout, machine)
+        published = memoryview(bytearray(layout.size))
+        pack = pack_of(machine.startup.member_alignment)
+        kernel.image.attach(
+            self.memory,
+            published,
+            [*_hli_rows(layout, cells), *_external_rows(layout, self._sections, pack, cells)],
+            _units(channels, self.memory, published, layout, machine),
+            entry(HEADER, "sequence").offset,
+            layout.command_offset,
+            kernel.tick,
+        )
+        self._put_header_value("ready", 1)
+        self._resources = _Resources(kernel, (self.external, self.memory), shared)
+        self._last_resort = weakref.finalize(self, self._resources.give_up)
+
+    def section(self, channel: int = 0) -> memoryview:
+        """The bytes of the V.E variables of one scope, writable: 0 for GLOBAL, else a channel's.
+
+        Release it before the image is closed.
+        """
+        one = self._sections[channel]
+        return self.external[one.offset : one.offset + one.size_bytes]
+
+    # --- the handshake --------------------------------------------------------------------------
+
+    @property
+    def plc_is_present(self) -> bool:
+        """Whether a PLC says that it is there: ``plc_present`` of the first channel."""
+        place = self.layout.command(0) + entry(COMMAND, "plc_present").offset
+        return self.memory[place] != 0
+
+    def hand_over(self) -> None:
+        """It is the PLC's turn."""
+        place = entry(HEADER, "turn").offset
+        (turn,) = struct.unpack_from("=Q", self.memory, place)
+        struct.pack_into("=Q", self.memory, place, turn + 1)
+
+    @property
+    def is_handed_back(self) -> bool:
+        """Whether the PLC has answered since ``hand_over``."""
+        place = self.layout.link_offset + entry(LINK, "turn").offset
+        (ours,) = struct.unpack_from("=Q", self.memory, entry(HEADER, "turn").offset)
+        (theirs,) = struct.unpack_from("=Q", self.memory, place)
+        return bool(ours == theirs)
+
+    def _put_header_value(self, name: str, value: int) -> None:
+        struct.pack_into("=I", self.memory, entry(HEADER, name).offset, value)
+
+    # --- its end --------------------------------------------------------------------------------
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether the controller has left it."""
+        return self._resources.kernel is None
+
+    def close(self) -> None:
+        """Take the image from the controller; twice is no harm.
+
+        Raises ``Failure`` (900348) while views of shared memory live: release them and close it
+        again. Nobody can open the shared memory any longer, whatever comes of that.
+        """
+        self._resources.close()
+        self._last_resort.detach()
+
+    def __enter__(self) -> InterfaceImage:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self.close()
+
+
+class _Resources:
+    """What an image holds, given back in the order that works: kernel, view, shared memory."""
+
+    def __init__(
+        self, kernel: Kernel, views: Sequence[memoryview], shared: SharedMemory | None
+    ) -> None:
+        self.kernel: Kernel | None = kernel
+        self._views = views
+        self._shared = shared
+
+    def close(self) -> None:
+        """Give everything back that is not yet; raises ``Failure`` (900348)."""
+        if self.kernel is not None:
+            struct.pack_into("=I", self._views[-1], entry(HEADER, "ready").offset, 0)
+            self.kernel.image.detach()
+            self.kernel = None
+            if self._shared is not None:
+                self._shared.unlink()
+        try:
+            for view in self._views:
+                view.release()
+            if self._shared is not None:
+                self._shared.close()
+        except BufferError as error:
+            raise Failure(diagnostic(900348)) from error
+        self._shared = None
+
+    def give_up(self) -> None:
+        """As ``close``, when nobody is left to tell."""
+        with contextlib.suppress(Failure):
+            self.close()
+
+
+def _put_header(memory: memoryview, layout: ImageLayout, machine: MachineConfiguration) -> None:
+    """What never changes: the begin of the image, the names of the axes."""
+    values = {
+        "version": VERSION,
+        "size": layout.size,
+        "cycle_time_us": machine.cycle_time_us,
+        "channels": layout.channels,
+        "channel_offset": layout.channel_offset,
+        "channel_size": size_of(CHANNEL),
+        "axes": layout.axes,
+        "axis_offset": layout.axis_offset,
+        "axis_size": size_of(AXIS),
+        "spindles": layout.spindles,
+        "spindle_offset": layout.spindle_offset,
+        "spindle_size": size_of(SPINDLE),
+        "spindle_command_offset": layout.spindle_command_offset,
+        "spindle_command_size": size_of(SPINDLE_COMMAND),
+        "command_offset": layout.command_offset,
+        "command_size": size_of(COMMAND),
+        "link_offset": layout.link_offset,
+        "ve_offset": layout.ve_offset,
+        "ve_size": layout.ve_size,
+    }
+    for name, value in values.items():
+        struct.pack_into("=I", memory, entry(HEADER, name).offset, value)
+    memory[: len(MAGIC)] = MAGIC
+    for index, axis in enumerate(machine.axes):
+        _put_name(memory, AXIS, layout.axis(index), axis.name)
+        _put_number(memory, AXIS, layout.axis(index), "logical", axis.logical_number)
+    for index, (channel, spindle) in enumerate(_spindles(machine)):
+        place = layout.spindle(index)
+        _put_name(memory, SPINDLE, place, spindle.name)
+        _put_number(memory, SPINDLE, place, "logical", spindle.logical_number)
+        _put_number(memory, SPINDLE, place, "channel", channel)
+        _put_number(memory, SPINDLE, place, "plc_controlled", int(spindle.plc_controlled))
+
+
+def _spindles(machine: MachineConfiguration) -> Iterator[tuple[int, Spindle]]:
+    """Each spindle of the machine with the number of its channel."""
+    for channel in machine.channels:
+        for spindle in channel.parameters.spindles:
+            yield channel.number, spindle
+
+
+def _put_name(memory: memoryview, structure: Structure, first: int, name: str) -> None:
+    placed = entry(structure, "name")
+    characters = name.encode("cp1252", "replace")[: placed.size_bytes - 1]
+    place = first + placed.offset
+    memory[place : place + len(characters)] = characters
+
+
+def _put_number(
+    memory: memoryview, structure: Structure, first: int, name: str, value: int
+) -> None:
+    struct.pack_into("=I", memory, first + entry(structure, name).offset, value)
+
+
+def _hli_rows(layout: ImageLayout, cells: Layout) -> Iterator[_Row]:
+    """Rows of what channels and axes show, and of what the PLC commands."""
+    for index in range(layout.channels):
+        for placed in entries(CHANNEL):
+            if placed.entry in LAMPS:
+                cell = cells.panel_cell(index) + len(PANEL) + LAMPS.index(placed.entry)
+            else:
+                cell = cells.channel_value(index, placed.entry.source)
+            kind = KINDS[placed.entry.type]
+            yield layout.channel(index) + placed.offset, kind, cell, placed.size_bytes, False
+        for placed in entries(COMMAND):
+            if placed.entry in PANEL:
+                cell = cells.panel_cell(index) + PANEL.index(placed.entry)
+                kind = KINDS[placed.entry.type]
+                yield layout.command(index) + placed.offset, kind, cell, placed.size_bytes, True
+    for index in range(layout.axes):
+        for placed in entries(AXIS):
+            if placed.entry.source:
+                cell = cells.axis_value(index, placed.entry.source)
+                kind = KINDS[placed.entry.type]
+                yield layout.axis(index) + placed.offset, kind, cell, placed.size_bytes, False
+    for index in range(layout.spindles):
+        for place, value in enumerate(SPINDLE_VALUES):
+            placed = next(one for one in entries(SPINDLE) if one.entry.source == value.path)
+            cell = cells.spindle_cell(0) + len(SPINDLE_VALUES) * index + place
+            kind = KINDS[placed.entry.type]
+            yield layout.spindle(index) + placed.offset, kind, cell, placed.size_bytes, False
+
+
+def _external_rows(
+    layout: ImageLayout, parts: Sequence[Section], pack: int, cells: Layout
+) -> Iterator[_Row]:
+    """Rows of each number and string of the V.E variables."""
+    for section in parts:
+        for placed in section.placed:
+            cell = cells.external[(section.channel, placed.variable.name)]
+            for field in fields(placed, pack):
+                for index in range(max(1, field.count)):
+                    offset = section.offset + field.offset + index * field.size_bytes
+                    place = layout.ve_offset + offset
+                    yield place, KINDS[field.type], cell, field.size_bytes, True
+                    cell += -(-field.size_bytes // CELL_BYTES)
+
+
+def _units(
+    channels: Sequence[Channel],
+    memory: memoryview,
+    published: memoryview,
+    layout: ImageLayout,
+    machine: MachineConfiguration,
+) -> Units:
+    """What waits for the PLC in all channels, the last one first."""
+    units = Units()
+    cycle_time_us = machine.cycle_time_us
+    for index, channel in reversed(list(enumerate(channels))):
+        hli, spindles = channel.hli, channel.context.spindles
+        units = SpindleUnits(
+            spindles,
+            memory,
+            published,
+            layout.spindle(spindles.first_number) + entry(SPINDLE, "job").offset,
+            size_of(SPINDLE),
+            layout.spindle_command(spindles.first_number)
+            + entry(SPINDLE_COMMAND, "ack_job").offset,
+            size_of(SPINDLE_COMMAND),
+            cycle_time_us,
+            units,
+        )
+        own = machine.channels[index]
+        for section, name in ((hli.realtime, "realtime"), (hli.program, "program")):
+            units = SectionUnits(
+                section,
+                memory,
+                published,
+                layout.channel(index) + unit_offset(CHANNEL, name),
+                layout.command(index) + entry(COMMAND, f"ack_{name}").offset,
+                cycle_time_us,
+                _axes_of(own.parameters.m_functions, own),
+                _axes_of(own.parameters.h_functions, own),
+                units,
+            )
+    return units
+
+
+def _axes_of(
+    functions: Mapping[int, TechnologyFunction], channel: ChannelConfiguration
+) -> bytearray:
+    """The logical number of the axis or spindle for each number of a function, 0: none."""
+    numbers = {axis.name: axis.logical_number for axis in channel.axes}
+    numbers |= {one.name: one.logical_number for one in channel.parameters.spindles}
+    table = bytearray(8 * MOST_FUNCTIONS)
+    for function in functions.values():
+        logical = numbers.get(function.axis_name, 0)
+        struct.pack_into("=q", table, 8 * function.number, logical)
+    return table
+
+
+def _create(name: str, size: int) -> SharedMemory:
+    """New shared memory, all zero."""
+    try:
+        return SharedMemory(name, create=True, size=size)
+    except FileExistsError as error:
+        raise Failure(diagnostic(900349, name=name)) from error
+    except (OSError, ValueError) as error:
+        raise Failure(diagnostic(900350, name=name, reason=str(error))) from error

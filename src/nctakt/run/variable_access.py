@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: MIT
+"""Variables by name, for all who are outside of programs: API, command line, scripted PLC.
+
+In: names such as ``V.E.LIST[3]`` and values. Out: the values of now, and writes that the next tick
+latches (RC-002). Values are checked when they come (RC-307); what cannot be is a ``Failure``.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from nctakt.base.failure import Failure
+from nctakt.base.text import nearest
+from nctakt.hli.layout import PREFIX, PanelValue
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.kernel import Kernel
+from nctakt.lists.declared.variables import SCALARS
+from nctakt.messages import diagnostic
+from nctakt.nc.vocabulary import strings
+from nctakt.nc.vocabulary.cells import CELL_BYTES
+from nctakt.nc.vocabulary.variable_table import Location, NameTable, NotFound
+
+_CHANNEL = re.compile(r"\s*[Cc][Hh](\d{1,4})\.")
+
+
+def split_channel(name: str) -> tuple[str, int, str]:
+    """``CH2.V.E.X`` -> ``("CH2.", 2, "V.E.X")``; channel 1 for a name without one."""
+    match = _CHANNEL.match(name)
+    if match is None:
+        return "", 1, name
+    return match[0].strip(), int(match[1]), name[match.end() :]
+
+
+@dataclass(frozen=True, slots=True)
+class Write:
+    """A checked value on its way to the cells from ``cell`` on."""
+
+    cell: int
+    value: float | bytes
+
+
+class VariableAccess:
+    """The variables of all channels, with the writes that wait for the next tick.
+
+    ``CH2.V.E.X`` is that of the second channel; without a channel a name is the first one's.
+    ``panels`` are the operator's values of each channel.
+    """
+
+    def __init__(
+        self,
+        names: Sequence[NameTable],
+        panels: Sequence[Mapping[str, PanelValue]],
+        memory: bytearray,
+        kernel: Kernel,
+    ) -> None:
+        self._names = names
+        self._panels = panels
+        self._bytes = memoryview(memory)
+        self._cells = self._bytes.cast("d")
+        self._kernel = kernel
+        self._pending: dict[int, float | bytes] = {}
+
+    def _find(self, name: str) -> tuple[Location, int]:
+        prefix, number, path = split_channel(name)
+        names = self._names[self._index(number)]
+        found = names.resolve_text(path)
+        if isinstance(found, NotFound):
+            near = found.nearest or nearest(path, (known for known, _, _ in names.values()))
+            if near:
+                raise Failure(diagnostic(900541, name=name, nearest=f"{prefix}{near}"))
+            raise Failure(diagnostic(900540, name=name))
+        return found
+
+    def _find_panel(self, name: str) -> PanelValue | None:
+        """The operator's value of this name; ``None`` for a variable."""
+        prefix, number, path = split_channel(name)
+        upper = path.strip().upper()
+        if not upper.startswith(PREFIX):
+            return None
+        panel = self._panels[self._index(number)]
+        found = panel.get(upper)
+        if found is None:
+            near = f"{prefix}{nearest(upper, panel)}"
+            raise Failure(diagnostic(900541, name=name, nearest=near))
+        return found
+
+    def _index(self, number: int) -> int:
+        if not 0 < number <= len(self._names):
+            raise Failure(diagnostic(900749, channel=number, count=len(self._names)))
+        return number - 1
+
+    def read(self, name: str) -> float | bool | str:
+        """The value of a variable; a value that waits for the next tick is read already."""
+        shown = self._find_panel(name)
+        if shown is not None:
+            value = self._pending.get(shown.cell, self._cells[shown.cell])
+            assert isinstance(value, float)
+            return value != 0.0 if shown.entry.type == "BOOLEAN" else value
+        location, cell = self._find(name)
+        pending = self._pending.get(cell)
+        if not location.is_numeric:
+            if isinstance(pending, bytes):
+                return strings.decode(pending)
+            return strings.read(self._bytes, cell, location.size_bytes)
+        value = pending if isinstance(pending, float) else self._cells[cell]
+        return value != 0.0 if location.type == "BOOLEAN" else value
+
+    def check(self, name: str, value: float | bool | str) -> Write:
+        """The converted value; ``Failure`` where there is no such variable or it cannot hold it."""
+        shown = self._find_panel(name)
+        if shown is not None:
+            return _command(shown, value)
+        location, cell = self._find(name)
+        if location.family in ("RTG", "RTA"):
+            raise Failure(diagnostic(900542, name=name))
+        if isinstance(value, str) == location.is_numeric:
+            raise Failure(diagnostic(900543, name=name, type=location.type, value=value))
+        if isinstance(value, str):
+            return Write(cell, _characters(name, location, value))
+        return Write(cell, _number(name, location.type, float(value)))
+
+    def write(self, name: str, value: float | bool | str) -> None:
+        """A value for the next tick."""
+        write = self.check(name, value)
+        self._pending[write.cell] = write.value
+
+    def post_writes(self) -> None:
+        """Put what was written into the image that the next tick latches."""
+        for cell, value in self._pending.items():
+            if isinstance(value, bytes):
+                self._kernel.post_bytes(cell, value)
+            else:
+                self._kernel.post(cell, value)
+        self._pending.clear()
+
+    def apply_writes(self) -> None:
+        """Values before the first tick are there at once, so that the decoder sees them."""
+        for cell, value in self._pending.items():
+            if isinstance(value, bytes):
+                strings.write(self._bytes, cell, value)
+            else:
+                self._cells[cell] = value
+        self._pending.clear()
+
+
+def _characters(name: str, location: Location, text: str) -> bytes:
+    """The bytes of a text, up to the end of the last cell that they stand in."""
+    size = location.size_bytes
+    wrong = strings.misfit(name, location.type, size, text)
+    if wrong is not None:
+        raise Failure(diagnostic(wrong[0], None, "", **wrong[1]))
+    return strings.encode(text, size).ljust(-(-size // CELL_BYTES) * CELL_BYTES, b"\0")
+
+
+def _command(shown: PanelValue, value: float | bool | str) -> Write:
+    """An operator's command; the override is no less than 0."""
+    if not shown.is_command:
+        raise Failure(diagnostic(900542, name=shown.name))
+    if isinstance(value, str):
+        raise Failure(diagnostic(900543, name=shown.name, type=shown.entry.type, value=value))
+    number = _number(shown.name, shown.entry.type, float(value))
+    if number < 0.0:
+        largest = SCALARS["REAL64"].high
+        raise Failure(diagnostic(50892, variable=shown.name, value=number, low=0, high=largest))
+    return Write(shown.cell, number)
+
+
+def _number(name: str, type_: str, number: float) -> float:
+    """The number as a variable of this type takes it (RC-307)."""
+    if not math.isfinite(number):
+        raise Failure(diagnostic(50893, name=name, value=number))
+    scalar = SCALARS[type_]
+    if type_ == "BOOLEAN":
+        number = 1.0 if arithmetic.is_true(number) else 0.0
+    elif scalar.is_integer:
+        number = arithmetic.round_half_even(number)
+    if not scalar.low <= number <= scalar.high:
+        raise Failure(
+            diagnostic(50892, variable=name, value=number, low=scalar.low, high=scalar.high)
+        )
+    return number

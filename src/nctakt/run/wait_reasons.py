@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+"""What holds a program up when a run comes to its limit, said to the user in one place.
+
+In: a channel of the realtime part (``kernel.tick.channel.Channel.awaits``). Out: a note with the
+block, its line, and what the program waits for there, or none where it is at work.
+"""
+
+from __future__ import annotations
+
+from nctakt.base.diagnostics import Diagnostic, Text
+from nctakt.base.source_ids import statement_span
+from nctakt.messages import diagnostic
+from nctakt.run.assembly import Machine
+
+#: What the realtime part calls by these words.
+AWAITED = {
+    "program start": Text("START of the selected program", "START des angewählten Programms"),
+    "programmed stop": Text("START behind M00 or M01", "START nach M00 oder M01"),
+    "single block": Text("START, in single block", "START, im Einzelsatz"),
+    "reset": Text("RESET: the channel is in error state", "RESET: der Kanal ist im Fehlerzustand"),
+    "forward": Text(
+        "forward: backward motion is commanded",
+        "Vorwärtsfahren: Rückwärtsfahren ist befohlen",
+    ),
+    "feed hold": Text("the end of the feed hold", "das Ende des Vorschubhalts"),
+    "override": Text(
+        "an override above 0: the operator's is 0 %",
+        "einen Override über 0: der des Bedieners ist 0 %",
+    ),
+    "cycle override": Text(
+        "an override above 0: a realtime cycle sets V.RTG.OVERRIDE.VEL.CYCLE to 0 %",
+        "einen Override über 0: ein Echtzeit-Zyklus setzt V.RTG.OVERRIDE.VEL.CYCLE auf 0 %",
+    ),
+    "spindle turns": Text(
+        "the spindle {name} to turn: feed per revolution (G95)",
+        "die Drehung der Spindel {name}: Vorschub je Umdrehung (G95)",
+    ),
+    "spindle": Text(
+        "speed or position of the spindle {name}", "Drehzahl oder Position der Spindel {name}"
+    ),
+    "spindle acknowledged": Text(
+        "the PLC's acknowledgement of the job of spindle {name}",
+        "die Quittung der SPS für den Auftrag der Spindel {name}",
+    ),
+    "free place": Text(
+        "a free place in the HLI for {name}: the PLC has not acknowledged those before",
+        "einen freien Platz im HLI für {name}: die SPS hat frühere nicht quittiert",
+    ),
+    "acknowledgement": Text(
+        "the PLC's acknowledgement of {name}", "die Quittung der SPS für {name}"
+    ),
+    "axis": Text(
+        "the axis {name}, which moves on its own", "die Achse {name}, die sich allein bewegt"
+    ),
+}
+
+
+def awaited(machine: Machine, index: int) -> Diagnostic | None:
+    """What the program of this channel waits for, ``None`` where nothing holds it up."""
+    word, source, detail = machine.channels[index].awaits()
+    if not word:
+        return None
+    text = AWAITED[word]
+    name = _name(machine, word, detail)
+    place = machine.files.place(source)
+    line = "" if place is None else machine.files.line_at(place)
+    return diagnostic(
+        900820,
+        statement_span(place, line),
+        line,
+        awaited_en=text.en.format(name=name),
+        awaited_de=text.de.format(name=name),
+    )
+
+
+def _name(machine: Machine, word: str, detail: int) -> str:
+    """The name of what is waited for, where it has one."""
+    if word.startswith("spindle"):
+        return machine.registry.spindle(detail)
+    if word == "axis":
+        return machine.registry.axis(detail)
+    return f"H{-detail - 1}" if detail < 0 else f"M{detail}"

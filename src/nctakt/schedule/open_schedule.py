@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""A scheduling list and its load as files -> what gives a controller its time.
+
+In: paths. Out: ``RunSchedule``, or a ``Failure`` with all that is wrong. What a list that can be
+used only with a replacement means stays with whoever looks at the list: a controller needs one
+without errors.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.base.failure import Failure
+from nctakt.base.text import decode_text
+from nctakt.lists.declared.rtconf import RtconfConfiguration
+from nctakt.lists.machine.scheduling import load_rtconf
+from nctakt.lists.machine.scheduling_profile import RtconfOptions
+from nctakt.messages import Collector, diagnostic
+from nctakt.schedule.assemble import assemble
+from nctakt.schedule.load import ASSUMED, Load, read_load
+from nctakt.schedule.model import Model
+
+#: Errors of a list with a load that leave a schedule: the operating system places the thread.
+PLACED = (1000180, 1000181)
+
+
+@dataclass(frozen=True, slots=True)
+class RunSchedule:
+    """A schedule that a controller can run by; ``base.diagnostics``: what was found in list and
+    load."""
+
+    file: str
+    configuration: RtconfConfiguration
+    model: Model
+    load: Load
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def read_file(path: str | Path) -> bytes:
+    """The content of a file; raises ``Failure``."""
+    if not Path(path).exists():
+        raise Failure(diagnostic(900500, file=str(path)))
+    if Path(path).is_dir():
+        raise Failure(diagnostic(900501, file=str(path)))
+    try:
+        return Path(path).read_bytes()
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise Failure(diagnostic(900503, file=str(path), reason=reason)) from error
+
+
+def open_schedule(
+    rtconf: str | Path, load: str | Path | None = None, options: RtconfOptions | None = None
+) -> RunSchedule:
+    """Read a list and a load (without one the assumed times); raises ``Failure``."""
+    options = options or RtconfOptions()
+    collector = Collector()
+    configuration = load_rtconf(str(rtconf), read_file(rtconf), collector, options)
+    times = ASSUMED
+    if load is not None:
+        times = read_load(str(load), decode_text(read_file(load)).text, collector)
+    if collector.has_errors:
+        raise Failure(*collector.diagnostics)
+    model = assemble(configuration, times, options.profile, collector)
+    errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
+    if any(one.id not in PLACED for one in errors):
+        raise Failure(*collector.diagnostics)
+    return RunSchedule(str(rtconf), configuration, model, times, tuple(collector.diagnostics))

@@ -79,7 +79,7 @@ class Way:
 
 
 class MotionProgram:
-    """The program of a seed: ``base.text``, and ``ways``, by the numbers of its blocks."""
+    """The program of a seed: ``text``, and ``ways``, by the numbers of its blocks."""
 
     def __init__(self, seed: int, slopes: tuple[str, ...], size: int = 45) -> None:
         self.chance = Random(seed)

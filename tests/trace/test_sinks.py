@@ -52,7 +52,7 @@ def feed(sink: Sink, cuts: tuple[int, ...] = (4,), first_tick: int = 0) -> None:
 
 
 def assert_same(trace: Trace) -> None:
-    """``trace`` holds what ``run.queue_feeder`` gave."""
+    """``trace`` holds what ``feed`` gave."""
     assert list(trace) == ["X.ACS.ACT_POS", "BLOCK", "V.E.A[0,1]"]
     assert [trace[name].tolist() for name in trace] == [
         list(column) for column in zip(*ROWS, strict=True)

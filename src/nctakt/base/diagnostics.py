@@ -84,7 +84,7 @@ class Message:
     """An entry of the catalogue.
 
     ``id`` is its identity: the controller's own number, or one of ours from 900000 on.
-    ``base.text`` and ``remedy`` are format strings over the names in ``parameters``, whose values
+    ``text`` and ``remedy`` are format strings over the names in ``parameters``, whose values
     say what each one means. ``reaction`` and ``clearing`` are the controller's classes for what an
     error does and what clears it (0: it has none; ``messages/classes.py`` says what they mean).
     ``cause`` tells, for explanation, what text and remedy do not; ``known_as`` are other numbers

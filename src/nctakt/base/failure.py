@@ -12,7 +12,7 @@ from nctakt.base.diagnostics import Diagnostic
 
 
 class Failure(Exception):
-    """``base.diagnostics`` say what is wrong, at least one; the exception's text is theirs."""
+    """``diagnostics`` say what is wrong, at least one; the exception's text is theirs."""
 
     def __init__(self, *diagnostics: Diagnostic) -> None:
         assert diagnostics

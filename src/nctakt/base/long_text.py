@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Text files of any length -> their lines, without having all of them in memory.
 
-In: a file. Out: a sequence of lines. The rules are those of ``base.text.py``; a short file is read
+In: a file. Out: a sequence of lines. The rules are those of ``base/text.py``; a short file is read
 at once. Of a long one the encoding and the places of some lines are found in one pass, then lines
 are read where they are asked for: forward without delay, elsewhere by a step back to the last known
 place.

@@ -70,7 +70,7 @@ def is_binary(data: bytes) -> bool:
 
 
 def split_lines(text: str) -> list[str]:
-    r"""The lines of ``base.text`` without their ends, which are ``\r\n``, ``\n`` and ``\r`` only.
+    r"""The lines of ``text`` without their ends, which are ``\r\n``, ``\n`` and ``\r`` only.
 
     ``str.splitlines`` would also split at form feeds and other separators that may stand inside a
     comment. A line end at the very end of the text does not begin another line.

@@ -101,7 +101,7 @@ class OutputFile:
         self._is_new = False
 
     def write(self, text: str) -> None:
-        """Append ``base.text`` to what this command has written."""
+        """Append ``text`` to what this command has written."""
         try:
             if not self._is_new and stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
                 self._file.truncate(0)

@@ -2,7 +2,7 @@
 """What stands in the HLI: one declaration of each value, from which all else is made.
 
 Structures of values, as a PLC sees them in memory (``hli/places.py`` gives each its bytes). Made
-from them are the table that the tick works with (``run.shared_image.py``), the C header
+from them are the table that the tick works with (``run/shared_image.py``), the C header
 (``hli/header.py``), the document ``docs/reference/hli.md``. ``PANEL`` are the operator's commands
 and ``LAMPS`` what the channel shows for them; each has a cell in the memory, in this order
 (``kernel/plc/panel.py``). From outside they are called ``HLI.OVERRIDE``, ``HLI.STATE`` …

@@ -62,7 +62,7 @@ class Constant(Expression):
 class Name(Expression):
     """A bare word as a value, as in ``SCOPE = BLOCK`` or ``MSG = report.txt``.
 
-    ``name`` is in upper case, ``base.text`` as written.
+    ``name`` is in upper case, ``text`` as written.
     """
 
     name: str
@@ -403,7 +403,7 @@ class CycleControl(Statement):
 
 @dataclass(frozen=True, slots=True)
 class Flush(Statement):
-    """``#FLUSH``, ``#FLUSH WAIT``, ``#FLUSH CONTINUE``: ``base.mode`` is ``None``, WAIT,
+    """``#FLUSH``, ``#FLUSH WAIT``, ``#FLUSH CONTINUE``: ``mode`` is ``None``, WAIT,
     CONTINUE."""
 
     mode: Literal["WAIT", "CONTINUE"] | None

@@ -24,7 +24,7 @@ Wait = Callable[[Callable[[], bool]], bool]
 
 
 class PartnerPlc:
-    """The PLC that looks at ``run.shared_image`` from another process.
+    """The PLC that looks at ``image`` from another process.
 
     ``cycle`` raises ``PlcError`` where it does not answer in time (900651) or has gone (900652).
     """

@@ -13,7 +13,7 @@
         def clamp(self, hli, function):
             ...
 
-Spindles that the PLC turns get their jobs in the same way: ``run.spindle_setup`` says when they are
+Spindles that the PLC turns get their jobs in the same way: ``spindles`` says when they are
 done, ``@on("S3")`` gets each one.
 
 What is done behind tick n counts from tick n + 1 on (RC-002). Behind each tick come, in this order:
@@ -97,7 +97,7 @@ class _Memory:
 class Plc:
     """Derive from it. ``acknowledge``: a policy; ``inputs``: a CSV file beside the PLC's own.
 
-    ``run.spindle_setup``: the policy for the jobs of spindles that the PLC turns.
+    ``spindles``: the policy for the jobs of spindles that the PLC turns.
     """
 
     acknowledge: ClassVar[Policy] = ALL

@@ -187,7 +187,7 @@ class BranchLog:
         frozen: Sequence[Frozen],
         fault: LifeEvent | None,
     ) -> BranchHistory:
-        """What was gathered; ``base.text`` is the source line, ``frozen`` what the whole cycle
+        """What was gathered; ``text`` is the source line, ``frozen`` what the whole cycle
         froze.
 
         ``fault`` is the error that ended the cycle.

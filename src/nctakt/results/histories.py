@@ -160,7 +160,7 @@ class ConditionHistory:
 class BranchHistory:
     """One branch of a cycle; the condition of ``$ELSE`` is empty.
 
-    ``base.text`` is its source line without blanks around. ``outer`` and ``earlier`` are positions
+    ``text`` is its source line without blanks around. ``outer`` and ``earlier`` are positions
     in the cycle's branches. ``parts`` are what ``&&`` and ``||`` combine in the condition. In the
     ticks ``evaluated`` the condition was, in the ticks ``bodies`` the body ran. ``frozen`` are the
     asynchronous values in the condition (RC-302). ``commands`` are the statements of the body that

@@ -2,7 +2,7 @@
 """The programs of one channel, one after another; each channel of a machine has its own.
 
 In: checked programs, the kernel's answers. Out: commands in the channel's queue
-(``run.queue_feeder.py``), and what became of the programs. The kernel runs all channels in
+(``run/queue_feeder.py``), and what became of the programs. The kernel runs all channels in
 lockstep; each one is served for itself and at the tick in which it asks, so that channels do not
 depend on each other's programs.
 """
@@ -27,7 +27,7 @@ class ChannelRun:
 
     Blocks of ``skip_levels`` are left out; ``tells_blocks``: events tell of each block.
     ``result``: how the queued programs came to their end, ``None`` while they have not.
-    ``run.decode_budget``: the decoder's time, where a schedule gives it.
+    ``budget``: the decoder's time, where a schedule gives it.
     """
 
     def __init__(self, machine: Machine, index: int, report: Callable[[Diagnostic], None]) -> None:

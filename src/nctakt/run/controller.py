@@ -262,7 +262,7 @@ class Controller:
         channels begin together; an error stops its own channel only.
         ``until_us`` and ``ticks`` limit the run (``DEFAULT_LIMIT_US``), ``after_us`` is how long
         the machine goes on behind the last program. ``initial`` are values before the first tick,
-        ``run.stimuli`` values at times of the run. With ``waits_for_start`` each program is begun
+        ``stimuli`` values at times of the run. With ``waits_for_start`` each program is begun
         by START on the HLI, again after a RESET. ``sinks`` get the trace, which ``memory_trace``
         keeps in the result, of ``signals`` (positions of all axes, path speed, override, block
         number, active cycles unless given); ``record_writes`` has each new value that a cycle gives

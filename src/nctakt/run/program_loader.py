@@ -78,7 +78,7 @@ def missing(name: str, folders: list[Path], span: Span, line: str) -> Diagnostic
 
 
 class LoadedProgram:
-    """A program with the files that it calls; ``base.text`` is its own, ``texts`` are all.
+    """A program with the files that it calls; ``text`` is its own, ``texts`` are all.
 
     ``channel`` is the index of the channel that it is checked for, from 0, ``parameters`` its list.
     """
@@ -168,7 +168,7 @@ def load(
     diagnostics: list[Diagnostic],
     channel: int = 0,
 ) -> LoadedProgram:
-    """Read, parse and check a program with all that it calls; findings go to ``base.diagnostics``.
+    """Read, parse and check a program with all that it calls; findings go to ``diagnostics``.
 
     ``channel``: the index of the channel that it is for, from 0. Raises ``Failure`` with the errors
     when there are any.

@@ -28,7 +28,7 @@ PLACED = (1000180, 1000181)
 
 @dataclass(frozen=True, slots=True)
 class RunSchedule:
-    """A schedule that a controller can run by; ``base.diagnostics``: what was found in list and
+    """A schedule that a controller can run by; ``diagnostics``: what was found in list and
     load."""
 
     file: str

@@ -75,7 +75,7 @@ class Moment:
 
 @dataclass(frozen=True, slots=True)
 class Expectation:
-    """One thing that has to happen. ``line`` is where it stands, ``base.text`` as it is written.
+    """One thing that has to happen. ``line`` is where it stands, ``text`` as it is written.
 
     ``about``: the line that it is about, ``None``: any. ``at``: exactly these moments, all of
     them; ``count``: how often, ``None``: at least once.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The pytest plugin: fixtures ``machine``, ``run.controller``, ``run_nc``; NC files as tests;
+"""The pytest plugin: fixtures ``machine``, ``controller``, ``run_nc``; NC files as tests;
 coverage.
 
 pytest loads it by its entry point in each session, so nothing of nctakt is imported before a test

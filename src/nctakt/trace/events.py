@@ -56,7 +56,7 @@ _MOTION_CHANGED = {
 class Event:
     """One thing that happened in tick ``tick``, which begins at ``time_us``.
 
-    ``kind`` is a word, ``base.text`` its particulars (``fired``, ``17 line 5``). ``span`` is the
+    ``kind`` is a word, ``text`` its particulars (``fired``, ``17 line 5``). ``span`` is the
     place in a program that it comes from. ``cycle`` is the realtime cycle it comes from: its
     programmed ID, or ``#1`` for the first cycle without ID; empty for the path, the decoder and the
     manager. ``channel`` is the number of its channel where the machine has more than one, else 0;

@@ -17,7 +17,7 @@ from nctakt.kernel.tick import command_queue
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """``source`` is the place (``base.source_ids.py``), ``number`` the N word of its block, 0
+    """``source`` is the place (``base/source_ids.py``), ``number`` the N word of its block, 0
     without."""
 
     source: int
@@ -48,9 +48,9 @@ class Pace:
 class Segment(Command):
     """A motion of the path's axes, mm or degrees, not packed but prepared in the queue.
 
-    ``run.queue_feeder`` in mm/s, below 0 rapid. ``deviation``: how far the path may pass the
+    ``feed`` in mm/s, below 0 rapid. ``deviation``: how far the path may pass the
     target, 0 not at all. ``limits_jerk``: its slope is an S-curve. ``arc``: first and second axis
-    of its plane, centre, angle; ``None`` for a line. ``run.scheduled_run``: ``None`` where the feed
+    of its plane, centre, angle; ``None`` for a line. ``pace``: ``None`` where the feed
     is all. ``goes_on``: the block goes on with the next segment.
     """
 

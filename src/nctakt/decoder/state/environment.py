@@ -24,7 +24,7 @@ class Surroundings:
 
     ``tools``: those of the list, by number. ``axis_numbers``: axis name -> place in the path's
     positions. ``cells``: the machine's memory, ``memory`` the same as bytes.
-    ``place``: the source number of a span (``base.source_ids.py``). ``line``: the text line of a
+    ``place``: the source number of a span (``base/source_ids.py``). ``line``: the text line of a
     span. ``turning``: the places of the spindles that the CNC turns and has an axis list for, with
     its highest speed in degrees per second.
     ``text_number``: the number of a text that is told with a user error.

@@ -29,7 +29,7 @@ class SingleAxes(AxisMotions):
     def move_to(
         self, axis: int, target: float, speed_v: float, mode: int, direction: int, owner: int
     ) -> int:
-        """To a position; ``base.mode`` 0 ABORTING, 1 BUFFERED.
+        """To a position; ``mode`` 0 ABORTING, 1 BUFFERED.
 
         ``direction`` counts for modulo axes only: 2 the short way, 1 and -1 that direction, 0 the
         present one (CUR).

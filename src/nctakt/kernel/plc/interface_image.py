@@ -61,10 +61,10 @@ class InterfaceImage:
         first_input: int,
         ticks: int,
     ) -> None:
-        """Show the variables of ``table`` and the ``units`` in ``run.shared_image``, as they are
+        """Show the variables of ``table`` and the ``units`` in ``image``, as they are
         now.
 
-        ``run.shared_image``: writable bytes, a multiple of 8, ``published``: as many of ours. A row
+        ``image``: writable bytes, a multiple of 8, ``published``: as many of ours. A row
         of the table: first byte, kind, first cell, bytes of the variable, whether the PLC may write
         it. ``clock``: the first byte of sequence and tick; ``first_input``: from there on the PLC
         writes; ``ticks``: how many have been run.

@@ -91,7 +91,7 @@ class Channel(Commands):
         )
 
     def awaits(self) -> tuple[str, int, int]:
-        """What holds the program up, as ``run.wait_reasons.py`` calls it: word, place of the block,
+        """What holds the program up, as ``run/wait_reasons.py`` calls it: word, place of the block,
         detail.
 
         Empty where nothing does: the path moves, or a dwell goes on.

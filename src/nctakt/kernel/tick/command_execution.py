@@ -117,7 +117,7 @@ class Commands(CommandRing):
         """Whether the command at ``base`` may be taken: single block stops in front of a block."""
         source = int(self.queue[base + 1])
         self.taken_source = source
-        line = source >> 20  # file and line (``base.source_ids.py``)
+        line = source >> 20  # file and line (``base/source_ids.py``)
         is_begun = self.head <= self.begun or self.path.speed_v > 0.0
         if self.path.goes_on():
             return 1

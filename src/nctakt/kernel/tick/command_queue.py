@@ -146,7 +146,7 @@ class CommandRing:
         ``feed_v``: mm/s, below 0 rapid. ``deviation``: how far the path may pass its target, 0 not
         at all. ``limits_jerk``: the slope is an S-curve; the path stops where the slope changes.
         ``arc``: first and second axis of the plane, centre, angle in degrees.
-        ``run.scheduled_run``: the last numbers of a segment (``geometry.py``); the override
+        ``pace``: the last numbers of a segment (``geometry.py``); the override
         in it counts in its speed from here on.
         """
         if self.body.is_open:

@@ -113,7 +113,7 @@ def _check_blank(entry: Entry, collector: Collector) -> None:
 
 
 def parse_integer(text: str, *, hexadecimal: bool) -> int | None:
-    """``base.text`` as an integer: decimal with an optional sign, or 0x… where that is allowed."""
+    """``text`` as an integer: decimal with an optional sign, or 0x… where that is allowed."""
     base = 10
     if not _DECIMAL.fullmatch(text):
         if not (hexadecimal and _HEXADECIMAL.fullmatch(text)):
@@ -125,7 +125,7 @@ def parse_integer(text: str, *, hexadecimal: bool) -> int | None:
 
 
 def parse_real(text: str, *, hexadecimal: bool) -> float | None:
-    """``base.text`` as a finite real number: decimal point and exponent allowed."""
+    """``text`` as a finite real number: decimal point and exponent allowed."""
     if len(text) <= _LONGEST_REAL and _REAL.fullmatch(text):
         value = float(text)
         return value if abs(value) != float("inf") else None

@@ -63,7 +63,7 @@ _DEMO = Path(__file__).parent.parent.parent / "machines" / "demo"
 
 
 class MachineError(Exception):
-    """No machine can be made of the folder; ``base.diagnostics`` say why."""
+    """No machine can be made of the folder; ``diagnostics`` say why."""
 
     def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
         super().__init__(diagnostics[-1].headline())

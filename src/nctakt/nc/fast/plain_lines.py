@@ -40,7 +40,7 @@ class PlainScanner(LineScanner):
     """Reads lines of a channel with these axes; the last line that was ``PLAIN`` is in the fields.
 
     ``number``: the N word, 0 without. ``column``: where the first word begins, from 1.
-    ``motion``: 0 or 1 for G00 and G01, else -1. ``has_feed``, ``run.queue_feeder``: the F word.
+    ``motion``: 0 or 1 for G00 and G01, else -1. ``has_feed``, ``feed``: the F word.
     ``axes``: bits of the axes that have a word, ``values`` their numbers. ``shape``: its letters
     and G functions in their order, as one number; blocks of one shape are the same to every check.
     """

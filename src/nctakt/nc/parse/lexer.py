@@ -63,7 +63,7 @@ class Piece(NamedTuple):
 class BlockText:
     """The text of one block and how far it has been read.
 
-    ``base.text`` has blanks for comments, a newline between the lines of a block, and no ``\\``.
+    ``text`` has blanks for comments, a newline between the lines of a block, and no ``\\``.
     """
 
     __slots__ = ("file", "line_number", "pieces", "pos", "text")

@@ -2,7 +2,7 @@
 """Character strings as the memory holds them: one byte a character, ended by a zero byte.
 
 In: texts, or the bytes of a string variable. Out: the other of both. The characters are those of
-Windows-1252, as in the lists (``base.text.py``). A variable of ``size_bytes`` takes one character
+Windows-1252, as in the lists (``base/text.py``). A variable of ``size_bytes`` takes one character
 less than it has bytes; STRING without P-EXTV-00022 has 24 bytes and takes 20.
 """
 
@@ -28,7 +28,7 @@ def decode(data: bytes | bytearray | memoryview) -> str:
 
 
 def encode(text: str, size_bytes: int) -> bytes:
-    """The bytes of a variable that holds ``base.text``, zeros behind it; it fits (``misfit``)."""
+    """The bytes of a variable that holds ``text``, zeros behind it; it fits (``misfit``)."""
     data = text.translate(_BYTES).encode("latin-1")
     assert len(data) < size_bytes, (text, size_bytes)
     return data.ljust(size_bytes, b"\0")
@@ -37,7 +37,7 @@ def encode(text: str, size_bytes: int) -> bytes:
 def misfit(
     name: str, type_: str, size_bytes: int, text: str
 ) -> tuple[int, dict[str, object]] | None:
-    """Why variable ``name`` cannot hold ``base.text``: message number and values, ``None`` if it
+    """Why variable ``name`` cannot hold ``text``: message number and values, ``None`` if it
     can."""
     for character in text:
         code = _BYTES.get(ord(character), ord(character))

@@ -169,7 +169,7 @@ class NotFound:
 class ChannelNames:
     """What one channel brings: names and machine-wide numbers of its axes, its variables.
 
-    ``linear`` are the numbers of the axes whose positions are lengths, ``run.spindle_setup`` names,
+    ``linear`` are the numbers of the axes whose positions are lengths, ``spindles`` names,
     ``modulo`` the numbers of axes whose positions repeat, ``single`` of those that may be moved on
     their own (P-AXIS-00457).
     """

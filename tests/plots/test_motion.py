@@ -137,6 +137,18 @@ def test_the_same_run_gives_the_same_bytes(tmp_path: Path, ending: str) -> None:
     assert len(data) > 10_000
 
 
+@pytest.mark.parametrize("ending", ["png", "svg", "html"])
+@pytest.mark.parametrize("title", ["a$b$.nc", "$", "<b>&.nc", "部品.nc", "\udcff\n.nc", "{x}"])
+def test_a_title_is_text_and_nothing_else(tmp_path: Path, title: str, ending: str) -> None:
+    """No formula, no tag, no sign that the font has to have."""
+    path = tmp_path / f"part.{ending}"
+    write_picture(motion("G00 X1\nM30\n"), path, title, "en")
+    if ending == "html":
+        assert "<b>" not in path.read_text("utf-8")
+        if title == "<b>&.nc":
+            assert "<title>&lt;b&gt;&amp;.nc</title>" in path.read_text("utf-8")
+
+
 def test_a_run_without_motion_has_a_picture(tmp_path: Path) -> None:
     """It says that no axis moved."""
     curves = motion("M100\nM30\n")

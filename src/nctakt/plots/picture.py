@@ -12,7 +12,9 @@ from __future__ import annotations
 import importlib.util
 import io
 import re
+import warnings
 from collections.abc import Iterator, Sequence
+from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -99,13 +101,14 @@ def check_picture(path: str) -> None:
 
 
 def write_picture(motion: Motion, path: Path, title: str, language: Language) -> None:
-    """Draw a run; raises ``OSError``."""
+    """Draw a run; raises ``OSError``. What does not print in ``title`` becomes a dot."""
+    title = "".join(character if character.isprintable() else "·" for character in title)
     ending = path.suffix.lower()
     data = _Drawing(motion, title, language).render("png" if ending == ".png" else "svg")
     if ending == ".html":
         picture = data.decode("utf-8")
         picture = picture[picture.index("<svg") :]
-        page = _PAGE.format(language=language, title=title, picture=picture)
+        page = _PAGE.format(language=language, title=escape(title), picture=picture)
         data = page.encode("utf-8")
     path.write_bytes(data)
 
@@ -135,7 +138,11 @@ class _Drawing:
         heights = [_PATH_HEIGHT_IN] * path_rows
         heights.append(0.25 + _LANE_HEIGHT_IN * max(len(lanes), 2))
         heights += [_PANEL_HEIGHT_IN] * len(panels)
-        with matplotlib.rc_context({"svg.hashsalt": "nctakt", "svg.fonttype": "path"}):
+        # names of files, axes and cells are no formulas, and may hold signs that the font lacks
+        settings: dict[Any, Any] = {"svg.hashsalt": "nctakt", "svg.fonttype": "path"}
+        settings["text.parse_math"] = False
+        with matplotlib.rc_context(settings), warnings.catch_warnings():
+            warnings.filterwarnings("ignore", message="Glyph .* missing")
             sheet = Figure(figsize=(_WIDTH_IN, sum(heights) + 1.2), dpi=_DPI, layout="constrained")
             FigureCanvasAgg(sheet)
             sheet.suptitle(self._title, fontsize=11)

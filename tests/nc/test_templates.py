@@ -22,7 +22,7 @@ from nctakt.messages import Collector
 from nctakt.nc import outline
 from nctakt.nc.fast import templates
 from nctakt.nc.fast.shapes import ShapeScanner
-from nctakt.nc.fast.templates import Formed, Templates
+from nctakt.nc.fast.templates import TemplateExpression, Templates
 from nctakt.nc.inspection import inspect
 from nctakt.nc.parse.parser import StatementReader
 from nctakt.nc.source import Source
@@ -139,16 +139,16 @@ def nested(chance: random.Random, statements: Sequence[str], depth: int) -> list
     return lines
 
 
-def unformed(value: Any) -> Any:
+def to_tree(value: Any) -> Any:
     """A tree as the parser gives it, as names and values, so that -0 is not 0."""
-    if isinstance(value, Formed):
+    if isinstance(value, TemplateExpression):
         assert value.span == value.tree.span
-        return unformed(value.tree)
+        return to_tree(value.tree)
     if isinstance(value, tuple):
-        return tuple(unformed(one) for one in value)
+        return tuple(to_tree(one) for one in value)
     if not dataclasses.is_dataclass(value):
         return repr(value)
-    fields = ((one.name, unformed(getattr(value, one.name))) for one in dataclasses.fields(value))
+    fields = ((one.name, to_tree(getattr(value, one.name))) for one in dataclasses.fields(value))
     return (type(value).__name__, *fields)
 
 
@@ -174,7 +174,7 @@ def test_templates_make_what_the_parser_gives(seed: int) -> None:
     source = Source("p.nc", program(seed))
     parsed = [statement for _, statement in StatementReader(source, Collector())]
     found, _ = by_templates(source)
-    assert [unformed(one) for one in found] == [unformed(one) for one in parsed]
+    assert [to_tree(one) for one in found] == [to_tree(one) for one in parsed]
 
 
 def test_most_ordinary_statements_are_made_from_templates() -> None:
@@ -296,7 +296,7 @@ def test_not_more_shapes_are_remembered_than_there_is_room_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """When too many shapes came all of them are forgotten, and found anew."""
-    monkeypatch.setattr(templates, "MOST_SHAPE_TEXT", 100)
+    monkeypatch.setattr(templates, "MAX_SHAPE_CHARACTERS", 100)
     known = Templates()
     for number in range(1, 100):
         key = f"G{number} X\1".encode()

@@ -174,7 +174,7 @@ class _Sequel:
             return
         begin, shape, found = self._new
         if begin == line and found == len(self._found):
-            self._program.templates.was_in_order(shape)
+            self._program.templates.mark_valid(shape)
 
     def _begin(self, line: int, number: int, start: ProgramStart) -> None:
         self._end_section()

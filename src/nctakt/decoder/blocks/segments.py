@@ -37,16 +37,16 @@ def segment(
     pace: Pace | None,
 ) -> Segment:
     """The segment of a whole block."""
-    made: Segment = raw_nodes.fresh(Segment, 0)
-    raw_nodes.put(_SOURCE, made, source)
-    raw_nodes.put(_NUMBER, made, number)
-    raw_nodes.put(_START, made, tuple(start))
-    raw_nodes.put(_TARGET, made, tuple(target))
-    raw_nodes.put(_FEED, made, feed)
-    raw_nodes.put(_EXACT_STOP, made, exact_stop)
-    raw_nodes.put(_DEVIATION, made, deviation)
-    raw_nodes.put(_LIMITS_JERK, made, limits_jerk)
-    raw_nodes.put(_ARC, made, arc)
-    raw_nodes.put(_PACE, made, pace)
-    raw_nodes.put(_GOES_ON, made, False)
+    made: Segment = raw_nodes.new_node(Segment, 0)
+    raw_nodes.set_field(_SOURCE, made, source)
+    raw_nodes.set_field(_NUMBER, made, number)
+    raw_nodes.set_field(_START, made, tuple(start))
+    raw_nodes.set_field(_TARGET, made, tuple(target))
+    raw_nodes.set_field(_FEED, made, feed)
+    raw_nodes.set_field(_EXACT_STOP, made, exact_stop)
+    raw_nodes.set_field(_DEVIATION, made, deviation)
+    raw_nodes.set_field(_LIMITS_JERK, made, limits_jerk)
+    raw_nodes.set_field(_ARC, made, arc)
+    raw_nodes.set_field(_PACE, made, pace)
+    raw_nodes.set_field(_GOES_ON, made, False)
     return made

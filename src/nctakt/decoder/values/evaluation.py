@@ -21,17 +21,17 @@ from nctakt.decoder.state.environment import DecodeError, Surroundings
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.tools import ActiveTool
 from nctakt.decoder.values.expressions import ExpressionBuilder
-from nctakt.decoder.values.forms import FormComputer
 from nctakt.decoder.values.fusing import Built, constant
 from nctakt.decoder.values.plans import Leaf, Plan, Plans
 from nctakt.decoder.values.program_values import OwnValues
 from nctakt.decoder.values.system_values import SystemValues
+from nctakt.decoder.values.template_plans import TemplateEvaluator
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.cycles.context import Context, empty_context
 from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.messages import diagnostic
 from nctakt.nc import tree
-from nctakt.nc.fast.templates import Formed, unformed
+from nctakt.nc.fast.templates import TemplateExpression, to_tree
 from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.operators import FUNCTIONS
 from nctakt.nc.vocabulary.resolution import (
@@ -71,7 +71,7 @@ class Reading:
         )
         self.own = OwnValues(state.levels, self._index, self.fail)
         self._plans = Plans()
-        self._forms = FormComputer(
+        self._template_evaluator = TemplateEvaluator(
             self._plans.context, self._plans.memory, state.levels.scopes, state.parameters
         )
         self.tool = ActiveTool(surroundings, state, self.fail)
@@ -86,8 +86,10 @@ class Reading:
 
     def known(self, expression: tree.Expression) -> float | None:
         """The value of an expression that needs nothing else; ``None``: it has to be evaluated."""
-        if isinstance(expression, Formed):
-            return self._forms.value(self._plans.of_form(expression.form), expression.at)
+        if isinstance(expression, TemplateExpression):
+            return self._template_evaluator.value(
+                self._plans.of_template(expression.template), expression.occurrence
+            )
         return expression.value if isinstance(expression, tree.Number) else None
 
     def evaluate(self, expression: tree.Expression, number: int) -> Decoding:
@@ -98,7 +100,7 @@ class Reading:
         value = self.known(expression)
         if value is not None:
             return value
-        expression = unformed(expression)
+        expression = to_tree(expression)
         plan = self._plans.of(expression)
         yield from self._fetch(expression, number, plan)
         value = self._computed(expression, plan)
@@ -114,7 +116,7 @@ class Reading:
         value = self.known(expression)
         if value is not None:
             return value
-        expression = unformed(expression)
+        expression = to_tree(expression)
         if not self._is_text(expression):
             return (yield from self.evaluate(expression, number))
         yield from self._fetch(expression, number)

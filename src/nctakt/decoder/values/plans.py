@@ -4,8 +4,8 @@
 In: an expression. Out: its ``Plan``: the variables that it reads, and the same nodes as in realtime
 cycles, with a cell for each variable and parameter. Whoever evaluates puts the values of this
 moment into the cells. Only expressions of numbers have nodes; what depends on texts or on the
-parameters of a call has none. A form is an expression that came again and again in the text; its
-numbers have cells, too (``forms.py``).
+parameters of a call has none. A template is an expression that came again and again in the text;
+its numbers have cells, too (``forms.py``).
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nctakt.decoder.values.expressions import ExpressionBuilder
-from nctakt.decoder.values.forms import MOST_CELLS, FormPlan
 from nctakt.decoder.values.fusing import Built, constant, load
+from nctakt.decoder.values.template_plans import MOST_CELLS, TemplatePlan
 from nctakt.kernel.cycles.context import context_of
 from nctakt.kernel.cycles.expressions import Expression
 from nctakt.nc import tree
-from nctakt.nc.fast.recipes import Value
-from nctakt.nc.fast.templates import Form
+from nctakt.nc.fast.recipes import NumberRecipe
+from nctakt.nc.fast.templates import ExpressionTemplate
 from nctakt.nc.vocabulary.operators import FUNCTIONS
 from nctakt.nc.vocabulary.resolution import own_path, variables_in
 
@@ -54,7 +54,7 @@ class Plans:
         self.context = context_of(self.memory)
         self.cells = memoryview(self.memory).cast("d")
         self._plans: dict[int, Plan | tree.Expression] = {}
-        self._forms: dict[Form, FormPlan] = {}
+        self._template_plans: dict[ExpressionTemplate, TemplatePlan] = {}
         self._leaves: list[Leaf] = []
         self._builder = ExpressionBuilder(self._leaf)
 
@@ -83,13 +83,13 @@ class Plans:
         leaves = tuple(self._leaves)
         return Plan(expression, variables, leaves, node if len(leaves) <= MOST_LEAVES else None)
 
-    def of_form(self, form: Form) -> FormPlan:
-        """The plan of a form."""
-        known = self._forms.get(form)
+    def of_template(self, template: ExpressionTemplate) -> TemplatePlan:
+        """The plan of a template."""
+        known = self._template_plans.get(template)
         if known is None:
-            if len(self._forms) == MOST_PLANS:
-                self._forms.clear()
-            known = self._forms[form] = plan_of_form(form)
+            if len(self._template_plans) == MOST_PLANS:
+                self._template_plans.clear()
+            known = self._template_plans[template] = plan_of_template(template)
         return known
 
     def _leaf(self, leaf: Leaf) -> Built:
@@ -97,14 +97,15 @@ class Plans:
         return load(len(self._leaves) - 1)
 
 
-def plan_of_form(form: Form) -> FormPlan:
-    """The plan of a form whose cells hold first its numbers, then variables, then parameters."""
-    numbers: dict[Value, None] = {}
+def plan_of_template(template: ExpressionTemplate) -> TemplatePlan:
+    """The plan of a template whose cells hold first its numbers, then variables, then
+    parameters."""
+    numbers: dict[NumberRecipe, None] = {}
     names: dict[tuple[str, str], None] = {}
     parameters: dict[int, None] = {}
 
     def number(node: tree.Number) -> Built:
-        place = form.numbers.get(node.span)
+        place = template.numbers.get(node.span)
         if place is None:
             return constant(node.value)
         numbers[place] = None
@@ -121,10 +122,10 @@ def plan_of_form(form: Form) -> FormPlan:
         return load(len(numbers) + len(names) + list(parameters).index(parameter))
 
     builder = ExpressionBuilder(leaf, number=number)
-    builder.build(form.tree)  # finds out what there is
-    node = builder.build(form.tree).node
+    builder.build(template.tree)  # finds out what there is
+    node = builder.build(template.tree).node
     count = len(numbers) + len(names) + len(parameters)
-    return FormPlan(
+    return TemplatePlan(
         node if count <= MOST_CELLS else None,
         [one.place for one in numbers],
         [one.sign for one in numbers],

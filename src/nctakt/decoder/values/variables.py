@@ -24,7 +24,7 @@ from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import Node
 from nctakt.nc import tree
-from nctakt.nc.fast.templates import Formed, unformed
+from nctakt.nc.fast.templates import TemplateExpression, to_tree
 from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.cells import CELL_BYTES, leaf_cells
 from nctakt.nc.vocabulary.resolution import (
@@ -50,15 +50,15 @@ class Values(Reading):
     def assign(self, statement: tree.Assignment, number: int) -> Generator[Command, Answer]:
         """``target operator value``; structures and arrays as wholes (RC-310)."""
         value = statement.value
-        if isinstance(statement.target, Formed):
+        if isinstance(statement.target, TemplateExpression):
             at_once = self._at_once(statement)
             if at_once is not None and self._put_formed(statement.target, at_once):
                 return
-        if isinstance(value, Formed) and statement.operator == "=":
+        if isinstance(value, TemplateExpression) and statement.operator == "=":
             result = yield from self.evaluate_any(value, number)
             yield from self.store(statement.target, result, number)
             return
-        value = unformed(value)
+        value = to_tree(value)
         if isinstance(value, tree.ArrayLiteral):
             assert isinstance(statement.target, tree.Variable)
             items = yield from self.own.items(value, number, self.evaluate_any)
@@ -70,7 +70,7 @@ class Values(Reading):
                 yield from self._copy(statement.target, value, found, number)
                 return
         if statement.operator != "=":
-            read = unformed(statement.target)
+            read = to_tree(statement.target)
             value = tree.Binary(statement.span, statement.operator[0], read, value)
         result = yield from self.evaluate_any(value, number)
         yield from self.store(statement.target, result, number)
@@ -98,10 +98,10 @@ class Values(Reading):
         self, target: tree.Variable | tree.Parameter, value: float | str, number: int
     ) -> Generator[Command, Answer]:
         """Give a variable a value, at once or through the queue."""
-        if isinstance(target, Formed):
+        if isinstance(target, TemplateExpression):
             if self._put_formed(target, value):
                 return
-            target = unformed(target)
+            target = to_tree(target)
         if isinstance(target, tree.Parameter):
             yield from self._fetch(target.index, number)
             if target.call:
@@ -133,11 +133,11 @@ class Values(Reading):
         else:
             self._put(cell, stored)
 
-    def _put_formed(self, target: Formed, value: float | str) -> bool:
+    def _put_formed(self, target: TemplateExpression, value: float | str) -> bool:
         """Give a variable of the program's own a number; false where more has to be seen to."""
         if isinstance(value, str):
             return False
-        return bool(self._forms.write(self._plans.of_form(target.form), value))
+        return bool(self._template_evaluator.write(self._plans.of_template(target.template), value))
 
     def _write_system(
         self, target: tree.Variable, value: float | str, number: int

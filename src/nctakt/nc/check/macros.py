@@ -16,7 +16,7 @@ from itertools import zip_longest
 from typing import Any, TypeVar, cast
 
 from nctakt.nc import tree
-from nctakt.nc.fast.templates import unformed
+from nctakt.nc.fast.templates import to_tree
 from nctakt.nc.vocabulary.operators import FUNCTIONS
 from nctakt.nc.vocabulary.resolution import is_text, may_be_text, resolve
 from nctakt.nc.vocabulary.variable_table import Location, NameTable
@@ -113,7 +113,7 @@ class MacroPlaces:
 
     def _takes_number(self, target: tree.Variable | tree.Parameter) -> bool:
         """Whether nothing but a number can be given to it."""
-        target = unformed(target)
+        target = to_tree(target)
         if isinstance(target, tree.Parameter):
             return not target.call
         found = resolve(target, self._names)

@@ -13,49 +13,49 @@ cdef class Occurrence:
     cdef readonly list inside
 
 cdef class Recipe:
-    cpdef object make(self, Occurrence at)
+    cpdef object make(self, Occurrence occurrence)
 
-cdef class Same(Recipe):
+cdef class SharedRecipe(Recipe):
     cdef object value
-    cpdef object make(self, Occurrence at)
+    cpdef object make(self, Occurrence occurrence)
 
-cdef class Place(Recipe):
+cdef class SpanRecipe(Recipe):
     cdef Py_ssize_t line
     cdef Py_ssize_t begin
     cdef Py_ssize_t column
     cdef Py_ssize_t end
     cdef Py_ssize_t end_column
     @cython.locals(column=Py_ssize_t, end_column=Py_ssize_t)
-    cpdef object make(self, Occurrence at)
+    cpdef object make(self, Occurrence occurrence)
 
-cdef class Value(Recipe):
+cdef class NumberRecipe(Recipe):
     cdef readonly Py_ssize_t place
     cdef readonly double sign
-    cpdef object make(self, Occurrence at)
+    cpdef object make(self, Occurrence occurrence)
 
-cdef class Items(Recipe):
+cdef class TupleRecipe(Recipe):
     cdef list parts
     @cython.locals(part=Recipe)
-    cpdef object make(self, Occurrence at)
+    cpdef object make(self, Occurrence occurrence)
 
-cdef class Body(Recipe):
+cdef class BodyRecipe(Recipe):
     cdef list parts
     @cython.locals(made=list)
-    cpdef object make(self, Occurrence at)
+    cpdef object make(self, Occurrence occurrence)
 
-cdef class Filled(Recipe):
+cdef class NodeRecipe(Recipe):
     cdef type cls
     cdef list fields
     cdef list parts
     @cython.locals(i=Py_ssize_t, part=Recipe)
-    cpdef object make(self, Occurrence at)
+    cpdef object make(self, Occurrence occurrence)
 
-cdef class Expressed(Recipe):
+cdef class ExpressionRecipe(Recipe):
     cdef type cls
-    cdef object form
-    cdef object form_slot
-    cdef object at_slot
-    cpdef object make(self, Occurrence at)
+    cdef object template
+    cdef object template_slot
+    cdef object occurrence_slot
+    cpdef object make(self, Occurrence occurrence)
 
 cdef class RecipeBook:
     cdef public dict recipes

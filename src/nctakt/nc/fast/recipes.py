@@ -5,9 +5,9 @@
 
 In: an ``Occurrence``: what differs between two statements of one shape, their numbers and places.
 Out: nodes, equal to those that the parser makes. ``templates.py`` writes the recipes into a
-``RecipeBook``, which makes a statement with all that is inside it. A compound
-expression of numbers is not made but stands there as a ``Formed``: whoever evaluates it needs its
-form and the numbers, and its tree only where something goes wrong.
+``RecipeBook``, which makes a statement with all that is inside it. A compound expression of numbers
+is not made but stands there as a ``TemplateExpression``: whoever evaluates it needs its template
+and the numbers, and its tree only where something goes wrong.
 """
 
 from __future__ import annotations
@@ -43,22 +43,22 @@ class Occurrence:
 class Recipe:
     """Makes one value of a tree: a node, its span, a tuple, or what is the same each time."""
 
-    def make(self, at: Occurrence) -> Any:
+    def make(self, occurrence: Occurrence) -> Any:
         """The value in this occurrence."""
         raise AssertionError(self)
 
 
-class Same(Recipe):
+class SharedRecipe(Recipe):
     """What does not depend on the occurrence."""
 
     def __init__(self, value: object) -> None:
         self.value = value
 
-    def make(self, at: Occurrence) -> Any:
+    def make(self, occurrence: Occurrence) -> Any:
         return self.value
 
 
-class Place(Recipe):
+class SpanRecipe(Recipe):
     """A span: in which of the shape's lines, with columns that count from the ends of its places.
 
     ``begin`` and ``end``: the places that the two columns are counted from, -1: the line's begin.
@@ -71,59 +71,59 @@ class Place(Recipe):
         self.end = end
         self.end_column = end_column
 
-    def make(self, at: Occurrence) -> Any:
-        span = raw_nodes.fresh(Span, 0)
+    def make(self, occurrence: Occurrence) -> Any:
+        span = raw_nodes.new_node(Span, 0)
         column = self.column
         end_column = self.end_column
         if self.begin >= 0:
-            column += at.ends[self.begin]
+            column += occurrence.ends[self.begin]
         if self.end >= 0:
-            end_column += at.ends[self.end]
-        raw_nodes.put(_FILE, span, at.file)
-        raw_nodes.put(_LINE, span, at.first + at.lines[self.line])
-        raw_nodes.put(_COLUMN, span, column)
-        raw_nodes.put(_END_COLUMN, span, end_column)
+            end_column += occurrence.ends[self.end]
+        raw_nodes.set_field(_FILE, span, occurrence.file)
+        raw_nodes.set_field(_LINE, span, occurrence.first + occurrence.lines[self.line])
+        raw_nodes.set_field(_COLUMN, span, column)
+        raw_nodes.set_field(_END_COLUMN, span, end_column)
         return span
 
 
-class Value(Recipe):
+class NumberRecipe(Recipe):
     """A number of the shape, or that number with another sign."""
 
     def __init__(self, place: int, sign: float) -> None:
         self.place = place
         self.sign = sign
 
-    def make(self, at: Occurrence) -> Any:
-        return at.numbers[self.place] * self.sign
+    def make(self, occurrence: Occurrence) -> Any:
+        return occurrence.numbers[self.place] * self.sign
 
 
-class Items(Recipe):
+class TupleRecipe(Recipe):
     """A tuple."""
 
     def __init__(self, parts: Sequence[Recipe]) -> None:
         self.parts = list(parts)
 
-    def make(self, at: Occurrence) -> Any:
-        return tuple([part.make(at) for part in self.parts])
+    def make(self, occurrence: Occurrence) -> Any:
+        return tuple([part.make(occurrence) for part in self.parts])
 
 
-class Body(Recipe):
+class BodyRecipe(Recipe):
     """A tuple of statements, the runs of the shape among them."""
 
     def __init__(self, parts: Sequence[Recipe | int]) -> None:
         self.parts = list(parts)
 
-    def make(self, at: Occurrence) -> Any:
+    def make(self, occurrence: Occurrence) -> Any:
         made: list[Any] = []
         for part in self.parts:
             if isinstance(part, int):
-                made += at.inside[part]
+                made += occurrence.inside[part]
             else:
-                made.append(part.make(at))
+                made.append(part.make(occurrence))
         return tuple(made)
 
 
-class Filled(Recipe):
+class NodeRecipe(Recipe):
     """A node: its class, its slots, and what stands in them."""
 
     def __init__(self, cls: type[Any], fields: Sequence[tuple[Any, Recipe]]) -> None:
@@ -131,27 +131,27 @@ class Filled(Recipe):
         self.fields = [slot for slot, _ in fields]
         self.parts = [part for _, part in fields]
 
-    def make(self, at: Occurrence) -> Any:
-        node = raw_nodes.fresh(self.cls, 0)
+    def make(self, occurrence: Occurrence) -> Any:
+        node = raw_nodes.new_node(self.cls, 0)
         for i in range(len(self.parts)):
             part = self.parts[i]
-            raw_nodes.put(self.fields[i], node, part.make(at))
+            raw_nodes.set_field(self.fields[i], node, part.make(occurrence))
         return node
 
 
-class Expressed(Recipe):
-    """An expression as its form: ``cls`` has the slots ``form`` and ``at``."""
+class ExpressionRecipe(Recipe):
+    """An expression as its template: ``cls`` has the slots ``template`` and ``occurrence``."""
 
-    def __init__(self, cls: type[Any], form: object) -> None:
+    def __init__(self, cls: type[Any], template: object) -> None:
         self.cls = cls
-        self.form = form
-        self.form_slot = cls.__dict__["form"]
-        self.at_slot = cls.__dict__["at"]
+        self.template = template
+        self.template_slot = cls.__dict__["template"]
+        self.occurrence_slot = cls.__dict__["occurrence"]
 
-    def make(self, at: Occurrence) -> Any:
-        node = raw_nodes.fresh(self.cls, 0)
-        raw_nodes.put(self.form_slot, node, self.form)
-        raw_nodes.put(self.at_slot, node, at)
+    def make(self, occurrence: Occurrence) -> Any:
+        node = raw_nodes.new_node(self.cls, 0)
+        raw_nodes.set_field(self.template_slot, node, self.template)
+        raw_nodes.set_field(self.occurrence_slot, node, occurrence)
         return node
 
 

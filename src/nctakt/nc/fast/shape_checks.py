@@ -48,18 +48,18 @@ _ENDS = (2, 17, 29, 30)
 _LEFT = (For, While, Do, Repeat, Switch)
 
 
-class _LoudError(Exception):
+class _UndecidedError(Exception):
     """More than the shape counts."""
 
 
-def is_silent(statement: Statement, numbers: Container[Span], count: int) -> bool:
+def is_decided_by_shape(statement: Statement, numbers: Container[Span], count: int) -> bool:
     """Whether all numbers of the shape, so many at these places, stand where any number may.
 
     What is inside it has shapes of its own.
     """
     try:
         return sum(number.span in numbers for number in _free(statement, ())) == count
-    except _LoudError:
+    except _UndecidedError:
         return False
 
 
@@ -103,7 +103,7 @@ def _free(
         case Continue() if any(one in _LEFT and one is not Switch for one in around):
             pass
         case _:
-            raise _LoudError
+            raise _UndecidedError
 
 
 def _inside(
@@ -115,7 +115,7 @@ def _inside(
 
 def _of_head(head: Head) -> Iterator[Number]:
     if head.label is not None:
-        raise _LoudError
+        raise _UndecidedError
     if head.number is not None:
         yield from _of_value(head.number)
 
@@ -127,18 +127,18 @@ def _of_word(word: BlockWord) -> Iterator[Number]:
                 yield from _of_value(word.value)
         case Word(name="M"):
             if not isinstance(word.value, Number) or word.value.value in _ENDS:
-                raise _LoudError
+                raise _UndecidedError
         case Word():
             if word.name in VALUE_WORDS and word.value is not None:
                 yield from _of_value(word.value)
         case _:
-            raise _LoudError
+            raise _UndecidedError
 
 
 def _of_condition(condition: Expression) -> Iterator[Number]:
     """A number alone is true or false, and what it leads to is checked or not."""
     if isinstance(condition, Number | Constant):
-        raise _LoudError
+        raise _UndecidedError
     yield from _of_value(condition)
 
 
@@ -155,6 +155,6 @@ def _of_value(expression: Expression) -> Iterator[Number]:
         case Call():
             function = FUNCTIONS.get(expression.function)
             if function is None or function.decoder_only:
-                raise _LoudError
+                raise _UndecidedError
             for argument in expression.arguments:
                 yield from _of_value(argument)

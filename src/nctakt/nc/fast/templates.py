@@ -2,10 +2,10 @@
 """Statements whose shape came before: made from a template, without lexer and parser.
 
 In: the lines that come next in a long program. Out: the statement that they are, as the parser
-would give it but for compound expressions of numbers, which are ``Formed``; nothing where its shape
-is new. A template is made of its shape: the text with other numbers goes through the parser, and
-each of these numbers has to become one node of the tree; so what a number may be for the language
-is known to the parser alone. Not more is remembered than ``MOST_SHAPE_TEXT``.
+would give it but for compound expressions of numbers, which are ``TemplateExpression``; nothing
+where its shape is new. A template is made of its shape: the text with other numbers goes through
+the parser, and each of these numbers has to become one node of the tree; so what a number may be
+for the language is known to the parser alone. Not more is remembered than ``MAX_SHAPE_CHARACTERS``.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from nctakt.base.diagnostics import Span
 from nctakt.messages import Collector
 from nctakt.nc.fast import recipes
 from nctakt.nc.fast.recipes import Occurrence, Recipe, RecipeBook
-from nctakt.nc.fast.shape_checks import VALUE_WORDS, is_silent
+from nctakt.nc.fast.shape_checks import VALUE_WORDS, is_decided_by_shape
 from nctakt.nc.fast.shapes import COMMENT, NUMBER, RUN, Shape, ShapeScanner
 from nctakt.nc.parse.parser import StatementReader
 from nctakt.nc.source import LineReader, Source
@@ -52,19 +52,19 @@ _Node = TypeVar("_Node", bound=Expression)
 
 #: Characters of all shapes that are remembered; then all are forgotten. Their templates take about
 #: a hundred times as many bytes.
-MOST_SHAPE_TEXT = 60_000
+MAX_SHAPE_CHARACTERS = 60_000
 
 #: The numbers that a shape's text has in its places: this one and those behind it.
-_FIRST_NUMBER = 1001
+_FIRST_VALUE = 1001
 
 #: What stands for a run in the shape's text.
-_RUN = "G1"
+_RUN_TEXT = "G1"
 
 #: The slots of a number.
 _SLOTS = tuple(getattr(Number, one.name) for one in dataclasses.fields(Number))
 
 #: What the decoder evaluates, by its node: there an expression may be formed.
-_EVALUATED: dict[type[Any], tuple[str, ...]] = {
+_EVALUATED_FIELDS: dict[type[Any], tuple[str, ...]] = {
     AxisWord: ("value",),
     Word: ("value",),
     Assignment: ("target", "value"),
@@ -80,7 +80,7 @@ _EVALUATED: dict[type[Any], tuple[str, ...]] = {
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Form:
+class ExpressionTemplate:
     """A compound expression of a shape: one object, whatever its numbers are.
 
     ``tree`` has the numbers of the shape's text; ``numbers``: which of them stand for which place.
@@ -88,46 +88,46 @@ class Form:
     """
 
     tree: Expression
-    numbers: dict[Span, recipes.Value]
+    numbers: dict[Span, recipes.NumberRecipe]
     recipe: Recipe
     place: Recipe
 
 
-class Formed(Expression):
-    """A compound expression of numbers, variables of programs and parameters, by its form."""
+class TemplateExpression(Expression):
+    """A compound expression of numbers, variables of programs and parameters, by its template."""
 
-    __slots__ = ("at", "form")
+    __slots__ = ("occurrence", "template")
 
-    form: Form
-    at: Occurrence
+    template: ExpressionTemplate
+    occurrence: Occurrence
 
     @property
     def span(self) -> Span:
         """Where it stands."""
-        made: Span = self.form.place.make(self.at)
+        made: Span = self.template.place.make(self.occurrence)
         return made
 
     @property
     def tree(self) -> Expression:
         """The expression as the parser gives it."""
-        made: Expression = self.form.recipe.make(self.at)
+        made: Expression = self.template.recipe.make(self.occurrence)
         return made
 
 
-def unformed(node: _Node) -> _Node:
+def to_tree(node: _Node) -> _Node:
     """The node as the parser gives it."""
-    return cast(_Node, node.tree) if isinstance(node, Formed) else node
+    return cast(_Node, node.tree) if isinstance(node, TemplateExpression) else node
 
 
 @dataclass(frozen=True, slots=True)
-class Template:
-    """How a statement of one shape is made; ``is_silent``: whatever its numbers are.
+class StatementTemplate:
+    """How a statement of one shape is made; ``is_decided_by_shape``: whatever its numbers are.
 
     One that was in order is then always in order, and nothing else has to know of it.
     """
 
     recipe: Recipe
-    is_silent: bool
+    is_decided_by_shape: bool
 
 
 class Templates:
@@ -135,8 +135,8 @@ class Templates:
 
     def __init__(self) -> None:
         self.scanner = ShapeScanner()
-        self._silent: set[bytes] = set()
-        self._known: dict[bytes, Template | None] = {}
+        self._valid_keys: set[bytes] = set()
+        self._known: dict[bytes, StatementTemplate | None] = {}
         self._book = RecipeBook()
         self._seen: set[bytes] = set()
         self._characters = 0
@@ -154,43 +154,43 @@ class Templates:
             if shape is not None:
                 made: Statement | None = self._book.made(shape, file, lines.number - lines.index)
                 if made is None:
-                    self._meet(shape)
+                    self._learn(shape)
                     return None
                 lines.index += count
                 return made
             lines.index += count
         return None
 
-    def _meet(self, shape: Shape) -> None:
+    def _learn(self, shape: Shape) -> None:
         """A statement came that is not made from templates: next time it may be."""
         self.of(shape.key)
-        self._meet_inside(shape)
+        self._learn_runs(shape)
 
-    def _meet_inside(self, shape: Shape) -> None:
+    def _learn_runs(self, shape: Shape) -> None:
         for run in shape.runs:
             for one in run:
-                self._meet(one)
+                self._learn(one)
 
     def pass_over(self, lines: list[str], index: int) -> int:
         """The first line from ``index`` on that has to be checked; its shape is the scanner's."""
-        return self.scanner.pass_over(lines, index, self._silent)
+        return self.scanner.pass_over(lines, index, self._valid_keys)
 
-    def was_in_order(self, shape: Shape) -> None:
+    def mark_valid(self, shape: Shape) -> None:
         """A statement of this shape was checked, and nothing was found.
 
         Where that depends on more than the shape, something inside may not have been looked at.
         """
         template = self.of(shape.key)
         if template is None:
-            self._meet_inside(shape)
-        if template is None or not template.is_silent:
+            self._learn_runs(shape)
+        if template is None or not template.is_decided_by_shape:
             return
-        self._silent.add(shape.key)
+        self._valid_keys.add(shape.key)
         for run in shape.runs:
             for one in run:
-                self.was_in_order(one)
+                self.mark_valid(one)
 
-    def of(self, key: bytes) -> Template | None:
+    def of(self, key: bytes) -> StatementTemplate | None:
         """The template of a shape; ``None`` for one that is new or has none."""
         if key in self._known:
             return self._known[key]
@@ -200,35 +200,35 @@ class Templates:
                 self._book.recipes[key] = template.recipe
             return template
         self._characters += len(key)
-        if self._characters > MOST_SHAPE_TEXT:
+        if self._characters > MAX_SHAPE_CHARACTERS:
             self._characters = len(key)
             self._known.clear()
             self._book.recipes.clear()
             self._seen.clear()
-            self._silent.clear()
+            self._valid_keys.clear()
         self._seen.add(key)
         return None
 
 
-def make_template(key: bytes) -> Template | None:
+def make_template(key: bytes) -> StatementTemplate | None:
     """The template of a shape, ``None`` where a number of it is not simply a number."""
     lines, places, runs = _text_of(key)
     found = Collector()
     statements = [statement for _, statement in StatementReader(Source("", lines), found)]
     if found.diagnostics or len(statements) != 1:
         return None
-    writer = _Writer(places, runs)
+    writer = _RecipeWriter(places, runs)
     recipe = writer.recipe(statements[0])
     numbers = sum(place.number > 0.0 for place in places)
     if len(writer.numbers) != numbers or len(writer.taken) != numbers:
         return None
     if sorted(writer.runs) != list(range(len(runs))):
         return None
-    return Template(recipe, is_silent(statements[0], writer.numbers, numbers))
+    return StatementTemplate(recipe, is_decided_by_shape(statements[0], writer.numbers, numbers))
 
 
 @dataclass(frozen=True, slots=True)
-class _Gap:
+class _Placeholder:
     """A place in a shape's text: its line from 0, its columns from 0; ``number`` 0: a comment."""
 
     line: int
@@ -237,10 +237,10 @@ class _Gap:
     number: float
 
 
-def _text_of(key: bytes) -> tuple[list[str], list[_Gap], list[int]]:
+def _text_of(key: bytes) -> tuple[list[str], list[_Placeholder], list[int]]:
     """NC text of this shape, the places in it, and which of its lines stand for runs."""
     lines: list[str] = []
-    places: list[_Gap] = []
+    places: list[_Placeholder] = []
     runs: list[int] = []
     for number, shape in enumerate(key.split(b"\n")):
         text = ""
@@ -248,31 +248,31 @@ def _text_of(key: bytes) -> tuple[list[str], list[_Gap], list[int]]:
             start = len(text)
             if code == RUN:
                 runs.append(number)
-                text = _RUN
+                text = _RUN_TEXT
             elif code == NUMBER:
-                value = _FIRST_NUMBER + len(places)
+                value = _FIRST_VALUE + len(places)
                 text += str(value)
-                places.append(_Gap(number, start, len(text), float(value)))
+                places.append(_Placeholder(number, start, len(text), float(value)))
             elif code == COMMENT:
                 text += "()"
-                places.append(_Gap(number, start, len(text), 0.0))
+                places.append(_Placeholder(number, start, len(text), 0.0))
             else:
                 text += chr(code)
         lines.append(text)
     return lines, places, runs
 
 
-class _Writer:
+class _RecipeWriter:
     """Writes the recipe of a tree; ``numbers``: its nodes that are numbers of the shape.
 
     ``taken``: their places; ``runs``: those that it has found.
     """
 
-    def __init__(self, places: list[_Gap], runs: list[int]) -> None:
+    def __init__(self, places: list[_Placeholder], runs: list[int]) -> None:
         self._places = places
         self._runs = runs
         self._order = [(place.line, place.end) for place in places]
-        self.numbers: dict[Span, recipes.Value] = {}
+        self.numbers: dict[Span, recipes.NumberRecipe] = {}
         self.taken: set[int] = set()
         self.runs: list[int] = []
 
@@ -286,7 +286,7 @@ class _Writer:
             return self._number(value)
         if dataclasses.is_dataclass(value):
             return self._node(value)
-        return recipes.Same(value)
+        return recipes.SharedRecipe(value)
 
     def _tuple(self, values: tuple[Any, ...]) -> Recipe:
         """A tuple of parts; one object for all occurrences where all of them are."""
@@ -301,48 +301,57 @@ class _Writer:
                 parts.append(self.recipe(value))
                 body.append(parts[-1])
         if len(parts) < len(body):
-            return recipes.Body(body)
-        if all(isinstance(part, recipes.Same) for part in parts):
-            return recipes.Same(values)
-        return recipes.Items(parts)
+            return recipes.BodyRecipe(body)
+        if all(isinstance(part, recipes.SharedRecipe) for part in parts):
+            return recipes.SharedRecipe(values)
+        return recipes.TupleRecipe(parts)
 
     def _node(self, node: Any) -> Recipe:
         cls = type(node)
         fields = []
         for field in dataclasses.fields(cls):
             part = self.recipe(getattr(node, field.name))
-            if field.name in _EVALUATED.get(cls, ()):
-                part = self._formed(node, field.name, part)
+            if field.name in _EVALUATED_FIELDS.get(cls, ()):
+                part = self._template_expression(node, field.name, part)
             fields.append((getattr(cls, field.name), part))
-        if all(isinstance(part, recipes.Same) for _, part in fields):
-            return recipes.Same(node)
-        return recipes.Filled(cls, fields)
+        if all(isinstance(part, recipes.SharedRecipe) for _, part in fields):
+            return recipes.SharedRecipe(node)
+        return recipes.NodeRecipe(cls, fields)
 
-    def _formed(self, node: Any, name: str, recipe: Recipe) -> Recipe:
+    def _template_expression(self, node: Any, name: str, recipe: Recipe) -> Recipe:
         """The recipe of a value that is evaluated: formed, if that can be."""
         tree = getattr(node, name)
-        if isinstance(tree, Number) or not isinstance(tree, Expression) or not _is_now(tree):
+        if (
+            isinstance(tree, Number)
+            or not isinstance(tree, Expression)
+            or not _is_template_value(tree)
+        ):
             return recipe
         if isinstance(node, Word) and node.name not in VALUE_WORDS:
             return recipe
-        return recipes.Expressed(Formed, Form(tree, self.numbers, recipe, self._span(tree.span)))
+        return recipes.ExpressionRecipe(
+            TemplateExpression,
+            ExpressionTemplate(tree, self.numbers, recipe, self._span(tree.span)),
+        )
 
     def _number(self, node: Number) -> Recipe:
         span = self._span(node.span)
         slot, value_slot = _SLOTS
         for index, place in enumerate(self._places):
             if place.number and abs(node.value) == place.number and _covers(node.span, place):
-                value = recipes.Value(index, node.value / place.number)
+                value = recipes.NumberRecipe(index, node.value / place.number)
                 self.numbers[node.span] = value
                 self.taken.add(index)
-                return recipes.Filled(Number, [(slot, span), (value_slot, value)])
-        return recipes.Filled(Number, [(slot, span), (value_slot, recipes.Same(node.value))])
+                return recipes.NodeRecipe(Number, [(slot, span), (value_slot, value)])
+        return recipes.NodeRecipe(
+            Number, [(slot, span), (value_slot, recipes.SharedRecipe(node.value))]
+        )
 
     def _span(self, span: Span) -> Recipe:
         line = span.line - 1
         begin, column = self._anchor(line, span.column - 1)
         end, end_column = self._anchor(line, span.end_column - 1)
-        return recipes.Place(line, begin, column + 1, end, end_column + 1)
+        return recipes.SpanRecipe(line, begin, column + 1, end, end_column + 1)
 
     def _anchor(self, line: int, column: int) -> tuple[int, int]:
         """The last place of the line in front of a column, and how far behind it that is."""
@@ -352,12 +361,12 @@ class _Writer:
         return index, column - self._places[index].end
 
 
-def _covers(span: Span, place: _Gap) -> bool:
+def _covers(span: Span, place: _Placeholder) -> bool:
     is_inside = span.column - 1 <= place.start and place.end <= span.end_column - 1
     return span.line - 1 == place.line and is_inside
 
 
-def _is_now(expression: Expression) -> bool:
+def _is_template_value(expression: Expression) -> bool:
     """Whether nothing but the program's own variables and parameters have to be known for it.
 
     What has elements is left to the tree.
@@ -371,11 +380,11 @@ def _is_now(expression: Expression) -> bool:
         case Parameter():
             return not expression.call and isinstance(expression.index, Number)
         case Unary():
-            return _is_now(expression.operand)
+            return _is_template_value(expression.operand)
         case Binary():
-            return _is_now(expression.left) and _is_now(expression.right)
+            return _is_template_value(expression.left) and _is_template_value(expression.right)
         case Call():
             function = FUNCTIONS.get(expression.function)
             is_of_numbers = function is not None and not function.decoder_only
-            return is_of_numbers and all(_is_now(one) for one in expression.arguments)
+            return is_of_numbers and all(_is_template_value(one) for one in expression.arguments)
     return False

@@ -2,8 +2,8 @@
 """Statements made from templates: the same commands, events and diagnostics as from the parser.
 
 Every program is checked and decoded in both ways, as a long one that is read from its text: once
-with templates (``nc/fast/templates.py``) and forms (``decoder/values/forms.py``), once all by
-parser and tree.
+with templates (``nc/fast/templates.py``) and forms (``decoder/values/template_plans.py``), once all
+by parser and tree.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from decoded_rows import rows
 
 from nctakt.decoder.values.evaluation import Reading
 from nctakt.nc import outline
-from nctakt.nc.fast.templates import Formed, Templates
+from nctakt.nc.fast.templates import TemplateExpression, Templates
 from nctakt.nc.tree import Expression
 from nctakt.run.controller import Controller, NcText
 
@@ -160,7 +160,7 @@ def test_many_random_programs_run_and_are_full_of_forms(monkeypatch: pytest.Monk
 
     def count(self: Reading, expression: Expression) -> float | None:
         value = ask(self, expression)
-        if isinstance(expression, Formed):
+        if isinstance(expression, TemplateExpression):
             known[value is None] += 1
         return value
 

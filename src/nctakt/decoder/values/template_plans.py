@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
 # cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
-"""Expressions by their form: computed with the numbers of an occurrence, without a tree.
+"""Expressions by their template: computed with the numbers of an occurrence, without a tree.
 
-In: a ``Formed`` of ``nc/fast/templates.py``. Out: its value, or that it has none here; then its
-tree is evaluated, and the mistake is told there. A form is made once, of the same nodes as in
-realtime cycles, with a cell for each number, variable and parameter. Variables are looked up again
-only when some have come or gone.
+In: a ``TemplateExpression`` of ``nc/fast/templates.py``. Out: its value, or that it has none here;
+then its tree is evaluated, and the mistake is told there. A template is made once, of the same
+nodes as in realtime cycles, with a cell for each number, variable and parameter. Variables are
+looked up again only when some have come or gone.
 """
 
 from __future__ import annotations
@@ -18,15 +18,16 @@ from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.expressions import Expression
 from nctakt.nc.fast.recipes import Occurrence
 
-#: Numbers, variables and parameters of a form that is computed.
+#: Numbers, variables and parameters of a template that is computed.
 MOST_CELLS = 64
 
 
-class FormPlan:
-    """What a form needs, each with its cell, the cells in the order of ``places``, names, numbers.
+class TemplatePlan:
+    """What a template needs, each with its cell, the cells in the order of ``places``, names,
+    numbers.
 
     ``places`` and ``signs``: numbers of the occurrence. ``names``: family and path of variables.
-    ``parameters``: P1, P2, … ``node`` is ``None`` where the form cannot be computed.
+    ``parameters``: P1, P2, … ``node`` is ``None`` where the template cannot be computed.
     """
 
     def __init__(
@@ -63,7 +64,7 @@ class FormPlan:
         return 1
 
 
-class FormComputer:
+class TemplateEvaluator:
     """Computes forms; ``scopes`` and ``parameters`` are those of the program."""
 
     def __init__(
@@ -78,15 +79,15 @@ class FormComputer:
         self.scopes = scopes
         self.parameters = parameters
 
-    def value(self, plan: FormPlan, at: Occurrence) -> float | None:
-        """The value of a form in an occurrence; ``None`` where its tree has to tell."""
+    def value(self, plan: TemplatePlan, occurrence: Occurrence) -> float | None:
+        """The value of a template in an occurrence; ``None`` where its tree has to tell."""
         if plan.node is None:
             return None
         if plan.changes != self.scopes.changes and plan.find(self.scopes) == 0:
             return None
         cell = 0
         for i in range(len(plan.places)):
-            self.cells[cell] = at.numbers[plan.places[i]] * plan.signs[i]
+            self.cells[cell] = occurrence.numbers[plan.places[i]] * plan.signs[i]
             cell += 1
         for values in plan.values:
             value = values[0]
@@ -104,8 +105,8 @@ class FormComputer:
             return None
         return result
 
-    def write(self, plan: FormPlan, value: float) -> int:
-        """Give the variable or parameter that the form is a value; 0 where its tree has to."""
+    def write(self, plan: TemplatePlan, value: float) -> int:
+        """Give the variable or parameter that the template is a value; 0 where its tree has to."""
         if plan.parameters:
             self.parameters[plan.parameters[0]] = value
             return 1

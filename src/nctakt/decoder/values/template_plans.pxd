@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-# C types of forms.py.
+# C types of template_plans.py.
 cimport cython
 from nctakt.kernel.cycles.expressions cimport Expression
 from nctakt.kernel.cycles.context cimport Context
 from nctakt.nc.fast.recipes cimport Occurrence
 
-cdef class FormPlan:
+cdef class TemplatePlan:
     cdef Expression node
     cdef list places
     cdef list signs
@@ -17,12 +17,12 @@ cdef class FormPlan:
 
     cpdef int find(self, object scopes) except -1
 
-cdef class FormComputer:
+cdef class TemplateEvaluator:
     cdef Context context
     cdef double[::1] cells
     cdef object scopes
     cdef dict parameters
 
     @cython.locals(i=Py_ssize_t, cell=Py_ssize_t, place=Py_ssize_t, sign=double, values=list, context=Context, result=double)
-    cpdef object value(self, FormPlan plan, Occurrence at)
-    cpdef int write(self, FormPlan plan, double value) except -1
+    cpdef object value(self, TemplatePlan plan, Occurrence occurrence)
+    cpdef int write(self, TemplatePlan plan, double value) except -1

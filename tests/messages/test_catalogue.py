@@ -148,7 +148,7 @@ def test_each_report_gives_what_its_message_tells() -> None:
     """Where number and values stand in one call, they fit: else a mistake would be a traceback."""
     wrong = []
     for path in sorted(SOURCES.rglob("*.py")):
-        if path.parent.name == "kernel":
+        if SOURCES / "kernel" in path.parents:
             continue  # what the realtime part fails with becomes a diagnostic elsewhere
         for call in ast.walk(ast.parse(path.read_text("utf-8"))):
             if isinstance(call, ast.Call) and call.args and isinstance(call.args[0], ast.Constant):

@@ -18,7 +18,7 @@ import time
 from benchmarks.tick import LAWS, REPEATS, program
 from nctakt.base.mode import is_compiled
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
 
 #: Blocks that are put into the queue at once.
@@ -44,7 +44,7 @@ def blocks_per_second(
     corners = places(length, CHUNK, turn)
     best = 1e9
     for _ in range(20 * REPEATS):
-        channel = Machine(load_machine(None)).channels[0]
+        channel = AssembledMachine(load_machine(None)).channels[0]
         begin = time.perf_counter()
         for i in range(CHUNK):
             channel.put_segment(

@@ -10,11 +10,11 @@ import pytest
 
 from nctakt.cli import main
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
-from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.machines.commented import DEMO
 
 
-def without_files(machine: MachineConfiguration) -> tuple[object, ...]:
+def without_files(machine: Machine) -> tuple[object, ...]:
     """What a machine is, whatever its files are called and whichever lines they have."""
 
     def bare(axis: AxisConfiguration) -> AxisConfiguration:

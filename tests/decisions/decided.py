@@ -6,12 +6,12 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 
 
-def machine(**limits: int) -> MachineConfiguration:
+def machine(**limits: int) -> Machine:
     """The demo machine with other limits of realtime cycles (``RealtimeCycleLimits``)."""
     demo = load_machine(None)
     (channel,) = demo.channels

@@ -12,7 +12,7 @@ from math import asin, degrees
 import pytest
 from compensated import decoded, way
 
-from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.run.controller import Controller, NcText
 
 START = "D1 G01 F6000\n"
@@ -50,7 +50,7 @@ def ends(text: str, patch: pytest.MonkeyPatch, plane: tuple[int, int] = (0, 1)) 
     return found
 
 
-def watching() -> MachineConfiguration:
+def watching() -> Machine:
     """The demo machine with P-CHAN-00219."""
     demo = load_machine(None)
     (channel,) = demo.channels

@@ -7,7 +7,7 @@ import dataclasses
 
 import pytest
 
-from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 
@@ -22,7 +22,7 @@ CYCLE = """#RT CYCLE [ID = {id} SCOPE = PROG]
 BYTES = 64 + 5 * 16 + 2 * 24 + 9 * 8
 
 
-def machine(memory_bytes: int) -> MachineConfiguration:
+def machine(memory_bytes: int) -> Machine:
     """The demo machine with another memory for realtime cycles."""
     demo = load_machine(None)
     channel = demo.channels[0]

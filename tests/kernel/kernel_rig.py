@@ -15,7 +15,7 @@ from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.kernel.tick import command_queue as kinds
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller
 
 DEMO = load_machine(None)
@@ -28,7 +28,7 @@ class Rig:
     """One machine with its first channel; ``x`` are the command positions of X, tick by tick."""
 
     def __init__(self) -> None:
-        self.machine = Machine(DEMO)
+        self.machine = AssembledMachine(DEMO)
         self.channel = self.machine.channels[0]
         self.x: list[float] = []
         self.end = 0.0

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import numpy as np
-from motion_machines import AXES, Machine, machine
+from motion_machines import AXES, DrawnMachine, machine
 from motion_programs import MotionProgram
 
 from nctakt.results.run import Run
@@ -37,7 +37,7 @@ def blocks(run: Run) -> np.ndarray:
 
 
 def broken_limits(
-    places: np.ndarray, machine: Machine, limits_jerk: np.ndarray, *, stands: bool = True
+    places: np.ndarray, machine: DrawnMachine, limits_jerk: np.ndarray, *, stands: bool = True
 ) -> list[str]:
     """Where an axis is faster, or changes its speed or acceleration more, than it may in a tick.
 
@@ -120,7 +120,7 @@ def limits_jerk(program: MotionProgram, numbers: np.ndarray) -> np.ndarray:
     return smooth[numbers]
 
 
-def violations(program: MotionProgram, run: Run, machine: Machine) -> list[str]:
+def violations(program: MotionProgram, run: Run, machine: DrawnMachine) -> list[str]:
     """Everything that is wrong with a run."""
     places, numbers = positions(run), blocks(run)
     is_over = run.state != "limit"
@@ -134,7 +134,7 @@ def violations(program: MotionProgram, run: Run, machine: Machine) -> list[str]:
 
 
 def stop_violations(
-    program: MotionProgram, run: Run, machine: Machine, *, stands: bool
+    program: MotionProgram, run: Run, machine: DrawnMachine, *, stands: bool
 ) -> list[str]:
     """Everything that is wrong with a run that has been stopped, and may have to stand by now.
 

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from kernel_rig import DEMO
 
-from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import Machine, load_machine
 
 #: Path axes of all machines; A is a modulo axis.
 AXES = ("X", "Y", "Z", "A")
@@ -46,10 +46,10 @@ UNLIKE = (
 
 
 @dataclass(frozen=True)
-class Machine:
+class DrawnMachine:
     """A machine and what the four axes of its path can do, per tick, tick² and tick³."""
 
-    configuration: MachineConfiguration
+    configuration: Machine
     tick_us: int
     speed: np.ndarray
     acceleration: np.ndarray
@@ -57,12 +57,12 @@ class Machine:
 
 
 @functools.cache
-def machine(number: int) -> Machine:
+def machine(number: int) -> DrawnMachine:
     """0 the demo machine, 1 with unlike axes; 2 and 3 the same with a tick of 2 ms."""
     limits = UNLIKE if number % 2 else ALIKE
     tick_us = 2000 if number >= 2 else 1000
     tick_t = tick_us / 1e6
-    return Machine(
+    return DrawnMachine(
         DEMO if number == 0 else _loaded(limits, tick_us),
         tick_us,
         np.array([one.speed * tick_t for one in limits]),
@@ -71,7 +71,7 @@ def machine(number: int) -> Machine:
     )
 
 
-def _loaded(limits: tuple[Limits, ...], tick_us: int) -> MachineConfiguration:
+def _loaded(limits: tuple[Limits, ...], tick_us: int) -> Machine:
     """The demo machine with these axes and this tick."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name) / "machine"

@@ -16,7 +16,7 @@ import pytest
 from best_times import Way, best_time
 from kernel_rig import ACCELERATION, DEMO, RAPID
 
-from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.run.controller import Controller, NcText
 
 SIGNALS = [f"{name}.ACS.ACT_POS" for name in "XYZ"]
@@ -24,12 +24,12 @@ RADII = ((0.5, 500.0), (1.0, 50.0), (5.0, 100.0), (5.0, 500.0), (20.0, 300.0), (
 
 
 @pytest.fixture(scope="module")
-def machines(tmp_path_factory: pytest.TempPathFactory) -> dict[float, MachineConfiguration]:
+def machines(tmp_path_factory: pytest.TempPathFactory) -> dict[float, Machine]:
     """The demo machine, and it with a share of the limits for Y."""
     return {share: machine(tmp_path_factory.mktemp("m"), share) for share in (1.0, 0.5, 0.2)}
 
 
-def machine(folder: Path, share: float) -> MachineConfiguration:
+def machine(folder: Path, share: float) -> Machine:
     """The demo machine with a share of speed and acceleration for Y."""
     shutil.copytree(DEMO.folder, folder / "machine")
     axis = folder / "machine" / "achs_mds2.lis"
@@ -41,7 +41,7 @@ def machine(folder: Path, share: float) -> MachineConfiguration:
     return load_machine(folder / "machine")
 
 
-def seconds(one: MachineConfiguration, share: float, program: str) -> float:
+def seconds(one: Machine, share: float, program: str) -> float:
     """How long a program takes; speed and acceleration of each axis hold in each tick."""
     run = Controller(one).run(NcText("p.nc", program + "\nM30"), signals=SIGNALS)
     assert run.state == "ended", run.diagnostics
@@ -100,7 +100,7 @@ def shapes(radius: float) -> dict[str, Way]:
 @pytest.mark.parametrize("share", [1.0, 0.5, 0.2])
 @pytest.mark.parametrize(("radius", "feed"), RADII)
 def test_arcs_take_hardly_longer_than_the_optimum(
-    machines: dict[float, MachineConfiguration], share: float, radius: float, feed: float
+    machines: dict[float, Machine], share: float, radius: float, feed: float
 ) -> None:
     """Within 3 % and a tick, whether feed, speed or acceleration of an axis is the limit."""
     speeds = (RAPID, RAPID * share, RAPID)
@@ -111,7 +111,7 @@ def test_arcs_take_hardly_longer_than_the_optimum(
         assert 0.998 * best <= found <= 1.03 * best + 0.001, (name, found, best)
 
 
-def test_where_an_arc_begins_does_not_matter(machines: dict[float, MachineConfiguration]) -> None:
+def test_where_an_arc_begins_does_not_matter(machines: dict[float, Machine]) -> None:
     """Arcs of 10° to 350°, from any direction, left and right, each within 3 %."""
     limits = ((RAPID,) * 3, (ACCELERATION,) * 3)
     for begin, angle in product(range(0, 360, 75), (10.0, -40.0, 130.0, -350.0)):

@@ -18,12 +18,12 @@ from nctakt.base.mode import is_compiled
 #: Puts so many blocks of a kind into the queue and counts the calls that each of them costs.
 COUNTING = """
 import math, sys
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.lists.machine.machine import load_machine
 
 kind, blocks = sys.argv[1], int(sys.argv[2])
 length = {"short": 0.01, "long": 1.0, "smooth": 0.05, "arcs": 0.3}[kind]
-channel = Machine(load_machine(None)).channels[0]
+channel = AssembledMachine(load_machine(None)).channels[0]
 calls = 0
 
 def count(frame, event, argument):

@@ -15,7 +15,7 @@ import pytest
 from kernel_rig import DEMO, Rig
 
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.trace.events import EventDecoder
 
 X, Y, Z, A = range(4)
@@ -28,7 +28,7 @@ OWNER = 7
 class AxesRig(Rig):
     """A rig that keeps the position of one axis and the texts of all events, tick by tick."""
 
-    def __init__(self, axis: int = Z, machine: Machine | None = None) -> None:
+    def __init__(self, axis: int = Z, machine: AssembledMachine | None = None) -> None:
         super().__init__()
         if machine is not None:
             self.machine = machine
@@ -388,7 +388,7 @@ def test_reset_brakes_and_ends_when_all_stands() -> None:
 # --- other machines ----------------------------------------------------------------------------
 
 
-def machine_with(folder: Path, changes: dict[str, str]) -> Machine:
+def machine_with(folder: Path, changes: dict[str, str]) -> AssembledMachine:
     """The demo machine with other lines in its lists: beginning of the old line -> new line."""
     shutil.copytree(DEMO.folder, folder / "machine")
     for path in sorted((folder / "machine").glob("*.lis")):
@@ -396,7 +396,7 @@ def machine_with(folder: Path, changes: dict[str, str]) -> Machine:
         for begin, line in changes.items():
             lines = [line if one.startswith(begin) else one for one in lines]
         path.write_text("\n".join(lines), "utf-8")
-    return Machine(load_machine(folder / "machine"))
+    return AssembledMachine(load_machine(folder / "machine"))
 
 
 def test_a_jerk_limited_motion_by_hand(tmp_path: Path) -> None:

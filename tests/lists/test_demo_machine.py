@@ -8,36 +8,36 @@ from math import inf
 import pytest
 
 from nctakt.lists.machine.axis_configuration import AxisType
-from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.lists.machine.variables import AccessRights, Leaf
 
 
 @pytest.fixture(scope="module")
-def demo() -> MachineConfiguration:
+def demo() -> Machine:
     """The demo machine."""
     return load_machine(None)
 
 
-def leaves(demo: MachineConfiguration) -> dict[str, Leaf]:
+def leaves(demo: Machine) -> dict[str, Leaf]:
     """All V.E leaves by path."""
     (channel,) = demo.channels
     return {leaf.path: leaf for one in channel.external_variables for leaf in one.leaves()}
 
 
-def test_it_loads_without_any_finding(demo: MachineConfiguration) -> None:
+def test_it_loads_without_any_finding(demo: Machine) -> None:
     """The demo lists are an example: not even a note, verbose or not."""
     assert demo.diagnostics == ()
     found = load_machine(None, verbose=True).diagnostics
     assert {one.id for one in found} == {900026}
 
 
-def test_tick(demo: MachineConfiguration) -> None:
+def test_tick(demo: Machine) -> None:
     """MO-15: T is 1 ms."""
     assert (demo.name, demo.cycle_time_us) == ("demo", 1000)
 
 
 @pytest.mark.parametrize("index", [0, 1, 2])
-def test_linear_axes(demo: MachineConfiguration, index: int) -> None:
+def test_linear_axes(demo: Machine, index: int) -> None:
     """MO-15: X Y Z, ±10 m, 500 mm/s, 4000 mm/s², trapezoid, single axis motion, exact drive."""
     axis = demo.axes[index]
     assert (axis.name, axis.type, axis.is_modulo) == ("XYZ"[index], AxisType.LINEAR, False)
@@ -47,7 +47,7 @@ def test_linear_axes(demo: MachineConfiguration, index: int) -> None:
     assert (axis.enable_single_axis, axis.follows_exactly) == (True, True)
 
 
-def test_rotary_axis(demo: MachineConfiguration) -> None:
+def test_rotary_axis(demo: Machine) -> None:
     """MO-15: A, modulo 360°, 360 °/s, 4000 °/s²."""
     axis = demo.axes[3]
     assert (axis.name, axis.type, axis.modulo_range) == ("A", AxisType.ROTARY, 360)
@@ -56,7 +56,7 @@ def test_rotary_axis(demo: MachineConfiguration) -> None:
     assert (axis.enable_single_axis, axis.follows_exactly) == (True, True)
 
 
-def test_channel(demo: MachineConfiguration) -> None:
+def test_channel(demo: Machine) -> None:
     """MO-15: axes X Y Z A, spindles S, S2 and the PLC's S3, realtime cycles and V.CH memory."""
     (channel,) = demo.channels
     assert [axis.name for axis in channel.axes] == ["X", "Y", "Z", "A"]
@@ -73,7 +73,7 @@ def test_channel(demo: MachineConfiguration) -> None:
     assert channel.parameters.max_override_pct == 100
 
 
-def test_program_start(demo: MachineConfiguration) -> None:
+def test_program_start(demo: Machine) -> None:
     """MO-15: G00 G17 G71 G90, 1000 mm/min, exact stop after G00, trapezoid."""
     parameters = demo.channels[0].parameters
     start = parameters.program_start
@@ -83,7 +83,7 @@ def test_program_start(demo: MachineConfiguration) -> None:
 
 
 @pytest.mark.parametrize("kind", ["m", "h"])
-def test_technology_functions(demo: MachineConfiguration, kind: str) -> None:
+def test_technology_functions(demo: Machine, kind: str) -> None:
     """MO-15: 100 … 110 are MOS, then one of each synchronisation type."""
     parameters = demo.channels[0].parameters
     functions = parameters.m_functions if kind == "m" else parameters.h_functions
@@ -123,15 +123,13 @@ def test_technology_functions(demo: MachineConfiguration, kind: str) -> None:
         ("LEVEL_1_A[1].LEVEL_2_A[1].LIST[3]", "SGN32", True, "CHANNEL"),
     ],
 )
-def test_variables(
-    demo: MachineConfiguration, path: str, type_: str, synchronous: bool, scope: str
-) -> None:
+def test_variables(demo: Machine, path: str, type_: str, synchronous: bool, scope: str) -> None:
     """MO-15: the variables of the manuals' examples, and some of each type."""
     leaf = leaves(demo)[path]
     assert (leaf.type, leaf.synchronous, leaf.scope.value) == (type_, synchronous, scope)
 
 
-def test_variables_have_each_type_and_right(demo: MachineConfiguration) -> None:
+def test_variables_have_each_type_and_right(demo: Machine) -> None:
     """Every basic type but VSTRING, and every access right."""
     found = leaves(demo)
     assert {leaf.rights for leaf in found.values()} == set(AccessRights)
@@ -139,7 +137,7 @@ def test_variables_have_each_type_and_right(demo: MachineConfiguration) -> None:
     assert {leaf.type for leaf in found.values()} == expected
 
 
-def test_channel_variables(demo: MachineConfiguration) -> None:
+def test_channel_variables(demo: Machine) -> None:
     """V.CH.VarTest1 of the manual is asynchronous."""
     found = {one.name: one for one in demo.channels[0].channel_variables}
     assert not found["VarTest1"].node.synchronous

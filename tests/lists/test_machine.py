@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.lists.machine.machine import MachineConfiguration, MachineError, load_machine
+from nctakt.base.failure import Failure
+from nctakt.lists.machine.machine import Machine, load_machine
 
 STARTUP = """\
 kanal_anzahl 1
@@ -47,7 +48,7 @@ def write(folder: Path, files: dict[str, str]) -> Path:
     return folder
 
 
-def load(folder: Path, *, verbose: bool = False) -> tuple[MachineConfiguration, list[int]]:
+def load(folder: Path, *, verbose: bool = False) -> tuple[Machine, list[int]]:
     """The machine of ``folder``, and what was found."""
     machine = load_machine(folder, verbose=verbose)
     for found in machine.diagnostics:
@@ -57,7 +58,7 @@ def load(folder: Path, *, verbose: bool = False) -> tuple[MachineConfiguration, 
 
 def failure(folder: Path) -> list[int]:
     """What a folder without a machine reports."""
-    with pytest.raises(MachineError) as caught:
+    with pytest.raises(Failure) as caught:
         load_machine(folder)
     for found in caught.value.diagnostics:
         assert found.render("en") and found.render("de")
@@ -146,7 +147,7 @@ def test_absolute_paths(tmp_path: Path) -> None:
         (folder / "hochlauf.lis").write_text(text, encoding="utf-8")
         try:
             assert load(folder)[1] == numbers
-        except MachineError as error:
+        except Failure as error:
             assert [found.id for found in error.diagnostics] == [*numbers, 900077]
 
 
@@ -394,7 +395,7 @@ def test_a_list_that_is_no_text(tmp_path: Path, name: str) -> None:
     (tmp_path / name).write_bytes(bytes(range(256)) * 4)
     try:
         machine = load_machine(tmp_path)
-    except MachineError as error:
+    except Failure as error:
         found = error.diagnostics
     else:
         found = machine.diagnostics

@@ -11,7 +11,7 @@ from collections import Counter
 from pathlib import Path
 
 from nctakt.checking.check import check_files
-from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.run.controller import Controller, NcText
 
 FOLDER = Path(__file__).parent.parent / "machines" / "centre"
@@ -55,7 +55,7 @@ EXPECTED = (
 )
 
 
-def findings(machine: MachineConfiguration) -> list[tuple[str, int, int]]:
+def findings(machine: Machine) -> list[tuple[str, int, int]]:
     """List, line and number of what was found, in order."""
     return sorted(
         (Path(one.span.file).name, one.span.line, one.id) if one.span else ("", 0, one.id)

@@ -10,7 +10,7 @@ from functools import cache
 from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.lists.declared.technology_functions import TechnologyFunction
 from nctakt.lists.machine.channel_configuration import ChannelParameters
-from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import Collector
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.inspection import inspect
@@ -27,7 +27,7 @@ class Channel:
 
 
 @cache
-def _machine() -> MachineConfiguration:
+def _machine() -> Machine:
     return load_machine(None)
 
 

@@ -18,12 +18,12 @@ import pytest
 from nctakt.base.text import decode_text
 from nctakt.checking.check import check_files
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
 
 ROOT = Path(__file__).parent.parent.parent
 DEMO = load_machine(None)
-TARGET = Machine(DEMO)
+TARGET = AssembledMachine(DEMO)
 TEXTS = int(os.environ.get("NCTAKT_SEEDS", "1000"))
 #: Texts of one test.
 BATCH = 50

@@ -6,7 +6,7 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-from nctakt.lists.machine.machine import MachineConfiguration, load_machine
+from nctakt.lists.machine.machine import Machine, load_machine
 
 DEMO = load_machine(None).folder
 
@@ -59,7 +59,7 @@ def folder_with(tmp_path: Path, variables: str, **startup: object) -> Path:
     return folder
 
 
-def machine_with(tmp_path: Path, variables: str, alignment: int = 8) -> MachineConfiguration:
+def machine_with(tmp_path: Path, variables: str, alignment: int = 8) -> Machine:
     """Such a machine, whose lists have no mistakes."""
     folder = folder_with(tmp_path, variables, ext_var_struct_member_alignment=alignment)
     machine = load_machine(folder)

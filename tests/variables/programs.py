@@ -9,7 +9,7 @@ from pathlib import Path
 
 from machines import machine_with
 
-from nctakt.lists.machine.machine import MachineConfiguration
+from nctakt.lists.machine import machine as machines
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 
@@ -41,7 +41,7 @@ def demo() -> Machine:
 
 def machine(tmp_path: Path, variables: str, alignment: int = 8) -> Machine:
     """A machine with these variables."""
-    configuration: MachineConfiguration = machine_with(tmp_path, variables, alignment)
+    configuration: machines.Machine = machine_with(tmp_path, variables, alignment)
     return Machine(Controller(configuration))
 
 

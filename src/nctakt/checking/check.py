@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from nctakt.base.diagnostics import Diagnostic, Severity, Span
+from nctakt.base.failure import Failure
 from nctakt.base.long_text import read_lines
 from nctakt.base.text import decode_text, split_lines
 from nctakt.checking.inputs import Found, gather
@@ -21,12 +22,12 @@ from nctakt.checking.targets import Target, Targets
 from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.machine.files import find_file, startup_list_around
 from nctakt.lists.machine.list_kinds import check_list_alone, kind_of, references
-from nctakt.lists.machine.machine import MachineError, load_machine
+from nctakt.lists.machine.machine import load_machine
 from nctakt.messages import Collector, diagnostic
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.lint.linter import GlobalCycles, never_deleted
 from nctakt.nc.source import Source
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
 
 #: The kind of a program; lists have the kinds of their schemas (``channel``, ``axis``, …).
@@ -71,7 +72,7 @@ class CheckResult:
 
 def check_files(
     inputs: Sequence[str | Path | NcText],
-    machine: Machine,
+    machine: AssembledMachine,
     *,
     verbose: bool = False,
     for_all: bool = True,
@@ -97,7 +98,7 @@ class _Waiting:
 class _Checker:
     """Gathers files and diagnostics of one call."""
 
-    def __init__(self, machine: Machine, verbose: bool, for_all: bool) -> None:
+    def __init__(self, machine: AssembledMachine, verbose: bool, for_all: bool) -> None:
         self._targets = Targets(machine, for_all)
         self._verbose = verbose
         self._for_all = for_all
@@ -188,7 +189,7 @@ class _Checker:
         self._files[startup.as_posix()] = "startup"
         try:
             machine = load_machine(startup, verbose=self._verbose)
-        except MachineError as error:
+        except Failure as error:
             self._keep(startup.as_posix(), error.diagnostics)
             return
         for kind, reference in references(machine.startup):
@@ -207,7 +208,7 @@ class _Checker:
         self._around[startup] = None
         try:
             machine = load_machine(startup)
-        except MachineError as error:
+        except Failure as error:
             self._keep(startup.as_posix(), error.diagnostics)
             return
         errors = [one for one in machine.diagnostics if one.severity is Severity.ERROR]

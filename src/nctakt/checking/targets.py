@@ -13,17 +13,17 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from nctakt.lists.machine.channel_configuration import ChannelParameters
-from nctakt.lists.machine.machine import MachineConfiguration
+from nctakt.lists.machine.machine import Machine
 from nctakt.nc.lint.realtime_cycles import Budget
 from nctakt.nc.vocabulary.variable_table import NameTable
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import program_folder
 
 
 class Target:
     """One channel, by its number, as a check needs it; ``folder`` is that of its machine."""
 
-    def __init__(self, machine: Machine, channel: int) -> None:
+    def __init__(self, machine: AssembledMachine, channel: int) -> None:
         one = machine.assembled[channel]
         self.channel = channel + 1
         context = machine.channels[channel].context
@@ -46,17 +46,17 @@ class Targets:
     machines that programs were for.
     """
 
-    def __init__(self, default: Machine, for_all: bool) -> None:
+    def __init__(self, default: AssembledMachine, for_all: bool) -> None:
         self._default = _channels(default)
         self._for_all = for_all
         self._found: list[Sequence[Target]] = []
         self.took_default = False
         self.taken: dict[Path, None] = {}
 
-    def add(self, configuration: MachineConfiguration) -> None:
+    def add(self, configuration: Machine) -> None:
         """A machine whose folder is checked."""
         if not self._for_all:
-            self._found.append(_channels(Machine(configuration)))
+            self._found.append(_channels(AssembledMachine(configuration)))
 
     def of(self, program: Path | None) -> Sequence[Target]:
         """The channels that a program is for; ``None``: a text that lies nowhere."""
@@ -80,5 +80,5 @@ class Targets:
         return self._default
 
 
-def _channels(machine: Machine) -> Sequence[Target]:
+def _channels(machine: AssembledMachine) -> Sequence[Target]:
     return tuple(Target(machine, index) for index in range(len(machine.assembled)))

@@ -24,9 +24,9 @@ from nctakt.cli.formats import as_github, as_json, as_text, closing_line
 from nctakt.cli.sarif import as_sarif
 from nctakt.cli.selection import Selection, read_selection
 from nctakt.cli.terminal import OutputFile, print_diagnostics, show_at_the_end
-from nctakt.lists.machine.machine import MachineError, load_machine
+from nctakt.lists.machine.machine import load_machine
 from nctakt.messages import diagnostic
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
 
 _STANDARD_INPUT = "-"
@@ -117,14 +117,11 @@ def _check(options: Options) -> int:
     return _exit_code(result, strict=options.strict)
 
 
-def _machine(options: Options) -> Machine:
+def _machine(options: Options) -> AssembledMachine:
     """The machine that programs are checked for; what is wrong with its lists is told, too."""
-    try:
-        configuration = load_machine(None if options.machine is None else Path(options.machine))
-    except MachineError as error:
-        raise Failure(*error.diagnostics) from error
+    configuration = load_machine(options.machine)
     print_diagnostics(configuration.diagnostics, options.language, Severity.ERROR)
-    return Machine(configuration)
+    return AssembledMachine(configuration)
 
 
 def _standard_input() -> NcText:

@@ -15,7 +15,7 @@ from nctakt.kernel.base.record import Record
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
-from nctakt.lists.machine.machine import MachineConfiguration
+from nctakt.lists.machine.machine import Machine
 
 
 def look_ahead(
@@ -39,7 +39,7 @@ def history_blocks(memory_bytes: int, axis_count: int) -> int:
     return memory_bytes // (8 * geometry.width(axis_count))
 
 
-def single_axes(configuration: MachineConfiguration, axes: Axes, record: Record) -> SingleAxes:
+def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxes:
     """What moves the axes on their own, with the limits of their lists."""
     made = SingleAxes(axes, record, configuration.cycle_time_us)
     jerky = {

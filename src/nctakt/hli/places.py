@@ -28,7 +28,7 @@ from nctakt.hli.layout import (
 )
 from nctakt.hli.variables_memory import image_bytes
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
-from nctakt.lists.machine.machine import MachineConfiguration
+from nctakt.lists.machine.machine import Machine
 
 #: Areas begin at multiples of this: a cache line.
 AREA_ALIGNMENT = 64
@@ -123,7 +123,7 @@ class ImageLayout:
         return self.command_offset + index * size_of(COMMAND)
 
 
-def image_layout(machine: MachineConfiguration) -> ImageLayout:
+def image_layout(machine: Machine) -> ImageLayout:
     """The places in the image of a machine."""
     channels, axes = len(machine.channels), len(machine.axes)
     spindles = sum(len(channel.parameters.spindles) for channel in machine.channels)

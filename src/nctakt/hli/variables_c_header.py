@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.hli.variables_memory import Section, image_bytes, sections
-from nctakt.lists.machine.machine import MachineConfiguration
+from nctakt.lists.machine.machine import Machine
 from nctakt.lists.machine.variables import AccessRights, Node
 from nctakt.lists.machine.variables_layout import Field, Placed, fields, pack_of
 
@@ -35,7 +35,7 @@ _WORDS = frozenset(
 )
 
 
-def describe_c(machine: MachineConfiguration) -> str:
+def describe_c(machine: Machine) -> str:
     """The header of a machine's memory."""
     return "\n".join(_Header(machine).lines()) + "\n"
 
@@ -48,7 +48,7 @@ def identifier(name: str) -> str:
 class _Header:
     """Writes one header; structures that are alike are declared once."""
 
-    def __init__(self, machine: MachineConfiguration) -> None:
+    def __init__(self, machine: Machine) -> None:
         self._machine = machine
         self._pack = pack_of(machine.startup.member_alignment)
         self._structures: dict[tuple[str, tuple[Node, ...]], str] = {}

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from nctakt.lists.machine.machine import MachineConfiguration
+from nctakt.lists.machine.machine import Machine
 from nctakt.lists.machine.variables import Variable, VariableScope
 from nctakt.lists.machine.variables_layout import Field, Placed, fields, pack_of, place, size_bytes
 
@@ -29,7 +29,7 @@ class Section:
     placed: tuple[Placed, ...]
 
 
-def sections(machine: MachineConfiguration) -> tuple[Section, ...]:
+def sections(machine: Machine) -> tuple[Section, ...]:
     """The sections of a machine's image: GLOBAL first, then the channels."""
     pack = pack_of(machine.startup.member_alignment)
     groups: list[tuple[Variable, ...]] = [machine.global_variables]
@@ -46,14 +46,14 @@ def sections(machine: MachineConfiguration) -> tuple[Section, ...]:
     return tuple(found)
 
 
-def image_bytes(machine: MachineConfiguration) -> int:
+def image_bytes(machine: Machine) -> int:
     """Bytes of the whole image, at least one section's alignment."""
     last = sections(machine)[-1]
     end = last.offset + last.size_bytes
     return max(1, -(-end // SECTION_ALIGNMENT)) * SECTION_ALIGNMENT
 
 
-def describe(machine: MachineConfiguration, channel: int = 0) -> list[Field]:
+def describe(machine: Machine, channel: int = 0) -> list[Field]:
     """The layout of a section: path, offset in it, type, elements, bytes of each number.
 
     ``channel`` is 0 for the GLOBAL variables, else the number of a channel, from 1 on.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A machine put together: memory, axes, channels, kernel.
 
-In: ``MachineConfiguration``. Out: ``Machine``, which the controller runs.
+In: ``Machine``. Out: ``AssembledMachine``, which the controller runs.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.channel import Channel
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.channel_configuration import ChannelParameters
-from nctakt.lists.machine.machine import ChannelConfiguration, MachineConfiguration
+from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.messages import diagnostic
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, Location, NameTable
@@ -102,13 +102,13 @@ def _default_signals(channel: AssembledChannel) -> list[str]:
     return [*names, "PATH.SPEED", "OVERRIDE.VEL.TOTAL", "BLOCK", "CYCLES.ACTIVE"]
 
 
-class Machine:
+class AssembledMachine:
     """One machine's realtime part with its names.
 
     ``names``, ``parameters`` and ``members`` are those of the first channel.
     """
 
-    def __init__(self, configuration: MachineConfiguration) -> None:
+    def __init__(self, configuration: Machine) -> None:
         self.configuration = configuration
         linear = frozenset(i for i, axis in enumerate(configuration.axes) if axis.is_linear)
         modulo = frozenset(i for i, axis in enumerate(configuration.axes) if axis.is_modulo)

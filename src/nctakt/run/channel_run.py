@@ -16,7 +16,7 @@ from nctakt.base.failure import Failure
 from nctakt.kernel import kernel as reasons
 from nctakt.messages import diagnostic
 from nctakt.results.run import RunState
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import Budget
 from nctakt.run.program_loader import LoadedProgram
 from nctakt.run.queue_feeder import Feed
@@ -30,7 +30,9 @@ class ChannelRun:
     ``budget``: the decoder's time, where a schedule gives it.
     """
 
-    def __init__(self, machine: Machine, index: int, report: Callable[[Diagnostic], None]) -> None:
+    def __init__(
+        self, machine: AssembledMachine, index: int, report: Callable[[Diagnostic], None]
+    ) -> None:
         self._machine = machine
         self._index = index
         self._report = report

@@ -17,12 +17,12 @@ from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.kernel import kernel as reasons
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
-from nctakt.lists.machine.machine import MachineConfiguration, MachineError, load_machine
+from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import Run, RunState, RunStatistics, SaidMessage
 from nctakt.run import program_loader
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.channel_run import ChannelRun
 from nctakt.run.plc_view import AnyPlc, Interface
 from nctakt.run.program_loader import LoadedProgram, NcText
@@ -58,21 +58,18 @@ class Controller:
 
     def __init__(
         self,
-        machine: MachineConfiguration | str | Path | None = None,
+        machine: Machine | str | Path | None = None,
         schedule: RunSchedule | None = None,
     ) -> None:
-        if not isinstance(machine, MachineConfiguration):
-            try:
-                machine = load_machine(None if machine is None else Path(machine))
-            except MachineError as error:
-                raise Failure(*error.diagnostics) from error
+        if not isinstance(machine, Machine):
+            machine = load_machine(machine)
         duties = None
         if schedule is not None:
             machine, duties = scheduled(machine, schedule)
         self.machine = machine
         self.cycle_time_us = machine.cycle_time_us
         self.diagnostics: list[Diagnostic] = list(machine.diagnostics)
-        self._machine = Machine(machine)
+        self._machine = AssembledMachine(machine)
         self._channels = [
             ChannelRun(self._machine, index, self.diagnostics.append)
             for index in range(len(self._machine.channels))

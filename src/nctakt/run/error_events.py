@@ -11,11 +11,11 @@ from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.nc.vocabulary.axis_commands import REFUSALS
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.trace.events import Event, number_text
 
 
-def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
+def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
     """The diagnostic of an error or warning of a cycle, of the path or of the PLC's image.
 
     The values come from the context of the cycle at fault, which keeps them until the next tick.
@@ -97,7 +97,7 @@ def realtime_diagnostic(event: Event, machine: Machine) -> Diagnostic:
     return diagnostic(number, statement_span(event.span, line), line, **values)
 
 
-def _array(event: Event, machine: Machine) -> str:
+def _array(event: Event, machine: AssembledMachine) -> str:
     """The array whose index stands at the place of the event."""
     assert event.span is not None
     before = machine.files.line_at(event.span)[: event.span.column - 1]

@@ -15,7 +15,7 @@ from nctakt.base.failure import Failure
 from nctakt.hli.layout import AXIS, CHANNEL
 from nctakt.kernel.plc.axis_requests import CLEAR_FAULT, HALT
 from nctakt.messages import diagnostic
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.variable_access import split_channel
 
 
@@ -107,7 +107,7 @@ class SpindleEntry:
 class Interface:
     """The PLC's side of one channel; ``of_channel(2)`` is that of the second one."""
 
-    def __init__(self, machine: Machine, index: int = 0) -> None:
+    def __init__(self, machine: AssembledMachine, index: int = 0) -> None:
         self._machine = machine
         self._index = index
         self._hli = machine.channels[index].hli

@@ -25,7 +25,7 @@ from nctakt.nc.inspection import inspect
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.source import Source
 from nctakt.nc.tree import StringLiteral
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +83,7 @@ class LoadedProgram:
     ``channel`` is the index of the channel that it is checked for, from 0, ``parameters`` its list.
     """
 
-    def __init__(self, machine: Machine, channel: int) -> None:
+    def __init__(self, machine: AssembledMachine, channel: int) -> None:
         self._machine = machine
         self._names = machine.assembled[channel].names
         self.channel = channel
@@ -164,7 +164,7 @@ class LoadedProgram:
 
 def load(
     program: str | Path | NcText,
-    machine: Machine,
+    machine: AssembledMachine,
     diagnostics: list[Diagnostic],
     channel: int = 0,
 ) -> LoadedProgram:

@@ -20,7 +20,7 @@ from nctakt.decoder.state.modal_state import state_at_program_start
 from nctakt.decoder.state.program_variables import Scopes
 from nctakt.kernel.tick.channel import LOW_WATER
 from nctakt.kernel.tick.command_queue import TIMED_KINDS
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import Budget
 from nctakt.run.program_loader import LoadedProgram
 
@@ -37,7 +37,7 @@ class Feed:
 
     def __init__(
         self,
-        machine: Machine,
+        machine: AssembledMachine,
         program: LoadedProgram,
         report: Callable[[Diagnostic], None],
         skip_levels: frozenset[int] = frozenset(),

@@ -18,7 +18,7 @@ from nctakt.results.probe_log import ProbeLog
 from nctakt.results.run import SaidMessage
 from nctakt.results.user_errors import user_errors
 from nctakt.results.why import WhyReport
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.error_events import realtime_diagnostic
 from nctakt.trace.events import Event, EventChunk, EventDecoder
 from nctakt.trace.sinks import Signal, Sink, TraceHeader
@@ -33,7 +33,7 @@ class Recording:
 
     def __init__(
         self,
-        machine: Machine,
+        machine: AssembledMachine,
         report: Callable[[Diagnostic], None],
         is_told: Callable[[Event], bool],
     ) -> None:

@@ -12,10 +12,10 @@ from dataclasses import replace
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.lists.machine.machine import MachineConfiguration
+from nctakt.lists.machine.machine import Machine
 from nctakt.lists.machine.scheduling_checks import check_contexts, check_time_limits
 from nctakt.messages import Collector, diagnostic
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.channel_run import ChannelRun
 from nctakt.run.decode_budget import Budget
 from nctakt.schedule.findings import simulation_findings
@@ -29,9 +29,7 @@ from nctakt.schedule.ticks import Duties, Share, TickSchedule
 _OF_OWN_LIST = (900068, 900611, 900697)
 
 
-def scheduled(
-    machine: MachineConfiguration, schedule: RunSchedule
-) -> tuple[MachineConfiguration, Duties]:
+def scheduled(machine: Machine, schedule: RunSchedule) -> tuple[Machine, Duties]:
     """The machine with the ticks of a schedule, and who works for it; raises ``Failure``."""
     collector = Collector()
     known = [one for one in machine.diagnostics if one.id not in _OF_OWN_LIST]
@@ -62,7 +60,7 @@ def scheduled(
 class Pace:
     """The schedule of a machine at work."""
 
-    def __init__(self, machine: Machine, schedule: RunSchedule, duties: Duties) -> None:
+    def __init__(self, machine: AssembledMachine, schedule: RunSchedule, duties: Duties) -> None:
         self._machine = machine
         self.schedule = schedule
         self._duties = duties
@@ -127,7 +125,7 @@ class Pace:
                 yield diagnostic(900630, thread=task.name, count=len(ticks), time=first)
 
 
-def _sends_late(machine: MachineConfiguration) -> bool:
+def _sends_late(machine: Machine) -> bool:
     """P-RTCF-00018: STANDARD puts out first what the tick before has computed.
 
     COMPLETE does so too unless all axes allow the other order (P-AXIS-00276).

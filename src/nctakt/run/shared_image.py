@@ -43,7 +43,7 @@ from nctakt.kernel.plc.interface_image import KINDS
 from nctakt.kernel.tick.channel import Channel
 from nctakt.lists.declared.technology_functions import MOST_FUNCTIONS, TechnologyFunction
 from nctakt.lists.machine.channel_configuration import Spindle
-from nctakt.lists.machine.machine import ChannelConfiguration, MachineConfiguration
+from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.lists.machine.variables_layout import Field, fields, pack_of
 from nctakt.messages import diagnostic
 from nctakt.nc.vocabulary.cells import CELL_BYTES
@@ -77,7 +77,7 @@ class InterfaceImage:
 
     def __init__(
         self,
-        machine: MachineConfiguration,
+        machine: Machine,
         kernel: Kernel,
         channels: Sequence[Channel],
         cells: Layout,
@@ -204,7 +204,7 @@ class _Resources:
             self.close()
 
 
-def _put_header(memory: memoryview, layout: ImageLayout, machine: MachineConfiguration) -> None:
+def _put_header(memory: memoryview, layout: ImageLayout, machine: Machine) -> None:
     """What never changes: the begin of the image, the names of the axes."""
     values = {
         "version": VERSION,
@@ -241,7 +241,7 @@ def _put_header(memory: memoryview, layout: ImageLayout, machine: MachineConfigu
         _put_number(memory, SPINDLE, place, "plc_controlled", int(spindle.plc_controlled))
 
 
-def _spindles(machine: MachineConfiguration) -> Iterator[tuple[int, Spindle]]:
+def _spindles(machine: Machine) -> Iterator[tuple[int, Spindle]]:
     """Each spindle of the machine with the number of its channel."""
     for channel in machine.channels:
         for spindle in channel.parameters.spindles:
@@ -310,7 +310,7 @@ def _units(
     memory: memoryview,
     published: memoryview,
     layout: ImageLayout,
-    machine: MachineConfiguration,
+    machine: Machine,
 ) -> Units:
     """What waits for the PLC in all channels, the last one first."""
     units = Units()

@@ -8,12 +8,12 @@ from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base.record import Record
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import Spindle
-from nctakt.lists.machine.machine import MachineConfiguration
+from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary.variable_table import Layout
 
 
 def channel_spindles(
-    configuration: MachineConfiguration,
+    configuration: Machine,
     index: int,
     layout: Layout,
     memory: bytearray,
@@ -43,7 +43,7 @@ def channel_spindles(
     return made
 
 
-def turning(configuration: MachineConfiguration, index: int) -> dict[int, float]:
+def turning(configuration: Machine, index: int) -> dict[int, float]:
     """The places of a channel's spindles that the CNC turns, with the speed of their axis lists.
 
     In degrees per second; only those that have an axis list.
@@ -53,14 +53,14 @@ def turning(configuration: MachineConfiguration, index: int) -> dict[int, float]
     return {place: axis.max_speed for place, axis in axes.items() if axis is not None}
 
 
-def all_names(configuration: MachineConfiguration) -> list[str]:
+def all_names(configuration: Machine) -> list[str]:
     """The names of all spindles of the machine, channel by channel."""
     return [
         name for channel in configuration.channels for name in names_of(channel.parameters.spindles)
     ]
 
 
-def _axis_of(configuration: MachineConfiguration, spindle: Spindle) -> AxisConfiguration | None:
+def _axis_of(configuration: Machine, spindle: Spindle) -> AxisConfiguration | None:
     """The axis list of a spindle; none for one that the PLC turns."""
     for axis in configuration.axes:
         if axis.logical_number == spindle.logical_number and not spindle.plc_controlled:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.source_ids import statement_span
 from nctakt.messages import diagnostic
-from nctakt.run.assembly import Machine
+from nctakt.run.assembly import AssembledMachine
 
 #: What the realtime part calls by these words.
 AWAITED = {
@@ -55,7 +55,7 @@ AWAITED = {
 }
 
 
-def awaited(machine: Machine, index: int) -> Diagnostic | None:
+def awaited(machine: AssembledMachine, index: int) -> Diagnostic | None:
     """What the program of this channel waits for, ``None`` where nothing holds it up."""
     word, source, detail = machine.channels[index].awaits()
     if not word:
@@ -73,7 +73,7 @@ def awaited(machine: Machine, index: int) -> Diagnostic | None:
     )
 
 
-def _name(machine: Machine, word: str, detail: int) -> str:
+def _name(machine: AssembledMachine, word: str, detail: int) -> str:
     """The name of what is waited for, where it has one."""
     if word.startswith("spindle"):
         return machine.registry.spindle(detail)

@@ -11,12 +11,12 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
-from nctakt.lists.machine.machine import MachineConfiguration
+from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.plc import load_plc
 from nctakt.run.controller import Controller, NcText
 from nctakt.testing.coverage import note_coverage, session_coverage
 from nctakt.testing.expectations import Script, read_script
-from nctakt.testing.queries import NcRun, configured_machine, machine_of, values_before
+from nctakt.testing.queries import NcRun, configured_machine, values_before
 from nctakt.testing.verdict import differences
 
 
@@ -70,10 +70,10 @@ class NcItem(pytest.Item):
     def _signals(self, script: Script) -> list[str]:
         return [one.name for one in script.expectations if one.kind == "value"]
 
-    def _machine(self, script: Script) -> MachineConfiguration:
+    def _machine(self, script: Script) -> Machine:
         if script.machine is None:
             return configured_machine(self.config)
-        return machine_of(self.path.parent / script.machine)
+        return load_machine(self.path.parent / script.machine)
 
     def _shown(self) -> str:
         """The file as pytest names it."""

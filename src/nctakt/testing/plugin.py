@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
-    from nctakt.lists.machine.machine import MachineConfiguration
+    from nctakt.lists.machine.machine import Machine
     from nctakt.run.controller import Controller
     from nctakt.testing.queries import NcRun
 
@@ -71,7 +71,7 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
 
 
 @pytest.fixture
-def machine(pytestconfig: pytest.Config) -> MachineConfiguration:
+def machine(pytestconfig: pytest.Config) -> Machine:
     """The machine under test: ``nctakt_machine`` of the configuration, else the demo machine."""
     from nctakt.testing.queries import configured_machine  # noqa: PLC0415 - see above
 
@@ -79,7 +79,7 @@ def machine(pytestconfig: pytest.Config) -> MachineConfiguration:
 
 
 @pytest.fixture
-def controller(machine: MachineConfiguration) -> Controller:
+def controller(machine: Machine) -> Controller:
     """A controller of the machine, just started."""
     from nctakt.run.controller import Controller  # noqa: PLC0415 - see above
 

@@ -13,8 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nctakt.base.failure import Failure
-from nctakt.lists.machine.machine import MachineConfiguration, MachineError, load_machine
+from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.plc import AnyPlc, load_plc
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
@@ -30,18 +29,10 @@ TEXT_NAME = "program.nc"
 _CYCLE_KINDS = ("m", "h")
 
 
-def configured_machine(config: pytest.Config) -> MachineConfiguration:
+def configured_machine(config: pytest.Config) -> Machine:
     """The machine of ``nctakt_machine``, relative to the root of the tests."""
     folder = config.getini("nctakt_machine")
-    return machine_of(config.rootpath / folder if folder else None)
-
-
-def machine_of(folder: Path | None) -> MachineConfiguration:
-    """The machine of a folder, the demo machine without; raises ``Failure`` where none results."""
-    try:
-        return load_machine(folder)
-    except MachineError as error:
-        raise Failure(*error.diagnostics) from error
+    return load_machine(config.rootpath / folder if folder else None)
 
 
 def run_program(

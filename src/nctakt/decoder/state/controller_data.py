@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from nctakt.decoder.state.program_variables import Variables
 from nctakt.kernel.base.timers import TIMER_COUNT, Timers
 from nctakt.kernel.tick.channel import Channel
-from nctakt.lists.machine.machine import MachineConfiguration
+from nctakt.lists.machine.machine import Machine
 
 #: Cells of the bank that counts with SYN, one for what each timer has latched.
 TIMER_BYTES = 8 * TIMER_COUNT
@@ -71,7 +71,7 @@ class SystemData:
 
 
 def system_data(
-    configuration: MachineConfiguration, channels: Sequence[Channel], tick: Callable[[], int]
+    configuration: Machine, channels: Sequence[Channel], tick: Callable[[], int]
 ) -> list[SystemData]:
     """The controller's data channel by channel; all have the same timers."""
     latched = bytearray(TIMER_BYTES)

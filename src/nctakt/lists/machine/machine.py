@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""A machine folder -> ``MachineConfiguration``.
+"""A machine folder -> ``Machine``.
 
 In: a folder with a start-up list (or that list itself), ``None`` for the demo machine. Out: all
 that its lists say, immutable, and what was found wrong with them. Only where no machine at all can
-result ``MachineError`` is raised; everything else is mended and reported.
+result ``Failure`` is raised; everything else is mended and reported.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
 from nctakt.lists.declared.axis import AXIS
 from nctakt.lists.declared.channel import CHANNEL
 from nctakt.lists.declared.offsets import (
@@ -62,14 +63,6 @@ DEFAULT_CYCLE_TIME_US = 1000
 _DEMO = Path(__file__).parent.parent.parent / "machines" / "demo"
 
 
-class MachineError(Exception):
-    """No machine can be made of the folder; ``diagnostics`` say why."""
-
-    def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
-        super().__init__(diagnostics[-1].headline())
-        self.diagnostics = diagnostics
-
-
 @dataclass(frozen=True, slots=True)
 class ChannelConfiguration:
     """One channel; ``number`` counts from 1.
@@ -96,8 +89,10 @@ class ChannelConfiguration:
 
 
 @dataclass(frozen=True, slots=True)
-class MachineConfiguration:
-    """All lists of a machine; ``folder`` is that of the start-up list.
+class Machine:
+    """A machine as its lists describe it, immutable; ``load_machine`` makes it of a folder.
+
+    ``folder`` is that of the start-up list.
 
     ``cycle_time_us``: the tick. ``axes``: axes and spindles that have a list, in the order of the
     start-up list. ``global_variables``: each GLOBAL V.E variable once, whoever declares it.
@@ -116,14 +111,17 @@ class MachineConfiguration:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def load_machine(folder: Path | None, *, verbose: bool = False) -> MachineConfiguration:
-    """Load the machine of ``folder``, ``None``: the demo machine.
+def load_machine(folder: str | Path | None = None, *, verbose: bool = False) -> Machine:
+    """Return the machine of ``folder``; without one, the built-in demo machine.
 
     ``verbose``: name each entry that nctakt does not know, or accepts without effect. Raises
-    ``MachineError`` where the folder, the start-up list or every channel list is missing.
+    ``Failure`` if the folder, the start-up list or every channel list is missing; what is wrong
+    otherwise stands in ``Machine.diagnostics``.
     """
     collector = Collector()
-    startup_file = _DEMO / STARTUP_NAMES[0] if folder is None else _startup_file(folder, collector)
+    startup_file = _DEMO / STARTUP_NAMES[0]
+    if folder is not None:
+        startup_file = _startup_file(Path(folder), collector)
     return _Loader(startup_file, collector, verbose).machine()
 
 
@@ -132,12 +130,12 @@ def _startup_file(folder: Path, collector: Collector) -> Path:
         return folder
     if not folder.is_dir():
         collector.report(900060, None, path=folder.as_posix())
-        raise MachineError(tuple(collector.diagnostics))
+        raise Failure(*collector.diagnostics)
     found = startup_list(folder)
     if found is not None:
         return found
     collector.report(900061, None, path=folder.as_posix(), names=", ".join(STARTUP_NAMES))
-    raise MachineError(tuple(collector.diagnostics))
+    raise Failure(*collector.diagnostics)
 
 
 class _Loader:
@@ -153,7 +151,7 @@ class _Loader:
         self.variable_values: list[Values] = []
         self.lists = LinkedLists(startup_file, collector, verbose=verbose)
 
-    def machine(self) -> MachineConfiguration:
+    def machine(self) -> Machine:
         startup = self._startup()
         rtconf = self._rtconf(startup)
         axes = self._axes(startup)
@@ -169,7 +167,7 @@ class _Loader:
             for index in range(len(startup.channels))
         )
         texts = user_texts(startup.error_texts, self.folder, self.collector)
-        return MachineConfiguration(
+        return Machine(
             self.folder.resolve().name,
             self.folder,
             rtconf.cycle_time_us if rtconf is not None else DEFAULT_CYCLE_TIME_US,
@@ -182,8 +180,8 @@ class _Loader:
             tuple(self.collector.diagnostics),
         )
 
-    def _fail(self) -> MachineError:
-        return MachineError(tuple(self.collector.diagnostics))
+    def _fail(self) -> Failure:
+        return Failure(*self.collector.diagnostics)
 
     def _startup(self) -> StartupConfiguration:
         values = self.lists.startup()

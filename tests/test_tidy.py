@@ -218,6 +218,32 @@ def test_nothing_is_asserted_in_the_tick(module: str) -> None:
     assert found == []
 
 
+@pytest.mark.parametrize("room", ["kernel", "plc", "hli"])
+def test_no_assert_stands_for_a_check(room: str) -> None:
+    """What comes from outside is checked and refused: ``python -O`` leaves asserts out."""
+    found = [
+        f"{path.relative_to(PACKAGE)}:{node.lineno}"
+        for path in SOURCES
+        if PACKAGE / room in path.parents
+        for node in ast.walk(tree_of(path))
+        if isinstance(node, ast.Assert)
+    ]
+    assert found == []
+
+
+def test_asserts_of_the_run_only_tell_types() -> None:
+    """In ``run/`` an assert says of which type a value is, and never which value it has."""
+    found = []
+    for path in SOURCES:
+        if PACKAGE / "run" in path.parents:
+            for node in ast.walk(tree_of(path)):
+                if isinstance(node, ast.Assert):
+                    text = ast.unparse(node.test)
+                    if not (text.startswith("isinstance(") or text.endswith(" is not None")):
+                        found.append(f"{path.relative_to(PACKAGE)}:{node.lineno}: {text}")
+    assert found == []
+
+
 def is_ring_place(node: ast.BinOp) -> bool:
     """A remainder by a ring's size."""
     return isinstance(node.op, ast.Mod) and ast.unparse(node.right) in RING_SIZES

@@ -16,10 +16,14 @@ import cython
 
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
+from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.axis_requests import AxisRequests
 from nctakt.kernel.plc.interface_image import InterfaceImage
 from nctakt.kernel.tick.channel import Channel
+
+#: Ticks of one call at most, far from what an integer of 64 bits cannot hold.
+MOST_TICKS = 1 << 60
 
 # Why ``run`` returned.
 DONE = 0
@@ -128,6 +132,7 @@ class Kernel:
     def post_bytes(self, cell: int, data: bytes) -> None:
         """As ``post``, for a character string that fills whole cells from ``cell`` on."""
         words = memoryview(data).cast("q")
+        check_range(cell, 0, len(self.words) - len(words), "cell")
         self.make_room(self.input_count + len(words))
         for i, word in enumerate(words):
             self.input_cells[self.input_count] = cell + i
@@ -148,6 +153,7 @@ class Kernel:
 
     def run(self, ticks: int) -> int:
         """Run up to ``ticks`` ticks: why it returned, ``DONE`` after all of them."""
+        ticks = min(ticks, MOST_TICKS)
         with cython.nogil:
             reason = self.loop(ticks)
         return reason

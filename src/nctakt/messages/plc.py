@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import ERROR, Catalogue
+from nctakt.messages.catalogue import ERROR, WARNING, Catalogue
 
 MESSAGES = Catalogue()
 _add = MESSAGES.add
@@ -92,6 +92,19 @@ _add(
     remedy_en="Call function blocks with a rising execute in different ticks.",
     remedy_de="Funktionsbausteine mit steigendem execute in verschiedenen Takten aufrufen.",
     parameters={"name": "the axis"},
+)
+_add(
+    900671,
+    WARNING,
+    "after tick {tick} the PLC acknowledges {name}, which no longer waits; it is ignored",
+    "nach Takt {tick} quittiert die SPS {name}, das nicht mehr wartet; das bleibt ohne Wirkung",
+    remedy_en="Acknowledge what hli.functions() and hli.spindle_jobs() give in the same call.",
+    remedy_de="Quittieren, was hli.functions() und hli.spindle_jobs() im selben Aufruf liefern.",
+    cause_en="The function was acknowledged before, or a reset has cleared it. Another function may"
+    " have its slot by now; that one still waits.",
+    cause_de="Die Funktion wurde schon quittiert, oder ein Reset hat sie gelöscht. Ihren Platz kann"
+    " inzwischen eine andere Funktion haben; diese wartet weiter.",
+    parameters={"name": "the function or spindle", "tick": "the tick that had just been run"},
 )
 _add(
     900660,

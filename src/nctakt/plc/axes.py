@@ -33,6 +33,7 @@ class AxisBlock:
         self.axis = axis
         self._owner = 0
         self._executed = False
+        self._is_accepted = False
         self._clear()
 
     def _clear(self) -> None:
@@ -59,6 +60,7 @@ class AxisBlock:
         if rises:
             self._clear()
             self._owner = hli.request_axis(kind, self.axis, value, speed, mode, way)
+            self._is_accepted = False
             self.busy = True
         elif self.busy:
             self._follow(hli)
@@ -66,10 +68,12 @@ class AxisBlock:
             self._clear()
 
     def _follow(self, hli: Interface) -> None:
-        answer = hli.axis_answer(self._owner)
-        if answer > 0:
-            self._fail(answer)
-        elif answer == 0:
+        if not self._is_accepted:
+            answer = hli.axis_answer(self._owner)
+            if answer > 0:
+                self._fail(answer)
+            self._is_accepted = answer == 0
+        if self._is_accepted:
             self._look(hli)
 
     def _look(self, hli: Interface) -> None:

@@ -102,10 +102,15 @@ def _default_signals(channel: AssembledChannel) -> list[str]:
     return [*names, "PATH.SPEED", "OVERRIDE.VEL.TOTAL", "BLOCK", "CYCLES.ACTIVE"]
 
 
+def _ignore(_found: Diagnostic) -> None:
+    """Nobody is there who takes a diagnostic."""
+
+
 class AssembledMachine:
     """One machine's realtime part with its names.
 
-    ``names``, ``parameters`` and ``members`` are those of the first channel.
+    ``names``, ``parameters`` and ``members`` are those of the first channel. ``report`` takes what
+    is found while it runs; nobody does unless given.
     """
 
     def __init__(self, configuration: Machine) -> None:
@@ -165,6 +170,14 @@ class AssembledMachine:
             layout.tables, [one.panel for one in self.assembled], self.memory, self.kernel
         )
         self._cell_names: dict[int, str] = {}
+        self._stale_names: dict[str, None] = {}
+        self.report: Callable[[Diagnostic], None] = _ignore
+
+    def report_stale(self, name: str) -> None:
+        """Report, once for each name, that the PLC acknowledges what no longer waits (900671)."""
+        if name not in self._stale_names:
+            self._stale_names[name] = None
+            self.report(diagnostic(900671, name=name, tick=self.kernel.tick - 1))
 
     def _axis_names(self) -> list[str]:
         """What the axes are called: by their channel, else by their list."""

@@ -70,6 +70,7 @@ class Controller:
         self.cycle_time_us = machine.cycle_time_us
         self.diagnostics: list[Diagnostic] = list(machine.diagnostics)
         self._machine = AssembledMachine(machine)
+        self._machine.report = self.diagnostics.append
         self._channels = [
             ChannelRun(self._machine, index, self.diagnostics.append)
             for index in range(len(self._machine.channels))

@@ -111,7 +111,8 @@ class Registry:
 
     def keep(self, definition: CycleDefinition, channel: int = 0) -> None:
         """A cycle was built, in this channel where there is more than one."""
-        assert definition.serial == len(self._cycle_names)
+        if definition.serial != len(self._cycle_names):
+            raise ValueError(f"serial {definition.serial} is not the next one")
         name = str(definition.identity)
         if definition.identity == 0:
             self._anonymous[channel] = self._anonymous.get(channel, 0) + 1

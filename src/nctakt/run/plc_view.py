@@ -41,7 +41,8 @@ class TechnologyEntry:
     ``time_us`` the stamp, ``is_realtime`` tells that a realtime cycle has commanded it (POS_RT),
     ``process_time_us`` is the time that the channel list gives it (P-CHAN-00040, P-CHAN-00026),
     ``axis`` the axis or spindle that it is for (P-CHAN-00039, P-CHAN-00025), empty: the channel.
-    ``value`` is what the program gives it, as in ``M110=130``, 0 for none.
+    ``value`` is what the program gives it, as in ``M110=130``, 0 for none. ``serial`` tells it from
+    the ones that had its slot before.
     """
 
     letter: str
@@ -53,6 +54,7 @@ class TechnologyEntry:
     axis: str
     slot: int
     value: int = 0
+    serial: int = 0
 
     @property
     def name(self) -> str:
@@ -76,7 +78,8 @@ class SpindleEntry:
 
     ``function``: M 3, 4, 5 or 19. ``speed``: revolutions per minute. ``position``: degrees, that of
     M19. ``direction`` of M19: 1 forward, -1 back, 0 the shorter way. ``speed_before``: what the
-    last job that was acknowledged has left, revolutions per minute, negative under M4.
+    last job that was acknowledged has left, revolutions per minute, negative under M4. ``serial``
+    tells it from the spindle's jobs before.
     """
 
     spindle: str
@@ -87,6 +90,7 @@ class SpindleEntry:
     time_us: int
     speed_before: float
     place: int
+    serial: int = 0
 
     @property
     def name(self) -> str:
@@ -210,7 +214,7 @@ class Interface:
         section = self._hli.realtime if is_realtime else self._hli.program
         cycle_time_us = self._machine.configuration.cycle_time_us
         parameters = self._machine.assembled[self._index].parameters
-        for slot, function, sequence, tick in section.entries():
+        for slot, function, sequence, tick, serial in section.entries():
             letter, number = ("H", -function - 1) if function < 0 else ("M", function)
             stamp_us = tick * cycle_time_us
             table = parameters.m_functions if letter == "M" else parameters.h_functions
@@ -225,12 +229,17 @@ class Interface:
                 known.axis_name,
                 slot,
                 section.value_of(slot),
+                serial,
             )
 
     def acknowledge(self, entry: TechnologyEntry) -> None:
-        """The PLC has taken this function."""
+        """The PLC has taken this function; 900671 once where it no longer waits.
+
+        Raises ``ValueError`` for an entry that is not one of ``functions``.
+        """
         section = self._hli.realtime if entry.is_realtime else self._hli.program
-        section.acknowledge(entry.slot)
+        if not section.acknowledge(entry.slot, entry.serial):
+            self._machine.report_stale(entry.name)
 
     def spindle_jobs(self) -> list[SpindleEntry]:
         """The jobs of spindles that the PLC turns, in the order of the channel list."""
@@ -247,13 +256,19 @@ class Interface:
                 tick * cycle_time_us,
                 before_v / 6.0,
                 place,
+                serial,
             )
-            for place, function, speed_v, position, way, tick, before_v in spindles.jobs()
+            for place, function, speed_v, position, way, tick, before_v, serial in spindles.jobs()
         ]
 
     def acknowledge_spindle(self, job: SpindleEntry) -> None:
-        """The PLC has done this job."""
-        self._machine.channels[self._index].context.spindles.acknowledge(job.place)
+        """The PLC has done this job; 900671 once where it no longer waits.
+
+        Raises ``ValueError`` for a job that is not one of ``spindle_jobs``.
+        """
+        spindles = self._machine.channels[self._index].context.spindles
+        if not spindles.acknowledge(job.place, job.serial):
+            self._machine.report_stale(job.name)
 
     def acknowledge_all(self) -> None:
         """The PLC has taken everything that waits."""

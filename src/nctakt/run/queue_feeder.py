@@ -18,7 +18,6 @@ from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.modal_state import state_at_program_start
 from nctakt.decoder.state.program_variables import Scopes
-from nctakt.kernel.tick.channel import LOW_WATER
 from nctakt.kernel.tick.command_queue import TIMED_KINDS
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import Budget
@@ -44,7 +43,6 @@ class Feed:
         tells_blocks: bool = False,
         budget: Budget | None = None,
     ) -> None:
-        assert LOW_WATER < HIGH_WATER
         self._machine = machine
         self._index = program.channel
         self._channel = machine.channels[program.channel]

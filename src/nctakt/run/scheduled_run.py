@@ -75,8 +75,8 @@ class Pace:
             channel.is_paced = True
         if _sends_late(machine.configuration):
             machine.axes.send_late()
-        assert machine.kernel.tick == 0
-        assert schedule.model.cycle % NS_PER_US == 0
+        if machine.kernel.tick or schedule.model.cycle % NS_PER_US:
+            raise ValueError("a schedule begins with the first tick, of whole microseconds")
 
     def budget(self, channel: int) -> Budget:
         """The time of a channel's decoder; channels count from 0."""

@@ -25,8 +25,9 @@ it. The cells of an axis are written where its positions are others than those s
 
 from __future__ import annotations
 
-from nctakt.kernel.axes.coordinates import Offsets, Turns
+from nctakt.kernel.axes.coordinates import KINDS, Offsets, Turns
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.bounds import check_index
 
 
 class Axes:
@@ -230,15 +231,19 @@ class Axes:
 
     def shift(self, index: int, kind: int, value: float) -> None:
         """``set_offset`` for Python's side: before the first tick."""
+        check_index(index, self.count, "axis")
+        check_index(kind, KINDS, "kind of offset")
         self.set_offset(index, kind, value)
 
     def set_modulo(self, index: int, low: float, full: float) -> None:
         """Let the positions of an axis repeat after ``full`` (P-AXIS-00015)."""
+        check_index(index, self.count, "axis")
         self.modulo_low[index] = low
         self.modulo_range[index] = full
 
     def set_stop(self, index: int, place: float) -> None:
         """Let an obstacle stand in the way of an axis that is at 0 (MO-12)."""
+        check_index(index, self.count, "axis")
         self.has_stops = True
         if place > 0.0:
             self.stop_high[index] = place
@@ -247,6 +252,7 @@ class Axes:
 
     def set_lag(self, index: int, kept: float, gained: float) -> None:
         """Let an axis lag: what a tick keeps of the error, and adds of its way."""
+        check_index(index, self.count, "axis")
         self.lag_kept[index] = kept
         self.lag_gained[index] = gained
         self.has_lag = True
@@ -258,6 +264,7 @@ class Axes:
 
     def set_override(self, index: int, mode: int, most_pct: float) -> None:
         """P-AXIS-00491 and P-AXIS-00109 of an axis."""
+        check_index(index, self.count, "axis")
         self.override_mode[index] = mode
         self.max_override_pct[index] = most_pct
 
@@ -267,6 +274,7 @@ class Axes:
 
     def place(self, index: int, position: float) -> None:
         """Set one axis to a position without a motion: before the first tick."""
+        check_index(index, self.count, "axis")
         self.command[index] = position
         self.followed[index] = position
         self.unsent[index] = position

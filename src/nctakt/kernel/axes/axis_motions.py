@@ -18,6 +18,7 @@ from __future__ import annotations
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.base.record import Record
 
 # What an axis does, and what waits behind it.
@@ -102,6 +103,7 @@ class AxisMotions:
         self, axis: int, *, low: float, high: float, speed: float, acceleration: float, jerk: float
     ) -> None:
         """Let an axis move on its own (P-AXIS-00457) within these limits; jerk 0: trapezoid."""
+        check_index(axis, self.count, "axis")
         self.enabled[axis] = 1
         self.low[axis] = low
         self.high[axis] = high

@@ -4,6 +4,7 @@ cimport cython
 
 @cython.final
 cdef class Offsets:
+    cdef Py_ssize_t count
     cdef double[::1] values
     cdef double[::1] program
     cdef double[::1] origin

@@ -12,6 +12,8 @@ Without a transformation MCS and IPO are ACS. Each axis has one offset of each o
 
 from __future__ import annotations
 
+from nctakt.kernel.base.bounds import check_index
+
 # Kinds of offsets.
 ZERO = 0
 ADD_ZERO = 1
@@ -29,6 +31,7 @@ class Offsets:
     """The offsets of ``count`` axes."""
 
     def __init__(self, count: int) -> None:
+        self.count = count
         self.values = memoryview(bytearray(8 * 7 * count)).cast("d")
         self.program = memoryview(bytearray(8 * count)).cast("d")
         self.origin = memoryview(bytearray(8 * count)).cast("d")
@@ -61,6 +64,7 @@ class Offsets:
 
     def of(self, axis: int, kinds: int) -> float:
         """``sum_of`` for Python's side."""
+        check_index(axis, self.count, "axis")
         return self.sum_of(axis, kinds)
 
 

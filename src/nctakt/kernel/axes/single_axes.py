@@ -11,9 +11,13 @@ number: 0 nobody, channel * 1024 + slot + 1 a realtime cycle, 1000000 the PLC. E
 from __future__ import annotations
 
 from nctakt.kernel.axes.axis_motions import AxisMotions
+from nctakt.kernel.base.bounds import check_finite, check_index, check_range
 
 #: Owner of what the PLC commands.
 PLC_OWNER = 1_000_000
+
+#: The highest number that an owner can have.
+MAX_OWNER = (1 << 62) - 1
 
 
 class SingleAxes(AxisMotions):
@@ -209,6 +213,7 @@ class SingleAxes(AxisMotions):
 
     def belong(self, axis: int) -> None:
         """A channel has this axis: it is told of the axis' errors, and resets it."""
+        check_index(axis, self.count, "axis")
         self.in_channel[axis] = 1
 
     def reset(self, axis: int) -> None:
@@ -279,26 +284,42 @@ class SingleAxes(AxisMotions):
 
     # --- Python's side, between two ticks -------------------------------------------------------
 
+    def check_command(
+        self, axis: int, value: float, speed_v: float, mode: int, direction: int, owner: int
+    ) -> None:
+        """Raise ``ValueError`` for a number that no command of an axis has."""
+        check_index(axis, self.count, "axis")
+        check_finite(value, "position or distance")
+        check_finite(speed_v, "speed")
+        check_range(mode, 0, 1, "buffer mode")
+        check_range(direction, -1, 2, "direction")
+        check_range(owner, 0, MAX_OWNER, "owner")
+
     def absolute(
         self, axis: int, target: float, speed_v: float, mode: int, direction: int, owner: int
     ) -> int:
         """``move_to``."""
+        self.check_command(axis, target, speed_v, mode, direction, owner)
         return self.move_to(axis, target, speed_v, mode, direction, owner)
 
     def relative(self, axis: int, distance: float, speed_v: float, mode: int, owner: int) -> int:
         """``move_by``."""
+        self.check_command(axis, distance, speed_v, mode, 0, owner)
         return self.move_by(axis, distance, speed_v, mode, owner)
 
     def velocity(self, axis: int, speed_v: float, direction: int, mode: int, owner: int) -> int:
         """``run_endless``."""
+        self.check_command(axis, 0.0, speed_v, mode, direction, owner)
         return self.run_endless(axis, speed_v, direction, mode, owner)
 
     def halt(self, axis: int, owner: int) -> int:
         """``stop``."""
+        self.check_command(axis, 0.0, 0.0, 0, 0, owner)
         return self.stop(axis, owner)
 
     def command_owner(self, what: str, owner: int) -> None:
         """``hold``, ``resume``, ``abort``, ``end`` or ``leave`` what an owner moves."""
+        check_range(owner, 0, MAX_OWNER, "owner")
         if what == "hold":
             self.hold(owner)
         elif what == "resume":
@@ -310,35 +331,43 @@ class SingleAxes(AxisMotions):
 
     def clear(self, axis: int) -> None:
         """``reset``, over at once."""
+        check_index(axis, self.count, "axis")
         self.reset(axis)
         self.reopen(axis)
 
     def state_of(self, axis: int) -> tuple[int, float, float]:
         """PLCopen state, speed and acceleration."""
+        check_index(axis, self.count, "axis")
         return self.state(axis), self.speed[axis], self.acceleration[axis]
 
     def present_owner(self, axis: int) -> int:
         """Who has commanded the present motion."""
+        check_index(axis, self.count, "axis")
         return self.owner[axis]
 
     def arrived_owner(self, axis: int) -> int:
         """Who had commanded the motion that came to its target last."""
+        check_index(axis, self.count, "axis")
         return self.arrived[axis]
 
     def fault_of(self, axis: int) -> int:
         """The message of the error that the axis is in, 0 without one."""
+        check_index(axis, self.count, "axis")
         return abs(self.fault[axis])
 
     def at_speed(self, axis: int) -> bool:
         """``is_at_speed``."""
+        check_index(axis, self.count, "axis")
         return bool(self.is_at_speed(axis))
 
     def opened(self, owner: int) -> int:
         """``open_count``."""
+        check_range(owner, 0, MAX_OWNER, "owner")
         return self.open_count(owner)
 
     def moves(self, axis: int) -> bool:
         """Whether the axis has a motion of its own, a held one too."""
+        check_index(axis, self.count, "axis")
         return not self.is_free(axis)
 
     def ending_count(self) -> int:

@@ -19,6 +19,7 @@ import math
 
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.base.record import Record
 
 # What a spindle does.
@@ -92,6 +93,7 @@ class Spindles:
         jerk: float = 0.0,
     ) -> None:
         """The limits of a spindle, degrees and seconds; a PLC spindle has none."""
+        check_index(spindle, self.count, "spindle")
         self.is_plc[spindle] = plc
         self.limit_v[spindle] = speed
         self.limit_a[spindle] = acceleration
@@ -223,6 +225,7 @@ class Spindles:
 
     def has_plc(self, spindle: int) -> bool:
         """Whether the PLC turns the spindle."""
+        check_index(spindle, self.count, "spindle")
         return bool(self.is_plc[spindle])
 
     def has_job(self, spindle: int, owner: int) -> int:
@@ -332,10 +335,11 @@ class Spindles:
 
     # --- Python's side --------------------------------------------------------------------------
 
-    def jobs(self) -> list[tuple[int, int, float, float, int, int, float]]:
+    def jobs(self) -> list[tuple[int, int, float, float, int, int, float, int]]:
         """The PLC's jobs that wait.
 
-        Spindle, M, degrees per second, position, direction, tick, degrees per second before.
+        Spindle, M, degrees per second, position, direction, tick, degrees per second before,
+        serial.
         """
         return [
             (
@@ -346,15 +350,19 @@ class Spindles:
                 self.direction[spindle],
                 self.taken_tick[spindle],
                 self.reached_v[spindle],
+                self.job[spindle],
             )
             for spindle in range(self.count)
             if self.plc_state[spindle] == WAITING
         ]
 
-    def acknowledge(self, spindle: int) -> None:
-        """The PLC has done the job of this spindle."""
-        if self.plc_state[spindle] == WAITING:
-            self.plc_state[spindle] = ACKNOWLEDGED
+    def acknowledge(self, spindle: int, serial: int) -> bool:
+        """The PLC has done the job of this serial; return whether it is there to be done."""
+        check_index(spindle, self.count, "spindle")
+        if self.plc_state[spindle] == NO_JOB or self.job[spindle] != serial:
+            return False
+        self.plc_state[spindle] = ACKNOWLEDGED
+        return True
 
     def ending_count(self) -> int:
         """How many spindles are on their way to a stand."""

@@ -18,6 +18,8 @@ series before (-1: none), 0.
 
 from __future__ import annotations
 
+from nctakt.kernel.base.bounds import check_index
+
 EVENT_WIDTH = 6
 CHANNEL_CODE_WIDTH = 256
 PROBE_WIDTH = 4
@@ -111,6 +113,8 @@ class Record:
 
     def select(self, signals: list[int]) -> None:
         """The cells that a row holds from now on; rows that were not taken are dropped."""
+        for cell in signals:
+            check_index(cell, len(self.cells), "cell")
         self.signal_count = len(signals)
         self.signals = memoryview(bytearray(8 * max(1, len(signals)))).cast("q")
         for i, cell in enumerate(signals):

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.axes.spindles import Spindles
+from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.instructions import Statement
@@ -156,6 +157,7 @@ class CycleManager:
 
         ``moves_on``: END_ACTION is MOVE_CONT (RC-110).
         """
+        check_index(scope, GLOBAL + 1, "scope")
         slot = self.free_slot()
         if slot < 0:
             return -1
@@ -207,6 +209,7 @@ class CycleManager:
 
     def state_of(self, slot: int) -> int:
         """The state of a slot."""
+        check_index(slot, self.capacity, "slot")
         return self.state[slot]
 
     # --- the tick -------------------------------------------------------------------------------

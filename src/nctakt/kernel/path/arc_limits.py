@@ -19,6 +19,7 @@ on to the border ahead, so that braking there is always possible (``reach``).
 from __future__ import annotations
 
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.bounds import check_index
 
 #: Pieces of a full circle: 120, and 6 more where the first and the last one are divided.
 MOST_PIECES = 126
@@ -48,6 +49,7 @@ class ArcLimits:
 
     def share(self, most_v: memoryview[float], most_a: memoryview[float]) -> None:
         """Take over the limits of the axes: of speed, and of acceleration with a feed."""
+        check_index(self.count, min(len(most_v), len(most_a)) + 1, "number of axes")
         self.most_v = most_v
         self.most_a = most_a
 

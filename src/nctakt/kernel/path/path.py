@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.arc_speed import ArcSpeed
 from nctakt.kernel.path.jerk_profile import SmoothSpeed
@@ -420,7 +421,7 @@ class Path(PathAxes):
 
     def segment_row(self, back: int) -> list[float]:
         """A segment of the ring, ``back`` segments before the latest one: for Python's side."""
-        assert 0 <= back < min(self.used, self.ring_size)
+        check_index(back, min(self.used, self.ring_size), "segment")
         base = (self.used - 1 - back) % self.ring_size * self.width
         return [self.ring[base + i] for i in range(self.width)]
 

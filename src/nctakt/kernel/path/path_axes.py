@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.path import geometry
 
 
@@ -21,6 +22,7 @@ class PathAxes:
         self.count = len(members)
         self.members = memoryview(bytearray(8 * max(1, len(members)))).cast("q")
         for i, axis in enumerate(members):
+            check_index(axis, axes.count, "axis")
             self.members[i] = axis
         self.moved = memoryview(bytearray(8 * max(1, len(members)))).cast("q")
         self.moved_count = 0

@@ -15,6 +15,7 @@ are taken that are fastest over the arc from rest to rest.
 from __future__ import annotations
 
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.arc_limits import ArcLimits
 
@@ -81,6 +82,7 @@ class SegmentLimits:
         accelerations: tuple[float, float],
     ) -> None:
         """The limits of one axis: rapid and highest speed, acceleration of rapid and feed."""
+        check_index(index, self.count, "axis")
         self.linear[index] = is_linear
         self.rapid_v[index], self.most_v[index] = speeds
         self.rapid_a[index], self.feed_a[index] = accelerations
@@ -89,6 +91,7 @@ class SegmentLimits:
         self, index: int, accelerations: tuple[float, float], jerks: tuple[float, float]
     ) -> None:
         """The limits of one axis with the jerk-limited slope: of rapid and feed."""
+        check_index(index, self.count, "axis")
         self.rapid_slope_a[index], self.feed_slope_a[index] = accelerations
         self.rapid_j[index], self.feed_j[index] = jerks
 

@@ -10,6 +10,7 @@ becomes of it: its answer, whether its motion is open, whether it has arrived.
 from __future__ import annotations
 
 from nctakt.kernel.axes.single_axes import SingleAxes
+from nctakt.kernel.base.bounds import check_range
 
 #: The owner of the PLC's first request.
 PLC_OWNER = 1_000_000
@@ -47,6 +48,8 @@ class AxisRequests:
         self, kind: int, axis: int, value: float, speed_v: float, mode: int, direction: int
     ) -> int:
         """A request for the next tick: the owner number of what becomes of it, 0: no room."""
+        check_range(kind, ABSOLUTE, CLEAR_FAULT, "kind of request")
+        self.single_axes.check_command(axis, value, speed_v, mode, direction, PLC_OWNER)
         if self.posted - self.latched >= self.capacity:
             return 0
         place = self.posted % self.capacity
@@ -61,7 +64,12 @@ class AxisRequests:
         return PLC_OWNER + self.posted - 1
 
     def answer_to(self, owner: int) -> int:
-        """0 accepted, else the message that refuses; -1: no tick has latched it yet."""
+        """0 accepted, else the message that refuses; -1: no tick has latched it yet.
+
+        Raises ``ValueError`` for a number that is not the owner of one of the last requests.
+        """
+        newest = PLC_OWNER + self.posted - 1
+        check_range(owner, max(PLC_OWNER, newest - self.capacity + 1), newest, "request")
         return self.answer[(owner - PLC_OWNER) % self.capacity]
 
     def is_open(self, owner: int) -> bool:

@@ -13,6 +13,7 @@ value, the image gets it back, and the first time of each variable is told (9003
 
 from __future__ import annotations
 
+from nctakt.kernel.base.bounds import check_index, check_range
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.image_slots import Units
 
@@ -70,6 +71,15 @@ class InterfaceImage:
         writes; ``ticks``: how many have been run.
         """
         count = len(table)
+        check_range(len(published), len(image), len(image), "length of the published image")
+        check_range(clock, 0, len(image) - 16, "byte of the clock")
+        check_range(first_input, 0, len(image), "first byte of the inputs")
+        for offset, kind, cell, size, _ in table:
+            check_range(offset, 0, len(image) - size, "byte of a variable")
+            check_range(kind, 0, 8, "kind of a variable")
+            most = len(image) if kind == KINDS["STRING"] else len(self.scratch)
+            check_range(size, 1, most, "bytes of a variable")
+            check_range(cell, 0, len(self.cells) - -(-size // 8), "cell of a variable")
         self.image = image
         self.image_words = image.cast("q")
         self.published = published
@@ -148,7 +158,7 @@ class InterfaceImage:
 
     def next_refused(self) -> int:
         """The cell of the next 900346 that was not asked for yet, in the order of the events."""
-        assert self.refused_told < self.refused_count
+        check_index(self.refused_told, self.refused_count, "refused value")
         cell = self.refused_cells[self.refused_told]
         self.refused_told += 1
         return cell

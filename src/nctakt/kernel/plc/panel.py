@@ -11,6 +11,8 @@ one pressed takes it and writes 0.
 
 from __future__ import annotations
 
+from nctakt.kernel.base.bounds import check_range
+
 # Commands, as rows of the table.
 OVERRIDE = 0
 FEED_HOLD = 1
@@ -51,7 +53,7 @@ class Panel:
 
     def put(self, row: int, value: float) -> None:
         """Write the command in this row of the table."""
-        assert OVERRIDE <= row <= OPTIONAL_STOP
+        check_range(row, OVERRIDE, OPTIONAL_STOP, "command of the panel")
         self.cells[self.first_cell + row] = value
 
     def arm(self, is_armed: bool) -> None:
@@ -78,7 +80,8 @@ class Panel:
 
     def accept_reset(self) -> None:
         """Python has given up the program that RESET has broken off."""
-        assert self.reset_taken
+        if not self.reset_taken:
+            raise ValueError("no tick has taken RESET")
         self.reset_taken = False
 
     # --- the tick -------------------------------------------------------------------------------

@@ -13,6 +13,7 @@ by the ticks that the function takes (P-CHAN-00040, P-CHAN-00026).
 
 from __future__ import annotations
 
+from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.plc.panel import Panel
 
 #: Slots of a section: a number of ours, no source gives one (RC-403).
@@ -111,23 +112,26 @@ class Section:
 
     def value_of(self, slot: int) -> int:
         """The value of the function in this slot."""
+        check_index(slot, self.slot_count, "slot")
         return self.value[slot]
 
-    def entries(self) -> list[tuple[int, int, int, int]]:
-        """What waits, oldest first: (slot, function, number in its tick, tick)."""
+    def entries(self) -> list[tuple[int, int, int, int, int]]:
+        """What waits, oldest first: (slot, function, number in its tick, tick, serial)."""
         found = [
-            (i, self.function[i], self.sequence[i], self.tick[i])
+            (i, self.function[i], self.sequence[i], self.tick[i], self.serial[i])
             for i in range(self.slot_count)
             if self.state[i] == WAITING
         ]
         found.sort(key=lambda entry: (entry[3], entry[2]))
         return found
 
-    def acknowledge(self, slot: int) -> None:
-        """The PLC has taken the function of this slot."""
-        assert 0 <= slot < self.slot_count
-        if self.state[slot] == WAITING:
-            self.state[slot] = ACKNOWLEDGED
+    def acknowledge(self, slot: int, serial: int) -> bool:
+        """The PLC has taken the function of this serial; return whether the slot holds it."""
+        check_index(slot, self.slot_count, "slot")
+        if self.state[slot] == FREE or self.serial[slot] != serial:
+            return False
+        self.state[slot] = ACKNOWLEDGED
+        return True
 
 
 class Hli:

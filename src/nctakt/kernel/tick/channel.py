@@ -62,7 +62,8 @@ class Channel(Commands):
 
     def take_answer(self) -> float:
         """The value that the decoder has waited for; it goes on."""
-        assert self.answer_ready
+        if not self.answer_ready:
+            raise ValueError("the realtime part has no answer")
         self.answer_ready = False
         return self.answer
 
@@ -443,6 +444,7 @@ class Channel(Commands):
 
     def accept_end(self) -> None:
         """Python has seen the program's end; the queue is ready for another program."""
-        assert self.program_ended
+        if not self.program_ended:
+            raise ValueError("no program has ended")
         self.program_ended = False
         self.waiting = 0

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.tick.loop_body import LoopBody
@@ -101,6 +102,7 @@ class CommandRing:
 
     def put(self, row: list[float]) -> None:
         """Append a command; the row may be shorter than the ring's width."""
+        check_range(len(row), 1, self.width, "length of a command")
         base = self.next_row()
         for i, number in enumerate(row):
             self.queue[base + i] = number
@@ -335,6 +337,7 @@ class CommandRing:
 
     def row(self, number: int) -> list[float]:
         """The command with this running number."""
+        check_range(number, self.head, self.tail - 1, "command")
         base = number % self.capacity * self.width
         return [self.queue[base + i] for i in range(self.width)]
 

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+"""What Python hands to the realtime part is checked there: no number reaches memory unseen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from kernel_rig import DEMO, Rig
+
+from nctakt.kernel import kernel as reasons
+from nctakt.kernel.path.path import Path as KernelPath
+from nctakt.kernel.tick.channel import LOW_WATER
+from nctakt.run.queue_feeder import HIGH_WATER
+
+#: Further than any table of the machine, before its begin, and beyond integers of 64 bits.
+WRONG = (-1, 10**6, -(10**9), 1 << 62, -(1 << 63), 10**30, float("nan"))
+
+_Entrance = Callable[[Rig, int], object]
+
+#: Each entrance with one number from outside, all other numbers in order.
+ENTRANCES: dict[str, _Entrance] = {
+    "axes.shift axis": lambda rig, n: rig.machine.axes.shift(n, 0, 1.0),
+    "axes.shift kind": lambda rig, n: rig.machine.axes.shift(0, n, 1.0),
+    "axes.set_modulo": lambda rig, n: rig.machine.axes.set_modulo(n, 0.0, 360.0),
+    "axes.set_stop": lambda rig, n: rig.machine.axes.set_stop(n, 1.0),
+    "axes.set_lag": lambda rig, n: rig.machine.axes.set_lag(n, 0.5, 0.5),
+    "axes.set_override": lambda rig, n: rig.machine.axes.set_override(n, 0, 100.0),
+    "axes.place": lambda rig, n: rig.machine.axes.place(n, 1.0),
+    "offsets.of": lambda rig, n: rig.machine.axes.offsets.of(n, 127),
+    "single_axes.configure": lambda rig, n: rig.machine.single_axes.configure(
+        n, low=0.0, high=1.0, speed=1.0, acceleration=1.0, jerk=0.0
+    ),
+    "single_axes.belong": lambda rig, n: rig.machine.single_axes.belong(n),
+    "single_axes.absolute axis": lambda rig, n: rig.machine.single_axes.absolute(
+        n, 1.0, 1.0, 0, 0, 1
+    ),
+    "single_axes.absolute mode": lambda rig, n: rig.machine.single_axes.absolute(
+        0, 1.0, 1.0, n, 0, 1
+    ),
+    "single_axes.relative": lambda rig, n: rig.machine.single_axes.relative(n, 1.0, 1.0, 0, 1),
+    "single_axes.velocity": lambda rig, n: rig.machine.single_axes.velocity(n, 1.0, 1, 0, 1),
+    "single_axes.halt": lambda rig, n: rig.machine.single_axes.halt(n, 1),
+    "single_axes.clear": lambda rig, n: rig.machine.single_axes.clear(n),
+    "single_axes.state_of": lambda rig, n: rig.machine.single_axes.state_of(n),
+    "single_axes.present_owner": lambda rig, n: rig.machine.single_axes.present_owner(n),
+    "single_axes.arrived_owner": lambda rig, n: rig.machine.single_axes.arrived_owner(n),
+    "single_axes.fault_of": lambda rig, n: rig.machine.single_axes.fault_of(n),
+    "single_axes.at_speed": lambda rig, n: rig.machine.single_axes.at_speed(n),
+    "single_axes.moves": lambda rig, n: rig.machine.single_axes.moves(n),
+    "spindles.configure": lambda rig, n: rig.channel.context.spindles.configure(
+        n, plc=False, speed=1.0, acceleration=1.0
+    ),
+    "spindles.has_plc": lambda rig, n: rig.channel.context.spindles.has_plc(n),
+    "spindles.acknowledge": lambda rig, n: rig.channel.context.spindles.acknowledge(n, 1),
+    "requests.post kind": lambda rig, n: rig.machine.kernel.requests.post(n, 0, 0.0, 1.0, 0, 0),
+    "requests.post axis": lambda rig, n: rig.machine.kernel.requests.post(1, n, 0.0, 1.0, 0, 0),
+    "requests.answer_to": lambda rig, n: rig.machine.kernel.requests.answer_to(n),
+    "requests.is_active": lambda rig, n: rig.machine.kernel.requests.is_active(n, 1_000_000),
+    "requests.has_arrived": lambda rig, n: rig.machine.kernel.requests.has_arrived(n, 1_000_000),
+    "section.acknowledge": lambda rig, n: rig.channel.hli.realtime.acknowledge(n, 1),
+    "section.value_of": lambda rig, n: rig.channel.hli.program.value_of(n),
+    "panel.put": lambda rig, n: rig.channel.panel.put(n, 1.0),
+    "kernel.post": lambda rig, n: rig.machine.kernel.post(n, 1.0),
+    "kernel.post_bytes": lambda rig, n: rig.machine.kernel.post_bytes(n, bytes(16)),
+    "record.select": lambda rig, n: rig.machine.record.select([0, n]),
+    "manager.state_of": lambda rig, n: rig.channel.manager.state_of(n),
+    "path.segment_row": lambda rig, n: rig.channel.path.segment_row(n),
+    "path members": lambda rig, n: KernelPath(rig.machine.axes, [0, n], 1000),
+    "queue.row": lambda rig, n: rig.channel.row(n),
+    "ahead.limit": lambda rig, n: rig.channel.ahead.limit(n, True, (1.0, 1.0), (1.0, 1.0)),
+    "ahead.limit_slope": lambda rig, n: rig.channel.ahead.limit_slope(n, (1.0, 1.0), (1.0, 1.0)),
+}
+
+
+@pytest.mark.parametrize("name", ENTRANCES)
+def test_a_number_out_of_its_range_is_refused(name: str) -> None:
+    """Each entrance, before, behind and far from its table; nothing is read or written."""
+    rig = Rig()
+    before = bytes(rig.machine.memory)
+    for number in WRONG:
+        with pytest.raises((ValueError, OverflowError), match="is not in"):
+            ENTRANCES[name](rig, number)  # type: ignore[arg-type]
+    assert bytes(rig.machine.memory) == before
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf"), -float("inf")])
+def test_a_motion_to_nowhere_is_refused(value: float) -> None:
+    """Positions, distances and speeds are finite."""
+    rig = Rig()
+    with pytest.raises(ValueError, match="not a finite number"):
+        rig.machine.kernel.requests.post(1, 0, value, 1.0, 0, 0)
+    with pytest.raises(ValueError, match="not a finite number"):
+        rig.machine.single_axes.relative(0, 1.0, value, 0, 1)
+
+
+def test_a_command_longer_than_a_row_is_refused() -> None:
+    """The next command would lose its begin, and the last one would leave the queue."""
+    rig = Rig()
+    with pytest.raises(ValueError, match="length of a command"):
+        rig.channel.put([1.0] * (rig.channel.width + 1))
+    with pytest.raises(ValueError, match="length of a command"):
+        rig.channel.put([])
+
+
+def test_more_ticks_than_an_integer_holds_are_no_end_in_the_past() -> None:
+    """The tick is an integer of 64 bits; the run ends for another reason, here the empty queue."""
+    rig = Rig()
+    rig.run(3)
+    rig.channel.decoder_open = True
+    assert rig.machine.kernel.run((1 << 63) - 1) == reasons.REFILL
+    rig.channel.decoder_open = False
+    assert rig.machine.kernel.run(-1) == reasons.DONE
+    assert rig.machine.kernel.tick == 3
+
+
+def test_a_bytes_value_of_half_a_cell_is_refused() -> None:
+    """A string fills whole cells."""
+    with pytest.raises(TypeError):
+        Rig().machine.kernel.post_bytes(0, b"123")
+
+
+def test_rows_of_an_image_that_leave_it_are_refused() -> None:
+    """Byte, kind, cell and size of each variable."""
+    kernel = Rig().machine.kernel
+    units = kernel.image.units if hasattr(kernel.image, "units") else None
+    for row in (
+        (64, 7, 0, 8, True),
+        (-8, 7, 0, 8, True),
+        (0, 9, 0, 8, True),
+        (0, 7, -1, 8, True),
+        (0, 7, 10**9, 8, True),
+        (0, 7, 0, 9, True),
+        (0, 8, 0, 65, True),
+    ):
+        image, published = memoryview(bytearray(64)), memoryview(bytearray(64))
+        with pytest.raises(ValueError, match="is not in"):
+            kernel.image.attach(image, published, [row], units, 0, 16, 0)
+    assert not kernel.image.is_attached
+
+
+def test_what_no_tick_has_given_cannot_be_taken() -> None:
+    """An answer, a program's end, a RESET, a refused value."""
+    rig = Rig()
+    for take in (
+        rig.channel.take_answer,
+        rig.channel.accept_end,
+        rig.channel.panel.accept_reset,
+        rig.machine.kernel.image.next_refused,
+    ):
+        with pytest.raises(ValueError):
+            take()
+
+
+def test_the_queue_is_refilled_beyond_its_low_water() -> None:
+    """Else it would be asked for more at once."""
+    assert DEMO is not None
+    assert LOW_WATER < HIGH_WATER

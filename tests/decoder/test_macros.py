@@ -38,7 +38,7 @@ def test_a_macro_that_cannot_be_used_ends_the_program(text: str, error: int) -> 
         ('"A" = "V.P.NONE"\nX["A" + 1]', 900314, 2),
         ('"A" = "1 / 0"\nX["A" + 1]', 900300, 2),
         ('"A" = "1 + \\"A\\""\nX["A" + 1]', 900848, 2),
-        ('"A" = "\\"A\\""\n"A"', 900308, 2),
+        ('"A" = "\\"A\\""\n"A"', 900848, 2),
         ('X["A" + 1]\n"A" = "1"', 900340, 1),
         ('LL SUB\nX["B" + 1]\nM30\n%L SUB\nM17', 900319, 2),
         ('LL SUB\nM30\n%L SUB\nX=P1*"B"\nM17', 900319, 4),
@@ -89,3 +89,45 @@ def test_what_is_wrong_in_a_macro_is_named() -> None:
     (found,) = run.errors
     assert found.text("en").startswith("Q17 is neither a word")
     assert found.source_line == '"A" Y1'
+
+
+def nested(levels: int, glue: str) -> str:
+    """Macros that have the one before twice in their texts: 2 ** ``levels`` times the first."""
+    lines = ['"M0" = "1"']
+    for level in range(1, levels + 1):
+        inner = f'\\"M{level - 1}\\"'
+        lines.append(f'"M{level}" = "{inner}{glue}{inner}"')
+    return "\n".join(lines)
+
+
+@pytest.mark.parametrize(
+    ("text", "error", "column"),
+    [
+        ('"A" = "\\"A\\" \\"A\\""\nX1 "A"', 900849, 4),
+        ('"A" = "\\"B\\" \\"B\\""\n"B" = "\\"A\\""\n"A"', 900848, 1),
+        ('"A" = "\\"B\\""\n"B" = "\\"A\\""\nX1 "A"', 900848, 4),
+        (nested(19, " ") + '\n"M19"', 900849, 1),
+        (nested(19, "+") + '\nX["M19"]', 900849, 3),
+        (nested(25, "+") + '\nX["M25"]', 900848, 3),
+        ('"A" = "' + "X1 " * 1300 + '"\n' + '"A" ' * 6, 900849, 21),
+    ],
+)
+def test_macros_do_not_grow_without_bound(text: str, error: int, column: int) -> None:
+    """Depth and text of one block have bounds, told at the macro; the run ends by itself."""
+    run = Controller().run(NcText("p.nc", text + "\nM30\n"), ticks=5)
+    (found,) = run.errors
+    assert found.id == error
+    assert found.span is not None
+    assert (found.span.line, found.span.column) == (text.count("\n") + 1, column)
+
+
+def test_macros_within_their_bounds_are_what_they_stand_for() -> None:
+    """Twenty inside each other; texts up to 20000 characters."""
+    chain = ['"M1" = "X7"', *(f'"M{n}" = "\\"M{n - 1}\\""' for n in range(2, 21))]
+    run = Controller().run(NcText("p.nc", "\n".join(["G00", *chain, '"M20"', "M30"])))
+    assert run.state == "ended"
+    assert run.trace is not None
+    assert run.trace["X.ACS.CUR_POS"][-1] == 7.0
+    uses = '"A" ' * 5
+    text = f'G00\n"A" = "{" " * 3_900}"\n{uses}X1\nM30'
+    assert Controller().run(NcText("p.nc", text)).state == "ended"

@@ -284,6 +284,19 @@ _add(
     clearing=3,
 )
 _add(
+    900849,
+    ERROR,
+    'macro "{name}": its block would become more than {limit} characters',
+    'Makro "{name}": sein Satz würde länger als {limit} Zeichen',
+    remedy_en="Put part of it into a subprogram, or into several blocks.",
+    remedy_de="Einen Teil davon in ein Unterprogramm legen oder auf mehrere Sätze verteilen.",
+    cause_en="A macro that has others in its text can become a text of any length.",
+    cause_de="Ein Makro mit weiteren Makros im Text kann beliebig lang werden.",
+    parameters={"name": "the macro at which the limit is passed", "limit": "the limit"},
+    reaction=2,
+    clearing=3,
+)
+_add(
     900925,
     ERROR,
     "G194: {value} % is more than the highest feed",

@@ -8,7 +8,7 @@ and lower case of names count. Within a text other macros stand between ``\\"`` 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from typing import NoReturn
@@ -24,8 +24,11 @@ from nctakt.nc.parse.expressions import parse_expression, unreadable
 from nctakt.nc.parse.lexer import BlockError, BlockText, Piece
 from nctakt.nc.parse.printer import format_word
 
-#: Macros inside each other in an expression.
+#: Macros inside each other.
 MOST_MACROS = 20
+
+#: Characters that the macros of one statement can become.
+MOST_CHARACTERS = 20_000
 
 #: Statements whose meaning is remembered; then all are forgotten.
 MOST_REMEMBERED = 4096
@@ -41,6 +44,7 @@ class Macros:
         self._places = MacroPlaces(surroundings.names, self._meaning)
         self._meant: dict[int, tuple[tree.Statement, tree.Statement]] = {}
         self._depth = 0
+        self._characters = 0
 
     def define(self, definition: tree.MacroDefinition) -> None:
         """A later definition of a name replaces an earlier one."""
@@ -56,6 +60,8 @@ class Macros:
         """The statement with what macros stand for in its expressions."""
         known = self._meant.get(id(statement))
         if known is None:
+            self._depth = 0
+            self._characters = 0
             changed = self._places.statement(statement)
             if changed is not statement:
                 line = partial(self._surroundings.line, statement.span)
@@ -70,6 +76,8 @@ class Macros:
         content = self._texts.get(name.value)
         if content is None:
             return None
+        self._enter(name.value, name.span)
+        self._count(content, name.value, name.span)
         text = BlockText(name.span.file, content, [Piece(0, name.span.line, content)])
         try:
             expression = parse_expression(text)
@@ -77,31 +85,64 @@ class Macros:
                 raise unreadable(text)
         except BlockError as error:
             self._fail(error.number, name.span, **error.values)
-        self._depth += 1
-        if self._depth > MOST_MACROS:
-            self._fail(900848, name.span, name=name.value, limit=MOST_MACROS)
         meaning = self._places.number(placed(expression, name.span))
         self._depth -= 1
         return meaning
 
+    def _enter(self, name: str, span: Span) -> None:
+        """Enter a macro inside the others; fail where it is one too many."""
+        self._depth += 1
+        if self._depth > MOST_MACROS:
+            self._fail(900848, span, name=name, limit=MOST_MACROS)
+
+    def _count(self, content: str, name: str, span: Span) -> None:
+        """Count the text of a macro; fail where it is too much for one statement."""
+        self._characters += len(content)
+        if self._characters > MOST_CHARACTERS:
+            self._fail(900849, span, name=name, limit=MOST_CHARACTERS)
+
     def expand(self, block: tree.Block) -> list[tree.Statement] | None:
-        """The statements of a block with macros; ``None`` for one without."""
-        if not any(isinstance(word, tree.StringWord) for word in block.words):
+        """The statements of a block with macros; ``None`` for one without.
+
+        Their own macros are expanded as well.
+        """
+        macro = _first_macro(block)
+        if macro is None:
             return None
-        content = " ".join(self._text(word, block.span) for word in block.words)
+        self._depth = 0
+        self._characters = 0
+        return list(self._expanded(block, macro))
+
+    def _expanded(self, block: tree.Block, macro: tree.StringWord) -> Iterator[tree.Statement]:
+        """The statements of a block; ``macro``: the word of the program that it comes from."""
+        self._enter(macro.text, macro.span)
+        content = " ".join(self._text(word, macro) for word in block.words)
         text = BlockText(block.span.file, content, [Piece(0, block.span.line, content)])
         try:
             statements = parse_content(text, replace(block.head, skip=None, label=None))
         except BlockError as error:
-            self._fail(error.number, block.span, **error.values)
-        check(self._surroundings, self._fail, statements, block.span, lambda: content)
-        return statements
+            self._fail(error.number, macro.span, **error.values)
+        check(self._surroundings, self._fail, statements, macro.span, lambda: content)
+        for statement in statements:
+            if isinstance(statement, tree.Block) and _first_macro(statement) is not None:
+                yield from self._expanded(statement, macro)
+            else:
+                yield statement
+        self._depth -= 1
 
-    def _text(self, word: tree.BlockWord, span: Span) -> str:
+    def _text(self, word: tree.BlockWord, macro: tree.StringWord) -> str:
         """The text of a word; that of a macro is what it stands for."""
         if not isinstance(word, tree.StringWord):
             return format_word(word)
+        span = word.span if self._depth == 1 else macro.span
         if word.text not in self._texts:
             near = nearest(word.text, self._texts) or "–"
             self._fail(900319, span, name=word.text, nearest=near)
-        return self._texts[word.text]
+        content = self._texts[word.text]
+        self._count(content, word.text, span)
+        return content
+
+
+def _first_macro(block: tree.Block) -> tree.StringWord | None:
+    """The first word of a block that is a macro."""
+    return next((word for word in block.words if isinstance(word, tree.StringWord)), None)

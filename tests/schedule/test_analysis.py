@@ -14,7 +14,8 @@ from test_scenarios import NOMINAL
 from nctakt.schedule.analyse import Analysis, analyse
 from nctakt.schedule.findings import analysis_findings, simulation_findings
 from nctakt.schedule.margins import find_answers, with_cycle, with_time, with_windows
-from nctakt.schedule.model import Execution, Model
+from nctakt.schedule.model import Execution, Model, Rules
+from nctakt.schedule.self_check import contradictions
 from nctakt.schedule.simulate import hyperperiod, simulate
 
 US = 1000
@@ -22,17 +23,14 @@ US = 1000
 
 def responses(analysis: Analysis) -> list[int | None]:
     """In µs."""
-    return [
-        None if one is None or one.response is None else one.response // US
-        for one in analysis.tasks
-    ]
+    return [None if one.response is None else one.response // US for one in analysis.tasks]
 
 
 def test_worked_responses() -> None:
     """B4: S1 and S0a as worked out; S1 predicts the overflow of COM."""
     tight = analyse(make(EXAMPLE_1, load_text(TIGHT))[0])
     assert responses(tight) == [400, 1300, 3400, 5450, 600]
-    assert [one is not None and one.can_overflow for one in tight.tasks] == [
+    assert [one.can_overflow for one in tight.tasks] == [
         False,
         False,
         False,
@@ -44,6 +42,83 @@ def test_worked_responses() -> None:
     nominal = analyse(make(EXAMPLE_1, load_text(NOMINAL))[0])
     assert responses(nominal) == [300, 1050, 1250, 1450, 450]
     assert nominal.is_exact
+
+
+EXTERNAL_INTERRUPT = """\
+interrupt_source 1
+cycle_time 2000
+time_slice 500
+windows_time 500
+thread[0].name GEO
+thread[0].cycle 2000
+thread[0].priority 115
+thread[0].error_on_overflow 1
+thread[0].function[0].name task_int
+thread[1].name BG
+thread[1].cycle {cycle}
+thread[1].priority 105
+thread[1].function[0].name task_rnd
+external_thread[0].semaphore_name plc
+external_thread[0].cycle 2000
+End
+"""
+
+
+def behind(cycle: int, load: str, rules: Rules | None = None) -> tuple[Analysis, list[int | None]]:
+    """The analysis of a list with an external interrupt; the longest simulated responses, in µs."""
+    model, _ = make(EXTERNAL_INTERRUPT.format(cycle=cycle), load, rules=rules)
+    analysis, run = analyse(model), simulate(model, 500)
+    assert contradictions(analysis, run) == []
+    longest = [one.response_max for one in run.tasks]
+    return analysis, [None if one is None else one // US for one in longest]
+
+
+PLC_BELOW = """\
+[functions]
+task_int = {geo}
+task_rnd = {bg}
+[external.plc]
+time = {plc}
+priority = 90
+[interrupt]
+{interrupt}
+"""
+
+
+def test_external_thread_behind_a_suspended_one() -> None:
+    """The PLC runs in Windows' time, and what was suspended goes on before it in the next cycle."""
+    load = PLC_BELOW.format(geo=100, bg=1600, plc=700, interrupt="phase = 1")
+    analysis, simulated = behind(6000, load)
+    assert (responses(analysis)[2], simulated[2]) == (2500, 2500)
+    assert analysis.tasks[2].can_overflow
+
+
+def test_external_thread_behind_one_that_is_suspended_late() -> None:
+    """By elapsed time suspension can come a time slice later: the PLC waits longer."""
+    load = PLC_BELOW.format(geo=100, bg=1900, plc=300, interrupt="phase = 1")
+    ticks, _ = behind(6000, load)
+    elapsed, simulated = behind(6000, load, Rules(suspension="elapsed"))
+    assert responses(ticks)[2] == 1899
+    assert responses(elapsed)[2] == simulated[2] == 2400
+
+
+@pytest.mark.parametrize(
+    ("jitter", "simulated", "bound"), [(1, 2750, 2751), (200, 2949, 3149), (500, 3245, 5349)]
+)
+def test_more_jitter_never_lowers_a_bound(jitter: int, simulated: int, bound: int) -> None:
+    """The NC interrupt that resumes a suspended thread can come late."""
+    load = PLC_BELOW.format(geo=300, bg=1150, plc=0, interrupt=f"phase = 0\njitter = {jitter}")
+    analysis, longest = behind(4000, load)
+    assert (longest[1], responses(analysis)[1]) == (simulated, bound)
+
+
+def test_worst_phase_where_the_load_names_none() -> None:
+    """3.1: an external interrupt does not run synchronously to the timer, whatever is left out."""
+    load = PLC_BELOW.format(geo=100, bg=1600, plc=700, interrupt="")
+    analysis, simulated = behind(6000, load)
+    assert analysis.phases == {1: 499_999, 2: 0}
+    assert not analysis.is_exact
+    assert (responses(analysis)[1], simulated[1]) == (2799, 2300)
 
 
 def test_unbounded_response() -> None:
@@ -82,7 +157,6 @@ def test_analysis_is_the_simulation_where_it_says_so(model: Model) -> None:
     assume(analysis.is_exact)
     run = simulate(model, 2 * hyperperiod(model))
     for one, numbers in zip(analysis.tasks, run.tasks, strict=True):
-        assert one is not None
         assert one.response == numbers.response_max
         assert numbers.overflows == 0
 
@@ -95,7 +169,7 @@ def test_analysis_is_a_bound_everywhere(model: Model) -> None:
     assume(not analysis.can_overflow)
     run = simulate(model, 60)
     for one, numbers in zip(analysis.tasks, run.tasks, strict=True):
-        assert one is not None and one.response is not None
+        assert one.response is not None
         assert numbers.overflows == 0
         assert (numbers.response_max or 0) <= one.response
 

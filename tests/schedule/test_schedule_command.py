@@ -142,13 +142,38 @@ def test_rules_can_be_chosen(folder: Path, capsys: Capture) -> None:
     assert "25.00" in out
 
 
+def test_phase_that_the_load_does_not_name(folder: Path, capsys: Capture) -> None:
+    """3.1: the simulation assumes a phase and shows what the worst one would do."""
+    words = ["simulate", folder / "rtconf.lis", "--convention", "field"]
+    run(*words, "--load", folder / "load.toml")
+    rows = [line.split() for line in capsys.readouterr().out.splitlines()]
+    assert ["BACKGROUND_", "R", "max", "1300", "2899.999"] in rows
+    assert ["Windows", "least", "500", "999.999"] in rows
+    named = folder / "named.toml"
+    named.write_text(
+        (folder / "load.toml").read_text("utf-8") + "[interrupt]\nphase = 0\n", "utf-8"
+    )
+    run(*words, "--load", named)
+    assert "Phase" not in capsys.readouterr().out
+
+
+def test_analysis_that_contradicts_the_simulation(
+    folder: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A response above its bound is an internal error that names the thread."""
+    monkeypatch.setattr("nctakt.schedule.response._BusyTime.longest_response", lambda busy: 1)
+    assert run("analyse", folder / "rtconf.lis", "--load", folder / "load.toml") == 3
+    assert "GEO: response 400000 ns, bound 1 ns" in capsys.readouterr().err
+
+
 def test_analyse(folder: Path, capsys: Capture) -> None:
     """Responses, load against supply, and the limits."""
     words = ["--load", folder / "load.toml", "--convention", "table"]
     assert run("analyse", folder / "rtconf.lis", *words, "--lang", "de") == 0
     captured = capsys.readouterr()
     row = next(line for line in captured.out.splitlines() if line.startswith("COM"))
-    assert row.split() == ["COM", "250", "4000", "6.25", "5450", "5450", "-1450", "möglich"]
+    expected = ["COM", "250", "4000", "6.25", "≤", "5450", "5450", "-1450", "möglich"]
+    assert row.split() == expected
     assert "kleinste cycle_time: 2500 µs" in captured.out
     assert "größte windows_time: 0 µs" in captured.out
     assert "Warnung 900637" in captured.err

@@ -22,6 +22,7 @@ from nctakt.schedule.margins import find_answers
 from nctakt.schedule.model import Rules
 from nctakt.schedule.report import analysis_report, simulation_report
 from nctakt.schedule.simulate import simulate
+from nctakt.schedule.worst_phase import simulate_worst_phases
 
 KEYS = (
     "interrupt_source",
@@ -84,7 +85,7 @@ def test_nothing_fails(
     analysis = analyse(model)
     for found in (*simulation_findings(run), *analysis_findings(analysis)):
         assert found.render("en") and found.render("de")
-    assert simulation_report(run, "de")
+    assert simulation_report(run, simulate_worst_phases(run), "de")
     if configuration.threads:
         assert analysis_report(analysis, find_answers(model), run, "en")
     assert svg(gantt(run, "de")).endswith("</svg>\n")

@@ -91,6 +91,7 @@ def _simulate(words: dict[str, Any]) -> int:
     from nctakt.schedule.findings import simulation_findings  # noqa: PLC0415
     from nctakt.schedule.report import simulation_report  # noqa: PLC0415
     from nctakt.schedule.simulate import simulate as run_model  # noqa: PLC0415
+    from nctakt.schedule.worst_phase import simulate_worst_phases  # noqa: PLC0415
 
     read = read_list(words)
     collector = Collector()
@@ -102,7 +103,7 @@ def _simulate(words: dict[str, Any]) -> int:
     done = run_model(model, max(cycles, drawn) if words["drawn"] else cycles, record=drawn)
     found = [*collector.diagnostics, *simulation_findings(done)]
     tell([*read.found, *found], words)
-    report = simulation_report(done, words["language"])
+    report = simulation_report(done, simulate_worst_phases(done), words["language"])
     click.echo(report, nl=False)
     write_outputs(done, report, words)
     return exit_code(read.found, found, words)
@@ -113,6 +114,7 @@ def _analyse(words: dict[str, Any]) -> int:
     from nctakt.schedule.findings import analysis_findings  # noqa: PLC0415
     from nctakt.schedule.margins import find_answers  # noqa: PLC0415
     from nctakt.schedule.report import analysis_report  # noqa: PLC0415
+    from nctakt.schedule.self_check import check_bounds  # noqa: PLC0415
     from nctakt.schedule.simulate import simulate as run_model  # noqa: PLC0415
 
     read = read_list(words)
@@ -121,6 +123,7 @@ def _analyse(words: dict[str, Any]) -> int:
     model = make_model(read, load, words, collector)
     analysis = analyse_model(model)
     done = run_model(model, wanted_cycles(model, words), record=0)
+    check_bounds(analysis, done)
     found = [*collector.diagnostics, *analysis_findings(analysis)]
     tell([*read.found, *found], words)
     text = analysis_report(analysis, find_answers(model), done, words["language"])

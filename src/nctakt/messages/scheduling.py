@@ -432,14 +432,6 @@ _add(
     },
 )
 _add(
-    900639,
-    NOTE,
-    "threads that the operating system places are not analysed, only simulated",
-    "Threads, die das Betriebssystem platziert, werden nur simuliert, nicht analysiert",
-    remedy_en="Give each thread a CPU that exists.",
-    remedy_de="Jedem Thread eine vorhandene CPU geben.",
-)
-_add(
     900640,
     WARNING,
     "CPU {cpu}: Windows has less than {windows} µs in a cycle when all run as long as they can",

@@ -158,7 +158,7 @@ class _Assembly:
             drift = 0
         # Two interrupts never change places.
         jitter = min(given.get("jitter", 0), (period + drift - 1) // 2)
-        return Train(period, phase, drift, jitter)
+        return Train(period, phase, drift, jitter, is_phase_known="phase" in given)
 
     def _threads(self) -> list[Task]:
         threads = self._configuration.threads

@@ -76,8 +76,6 @@ def _without_windows_time(model: Model, responses: list[int], least: int) -> Ite
 def analysis_findings(analysis: Analysis) -> Iterator[Diagnostic]:
     """What can go wrong when all run as long as they can."""
     model = analysis.model
-    if any(one is None for one in analysis.tasks):
-        yield diagnostic(900639)
     for cpu in analysis.cpus:
         if cpu.demand > cpu.suspendable_supply:
             yield diagnostic(
@@ -87,11 +85,12 @@ def analysis_findings(analysis: Analysis) -> Iterator[Diagnostic]:
                 supply=f"{100 * cpu.suspendable_supply:.2f}",
             )
         if cpu.reaches_windows:
-            who = ", ".join(model.tasks[i].name for i in cpu.intruders)
+            names = [model.tasks[i].name for i in cpu.intruders]
+            who = ", ".join([*names, _LATE] if cpu.is_late else names)
             yield diagnostic(900640, cpu=cpu.cpu, windows=us(model.windows), who=who)
     for task, one in zip(model.tasks, analysis.tasks, strict=True):
-        if one is not None and one.can_overflow:
+        if one.can_overflow:
             response = "∞" if one.response is None else f"{us(one.response)} µs"
             yield diagnostic(900638, thread=task.name, response=response, cycle=us(one.period))
-    responses = [0 if one is None else one.response or 0 for one in analysis.tasks]
+    responses = [one.response or 0 for one in analysis.tasks]
     yield from _without_windows_time(model, responses, 1)

@@ -98,12 +98,14 @@ class Task:
 @dataclass(frozen=True, slots=True)
 class Train:
     """The interrupts that start NC cycles, in ns: the k-th comes at phase + k·(period + drift),
-    then up to ``jitter`` earlier or later."""
+    then up to ``jitter`` earlier or later. Without ``is_phase_known`` the phase is an assumption.
+    """
 
     period: int
     phase: int = 0
     drift: int = 0
     jitter: int = 0
+    is_phase_known: bool = True
 
     @property
     def distance(self) -> int:

@@ -7,10 +7,10 @@ language, times in µs. Every report names the rules that were chosen.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from nctakt.base.diagnostics import Language, Text
-from nctakt.schedule.analyse import Analysis
+from nctakt.schedule.analyse import Analysis, TaskAnalysis
 from nctakt.schedule.effective_table import EffectiveRow
 from nctakt.schedule.findings import culprits, us
 from nctakt.schedule.interpolation_steps import dead_times
@@ -29,6 +29,8 @@ _SOURCES = {
     "timer": Text("timer", "Timer"),
     "semaphore": Text("semaphore", "Semaphor"),
 }
+
+_OVERFLOWS = Text("overflows", "Überläufe")
 
 
 def table(heads: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
@@ -107,8 +109,10 @@ def dead_time_report(model: Model, language: Language) -> list[str]:
     ]
 
 
-def simulation_report(run: Simulation, language: Language) -> str:
-    """All numbers of a simulation."""
+def simulation_report(
+    run: Simulation, worst_phases: Mapping[int, Simulation], language: Language
+) -> str:
+    """All numbers of a simulation; ``worst_phases``: the same with other phases, by phase in ns."""
     model = run.model
     lines = chosen_report(model, language)
     simulated = Text(
@@ -122,7 +126,42 @@ def simulation_report(run: Simulation, language: Language) -> str:
     if run.repeats_after is not None:
         line += repeats.get(language).format(n=run.repeats_after)
     lines += [line, *dead_time_report(model, language), ""]
-    return "\n".join([*lines, *numbers_report(run, language)]) + "\n"
+    lines += numbers_report(run, language)
+    if not model.train.is_phase_known:
+        lines += ["", *_phase_report(run, worst_phases, language)]
+    return "\n".join(lines) + "\n"
+
+
+def _phase_report(
+    run: Simulation, worst_phases: Mapping[int, Simulation], language: Language
+) -> list[str]:
+    """What becomes of the threads and of Windows with the phases that are the worst for them."""
+    assumed = Text(
+        "The load names no phase of the NC interrupt: {phase} µs is assumed.",
+        "Die Last nennt keine Phase des NC-Interrupts: angenommen ist {phase} µs.",
+    )
+    lines = [assumed.get(language).format(phase=us(run.model.train.phase))]
+    if not worst_phases:
+        same = Text("It makes no difference for long.", "Auf Dauer macht sie keinen Unterschied.")
+        return [f"{lines[0]} {same.get(language)}"]
+    runs = [run, *worst_phases.values()]
+    heads = Text("Phase", "Phase").get(language)
+    columns = [us(one.model.train.phase) for one in runs]
+    rows = []
+    for i, task in enumerate(run.model.tasks):
+        for name, value in (("R max", _longest), (_OVERFLOWS.get(language), _overflows)):
+            rows.append([task.name, name, *(value(one.tasks[i]) for one in runs)])
+    least = [us(one.windows[-1].least) for one in runs]
+    rows.append(["Windows", Text("least", "kleinste").get(language), *least])
+    return [*lines, *table([heads, "µs", *columns], rows, left=2)]
+
+
+def _longest(numbers: TaskNumbers) -> str:
+    return NONE if numbers.response_max is None else us(numbers.response_max)
+
+
+def _overflows(numbers: TaskNumbers) -> str:
+    return str(numbers.overflows)
 
 
 def numbers_report(run: Simulation, language: Language) -> list[str]:
@@ -196,10 +235,6 @@ def analysis_report(
     )
     rows = []
     for task, one, numbers in zip(analysis.model.tasks, analysis.tasks, run.tasks, strict=True):
-        simulated = NONE if numbers.response_max is None else us(numbers.response_max)
-        if one is None:
-            rows.append([task.name, us(task.longest), *[NONE] * 3, simulated, NONE, NONE])
-            continue
         verdict = Text("possible", "möglich") if one.can_overflow else Text("no", "nein")
         rows.append(
             [
@@ -207,25 +242,59 @@ def analysis_report(
                 us(one.demand),
                 us(one.period),
                 f"{100 * one.demand / one.period:.2f}",
-                "∞" if one.response is None else us(one.response),
-                simulated,
+                _bound(one),
+                NONE if numbers.response_max is None else us(numbers.response_max),
                 NONE if one.slack is None else us(one.slack),
                 verdict.get(language),
             ]
         )
-    exact = Text(
-        "The responses are exact: those of the simulation.",
-        "Die Antwortzeiten sind genau: die der Simulation.",
-    )
-    bound = Text(
-        "The responses are upper bounds for the first job of each thread; the simulation can show "
-        "less,\nand where a thread overflows its rule for overflows decides what comes later.",
-        "Die Antwortzeiten sind obere Schranken für den ersten Auftrag jedes Threads; die "
-        "Simulation kann\nweniger zeigen, und nach einem Überlauf entscheidet die Regel dafür.",
-    )
-    lines += ["", *table(heads.get(language).split("|"), rows)]
-    lines += ["", (exact if analysis.is_exact else bound).get(language), ""]
+    lines += ["", *table(heads.get(language).split("|"), rows), ""]
+    lines += [_meaning_of_bounds(analysis).get(language), *_phases(analysis, language), ""]
     return "\n".join([*lines, *_cpus(analysis, language), "", *_answers(answers, language)]) + "\n"
+
+
+def _bound(task: TaskAnalysis) -> str:
+    """A response, marked where it is not exact."""
+    if task.response is None:
+        return "∞"
+    return us(task.response) if task.is_exact else f"≤ {us(task.response)}"
+
+
+def _meaning_of_bounds(analysis: Analysis) -> Text:
+    if analysis.is_exact:
+        return Text(
+            "The responses are exact: those of the simulation.",
+            "Die Antwortzeiten sind genau: die der Simulation.",
+        )
+    return Text(
+        "≤ is an upper bound: no simulation shows more, many show less. ∞: no bound was found.\n"
+        "Without a sign a response is exact: that of the simulation.",
+        "≤ ist eine obere Schranke: keine Simulation zeigt mehr, viele zeigen weniger. ∞: keine\n"
+        "Schranke gefunden. Ohne Zeichen ist eine Antwortzeit genau: die der Simulation.",
+    )
+
+
+def _phases(analysis: Analysis, language: Language) -> list[str]:
+    """For which phase of the NC interrupt the bounds hold, where the load names none."""
+    if analysis.model.train.is_phase_known:
+        return []
+    if not analysis.phases:
+        text = Text(
+            "The load names no phase of the NC interrupt: the bounds hold for all phases.",
+            "Die Last nennt keine Phase des NC-Interrupts: die Schranken gelten für alle Phasen.",
+        )
+        return [text.get(language)]
+    threads: dict[int, list[str]] = {}
+    for i, phase in analysis.phases.items():
+        threads.setdefault(phase, []).append(analysis.model.tasks[i].name)
+    text = Text(
+        "The load names no phase of the NC interrupt: the worst one is taken, {phases}.",
+        "Die Last nennt keine Phase des NC-Interrupts: es gilt die ungünstigste, {phases}.",
+    )
+    phases = ", ".join(
+        f"{us(phase)} µs ({', '.join(names)})" for phase, names in sorted(threads.items())
+    )
+    return [text.get(language).format(phases=phases)]
 
 
 def _cpus(analysis: Analysis, language: Language) -> list[str]:

@@ -13,7 +13,7 @@ import pytest
 from sarif_schema import faults
 
 from nctakt.cli import main
-from nctakt.messages import CATALOGUE
+from nctakt.messages.checked_cycles import ASYNCHRONOUS_WRITE_IN_CYCLE
 
 PART = """\
 #RT CYCLE [ID=1]
@@ -73,8 +73,8 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
         "line": 4,
         "column": 5,
         "end_column": 14,
-        "text": CATALOGUE[22009].text.en.format(name="V.E.ASYNC"),
-        "remedy": CATALOGUE[22009].remedy.en,
+        "text": ASYNCHRONOUS_WRITE_IN_CYCLE.text.en.format(name="V.E.ASYNC"),
+        "remedy": ASYNCHRONOUS_WRITE_IN_CYCLE.remedy.en,
         "source_line": "    V.E.ASYNC = 1",
         "channels": [],
     }

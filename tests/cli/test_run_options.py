@@ -20,6 +20,10 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.messages import diagnostic
+from nctakt.messages.command_line import RUNNING_UNCOMPILED
+from nctakt.messages.files import STDIN_NAMED_TWICE
+from nctakt.messages.inputs import NOT_AN_ASSIGNMENT
+from nctakt.messages.plc import PLC_FAILED
 from nctakt.plc import PlcError
 from nctakt.results.run import Run, SaidMessage
 from nctakt.run.stimuli import Stimulus
@@ -142,8 +146,8 @@ def test_without_options_the_controller_chooses(asked: Asked) -> None:
         ("limit", (), 0),
         ("error", (), 1),
         ("interrupted", (), 1),
-        ("ended", (diagnostic(900531),), 0),
-        ("ended", (diagnostic(900504),), 1),
+        ("ended", (diagnostic(RUNNING_UNCOMPILED),), 0),
+        ("ended", (diagnostic(STDIN_NAMED_TWICE),), 1),
     ],
 )
 def test_exit_codes(asked: Asked, state: str, diagnostics: Any, code: int) -> None:
@@ -162,7 +166,7 @@ def test_messages_and_summary_go_out_and_diagnostics_to_stderr(
         on_message(SaidMessage(463_000, "half way\x1b[2J"))
         on_message(SaidMessage(464_000, "no stamp, ", exclusive=True, unbroken=True))
         on_message(SaidMessage(465_000, "one line", exclusive=True))
-        return result(diagnostics=(diagnostic(900531), diagnostic(900504)))
+        return result(diagnostics=(diagnostic(RUNNING_UNCOMPILED), diagnostic(STDIN_NAMED_TWICE)))
 
     asked.behave = behave
     main(["run", "part.nc", "--messages", "said.txt"])
@@ -181,7 +185,7 @@ def test_quiet_leaves_errors_and_messages(asked: Asked, capsys: pytest.CaptureFi
 
     def behave(on_message: Callable[[SaidMessage], None], **_: Any) -> Run:
         on_message(SaidMessage(0, "hello"))
-        return result(diagnostics=(diagnostic(900531), diagnostic(900504)))
+        return result(diagnostics=(diagnostic(RUNNING_UNCOMPILED), diagnostic(STDIN_NAMED_TWICE)))
 
     asked.behave = behave
     main(["run", "part.nc", "--quiet", "--lang", "de"])
@@ -218,7 +222,7 @@ def test_a_plc_that_fails_while_it_runs_stops_the_run(
     """Its diagnostic is shown, the exit code is 1, and the trace so far is kept."""
 
     def behave(**_: Any) -> Run:
-        raise PlcError(diagnostic(900523, tick=3, reason="oops", traceback=""))
+        raise PlcError(diagnostic(PLC_FAILED, tick=3, reason="oops", traceback=""))
 
     asked.behave = behave
     assert main(["run", "part.nc", "--trace", "out.csv"]) == 1
@@ -233,7 +237,7 @@ def test_what_the_controller_refuses_is_wrong_usage(
     """A name that the machine does not know ends with exit code 2."""
 
     def behave(**_: Any) -> Run:
-        raise Failure(diagnostic(900511, text="V.E.X"))
+        raise Failure(diagnostic(NOT_AN_ASSIGNMENT, text="V.E.X"))
 
     asked.behave = behave
     assert main(["run", "part.nc"]) == 2

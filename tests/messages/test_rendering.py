@@ -8,6 +8,10 @@ import pytest
 from nctakt.base.diagnostics import NOTHING, Span, number_text
 from nctakt.base.source_ids import statement_span
 from nctakt.messages import diagnostic
+from nctakt.messages.checked_blocks import UNKNOWN_COMMAND, UNKNOWN_WORD
+from nctakt.messages.checked_values import UNKNOWN_VARIABLE
+from nctakt.messages.motion import INVALID_CONTOUR_DEVIATION
+from nctakt.messages.nc_text import VALUE_EXPECTED
 from nctakt.nc.parse.expressions import END_OF_BLOCK
 
 
@@ -26,27 +30,27 @@ def test_numbers_are_written_as_a_reader_writes_them(value: float, text: str) ->
     """No ``.0``, no digits that only rounding has made."""
     assert number_text(value) == text
     assert (
-        diagnostic(900707, value=value).text()
+        diagnostic(INVALID_CONTOUR_DEVIATION, value=value).text()
         == f"the deviation {text} of contouring is not above 0"
     )
 
 
 def test_the_end_of_a_block_has_its_words_in_both_languages() -> None:
     """No token of the parser."""
-    found = diagnostic(900101, found=END_OF_BLOCK)
+    found = diagnostic(VALUE_EXPECTED, found=END_OF_BLOCK)
     assert found.text("en") == "a value is missing before the end of the block"
     assert found.text("de") == "vor dem Satzende fehlt ein Wert"
 
 
 def test_a_remedy_does_not_ask_for_nothing() -> None:
     """Where no name is similar, or a list is empty, the sentence that would tell it is left out."""
-    found = diagnostic(900203, word="Q", axes="X, Y", nearest=NOTHING)
+    found = diagnostic(UNKNOWN_WORD, word="Q", axes="X, Y", nearest=NOTHING)
     assert found.remedy("en") == "Axes of the channel: X, Y"
-    found = diagnostic(900213, name="V.E.Q", nearest=NOTHING)
+    found = diagnostic(UNKNOWN_VARIABLE, name="V.E.Q", nearest=NOTHING)
     assert found.remedy("de") == "Groß- und Kleinschreibung zählt."
-    found = diagnostic(900202, word="#Q", nearest=NOTHING)
+    found = diagnostic(UNKNOWN_COMMAND, word="#Q", nearest=NOTHING)
     assert found.remedy("en") == "Check the spelling; nothing that is known here is similar."
-    assert diagnostic(900202, word="#Q", nearest="#P").remedy("en") == "Most similar: #P"
+    assert diagnostic(UNKNOWN_COMMAND, word="#Q", nearest="#P").remedy("en") == "Most similar: #P"
 
 
 @pytest.mark.parametrize(

@@ -13,8 +13,9 @@ import pytest
 from check_machine import demo_channel, findings
 from nc_chunks import FOLDER, expected_messages, read_chunks
 
+from nctakt.base.diagnostics import Message
 from nctakt.base.text import decode_text, split_lines
-from nctakt.messages import CATALOGUE
+from nctakt.messages import checked_axes, checked_blocks, checked_cycles, checked_values, lints
 
 CORPUS = Path(os.environ.get("NCTAKT_CORPUS", FOLDER.parents[2] / "corpus"))
 
@@ -109,11 +110,16 @@ def test_each_message_reads_in_both_languages() -> None:
 
 
 def test_each_message_of_the_checker_is_tested() -> None:
-    """No message from 900200 to 900299 is without a line that causes it."""
+    """No message of checked programs is without a line that causes it.
+
+    21982 and 900928 need a machine of their own and have tests of their own.
+    """
     files = ("check_*.nc", "lint_*.nc")
     expected = {number for one in files for _, number, _ in expected_messages(one)}
-    own = {message.id for message in CATALOGUE if 900200 <= message.id < 900300}
-    assert own - expected == set()
+    modules = (checked_axes, checked_blocks, checked_cycles, checked_values, lints)
+    declared = [one for module in modules for one in vars(module).values()]
+    own = {message.id for message in declared if isinstance(message, Message)}
+    assert own - expected == {21982, 900928}
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -14,7 +14,7 @@ from check_machine import demo_channel, findings
 from nc_chunks import Chunk, compare, read_chunks
 
 from nctakt import machines
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Message
 from nctakt.checking.program import check_program
 from nctakt.lists.declared.tools import NO_TOOL
 from nctakt.messages import Collector
@@ -25,7 +25,7 @@ from nctakt.nc.source import Source
 from nctakt.run.controller import Controller, NcText
 
 DEMO = Path(machines.__path__[0]) / "demo"
-LINTS = [message.id for message in lint_messages.MESSAGES]
+LINTS = [message.id for message in vars(lint_messages).values() if isinstance(message, Message)]
 BUDGET = Budget(201, 200)
 
 

@@ -8,8 +8,6 @@ from typing import get_args
 import pytest
 
 from nctakt.base.diagnostics import Text
-from nctakt.messages import CATALOGUE
-from nctakt.messages.meanings import is_translated
 from nctakt.nc import tree
 from nctakt.nc.check import realtime_cycles
 from nctakt.nc.parse import hash_commands
@@ -46,12 +44,6 @@ def test_each_article_is_found_by_its_name(topic: Topic) -> None:
         assert article in explain(word), article.name
     for name in topic.names():
         assert explain(name), name
-
-
-def test_what_parameters_of_messages_mean_is_translated() -> None:
-    """RC-602: the meaning of each parameter of a message is there in German, too."""
-    meanings = {meaning for message in CATALOGUE for meaning in message.parameters.values()}
-    assert sorted(meaning for meaning in meanings if not is_translated(meaning)) == []
 
 
 def test_keywords_are_those_that_the_checker_knows() -> None:

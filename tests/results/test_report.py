@@ -5,6 +5,7 @@ import pytest
 
 from nctakt.base.diagnostics import Span
 from nctakt.messages import diagnostic
+from nctakt.messages.inputs import INVALID_TIME
 from nctakt.results.report import DIAGNOSIS_CAPACITY, DiagnosisReport, DiagnosisSink
 from nctakt.trace import Event, TraceHeader
 
@@ -139,8 +140,8 @@ def test_an_error_is_told_with_its_text() -> None:
     place = Span("part.nc", 5, 3, 4)
     report = DiagnosisReport()
     report.add(Event(1, 1000, "error", "900510", place, "1"), 1)
-    other = diagnostic(900510, Span("part.nc", 6, 3, 9), text="never")
-    found = diagnostic(900510, Span("part.nc", 5, 1, 9), text="soon")
+    other = diagnostic(INVALID_TIME, Span("part.nc", 6, 3, 9), text="never")
+    found = diagnostic(INVALID_TIME, Span("part.nc", 5, 1, 9), text="soon")
     assert report.render("en", [other, found]).endswith("900510: 'soon' is no time\n")
     assert report.render("de", [found]).endswith("900510: 'soon' ist keine Zeit\n")
     assert report.render("en", [other]).endswith("900510\n")

@@ -5,6 +5,8 @@ import io
 
 from nctakt.base.diagnostics import Span
 from nctakt.messages import diagnostic
+from nctakt.messages.command_line import RUNNING_UNCOMPILED
+from nctakt.messages.files import STDIN_NAMED_TWICE
 from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run
 from nctakt.results.summary import print_summary
 
@@ -14,7 +16,7 @@ RUN = Run(
     0,
     726,
     "ended",
-    diagnostics=(diagnostic(900531), diagnostic(900504)),
+    diagnostics=(diagnostic(RUNNING_UNCOMPILED), diagnostic(STDIN_NAMED_TWICE)),
     messages=((5000, "half way"),),
     cycles=(
         CycleResult(

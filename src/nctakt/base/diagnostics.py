@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What went wrong, where, and what to do about it.
 
-In: a message of the catalogue (``messages.py``), a place, the values of the message's parameters.
+In: a message of the catalogue (``messages/``), a place, the values of the message's parameters.
 Out: a ``Diagnostic``, and its rendering with number, file, line, column, source line, caret and
 remedy. Everything that a user, a list or the PLC can cause is a diagnostic; what only we can cause
 is an ``assert``.
@@ -12,7 +12,7 @@ from __future__ import annotations
 import enum
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal
 
 Language = Literal["en", "de"]
@@ -79,27 +79,68 @@ _NOTHING_SIMILAR = Text(
 )
 
 
-@dataclass(frozen=True, slots=True)
 class Message:
-    """An entry of the catalogue.
+    """A message of the catalogue, declared in ``messages/``; a slotted class, cheap to make.
 
     ``id`` is its identity: the controller's own number, or one of ours from 900000 on.
-    ``text`` and ``remedy`` are format strings over the names in ``parameters``, whose values
-    say what each one means. ``reaction`` and ``clearing`` are the controller's classes for what an
-    error does and what clears it (0: it has none; ``messages/classes.py`` says what they mean).
-    ``cause`` tells, for explanation, what text and remedy do not; ``known_as`` are other numbers
-    that it has.
+    ``text`` and ``remedy`` are format strings over the names in ``parameters``, whose values say in
+    English and German what each one means. ``reaction`` and ``clearing`` are the controller's
+    classes for what an error does and what clears it (0: it has none; ``messages/classes.py`` says
+    what they mean). ``cause`` tells, for explanation, what text and remedy do not; ``known_as`` are
+    other numbers that it has.
     """
 
-    id: int
-    severity: Severity
-    text: Text
-    remedy: Text
-    parameters: Mapping[str, str] = field(default_factory=dict)
-    reaction: int = 0
-    clearing: int = 0
-    cause: Text = field(default_factory=lambda: Text("", ""))
-    known_as: tuple[int, ...] = ()
+    __slots__ = (
+        "_cause",
+        "_remedy",
+        "_text",
+        "clearing",
+        "id",
+        "known_as",
+        "parameters",
+        "reaction",
+        "severity",
+    )
+
+    def __init__(
+        self,
+        number: int,
+        severity: Severity,
+        text: tuple[str, str],
+        remedy: tuple[str, str],
+        cause: tuple[str, str],
+        parameters: Mapping[str, tuple[str, str]],
+        reaction: int = 0,
+        clearing: int = 0,
+        known_as: tuple[int, ...] = (),
+    ) -> None:
+        self.id = number
+        self.severity = severity
+        self._text = text
+        self._remedy = remedy
+        self._cause = cause
+        self.parameters = parameters
+        self.reaction = reaction
+        self.clearing = clearing
+        self.known_as = known_as
+
+    def __repr__(self) -> str:
+        return f"<Message {self.id}: {self._text[0]}>"
+
+    @property
+    def text(self) -> Text:
+        """What happened, with the parameters' names in braces."""
+        return Text(*self._text)
+
+    @property
+    def remedy(self) -> Text:
+        """What to do about it, with the parameters' names in braces."""
+        return Text(*self._remedy)
+
+    @property
+    def cause(self) -> Text:
+        """Why it can happen."""
+        return Text(*self._cause)
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,12 +148,14 @@ class Diagnostic:
     """One finding: a message, its place (``None``: no file involved) and its parameters' values.
 
     ``source_line`` is the whole text line of the span, without its end, for the excerpt.
+    ``is_lenient``: an error that only warns here.
     """
 
     message: Message
     span: Span | None
     values: Mapping[str, object]
     source_line: str = ""
+    is_lenient: bool = False
 
     @property
     def id(self) -> int:
@@ -121,8 +164,8 @@ class Diagnostic:
 
     @property
     def severity(self) -> Severity:
-        """The message's severity."""
-        return self.message.severity
+        """The message's severity, a warning where an error is lenient."""
+        return Severity.WARNING if self.is_lenient else self.message.severity
 
     def text(self, language: Language = "en") -> str:
         """The message with its parameters filled in."""

@@ -24,6 +24,13 @@ from nctakt.lists.machine.files import find_file, startup_list_around
 from nctakt.lists.machine.list_kinds import check_list_alone, kind_of, references
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages import Collector, diagnostic
+from nctakt.messages.checking import (
+    FILE_ENCRYPTED,
+    LIST_CHECKED_ALONE,
+    LIST_KIND_NOT_RECOGNISED,
+    NOT_A_TEXT_FILE,
+)
+from nctakt.messages.files import FILE_NOT_READABLE
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.lint.linter import GlobalCycles, never_deleted
 from nctakt.nc.source import Source
@@ -171,13 +178,13 @@ class _Checker:
 
     def _unreadable(self, path: Path, error: OSError) -> None:
         name, reason = path.as_posix(), error.strerror or str(error)
-        self._keep(name, [diagnostic(900503, file=name, reason=reason)])
+        self._keep(name, [diagnostic(FILE_NOT_READABLE, file=name, reason=reason)])
 
     def _is_text(self, path: Path, begin: bytes) -> bool:
         """Whether a file is no binary one, by its first bytes; reported if it is."""
         if b"\0" not in begin or begin.startswith(_UTF16_MARKS):
             return True
-        number = 900582 if path.suffix.casefold() == _ENCRYPTED_SUFFIX else 900581
+        number = FILE_ENCRYPTED if path.suffix.casefold() == _ENCRYPTED_SUFFIX else NOT_A_TEXT_FILE
         self._keep(path.as_posix(), [diagnostic(number, file=path.as_posix())])
         return False
 
@@ -225,7 +232,7 @@ class _Checker:
         if schema is None:
             titles = [one.title for one in SCHEMAS]
             unknown = diagnostic(
-                900584,
+                LIST_KIND_NOT_RECOGNISED,
                 place,
                 meaning_en=", ".join(title.en for title in titles),
                 meaning_de=", ".join(title.de for title in titles),
@@ -235,7 +242,7 @@ class _Checker:
         self._files[path.as_posix()] = schema.kind
         title = schema.title
         collector = Collector()
-        collector.report(900583, place, meaning_en=title.en, meaning_de=title.de)
+        collector.report(LIST_CHECKED_ALONE, place, meaning_en=title.en, meaning_de=title.de)
         check_list_alone(schema, path, data, collector, verbose=self._verbose)
         self._keep(path.as_posix(), collector.diagnostics)
 

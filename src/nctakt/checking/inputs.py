@@ -17,6 +17,8 @@ from pathlib import Path
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.lists.machine.files import STARTUP_NAMES, find_entry
 from nctakt.messages import diagnostic
+from nctakt.messages.checking import NOTHING_TO_CHECK
+from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE
 
 #: How names of programs end, for those that are found in folders.
 PROGRAM_SUFFIXES = (".nc", ".ncp", ".cnc", ".sub", ".cyc", ".ecy")
@@ -51,7 +53,7 @@ def gather(paths: Sequence[Path], found: list[Found]) -> Inputs:
     programs: dict[Path, Path] = {}
     for path in paths:
         if not path.exists():
-            found.append(Found(path.as_posix(), diagnostic(900500, file=str(path))))
+            found.append(Found(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
         elif path.is_file() and path.name.casefold() in STARTUP_NAMES:
             machines.setdefault(path.resolve(), path)
         elif not path.is_dir():
@@ -76,7 +78,7 @@ def _search(
             continue
         empty = False
         if not path.exists():
-            found.append(Found(path.as_posix(), diagnostic(900500, file=str(path))))
+            found.append(Found(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
         elif _is_startup(path):
             machines.setdefault(path.resolve(), path)
         elif path.is_file():
@@ -84,7 +86,7 @@ def _search(
             group.setdefault(path.resolve(), path)
     if empty:
         suffixes = ", ".join(PROGRAM_SUFFIXES)
-        message = diagnostic(900580, folder=str(folder), suffixes=suffixes)
+        message = diagnostic(NOTHING_TO_CHECK, folder=str(folder), suffixes=suffixes)
         found.append(Found(folder.as_posix(), message))
 
 
@@ -102,7 +104,7 @@ def _files(folder: Path, found: list[Found]) -> Iterator[Path]:
     def unreadable(error: OSError) -> None:
         name = str(error.filename)
         reason = error.strerror or str(error)
-        found.append(Found(name, diagnostic(900503, file=name, reason=reason)))
+        found.append(Found(name, diagnostic(FILE_NOT_READABLE, file=name, reason=reason)))
 
     for root, folders, names in os.walk(folder, onerror=unreadable):
         folders[:] = sorted(name for name in folders if not name.startswith("."))

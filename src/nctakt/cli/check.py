@@ -26,6 +26,8 @@ from nctakt.cli.selection import Selection, read_selection
 from nctakt.cli.terminal import OutputFile, print_diagnostics, show_at_the_end
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages import diagnostic
+from nctakt.messages.checking import CHECKED_FOR_DEMO_MACHINE, CHECKED_FOR_MACHINE_OF_FILE
+from nctakt.messages.files import STDIN_NAMED_TWICE
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
 
@@ -98,7 +100,7 @@ def _check(options: Options) -> int:
     """Check and tell; raises ``Failure`` for words that cannot be used."""
     selection = read_selection(options.select, options.ignore)
     if options.paths.count(_STANDARD_INPUT) > 1:
-        raise Failure(diagnostic(900504))
+        raise Failure(diagnostic(STDIN_NAMED_TWICE))
     machine = _machine(options)
     output = None if options.output is None else OutputFile(options.output)
     inputs = [_standard_input() if path == _STANDARD_INPUT else path for path in options.paths]
@@ -155,10 +157,10 @@ def _closing(result: CheckResult, selection: Selection, options: Options) -> str
     """For which machine, where the user has named none; how many files and findings."""
     if options.quiet:
         return ""
-    remarks = [diagnostic(900815, file=file) for file in result.around]
+    remarks = [diagnostic(CHECKED_FOR_MACHINE_OF_FILE, file=file) for file in result.around]
     if options.machine is None and result.takes_default:
         folder = result.machines[0] if len(result.machines) == 1 else "DIR"
-        remarks.append(diagnostic(900585, folder=folder))
+        remarks.append(diagnostic(CHECKED_FOR_DEMO_MACHINE, folder=folder))
     lines = [one.render(options.language) for one in remarks if selection.takes(one.id)]
     return "".join(f"{line}\n" for line in (*lines, closing_line(result, options.language)))
 

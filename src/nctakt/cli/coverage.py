@@ -25,6 +25,13 @@ from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
 from nctakt.cli.terminal import OutputFile, print_diagnostics, show_at_the_end
 from nctakt.messages import diagnostic
+from nctakt.messages.coverage import (
+    COVERAGE_BELOW_MINIMUM,
+    COVERAGE_COUNTS_DROPPED,
+    INVALID_COVERAGE_DATA,
+    NOTHING_TO_COVER,
+)
+from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE, FOLDER_INSTEAD_OF_FILE
 
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
@@ -88,7 +95,7 @@ def _cover(
     from nctakt.results.coverage_files import as_json  # noqa: PLC0415 - the mode is chosen before
 
     if not options.programs and not options.others and data is None and not merge:
-        raise Failure(diagnostic(900800))
+        raise Failure(diagnostic(NOTHING_TO_COVER))
     before = [_read(file) for file in merge]
     if data is not None and Path(data).exists():
         before.insert(0, _read(data))
@@ -105,7 +112,7 @@ def _cover(
     show_at_the_end(lambda file: print(_shown(whole, form, options.language), end="", file=file))
     if least is not None and whole.percent < least:
         percent = f"{int(10 * whole.percent) / 10:g}"  # what is too little never looks enough
-        found = diagnostic(900803, percent=percent, least=f"{least:g}")
+        found = diagnostic(COVERAGE_BELOW_MINIMUM, percent=percent, least=f"{least:g}")
         print_diagnostics([found], options.language)
         return EXIT_NC_ERROR
     return code
@@ -118,14 +125,14 @@ def _read(path: str) -> Coverage:
     try:
         return from_json(path, Path(path).read_text("utf-8"))
     except FileNotFoundError as error:
-        raise Failure(diagnostic(900500, file=path)) from error
+        raise Failure(diagnostic(FILE_MISSING, file=path)) from error
     except IsADirectoryError as error:
-        raise Failure(diagnostic(900501, file=path)) from error
+        raise Failure(diagnostic(FOLDER_INSTEAD_OF_FILE, file=path)) from error
     except UnicodeDecodeError as error:
-        raise Failure(diagnostic(900801, file=path)) from error
+        raise Failure(diagnostic(INVALID_COVERAGE_DATA, file=path)) from error
     except OSError as error:
         reason = os.strerror(error.errno or errno.EIO)
-        raise Failure(diagnostic(900503, file=path, reason=reason)) from error
+        raise Failure(diagnostic(FILE_NOT_READABLE, file=path, reason=reason)) from error
 
 
 def _run(options: Options) -> tuple[int, Coverage | None]:
@@ -149,7 +156,9 @@ def _sum(parts: list[Coverage], language: Language) -> Coverage:
     whole = Coverage()
     for part in parts:
         outdated = whole.outdated_by(part)
-        print_diagnostics([diagnostic(900802, file=file) for file in outdated], language)
+        print_diagnostics(
+            [diagnostic(COVERAGE_COUNTS_DROPPED, file=file) for file in outdated], language
+        )
         whole = whole.plus(part)
     return whole
 

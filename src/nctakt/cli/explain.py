@@ -15,6 +15,7 @@ from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.messages import diagnostic
+from nctakt.messages.explaining import MISSPELLED_TOPIC, UNKNOWN_TOPIC
 from nctakt.reference.layout import article_lines, list_lines, topic_lines
 from nctakt.reference.topics import TOPICS, explain, nearest_word, topic
 
@@ -84,8 +85,8 @@ def _lines(word: str, language: Language) -> Iterator[str]:
 def _unknown(word: str) -> Diagnostic:
     near = nearest_word(word)
     if near:
-        return diagnostic(900571, word=word, nearest=near)
-    return diagnostic(900570, word=word)
+        return diagnostic(MISSPELLED_TOPIC, word=word, nearest=near)
+    return diagnostic(UNKNOWN_TOPIC, word=word)
 
 
 def _show(lines: Sequence[str]) -> None:

@@ -21,6 +21,7 @@ from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.messages import diagnostic
+from nctakt.messages.command_line import LISTING_INCOMPLETE, NO_CYCLE_DEFINED
 
 if TYPE_CHECKING:
     from nctakt.decoder.cycles.builder import CycleDefinition
@@ -88,6 +89,6 @@ def _lister(
 def _notes(run: Run, lines: Sequence[str]) -> Iterator[Diagnostic]:
     """What the listing cannot show."""
     if not lines and run.state in ("ended", "limit"):
-        yield diagnostic(900591)
+        yield diagnostic(NO_CYCLE_DEFINED)
     if run.state == "limit":
-        yield diagnostic(900590, ticks=run.ticks)
+        yield diagnostic(LISTING_INCOMPLETE, ticks=run.ticks)

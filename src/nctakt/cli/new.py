@@ -17,6 +17,7 @@ from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.machines.commented import commented_lists
 from nctakt.messages import diagnostic
+from nctakt.messages.folders import FOLDER_NOT_EMPTY, FOLDER_NOT_WRITABLE, LISTS_WRITTEN
 
 _EPILOG = """\b
   nctakt new mymachine
@@ -42,7 +43,7 @@ def command(folder: str, language: Language) -> int:
     except Failure as failure:
         print_diagnostics(failure.diagnostics, language)
         return EXIT_USAGE
-    told = diagnostic(900748, folder=folder, count=len(lists))
+    told = diagnostic(LISTS_WRITTEN, folder=folder, count=len(lists))
     click.echo(told.text(language))
     click.echo(f"  {told.remedy(language)}")
     return EXIT_RAN
@@ -53,9 +54,9 @@ def _write(folder: Path, lists: dict[str, str]) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
         if any(folder.iterdir()):
-            raise Failure(diagnostic(900746, folder=str(folder)))
+            raise Failure(diagnostic(FOLDER_NOT_EMPTY, folder=str(folder)))
         for name, text in lists.items():
             (folder / name).write_text(text, encoding="utf-8", newline="\n")
     except OSError as error:
         reason = error.strerror or str(error)
-        raise Failure(diagnostic(900747, folder=str(folder), reason=reason)) from error
+        raise Failure(diagnostic(FOLDER_NOT_WRITABLE, folder=str(folder), reason=reason)) from error

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 from nctakt.base.failure import Failure
 from nctakt.cli.request import Options, Request
 from nctakt.messages import diagnostic
+from nctakt.messages.files import FILE_NOT_WRITABLE
 
 if TYPE_CHECKING:
     from nctakt.run.controller import Controller
@@ -37,7 +38,7 @@ class Plot:
         self._path = Path(options.plot)
         if not self._path.parent.is_dir():
             reason = os.strerror(errno.ENOENT)
-            raise Failure(diagnostic(900507, file=options.plot, reason=reason))
+            raise Failure(diagnostic(FILE_NOT_WRITABLE, file=options.plot, reason=reason))
         self._controller = controller
         self._axes = controller.channel_axes
         self._defaults = controller.default_signals
@@ -69,4 +70,6 @@ class Plot:
             picture.write_picture(curves, self._path, title, self._options.language)
         except OSError as error:
             reason = error.strerror or str(error)
-            raise Failure(diagnostic(900507, file=str(self._path), reason=reason)) from error
+            raise Failure(
+                diagnostic(FILE_NOT_WRITABLE, file=str(self._path), reason=reason)
+            ) from error

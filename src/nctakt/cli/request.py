@@ -18,6 +18,16 @@ from typing import TYPE_CHECKING, ParamSpec, TypeVar
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.command_line import INVALID_SKIP_OPTION, RECORDING_WITHOUT_TRACE
+from nctakt.messages.files import (
+    FILE_MISSING,
+    FILE_NOT_READABLE,
+    FOLDER_INSTEAD_OF_FILE,
+    NEITHER_FOLDER_NOR_LIST,
+    STDIN_NAMED_TWICE,
+)
+from nctakt.messages.folders import INVALID_CHANNEL_NUMBER, NO_PROGRAM_NAMED
+from nctakt.messages.plc import PLC_AND_HLI_OPTIONS
 from nctakt.nc.parse.block_head import SKIP_LEVELS
 from nctakt.run.stimuli import Stimulus, parse_assignment, parse_stimulus, parse_time
 
@@ -102,9 +112,9 @@ def read_request(options: Options) -> Request:
     reader = _Reader()
     words = (*options.programs, *(program for _, program in options.others))
     if not words:
-        reader.found.append(diagnostic(900751))
+        reader.found.append(diagnostic(NO_PROGRAM_NAMED))
     if words.count(STANDARD_INPUT) > 1:
-        reader.found.append(diagnostic(900504))
+        reader.found.append(diagnostic(STDIN_NAMED_TWICE))
     for program in dict.fromkeys(words):
         reader.read(_check_program, program)
     numbers = [reader.read(_channel_number, number) for number, _ in options.others]
@@ -117,11 +127,11 @@ def read_request(options: Options) -> Request:
     plc = () if options.plc is None else reader.read(_load_plc, options.plc)
     skip_levels = reader.read(_skip_levels, options.skip)
     if options.plc is not None and options.hli is not None:
-        reader.found.append(diagnostic(900653))
+        reader.found.append(diagnostic(PLC_AND_HLI_OPTIONS))
     signals = None if options.signals is None else split_names(options.signals)
     for option, given in (("--signals", signals is not None), ("--blocks", options.blocks)):
         if given and options.trace is None:
-            reader.found.append(diagnostic(900817, option=option))
+            reader.found.append(diagnostic(RECORDING_WITHOUT_TRACE, option=option))
     if reader.found:
         raise Failure(*reader.found)
     programs: dict[int, list[Path | NcText]] = {1: [_program(one) for one in options.programs]}
@@ -145,13 +155,13 @@ def _skip_levels(text: str) -> tuple[int, ...]:
     words = [word.strip() for word in text.split(",") if word.strip()]
     wrong = [word for word in words if not word.isdecimal() or not 1 <= int(word) <= SKIP_LEVELS]
     if wrong:
-        raise Failure(diagnostic(900490, found=wrong[0], most=SKIP_LEVELS))
+        raise Failure(diagnostic(INVALID_SKIP_OPTION, found=wrong[0], most=SKIP_LEVELS))
     return tuple(int(word) for word in words)
 
 
 def _channel_number(text: str) -> int:
     if not (text.isascii() and text.isdigit()):
-        raise Failure(diagnostic(900752, text=text))
+        raise Failure(diagnostic(INVALID_CHANNEL_NUMBER, text=text))
     return int(text)
 
 
@@ -160,21 +170,21 @@ def _check_program(program: str) -> None:
     if program == STANDARD_INPUT:
         return
     if not Path(program).exists():
-        raise Failure(diagnostic(900500, file=program))
+        raise Failure(diagnostic(FILE_MISSING, file=program))
     if Path(program).is_dir():
-        raise Failure(diagnostic(900501, file=program))
+        raise Failure(diagnostic(FOLDER_INSTEAD_OF_FILE, file=program))
     if not os.access(program, os.R_OK):
         reason = os.strerror(errno.EACCES)
-        raise Failure(diagnostic(900503, file=program, reason=reason))
+        raise Failure(diagnostic(FILE_NOT_READABLE, file=program, reason=reason))
 
 
 def _check_machine(machine: str) -> None:
     """A folder, or the start-up list in it."""
     path = Path(machine)
     if not path.exists():
-        raise Failure(diagnostic(900500, file=machine))
+        raise Failure(diagnostic(FILE_MISSING, file=machine))
     if not path.is_dir() and path.suffix.casefold() != ".lis":
-        raise Failure(diagnostic(900502, folder=machine))
+        raise Failure(diagnostic(NEITHER_FOLDER_NOR_LIST, folder=machine))
 
 
 def _program(program: str) -> Path | NcText:

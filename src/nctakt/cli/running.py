@@ -20,6 +20,12 @@ from nctakt.cli.request import Options, Request
 from nctakt.cli.terminal import InterruptRequest, ProgressBar, print_diagnostics
 from nctakt.lists.machine.files import startup_list_around
 from nctakt.messages import diagnostic
+from nctakt.messages.command_line import (
+    COMPILED_PART_MISSING,
+    RUN_ON_DEMO_MACHINE,
+    RUNNING_UNCOMPILED,
+)
+from nctakt.messages.scheduled_runs import OPTION_WITHOUT_SCHEDULE
 
 if TYPE_CHECKING:
     from nctakt.decoder.cycles.builder import CycleDefinition
@@ -119,10 +125,10 @@ def choose_mode(options: Options) -> None:
         mode.use_plain()
     elif not mode.is_compiled():
         if options.compiled:
-            raise Failure(diagnostic(900530))
+            raise Failure(diagnostic(COMPILED_PART_MISSING))
         wished = os.environ.get("NCTAKT_PLAIN") == "1"
         if not options.quiet and not wished:
-            print_diagnostics([diagnostic(900531)], options.language)
+            print_diagnostics([diagnostic(RUNNING_UNCOMPILED)], options.language)
 
 
 def start_controller(options: Options) -> Controller:
@@ -140,7 +146,9 @@ def _machines_around(options: Options) -> Iterator[Diagnostic]:
     startups = {startup_list_around(Path(name)): None for name in programs if name != "-"}
     for startup in startups:
         if startup is not None:
-            yield diagnostic(900816, file=startup.as_posix(), folder=startup.parent.as_posix())
+            yield diagnostic(
+                RUN_ON_DEMO_MACHINE, file=startup.as_posix(), folder=startup.parent.as_posix()
+            )
 
 
 def _schedule(options: Options) -> RunSchedule | None:
@@ -151,7 +159,7 @@ def _schedule(options: Options) -> RunSchedule | None:
     if options.rtconf is None:
         for option, word in (("--load", options.load), ("--os", options.system)):
             if word is not None:
-                raise Failure(diagnostic(900734, option=option))
+                raise Failure(diagnostic(OPTION_WITHOUT_SCHEDULE, option=option))
         return None
     profile = PROFILES[options.system or "rtx"]
     return open_schedule(options.rtconf, options.load, RtconfOptions(profile))

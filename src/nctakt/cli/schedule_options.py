@@ -19,6 +19,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.messages import Collector, diagnostic
+from nctakt.messages.files import FILE_NOT_WRITABLE
 
 if TYPE_CHECKING:
     from nctakt.lists.declared.rtconf import RtconfConfiguration
@@ -195,7 +196,7 @@ def make_model(read: ListRead, load: Load, words: dict[str, Any], collector: Col
         read.configuration, load, profile, collector, rules=rules, cpu_base=words["cpu_base"]
     )
     errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
-    if any(one.id not in PLACED for one in errors) or not read.configuration.threads:
+    if any(one.message not in PLACED for one in errors) or not read.configuration.threads:
         raise Failure(*read.found, *collector.diagnostics)
     return model
 
@@ -243,4 +244,4 @@ def write_outputs(run: Simulation, report: str, words: dict[str, Any]) -> None:
     except OSError as error:
         name = str(error.filename or words["file"])
         reason = error.strerror or str(error)
-        raise Failure(diagnostic(900507, file=name, reason=reason)) from error
+        raise Failure(diagnostic(FILE_NOT_WRITABLE, file=name, reason=reason)) from error

@@ -31,6 +31,17 @@ from nctakt.cli.schedule_options import (
     write_outputs,
 )
 from nctakt.messages import Collector, diagnostic
+from nctakt.messages.linux_run import (
+    CPU_WOULD_STARVE,
+    LATE_WAKEUPS,
+    LEFTOVERS_REMOVED,
+    LOAD_MACHINE_IGNORED,
+    SCHED_FIFO_NOT_PERMITTED,
+    SCHEDULE_RECORDING_FULL,
+    SCHEDULE_RUN_STOPPED,
+    SEMAPHORE_NOT_OPENED,
+    TIMER_INSTEAD_OF_INTERRUPT,
+)
 
 if TYPE_CHECKING:
     from nctakt.linux.measure import Measurement
@@ -81,7 +92,7 @@ def _run(words: dict[str, Any]) -> int:
         return exit_code(read.found, collector.diagnostics, words)
     check_outputs(words)
     if names := remove_stale():
-        collector.report(900692, None, names=", ".join(names))
+        collector.report(LEFTOVERS_REMOVED, None, names=", ".join(names))
     log = run_plan(plan)
     measurement = measure(log, drawn_cycles(model, words))
     _report_end(log, measurement, wanted_cycles(model, words), collector)
@@ -101,7 +112,7 @@ def _here(load: Load, collector: Collector) -> Load:
     present, usable = present_cpus(), usable_cpus()
     for key, given in (("cpus", load.cpus), ("offline", load.offline)):
         if given:
-            collector.report(900690, None, key=key, cpus=", ".join(map(str, usable)))
+            collector.report(LOAD_MACHINE_IGNORED, None, key=key, cpus=", ".join(map(str, usable)))
     offline = tuple(cpu for cpu in present if cpu not in usable)
     return replace(load, cpus=max(present), offline=offline)
 
@@ -114,14 +125,14 @@ def _plan(read: ListRead, model: Model, words: dict[str, Any], collector: Collec
 
     source: str | None = None
     if model.source is InterruptSource.HARDWARE:
-        collector.report(900683, None)
+        collector.report(TIMER_INSTEAD_OF_INTERRUPT, None)
     elif model.source is InterruptSource.SEMAPHORE:
         source = read.configuration.external_object_name
         if not source:
-            raise Failure(*read.found, diagnostic(900687, name="", reason="–"))
+            raise Failure(*read.found, diagnostic(SEMAPHORE_NOT_OPENED, name="", reason="–"))
     is_fifo = not words["no_fifo"]
     if is_fifo and (reason := fifo_refusal()) is not None:
-        collector.report(900682, None, reason=reason)
+        collector.report(SCHED_FIFO_NOT_PERMITTED, None, reason=reason)
         is_fifo = False
     plan = make_plan(
         model,
@@ -132,7 +143,7 @@ def _plan(read: ListRead, model: Model, words: dict[str, Any], collector: Collec
     )
     if is_fifo and not words["force"]:
         crowded = [
-            diagnostic(900688, cpu=cpu, demand=f"{100 * demand:.0f}")
+            diagnostic(CPU_WOULD_STARVE, cpu=cpu, demand=f"{100 * demand:.0f}")
             for cpu, demand in crowded_cpus(plan)
         ]
         if crowded:
@@ -150,9 +161,9 @@ def _report_end(log: RunLog, measurement: Measurement, wanted: int, collector: C
     for refused in placement_refusals(log):
         collector.diagnostics.append(refused)
     if log.was_stopped:
-        collector.report(900693, None, cycles=cycles)
+        collector.report(SCHEDULE_RUN_STOPPED, None, cycles=cycles)
     is_shorter = cycles == log.plan.cycles < wanted
     if log.is_cut or is_shorter:
-        collector.report(900691, None, cycles=cycles)
+        collector.report(SCHEDULE_RECORDING_FULL, None, cycles=cycles)
     if late := late_wakes(measurement):
-        collector.report(900694, None, count=len(late), latest=us(max(late)))
+        collector.report(LATE_WAKEUPS, None, count=len(late), latest=us(max(late)))

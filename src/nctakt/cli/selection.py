@@ -12,7 +12,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from nctakt.base.failure import Failure
-from nctakt.messages import CATALOGUE, diagnostic
+from nctakt.messages import diagnostic
+from nctakt.messages.catalogue import catalogue
+from nctakt.messages.checking import NO_MESSAGE_SELECTED
 
 #: In front of a message's number wherever rules of many tools stand beside each other.
 RULE_PREFIX = "NCTAKT"
@@ -39,7 +41,7 @@ def read_selection(select: Sequence[str], ignore: Sequence[str]) -> Selection:
     selected = frozenset(_numbers(select, wrong))
     ignored = frozenset(_numbers(ignore, wrong))
     if wrong:
-        raise Failure(*(diagnostic(900586, text=text) for text in wrong))
+        raise Failure(*(diagnostic(NO_MESSAGE_SELECTED, text=text) for text in wrong))
     return Selection(selected if select else None, ignored)
 
 
@@ -56,7 +58,7 @@ def _fitting(first: str, last: str | None) -> list[int]:
     """The messages of a range, or of a number, or those whose number begins so."""
     if last is not None:
         low, high = int(first), int(last)
-        return [message.id for message in CATALOGUE if low <= message.id <= high]
-    if int(first) in CATALOGUE:
+        return [number for number in catalogue() if low <= number <= high]
+    if int(first) in catalogue():
         return [int(first)]
-    return [message.id for message in CATALOGUE if str(message.id).startswith(first)]
+    return [number for number in catalogue() if str(number).startswith(first)]

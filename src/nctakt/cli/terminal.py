@@ -24,6 +24,7 @@ import click
 from nctakt.base.diagnostics import Diagnostic, Language, Severity
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.files import FILE_NOT_WRITABLE
 
 if TYPE_CHECKING:
     from rich.progress import Progress
@@ -117,7 +118,9 @@ class OutputFile:
             self._file.close()
 
     def _unwritable(self, error: OSError) -> Failure:
-        return Failure(diagnostic(900507, file=self._path, reason=error.strerror or str(error)))
+        return Failure(
+            diagnostic(FILE_NOT_WRITABLE, file=self._path, reason=error.strerror or str(error))
+        )
 
 
 class InterruptRequest:

@@ -16,6 +16,14 @@ from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Text
 from nctakt.base.text import nearest
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.messages import diagnostic
+from nctakt.messages.command_line import (
+    ARGUMENT_MISSING,
+    INVALID_COMMAND_LINE,
+    INVALID_OPTION_VALUE,
+    OPTION_VALUE_MISSING,
+    UNKNOWN_OPTION,
+    UNKNOWN_SUBCOMMAND,
+)
 
 
 def tell_usage(error: click.ClickException, words: Sequence[str]) -> None:
@@ -38,19 +46,23 @@ def _diagnostic(error: click.ClickException) -> Diagnostic:
     match error:
         case click.NoSuchOption():
             near = nearest(error.option_name, _options(context)) or NOTHING
-            return diagnostic(900907, option=error.option_name, nearest=near, help=help_of)
+            return diagnostic(UNKNOWN_OPTION, option=error.option_name, nearest=near, help=help_of)
         case click.MissingParameter():
-            return diagnostic(900910, name=_name(error), help=help_of)
+            return diagnostic(ARGUMENT_MISSING, name=_name(error), help=help_of)
         case click.BadParameter():
             expected = _expected(error)
             return diagnostic(
-                900908, name=_name(error), value=_value(error), expected=expected, help=help_of
+                INVALID_OPTION_VALUE,
+                name=_name(error),
+                value=_value(error),
+                expected=expected,
+                help=help_of,
             )
         case click.BadOptionUsage() if error.option_name:
-            return diagnostic(900911, option=error.option_name, help=help_of)
+            return diagnostic(OPTION_VALUE_MISSING, option=error.option_name, help=help_of)
         case click.UsageError():
             return _of_command(error, context, help_of)
-    return diagnostic(900909, reason=error.format_message(), help=help_of)
+    return diagnostic(INVALID_COMMAND_LINE, reason=error.format_message(), help=help_of)
 
 
 def _of_command(error: click.UsageError, context: click.Context | None, help_of: str) -> Diagnostic:
@@ -60,8 +72,8 @@ def _of_command(error: click.UsageError, context: click.Context | None, help_of:
     if isinstance(command, click.Group) and context is not None and len(written) == 3:
         known = command.list_commands(context)
         near = nearest(written[1], known) or NOTHING
-        return diagnostic(900912, word=written[1], nearest=near, names=", ".join(known))
-    return diagnostic(900909, reason=error.message, help=help_of)
+        return diagnostic(UNKNOWN_SUBCOMMAND, word=written[1], nearest=near, names=", ".join(known))
+    return diagnostic(INVALID_COMMAND_LINE, reason=error.message, help=help_of)
 
 
 def _options(context: click.Context | None) -> list[str]:

@@ -28,7 +28,7 @@ from nctakt.decoder.contour.chain import ARC, GAP, REACH
 from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.decoder.fast.compensated_lines import PlainBeside
 from nctakt.decoder.fast.handover import PlainRun
-from nctakt.decoder.pending_motion import HeldMotion, share_of_contour
+from nctakt.decoder.pending_motion import HeldMotion, at_tool, share_of_contour
 from nctakt.decoder.state.arcs import PLANES, SAME_PLACE_MM, Arc
 from nctakt.decoder.state.commands import Answer, Command, ProgramEnd, Segment, pack, waits
 from nctakt.decoder.state.environment import DecodeError
@@ -37,6 +37,21 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.tick.command_queue import TIMED_KINDS
 from nctakt.messages import diagnostic
+from nctakt.messages.tools import (
+    ARC_REVERSED_BY_RADIUS,
+    CLOSED_CONTOUR_TOO_LONG,
+    COMPENSATION_NEEDS_LINE,
+    CONTOUR_NOT_CLOSED,
+    LINE_REVERSED_BY_RADIUS,
+    RADIUS_CHANGE_IN_ARC,
+    SIDE_OR_RADIUS_CHANGE_WITH_G238,
+    TOO_MANY_COMMANDS_IN_CONTOUR,
+    TOOL_CUTS_CONTOUR,
+    TOOL_CUTS_INNER_CORNER,
+    TOOL_TOO_LARGE_FOR_ARC,
+    TOOL_WOULD_CUT_CONTOUR,
+    TOOL_WOULD_CUT_INNER_CORNER,
+)
 
 #: Commands that may stand between the motions in the plane that are held.
 MOST_BETWEEN = 1000
@@ -119,7 +134,7 @@ class Compensation:
                 return
         if self._is_closed_one and distance != self._distance:
             if distance != 0.0:
-                self._values.fail(900958, self._path.span)
+                self._values.fail(SIDE_OR_RADIUS_CHANGE_WITH_G238, self._path.span)
             yield from self._finish()
         self._took_time(segment)
         self._enter(segment, (x, y, x_2, y_2), distance)
@@ -139,7 +154,7 @@ class Compensation:
         if not self._is_closed_one:
             yield from self._release(REACH if self._waits_for_loops else 0)
         elif len(self._motions) > MOST_CLOSED:
-            self._values.fail(900956, self._path.span, count=MOST_CLOSED)
+            self._values.fail(CLOSED_CONTOUR_TOO_LONG, self._path.span, count=MOST_CLOSED)
         if wanted.mode == ENDS_WITHOUT_WAY:
             wanted.end = tool.beside_end()
         if distance == 0.0:
@@ -155,7 +170,7 @@ class Compensation:
             if self._motions:
                 self._hold(segment)
             else:
-                yield self._elsewhere(segment)
+                yield at_tool(segment, PLANES[self._state.plane], self._at)
 
     def _enter(self, segment: Segment, ends: tuple[float, float, float, float], d: float) -> None:
         """Let the tool's path know the motion: its line or arc, and its distance ``d``."""
@@ -174,18 +189,18 @@ class Compensation:
                 tool.line(*ends, 0.0, 0.0, False)
             return
         if d * before > 0.0 and d != before:
-            self._values.fail(900952, self._path.span)
+            self._values.fail(RADIUS_CHANGE_IN_ARC, self._path.span)
         if d != before and wanted.mode != PERPENDICULAR:
-            self._values.fail(900870, self._path.span)
+            self._values.fail(COMPENSATION_NEEDS_LINE, self._path.span)
         if not tool.arc(*ends, d, *segment.arc[2:]) and not tool.masks:
-            self._values.fail(900871, self._path.span, radius=abs(d))
+            self._values.fail(TOOL_TOO_LARGE_FOR_ARC, self._path.span, radius=abs(d))
 
     def _keep(self, segment: Segment) -> None:
         """The motion is held until the next one is there."""
         number, wanted = self.tool.number, self._state.compensation
-        misfit = 90019 if segment.arc is None else 90038
+        misfit = LINE_REVERSED_BY_RADIUS if segment.arc is None else ARC_REVERSED_BY_RADIUS
         if segment.arc is not None and not self.tool.latest_fits():
-            misfit = 900871
+            misfit = TOOL_TOO_LARGE_FOR_ARC
         motion = HeldMotion(
             number,
             segment,
@@ -210,7 +225,7 @@ class Compensation:
 
     def _hold(self, command: Command) -> None:
         if self._between >= MOST_BETWEEN:
-            self._values.fail(900872, self._path.span, count=MOST_BETWEEN)
+            self._values.fail(TOO_MANY_COMMANDS_IN_CONTOUR, self._path.span, count=MOST_BETWEEN)
         self._between += 1
         self._motions[-1].between.append(command)
         if isinstance(command, Segment) or pack(command)[0] in TIMED_KINDS:
@@ -268,7 +283,7 @@ class Compensation:
             abs(first.target[place] - last.segment.target[place]) > SAME_PLACE_MM
             for place in PLANES[self._state.plane]
         ):
-            self._values.fail(900955, last.span)
+            self._values.fail(CONTOUR_NOT_CLOSED, last.span)
         misfit = tool.enclose()
         for motion in self._motions:
             if motion.number == misfit:
@@ -296,10 +311,14 @@ class Compensation:
             while self._motions and self._motions[-1].number >= crossed:
                 self._motions.pop()
             tool.give_up()
-            self._values.fail(900954 if begins_there else 900951, span, line=line)
+            self._values.fail(
+                TOOL_WOULD_CUT_INNER_CORNER if begins_there else TOOL_WOULD_CUT_CONTOUR,
+                span,
+                line=line,
+            )
         text = self._surroundings.line(span)
-        number = 900953 if begins_there else 900950
-        self._surroundings.notice(diagnostic(number, span, text, line=line))
+        warning = TOOL_CUTS_INNER_CORNER if begins_there else TOOL_CUTS_CONTOUR
+        self._surroundings.notice(diagnostic(warning, span, text, line=line))
 
     # --- plain blocks ----------------------------------------------------------------------------
 
@@ -373,7 +392,12 @@ class Compensation:
         span = self._span_of(beside.source, file)
         self._spans.append((number, span))
         self._motions[0] = replace(
-            before, number=number, segment=segment, span=span, misfit=90019, between=[]
+            before,
+            number=number,
+            segment=segment,
+            span=span,
+            misfit=LINE_REVERSED_BY_RADIUS,
+            between=[],
         )
         self._at = (self.tool.at_x, self.tool.at_y)
         if self._state.compensation.mode == ENDS_WITHOUT_WAY:
@@ -410,9 +434,8 @@ class Compensation:
     def _commands(self, motion: HeldMotion) -> list[Command]:
         """The pieces of a motion, and what comes behind it."""
         commands: list[Command] = list(self._segments(motion, self._pieces(motion)))
-        commands += [
-            self._elsewhere(one) if isinstance(one, Segment) else one for one in motion.between
-        ]
+        plane = PLANES[self._state.plane]
+        commands += [at_tool(one, plane, self._at) for one in motion.between]
         return commands
 
     def _pieces(self, motion: HeldMotion) -> list[tuple[_Piece, float]]:
@@ -471,12 +494,3 @@ class Compensation:
                 rise = segment.target[place] - segment.start[place]
                 first2 += rise * rise
         return arithmetic.square_root(first2) + sum(way for _, way in pieces[1:])
-
-    def _elsewhere(self, segment: Segment) -> Segment:
-        """A motion of other axes, with those of the plane where the tool is."""
-        if self._at is None:
-            return segment
-        start, target = list(segment.start), list(segment.target)
-        for place, value in zip(PLANES[self._state.plane], self._at, strict=True):
-            start[place] = target[place] = value
-        return replace(segment, start=tuple(start), target=tuple(target))

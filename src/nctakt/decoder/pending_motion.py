@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Message, Span
 from nctakt.decoder.state.commands import Command, Segment
 from nctakt.kernel.base import arithmetic
 
@@ -22,7 +22,7 @@ class HeldMotion:
     segment: Segment
     span: Span
     radius: float
-    misfit: int
+    misfit: Message
     time_s: float
     adapts: bool
     between: list[Command] = field(default_factory=list)
@@ -41,3 +41,13 @@ def share_of_contour(segment: Segment, arc: tuple[float, ...], start: list[float
         x, y = place[first] - arc[2], place[second] - arc[3]
         radii.append(arithmetic.square_root(x * x + y * y))
     return radii[0] / radii[1]
+
+
+def at_tool(command: Command, plane: tuple[int, int], place: tuple[float, float] | None) -> Command:
+    """Return a motion of other axes with those of the plane where the tool is; else the command."""
+    if place is None or not isinstance(command, Segment):
+        return command
+    start, target = list(command.start), list(command.target)
+    for axis, value in zip(plane, place, strict=True):
+        start[axis] = target[axis] = value
+    return replace(command, start=tuple(start), target=tuple(target))

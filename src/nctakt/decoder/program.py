@@ -45,6 +45,16 @@ from nctakt.decoder.values.texts import FormatError, format_text
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.cycles.cycles import BLOCK, GLOBAL, PROG
+from nctakt.messages.checked_cycles import INVALID_CYCLE_ID, INVALID_GLOBAL_CYCLE_ID
+from nctakt.messages.decoder import (
+    JUMP_TARGET_NOT_NC_TEXT,
+    MSG_FORMAT_MISMATCH,
+    PROGRAMS_NESTED_TOO_DEEP,
+    RETURN_LABEL_NOT_UNIQUE,
+    STRUCTURES_AND_CALLS_TOO_DEEP,
+    TOO_MANY_BLOCKS_WITHOUT_TIME,
+)
+from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT
 from nctakt.nc import tree
 from nctakt.nc.check.path_commands import FORMS, command_name
 from nctakt.nc.check.realtime_cycles import HIGHEST_ID
@@ -157,12 +167,14 @@ class ProgramDecoder:
             label = signal.label
             self._round(signal.span)
             if label not in level.section.labels or label in level.section.doubled:
-                self._values.fail(900309, signal.span, label=label, name=level.section.name)
+                self._values.fail(
+                    RETURN_LABEL_NOT_UNIQUE, signal.span, label=label, name=level.section.name
+                )
 
     def _call(self, level: Level, span: Span) -> Decoded:
         """A subprogram; what is said to the caller behind it."""
         if len(self._levels.stack) >= MOST_LEVELS:
-            self._values.fail(900307, span, limit=MOST_LEVELS)
+            self._values.fail(PROGRAMS_NESTED_TOO_DEEP, span, limit=MOST_LEVELS)
         self._levels.enter(level)
         signal = yield from self._level(level)
         self._levels.leave()
@@ -238,9 +250,11 @@ class ProgramDecoder:
         self._blocks += 1
         if self._blocks > MOST_BLOCKS_WITHOUT_TIME:
             loops = (loop for loop, rounds in self._rounds.items() if rounds > 1)
-            self._values.fail(900303, next(loops, span), count=MOST_BLOCKS_WITHOUT_TIME)
+            self._values.fail(
+                TOO_MANY_BLOCKS_WITHOUT_TIME, next(loops, span), count=MOST_BLOCKS_WITHOUT_TIME
+            )
         if self._nested > MOST_NESTED:
-            self._values.fail(900308, span, limit=MOST_NESTED)
+            self._values.fail(STRUCTURES_AND_CALLS_TOO_DEEP, span, limit=MOST_NESTED)
 
     def _statement(self, statement: tree.Statement) -> Decoded:
         self._count(statement.span)
@@ -286,7 +300,7 @@ class ProgramDecoder:
             case tree.If() | tree.For() | tree.While() | tree.Do() | tree.Repeat() | tree.Switch():
                 return (yield from self._flow.structure(statement, number))
             case tree.Unreadable():
-                self._values.fail(900311, statement.span)
+                self._values.fail(JUMP_TARGET_NOT_NC_TEXT, statement.span)
             case _:
                 yield from self._command(statement, number)
         return ""
@@ -368,7 +382,11 @@ class ProgramDecoder:
         scope_word = _keyword(statement.keywords, "SCOPE")
         scope = PROG if scope_word is None else SCOPES[_word(scope_word)]
         if identity is not None and identity < 1:
-            self._values.fail(21983 if scope == GLOBAL else 50875, statement.span, id=identity)
+            self._values.fail(
+                INVALID_GLOBAL_CYCLE_ID if scope == GLOBAL else INVALID_CYCLE_ID,
+                statement.span,
+                id=identity,
+            )
         serial, first_probe = self._next_cycle()
         builder = CycleBuilder(self._values, first_probe)
         built = builder.build(statement, serial, identity or 0, _SCOPE_NAMES[scope])
@@ -388,7 +406,7 @@ class ProgramDecoder:
         identity = yield from self._identity(statement, number)
         assert identity is not None
         if identity < 1:
-            self._values.fail(50875, statement.span, id=identity)
+            self._values.fail(INVALID_CYCLE_ID, statement.span, id=identity)
         yield CycleControl(source, number, CONTROL_ACTIONS[statement.action], identity)
         if statement.action == "START":
             self._moved.started(identity)
@@ -407,7 +425,7 @@ class ProgramDecoder:
             return None
         value = yield from self._values.evaluate(keyword.value, number)
         if arithmetic.floor(value) != value or value > HIGHEST_ID:
-            self._values.fail(50875, keyword.value.span, id=value)
+            self._values.fail(INVALID_CYCLE_ID, keyword.value.span, id=value)
         return int(value)
 
     def _message(
@@ -415,14 +433,14 @@ class ProgramDecoder:
     ) -> Generator[Command, Answer]:
         layout = yield from self._values.evaluate_any(statement.format, number)
         if not isinstance(layout, str):
-            self._values.fail(900342, statement.format.span, value=layout)
+            self._values.fail(NUMBER_INSTEAD_OF_TEXT, statement.format.span, value=layout)
         values: list[float | str] = []
         for argument in statement.arguments:
             values.append((yield from self._values.evaluate_any(argument, number)))
         try:
             text = format_text(layout, values)
         except FormatError as error:
-            self._values.fail(900304, statement.format.span, found=str(error))
+            self._values.fail(MSG_FORMAT_MISMATCH, statement.format.span, found=str(error))
         options = [option.name for option in statement.options]
         yield UserMessage(
             source,

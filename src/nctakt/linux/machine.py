@@ -14,6 +14,7 @@ from pathlib import Path
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.linux_run import LINUX_ONLY, SCHEDULE_RUNNER_MISSING
 from nctakt.schedule.load import MOST_CPUS
 
 _ONLINE = Path("/sys/devices/system/cpu/online")
@@ -23,9 +24,9 @@ _PRESENT = Path("/sys/devices/system/cpu/present")
 def check_system() -> None:
     """Whether a schedule can run here; raises ``Failure`` (900680, 900681)."""
     if sys.platform != "linux":
-        raise Failure(diagnostic(900680, system=sys.platform))
+        raise Failure(diagnostic(LINUX_ONLY, system=sys.platform))
     if importlib.util.find_spec("nctakt.linux.processes") is None:
-        raise Failure(diagnostic(900681))
+        raise Failure(diagnostic(SCHEDULE_RUNNER_MISSING))
 
 
 def parse_cpus(text: str) -> tuple[int, ...]:

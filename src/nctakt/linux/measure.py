@@ -16,6 +16,7 @@ from nctakt.linux import area as layout
 from nctakt.linux.recording import RecordOfRun
 from nctakt.linux.run import RunLog
 from nctakt.messages import diagnostic
+from nctakt.messages.linux_run import NO_NC_CYCLE_COMPLETED
 from nctakt.schedule.counters import NEVER, Counters
 from nctakt.schedule.model import NO_OVERHEADS, Model, suspension_point
 from nctakt.schedule.results import Simulation
@@ -43,7 +44,7 @@ def measure(log: RunLog, drawn: int) -> Measurement:
     interrupts = log.entries[log.entries["kind"] == layout.INTERRUPT]
     begins: list[int] = interrupts["value"].tolist()
     if len(begins) < 2:
-        raise Failure(diagnostic(900695))
+        raise Failure(diagnostic(NO_NC_CYCLE_COMPLETED))
     return _Measuring(log, begins, drawn).result()
 
 

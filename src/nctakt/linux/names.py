@@ -18,6 +18,11 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.linux.area import NAME_SIZE
 from nctakt.messages import diagnostic
+from nctakt.messages.linux_run import (
+    INVALID_LINUX_SEMAPHORE_NAME,
+    SEMAPHORE_EXISTS,
+    SEMAPHORE_NOT_CREATED,
+)
 
 #: Where the system keeps named semaphores; gone after a restart, as they are.
 FOLDER = Path("/dev/shm")
@@ -32,7 +37,7 @@ class SemaphoreNames:
     def __init__(self, names: list[str]) -> None:
         for name in names:
             if "/" in name[1:] or len(os.fsencode(name)) > NAME_SIZE - len(_SYSTEM_PREFIX):
-                raise Failure(diagnostic(900684, name=name))
+                raise Failure(diagnostic(INVALID_LINUX_SEMAPHORE_NAME, name=name))
         self._names = names
         self._made: list[str] = []
         self.record = FOLDER / f"{_PREFIX}{os.getpid()}"
@@ -59,7 +64,7 @@ class SemaphoreNames:
         try:
             processes.create(name)
         except FileExistsError as error:
-            raise Failure(diagnostic(900685, name=name)) from error
+            raise Failure(diagnostic(SEMAPHORE_EXISTS, name=name)) from error
         except OSError as error:
             raise Failure(_refusal(name, error)) from error
         self._made.append(name)
@@ -84,7 +89,7 @@ def _open(path: Path, flags: int) -> int:
 
 
 def _refusal(name: str, error: OSError) -> Diagnostic:
-    return diagnostic(900686, name=name, reason=error.strerror or str(error))
+    return diagnostic(SEMAPHORE_NOT_CREATED, name=name, reason=error.strerror or str(error))
 
 
 def _remove_semaphores(names: list[str]) -> None:

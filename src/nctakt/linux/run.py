@@ -22,6 +22,12 @@ from nctakt.linux.area import AreaPart, Entries, SharedArea, TaskPart
 from nctakt.linux.names import SemaphoreNames
 from nctakt.linux.plan import Plan
 from nctakt.messages import diagnostic
+from nctakt.messages.linux_run import (
+    SCHEDULE_RUN_ENDED,
+    SEMAPHORE_NOT_CREATED,
+    SEMAPHORE_NOT_OPENED,
+)
+from nctakt.messages.schedule_results import CPU_NOT_ASSIGNABLE
 
 #: The scheduler is asked so often whether it has ended, in seconds.
 _LOOK = 0.02
@@ -118,7 +124,13 @@ def placement_refusals(log: RunLog) -> list[Diagnostic]:
         reason = os.strerror(error)
         task = names[number]
         found.append(
-            diagnostic(1000181, thread=task.name, cpu=task.cpu, reason_en=reason, reason_de=reason)
+            diagnostic(
+                CPU_NOT_ASSIGNABLE,
+                thread=task.name,
+                cpu=task.cpu,
+                reason_en=reason,
+                reason_de=reason,
+            )
         )
     return found
 
@@ -128,10 +140,10 @@ def _failure(plan: Plan, head: Any) -> Diagnostic:
     number = head.status_number
     names = {task.number: task.task.name for task in plan.tasks}
     if head.status == layout.NO_SEMAPHORE and head.status_task < 0:
-        return diagnostic(900687, name=plan.source or "", reason=os.strerror(number))
+        return diagnostic(SEMAPHORE_NOT_OPENED, name=plan.source or "", reason=os.strerror(number))
     name = names.get(head.status_task, "")
     if head.status == layout.NO_SEMAPHORE:
-        return diagnostic(900686, name=name, reason=os.strerror(number))
+        return diagnostic(SEMAPHORE_NOT_CREATED, name=name, reason=os.strerror(number))
     if head.status == layout.NO_PROCESS:
         reason = Text(os.strerror(number), os.strerror(number))
     elif head.status == layout.PROCESS_ENDED:
@@ -139,4 +151,4 @@ def _failure(plan: Plan, head: Any) -> Diagnostic:
         reason = Text(f"{name}: {ended}", f"{name}: {ended}")
     else:
         reason = Text("the scheduler was killed", "der Scheduler wurde beendet")
-    return diagnostic(900689, reason_en=reason.en, reason_de=reason.de)
+    return diagnostic(SCHEDULE_RUN_ENDED, reason_en=reason.en, reason_de=reason.de)

@@ -1,69 +1,84 @@
 # SPDX-License-Identifier: MIT
-"""What a catalogue of messages is.
+"""How a message is declared, and the catalogue of all messages by number.
 
-In: the declarations of the modules beside this one, each with the numbers of one stage. Out: a
-table from number to ``Message``, in which no number stands twice.
+In: the declarations of the modules beside this one. Out: a ``Message`` for each, which is reported
+by its name, and a table from number to ``Message`` for whoever has only the number: an event of the
+realtime part, a user who asks for it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import importlib
+import pkgutil
+from collections.abc import Mapping
+from functools import cache, partial
+from pathlib import Path
+from types import MappingProxyType
 
-from nctakt.base.diagnostics import Message, Severity, Text
+from nctakt.base.diagnostics import Message, Severity
 
-NOTE, WARNING, ERROR = Severity.NOTE, Severity.WARNING, Severity.ERROR
+#: Numbers of ours lie in this range; others are the controller's.
+FIRST_OWN, LAST_OWN = 900_000, 999_999
+
+_declared: dict[int, Message] = {}
 
 
-class Catalogue:
-    """Messages by number; a number can be given once."""
+def _declare(
+    severity: Severity,
+    number: int,
+    /,
+    *,
+    en: str,
+    de: str,
+    remedy_en: str = "",
+    remedy_de: str = "",
+    cause_en: str = "",
+    cause_de: str = "",
+    reaction: int = 0,
+    clearing: int = 0,
+    known_as: tuple[int, ...] = (),
+    **parameters: tuple[str, str],
+) -> Message:
+    """Declare the message of a number; ``parameters`` explains the names in its texts, en and de.
 
-    def __init__(self) -> None:
-        self._messages: dict[int, Message] = {}
+    Text and remedy are format strings; ``cause`` tells, for explanation, what they do not.
+    ``reaction`` and ``clearing`` are the controller's classes (``classes.py``), ``known_as`` other
+    numbers under which the controller's documents have the same message.
+    """
+    assert number not in _declared, number
+    message = Message(
+        number,
+        severity,
+        (en, de),
+        (remedy_en, remedy_de),
+        (cause_en, cause_de),
+        parameters,
+        reaction,
+        clearing,
+        known_as,
+    )
+    _declared[number] = message
+    return message
 
-    def __getitem__(self, number: int) -> Message:
-        return self._messages[number]
 
-    def __iter__(self) -> Iterator[Message]:
-        return iter(self._messages.values())
+error = partial(_declare, Severity.ERROR)
+warning = partial(_declare, Severity.WARNING)
+note = partial(_declare, Severity.NOTE)
 
-    def __contains__(self, number: int) -> bool:
-        return number in self._messages
 
-    def add(
-        self,
-        number: int,
-        severity: Severity,
-        en: str,
-        de: str,
-        *,
-        remedy_en: str,
-        remedy_de: str,
-        cause_en: str = "",
-        cause_de: str = "",
-        parameters: dict[str, str] | None = None,
-        reaction: int = 0,
-        clearing: int = 0,
-        known_as: tuple[int, ...] = (),
-    ) -> None:
-        """Declare one message; ``parameters`` says what each name in the texts means.
+@cache
+def catalogue() -> Mapping[int, Message]:
+    """Return all messages by number, in the order of their numbers; imports their modules."""
+    for module in pkgutil.iter_modules([str(Path(__file__).parent)]):
+        importlib.import_module(f"nctakt.messages.{module.name}")
+    return MappingProxyType(dict(sorted(_declared.items())))
 
-        ``known_as`` are other numbers under which sources know the same message.
-        """
-        assert number not in self._messages, number
-        self._messages[number] = Message(
-            number,
-            severity,
-            Text(en, de),
-            Text(remedy_en, remedy_de),
-            parameters or {},
-            reaction,
-            clearing,
-            Text(cause_en, cause_de),
-            known_as,
-        )
 
-    def include(self, other: Catalogue) -> None:
-        """Take over all messages of ``other``."""
-        for message in other:
-            assert message.id not in self._messages, message.id
-            self._messages[message.id] = message
+def is_own(number: int) -> bool:
+    """Return whether a number is one of nctakt's, not one of the controller's."""
+    return FIRST_OWN <= number <= LAST_OWN
+
+
+def next_free_number() -> int:
+    """Return the number for the next message: one above the highest of nctakt's own."""
+    return max(number for number in catalogue() if is_own(number)) + 1

@@ -1,234 +1,211 @@
 # SPDX-License-Identifier: MIT
-"""Messages of checked program: words and commands.
-
-Numbers 900200 … 900212, 900229 … 900249, 900847, 900927.
-"""
+"""Messages about checked programs: words and commands."""
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import ERROR, NOTE, Catalogue
+from nctakt.messages.catalogue import error, note
 
-MESSAGES = Catalogue()
-_add = MESSAGES.add
-
-_KNOWN = {
-    "command": "the word or command",
-    "meaning_en": "what it does, in English",
-    "meaning_de": "what it does, in German",
-}
-_WORD = {"word": "the word as written"}
-_NEAREST = {"nearest": "the most similar known name, or –"}
-
-_add(
+NOT_SIMULATED = error(
     900200,
-    ERROR,
-    "{command} ({meaning_en}) is not simulated by this version",
-    "{command} ({meaning_de}) wird von dieser Version nicht simuliert",
+    en="{command} ({meaning_en}) is not simulated by this version",
+    de="{command} ({meaning_de}) wird von dieser Version nicht simuliert",
     remedy_en="Leave it out: what it does would change positions or times.{instead_en}",
     remedy_de="Weglassen: die Wirkung würde Positionen oder Zeiten ändern.{instead_de}",
-    parameters={
-        **_KNOWN,
-        "instead_en": "what to use in its place, in English, where there is something",
-        "instead_de": "what to use in its place, in German, where there is something",
-    },
+    command=("the word or command", "das Wort oder der Befehl"),
+    meaning_en=("what it does, in English", "was es tut, englisch"),
+    meaning_de=("what it does, in German", "was es tut, deutsch"),
+    instead_en=(
+        "what to use in its place, in English, where there is something",
+        "was man statt dessen verwendet, auf Englisch, wo es etwas gibt",
+    ),
+    instead_de=(
+        "what to use in its place, in German, where there is something",
+        "was man statt dessen verwendet, auf Deutsch, wo es etwas gibt",
+    ),
 )
-_add(
+ACCEPTED_WITHOUT_EFFECT = note(
     900201,
-    NOTE,
-    "{command} ({meaning_en}) is accepted and has no effect here",
-    "{command} ({meaning_de}) wird angenommen und wirkt hier nicht",
+    en="{command} ({meaning_en}) is accepted and has no effect here",
+    de="{command} ({meaning_de}) wird angenommen und wirkt hier nicht",
     remedy_en="Nothing to do; this is told once per program.",
     remedy_de="Nichts zu tun; das wird einmal je Programm gemeldet.",
-    parameters=_KNOWN,
+    command=("the word or command", "das Wort oder der Befehl"),
+    meaning_en=("what it does, in English", "was es tut, englisch"),
+    meaning_de=("what it does, in German", "was es tut, deutsch"),
 )
-_add(
+UNKNOWN_COMMAND = error(
     900202,
-    ERROR,
-    "nobody knows the command {word}",
-    "den Befehl {word} kennt niemand",
+    en="nobody knows the command {word}",
+    de="den Befehl {word} kennt niemand",
     remedy_en="Most similar: {nearest}",
     remedy_de="Am ähnlichsten: {nearest}",
-    parameters={**_WORD, **_NEAREST},
+    word=("the word as written", "das Wort, wie geschrieben"),
+    nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
-_add(
+UNKNOWN_WORD = error(
     900203,
-    ERROR,
-    "{word} is neither a word of the language nor an axis or spindle of this channel",
-    "{word} ist weder ein Wort der Sprache noch eine Achse oder Spindel dieses Kanals",
+    en="{word} is neither a word of the language nor an axis or spindle of this channel",
+    de="{word} ist weder ein Wort der Sprache noch eine Achse oder Spindel dieses Kanals",
     remedy_en="Axes of the channel: {axes}; most similar: {nearest}",
     remedy_de="Achsen des Kanals: {axes}; am ähnlichsten: {nearest}",
-    parameters={**_WORD, "axes": "names of the channel's axes", **_NEAREST},
+    word=("the word as written", "das Wort, wie geschrieben"),
+    axes=("names of the channel's axes", "Namen der Achsen des Kanals"),
+    nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
-_add(
+INVALID_FUNCTION_NUMBER = error(
     900204,
-    ERROR,
-    "there is no function {word}",
-    "eine Funktion {word} gibt es nicht",
+    en="there is no function {word}",
+    de="eine Funktion {word} gibt es nicht",
     remedy_en="Write the number of a G, M or H function, a whole one.",
     remedy_de="Die Nummer einer G-, M- oder H-Funktion schreiben, eine ganze Zahl.",
-    parameters=_WORD,
+    word=("the word as written", "das Wort, wie geschrieben"),
 )
-_add(
+FUNCTION_NOT_DEFINED = error(
     900205,
-    ERROR,
-    "the channel list does not define {word}",
-    "die Kanalliste definiert {word} nicht",
+    en="the channel list does not define {word}",
+    de="die Kanalliste definiert {word} nicht",
     remedy_en="Give it a synchronisation type there: {key} MOS",
     remedy_de="Dort eine Synchronisationsart angeben: {key} MOS",
-    parameters={**_WORD, "key": "the key of the channel list"},
+    word=("the word as written", "das Wort, wie geschrieben"),
+    key=("the key of the channel list", "der Schlüssel in der Kanalliste"),
 )
-_add(
+AXIS_FUNCTION_IN_CYCLE = error(
     900206,
-    ERROR,
-    "{word} belongs to axis {axis}; a realtime cycle outputs functions of the channel only",
-    "{word} gehört zur Achse {axis}; ein Echtzeit-Zyklus gibt nur Funktionen des Kanals aus",
+    en="{word} belongs to axis {axis}; a realtime cycle outputs functions of the channel only",
+    de="{word} gehört zur Achse {axis}; ein Echtzeit-Zyklus gibt nur Funktionen des Kanals aus",
     remedy_en="Use another function, or take {key} out of the channel list.",
     remedy_de="Eine andere Funktion verwenden oder {key} aus der Kanalliste nehmen.",
-    parameters={
-        **_WORD,
-        "axis": "the axis that the channel list names",
-        "key": "the key of the channel list",
-    },
+    word=("the word as written", "das Wort, wie geschrieben"),
+    axis=("the axis that the channel list names", "die Achse, die die Kanalliste nennt"),
+    key=("the key of the channel list", "der Schlüssel in der Kanalliste"),
 )
-_add(
+PROGRAM_CONTROL_IN_CYCLE = error(
     900207,
-    ERROR,
-    "{word} controls programs and has no place in a realtime cycle",
-    "{word} steuert Programme und hat im Echtzeit-Zyklus keinen Platz",
+    en="{word} controls programs and has no place in a realtime cycle",
+    de="{word} steuert Programme und hat im Echtzeit-Zyklus keinen Platz",
     remedy_en="Output another M function and let the PLC react to it.",
     remedy_de="Eine andere M-Funktion ausgeben und die SPS darauf reagieren lassen.",
     cause_en="Such functions end programs or call them, which only the decoder can do.",
     cause_de="Solche Funktionen beenden Programme oder rufen sie auf; das kann nur der Dekoder.",
-    parameters=_WORD,
+    word=("the word as written", "das Wort, wie geschrieben"),
 )
-_add(
+WORD_VALUE_MISSING = error(
     900208,
-    ERROR,
-    "a value is missing behind {word}",
-    "hinter {word} fehlt ein Wert",
+    en="a value is missing behind {word}",
+    de="hinter {word} fehlt ein Wert",
     remedy_en="Write a number, a variable or an expression behind it.",
     remedy_de="Eine Zahl, eine Variable oder einen Ausdruck dahinter schreiben.",
-    parameters=_WORD,
+    word=("the word as written", "das Wort, wie geschrieben"),
 )
-_add(
+DUPLICATE_WORD = error(
     900209,
-    ERROR,
-    "{word} stands twice in this block",
-    "{word} steht zweimal in diesem Satz",
+    en="{word} stands twice in this block",
+    de="{word} steht zweimal in diesem Satz",
     remedy_en="Keep the one that is meant.",
     remedy_de="Das behalten, das gemeint ist.",
-    parameters=_WORD,
+    word=("the word as written", "das Wort, wie geschrieben"),
 )
-_add(
+EXCLUSIVE_WORDS = error(
     900210,
-    ERROR,
-    "{word} and {other} exclude each other in one block",
-    "{word} und {other} schließen sich in einem Satz aus",
+    en="{word} and {other} exclude each other in one block",
+    de="{word} und {other} schließen sich in einem Satz aus",
     remedy_en="Divide the block, or keep one of both.",
     remedy_de="Den Satz teilen oder eines von beiden behalten.",
-    parameters={**_WORD, "other": "the function that stands before it"},
+    word=("the word as written", "das Wort, wie geschrieben"),
+    other=("the function that stands before it", "die Funktion davor"),
 )
-_add(
+G04_NOT_ALONE = error(
     900211,
-    ERROR,
-    "G04 stands alone in its block, with one time in seconds",
-    "G04 steht allein im Satz, mit einer Zeit in Sekunden",
+    en="G04 stands alone in its block, with one time in seconds",
+    de="G04 steht allein im Satz, mit einer Zeit in Sekunden",
     remedy_en="Write G04 X0.5 or G04 0.5.",
     remedy_de="G04 X0.5 oder G04 0.5 schreiben.",
 )
-_add(
+EXTRA_PARAMETERS = error(
     900212,
-    ERROR,
-    "{word} takes nothing further",
-    "zu {word} gehört nichts Weiteres",
+    en="{word} takes nothing further",
+    de="zu {word} gehört nichts Weiteres",
     remedy_en="Remove what stands behind the number.",
     remedy_de="Entfernen, was hinter der Nummer steht.",
-    parameters=_WORD,
+    word=("the word as written", "das Wort, wie geschrieben"),
 )
-_add(
+NOT_NC_TEXT = error(
     900229,
-    ERROR,
-    "this block is no NC text",
-    "dieser Satz ist kein NC-Text",
+    en="this block is no NC text",
+    de="dieser Satz ist kein NC-Text",
     remedy_en="Make it a comment.",
     remedy_de="Zum Kommentar machen.",
 )
-_add(
+FORMAT_VALUE_COUNT = error(
     900230,
-    ERROR,
-    "the text has places for {expected} values, {given} are given",
-    "der Text hat Platz für {expected} Werte, angegeben sind {given}",
+    en="the text has places for {expected} values, {given} are given",
+    de="der Text hat Platz für {expected} Werte, angegeben sind {given}",
     remedy_en="Write one value for each %d, %f or %s; %% is the sign itself.",
     remedy_de="Zu jedem %d, %f oder %s einen Wert schreiben; %% ist das Zeichen selbst.",
-    parameters={"expected": "places in the text", "given": "values behind it"},
+    expected=("places in the text", "Plätze im Text"),
+    given=("values behind it", "Werte dahinter"),
 )
-_add(
+INVALID_PLACEHOLDER = error(
     900231,
-    ERROR,
-    "{word} is no place for a value",
-    "{word} ist kein Platz für einen Wert",
+    en="{word} is no place for a value",
+    de="{word} ist kein Platz für einen Wert",
     remedy_en="Write %d, %f, %e, %g, %x or %s, or %% for the sign itself.",
     remedy_de="%d, %f, %e, %g, %x oder %s schreiben, oder %% für das Zeichen selbst.",
-    parameters=_WORD,
+    word=("the word as written", "das Wort, wie geschrieben"),
 )
-_add(
+TEXT_FOR_NUMERIC_WORD = error(
     900232,
-    ERROR,
-    "{word} takes a number, no text",
-    "{word} nimmt eine Zahl, keinen Text",
+    en="{word} takes a number, no text",
+    de="{word} nimmt eine Zahl, keinen Text",
     remedy_en="Write %s in its place, or give a number.",
     remedy_de="%s an dieser Stelle schreiben oder eine Zahl angeben.",
-    parameters={"word": "the place in the text"},
+    word=("the place in the text", "der Platz im Text"),
 )
-_add(
+INVALID_COMMAND_FORM = error(
     900233,
-    ERROR,
-    "{command} does not have this form",
-    "{command} hat diese Form nicht",
+    en="{command} does not have this form",
+    de="{command} hat diese Form nicht",
     remedy_en="It is written so: {forms}",
     remedy_de="Es wird so geschrieben: {forms}",
-    parameters={"command": "the command", "forms": "the forms that it has"},
+    command=("the command", "der Befehl"),
+    forms=("the forms that it has", "die Formen, die es hat"),
 )
-_add(
+UNKNOWN_COMMAND_OPTION = error(
     900234,
-    ERROR,
-    "{command} has no option {word}",
-    "{command} hat keine Option {word}",
+    en="{command} has no option {word}",
+    de="{command} hat keine Option {word}",
     remedy_en="One of these is possible: {names}",
     remedy_de="Möglich sind: {names}",
-    parameters={"command": "the command", **_WORD, "names": "the options that exist"},
+    command=("the command", "der Befehl"),
+    word=("the word as written", "das Wort, wie geschrieben"),
+    names=("the options that exist", "die Optionen, die es gibt"),
 )
-_add(
+G60_WITHOUT_MOTION = error(
     20003,
-    ERROR,
-    "G60 in a block without motion",
-    "G60 in einem Satz ohne Bewegung",
+    en="G60 in a block without motion",
+    de="G60 in einem Satz ohne Bewegung",
     remedy_en="Write it into the block at whose end the axes shall stand.",
     remedy_de="In den Satz schreiben, an dessen Ende die Achsen stehen sollen.",
     reaction=2,
     clearing=3,
 )
-_add(
+WORD_VALUE_OUT_OF_RANGE = error(
     900847,
-    ERROR,
-    "{word}: {value} is not between {least} and {most}",
-    "{word}: {value} liegt nicht zwischen {least} und {most}",
+    en="{word}: {value} is not between {least} and {most}",
+    de="{word}: {value} liegt nicht zwischen {least} und {most}",
     remedy_en="The PLC gets a whole number of 32 bits with an M or H function.",
     remedy_de="Die SPS erhält mit einer M- oder H-Funktion eine ganze Zahl von 32 Bit.",
-    parameters={
-        **_WORD,
-        "value": "the value, rounded",
-        "least": "lower limit",
-        "most": "upper limit",
-    },
+    word=("the word as written", "das Wort, wie geschrieben"),
+    value=("the value, rounded", "der Wert, gerundet"),
+    least=("lower limit", "untere Grenze"),
+    most=("upper limit", "obere Grenze"),
     reaction=2,
     clearing=3,
 )
-_add(
+G163_WITHOUT_RADIUS = error(
     900927,
-    ERROR,
-    "G163 without a radius",
-    "G163 ohne Radius",
+    en="G163 without a radius",
+    de="G163 ohne Radius",
     remedy_en="Write G163=10: the radius of this arc and of those behind it, as R10.",
     remedy_de="G163=10 schreiben: der Radius dieses Kreises und der folgenden, wie R10.",
     reaction=2,

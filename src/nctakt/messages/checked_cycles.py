@@ -1,142 +1,124 @@
 # SPDX-License-Identifier: MIT
-"""Messages of checked program: control statements and realtime cycles (900222 … 900226)."""
+"""Messages about checked programs: control statements and realtime cycles."""
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import ERROR, Catalogue
+from nctakt.messages.catalogue import error
 
-MESSAGES = Catalogue()
-_add = MESSAGES.add
-
-_WORD = {"word": "the word as written"}
-_NAME = {"name": "the variable"}
-
-_add(
+FREQUENCY_OUTSIDE_REALTIME_CYCLE = error(
     900222,
-    ERROR,
-    "{word}: ONCE, EDGE and ALWAYS belong into a realtime cycle",
-    "{word}: ONCE, EDGE und ALWAYS gehören in einen Echtzeit-Zyklus",
+    en="{word}: ONCE, EDGE and ALWAYS belong into a realtime cycle",
+    de="{word}: ONCE, EDGE und ALWAYS gehören in einen Echtzeit-Zyklus",
     remedy_en="Leave the word out, or move the $IF into #RT CYCLE … #RT CYCLE END.",
     remedy_de="Das Wort weglassen oder das $IF in #RT CYCLE … #RT CYCLE END verschieben.",
-    parameters=_WORD,
+    word=("the word as written", "das Wort, wie geschrieben"),
 )
-_add(
+LOOP_CONTROL_OUTSIDE_LOOP = error(
     900223,
-    ERROR,
-    "{word} stands in nothing that it could leave or repeat",
-    "{word} steht in nichts, das es verlassen oder wiederholen könnte",
+    en="{word} stands in nothing that it could leave or repeat",
+    de="{word} steht in nichts, das es verlassen oder wiederholen könnte",
     remedy_en="Put it into a loop; $BREAK also ends a $CASE.",
     remedy_de="In eine Schleife setzen; $BREAK beendet auch ein $CASE.",
-    parameters=_WORD,
+    word=("the word as written", "das Wort, wie geschrieben"),
 )
-_add(
+DUPLICATE_KEYWORD = error(
     900224,
-    ERROR,
-    "the keyword {word} stands twice",
-    "das Schlüsselwort {word} steht zweimal",
+    en="the keyword {word} stands twice",
+    de="das Schlüsselwort {word} steht zweimal",
     remedy_en="Keep one of both.",
     remedy_de="Eines von beiden behalten.",
-    parameters=_WORD,
+    word=("the word as written", "das Wort, wie geschrieben"),
 )
-_add(
+INVALID_KEYWORD_VALUE = error(
     900225,
-    ERROR,
-    "{word} = {value} does not exist",
-    "{word} = {value} gibt es nicht",
+    en="{word} = {value} does not exist",
+    de="{word} = {value} gibt es nicht",
     remedy_en="Write one of these: {names}",
     remedy_de="Eines davon schreiben: {names}",
-    parameters={
-        **_WORD,
-        "value": "the value as written, or –",
-        "names": "what the keyword may be",
-    },
+    word=("the word as written", "das Wort, wie geschrieben"),
+    value=("the value as written, or –", "der Wert, wie geschrieben, oder –"),
+    names=("what the keyword may be", "was das Schlüsselwort sein darf"),
 )
-_add(
+CYCLE_COMMAND_WITHOUT_ID = error(
     900226,
-    ERROR,
-    "#RT CYCLE {action} needs an ID",
-    "#RT CYCLE {action} braucht eine ID",
+    en="#RT CYCLE {action} needs an ID",
+    de="#RT CYCLE {action} braucht eine ID",
     remedy_en="Write #RT CYCLE {action} [ID=1] with the ID of the definition.",
     remedy_de="#RT CYCLE {action} [ID=1] mit der ID der Definition schreiben.",
-    parameters={"action": "the management command"},
+    action=("the management command", "der Verwaltungsbefehl"),
 )
-_add(
+TEXT_IN_REALTIME_CYCLE = error(
     21981,
-    ERROR,
-    "{name} holds a text; realtime cycles know numbers only",
-    "{name} enthält einen Text; Echtzeit-Zyklen kennen nur Zahlen",
+    en="{name} holds a text; realtime cycles know numbers only",
+    de="{name} enthält einen Text; Echtzeit-Zyklen kennen nur Zahlen",
     remedy_en="Use a variable with a number.",
     remedy_de="Eine Variable mit einer Zahl verwenden.",
     cause_en="What runs in each tick computes with numbers of fixed size; texts belong to the "
     "decoder.",
     cause_de="Was in jedem Takt läuft, rechnet mit Zahlen fester Größe; Texte gehören dem Dekoder.",
-    parameters=_NAME,
+    name=("the variable", "die Variable"),
     reaction=2,
     clearing=3,
 )
-_add(
+REALTIME_CYCLES_OFF = error(
     21982,
-    ERROR,
-    "{command}: realtime cycles are off in this channel (P-CHAN-00406)",
-    "{command}: Echtzeit-Zyklen sind in diesem Kanal ausgeschaltet (P-CHAN-00406)",
+    en="{command}: realtime cycles are off in this channel (P-CHAN-00406)",
+    de="{command}: Echtzeit-Zyklen sind in diesem Kanal ausgeschaltet (P-CHAN-00406)",
     remedy_en="Write configuration.rt_cycles.enable 1 into the channel list and start again.",
     remedy_de="configuration.rt_cycles.enable 1 in die Kanalliste schreiben und neu starten.",
     cause_en="Without an entry in the channel list they are off; a change of it counts from the "
     "next start.",
     cause_de="Ohne Eintrag in der Kanalliste sind sie aus; eine Änderung gilt ab dem nächsten "
     "Start.",
-    parameters={"command": "the command"},
+    command=("the command", "der Befehl"),
     reaction=2,
     clearing=3,
 )
-_add(
+INVALID_GLOBAL_CYCLE_ID = error(
     21983,
-    ERROR,
-    "a GLOBAL realtime cycle has an ID above 0, not {id}",
-    "ein GLOBAL-Echtzeit-Zyklus hat eine ID über 0, nicht {id}",
+    en="a GLOBAL realtime cycle has an ID above 0, not {id}",
+    de="ein GLOBAL-Echtzeit-Zyklus hat eine ID über 0, nicht {id}",
     remedy_en="Give it a whole number from 1 on.",
     remedy_de="Eine ganze Zahl ab 1 angeben.",
-    cause_en="A GLOBAL cycle outlives its program; only its ID reaches it later, to hold or delete"
-    " it.",
+    cause_en="A GLOBAL cycle outlives its program; only its ID reaches it later, to hold or delete "
+    "it.",
     cause_de="Ein GLOBAL-Zyklus überlebt sein Programm; später erreicht ihn nur seine ID, um ihn "
     "zu halten oder zu löschen.",
-    parameters={"id": "the ID"},
+    id=("the ID", "die ID"),
     reaction=2,
     clearing=3,
 )
-_add(
+AGGREGATE_COPY_IN_CYCLE = error(
     21984,
-    ERROR,
-    "{name} cannot be copied as a whole in a realtime cycle",
-    "{name} kann im Echtzeit-Zyklus nicht als Ganzes kopiert werden",
+    en="{name} cannot be copied as a whole in a realtime cycle",
+    de="{name} kann im Echtzeit-Zyklus nicht als Ganzes kopiert werden",
     remedy_en="Assign member by member: {member}",
     remedy_de="Element für Element zuweisen: {member}",
     cause_en="One assignment stores one number in a tick, so that the time of a cycle is known.",
     cause_de="Eine Zuweisung speichert im Takt eine Zahl, damit die Dauer eines Zyklus bekannt "
     "ist.",
-    parameters={**_NAME, "member": "a member of the structure"},
+    name=("the variable", "die Variable"),
+    member=("a member of the structure", "ein Element der Struktur"),
     reaction=2,
     clearing=3,
 )
-_add(
+VALUE_LIST_IN_CYCLE = error(
     22001,
-    ERROR,
-    "structure or array {name} cannot be given a list of values in a realtime cycle",
-    "Struktur oder Feld {name} kann im Echtzeit-Zyklus keine Werteliste zugewiesen werden",
+    en="structure or array {name} cannot be given a list of values in a realtime cycle",
+    de="Struktur oder Feld {name} kann im Echtzeit-Zyklus keine Werteliste zugewiesen werden",
     remedy_en="Assign member by member, or before the cycle.",
     remedy_de="Element für Element zuweisen oder vor dem Zyklus.",
     cause_en="One assignment stores one number in a tick, so that the time of a cycle is known.",
     cause_de="Eine Zuweisung speichert im Takt eine Zahl, damit die Dauer eines Zyklus bekannt "
     "ist.",
-    parameters=_NAME,
+    name=("the variable", "die Variable"),
     reaction=2,
     clearing=3,
 )
-_add(
+COMMAND_NOT_ALLOWED_IN_CYCLE = error(
     22002,
-    ERROR,
-    "{command} has no meaning in a realtime cycle",
-    "{command} hat in einem Echtzeit-Zyklus keinen Sinn",
+    en="{command} has no meaning in a realtime cycle",
+    de="{command} hat in einem Echtzeit-Zyklus keinen Sinn",
     remedy_en="A cycle is made of $IF, assignments, M and H functions, spindle and axis commands, "
     "#TIMER and #ERROR.",
     remedy_de="Ein Zyklus besteht aus $IF, Zuweisungen, M- und H-Funktionen, Spindel- und "
@@ -145,139 +127,131 @@ _add(
     "move the path.",
     cause_de="Ein Echtzeit-Zyklus läuft in jedem Takt bis zu seinem Ende: nichts darin kann "
     "springen, warten oder die Bahn bewegen.",
-    parameters={"command": "the word or command"},
+    command=("the word or command", "das Wort oder der Befehl"),
     reaction=2,
     clearing=3,
 )
-_add(
+CYCLE_WITHOUT_ID = error(
     22003,
-    ERROR,
-    "a realtime cycle with {word} needs an ID",
-    "ein Echtzeit-Zyklus mit {word} braucht eine ID",
+    en="a realtime cycle with {word} needs an ID",
+    de="ein Echtzeit-Zyklus mit {word} braucht eine ID",
     remedy_en="Write ID=1 or another whole number into the brackets.",
     remedy_de="ID=1 oder eine andere ganze Zahl in die Klammern schreiben.",
     cause_en="Without an ID nothing could start such a cycle later, or end it.",
     cause_de="Ohne ID könnte nichts einen solchen Zyklus später starten oder beenden.",
-    parameters={"word": "DEF or SCOPE=GLOBAL"},
+    word=("DEF or SCOPE=GLOBAL", "DEF oder SCOPE=GLOBAL"),
     reaction=2,
     clearing=3,
 )
-_add(
+UNKNOWN_KEYWORD_IN_CYCLE = error(
     22004,
-    ERROR,
-    "{command} has no keyword {word} in a realtime cycle",
-    "{command} hat im Echtzeit-Zyklus kein Schlüsselwort {word}",
+    en="{command} has no keyword {word} in a realtime cycle",
+    de="{command} hat im Echtzeit-Zyklus kein Schlüsselwort {word}",
     remedy_en="Leave it out.",
     remedy_de="Weglassen.",
     cause_en="The command is known in realtime cycles, but this part of it needs the decoder.",
     cause_de="Der Befehl ist im Echtzeit-Zyklus bekannt, aber dieser Teil davon braucht den "
     "Dekoder.",
-    parameters={"command": "the command", **_WORD},
+    command=("the command", "der Befehl"),
+    word=("the word as written", "das Wort, wie geschrieben"),
     reaction=2,
     clearing=3,
 )
-_add(
+TIMER_WITHOUT_SYN = error(
     22006,
-    ERROR,
-    "#TIMER in a realtime cycle needs the word SYN",
-    "#TIMER braucht im Echtzeit-Zyklus das Wort SYN",
+    en="#TIMER in a realtime cycle needs the word SYN",
+    de="#TIMER braucht im Echtzeit-Zyklus das Wort SYN",
     remedy_en="Write #TIMER {action} SYN.",
     remedy_de="#TIMER {action} SYN schreiben.",
     cause_en="The decoder's timers run when blocks are decoded, ahead of the motion; those of "
     "cycles run with the ticks.",
     cause_de="Die Zeiten des Dekoders laufen beim Dekodieren, der Bewegung voraus; die der Zyklen "
     "laufen mit den Takten.",
-    parameters={"action": "START, STOP, READ or CLEAR"},
+    action=("START, STOP, READ or CLEAR", "START, STOP, READ oder CLEAR"),
     reaction=2,
     clearing=3,
 )
-_add(
+ASYNCHRONOUS_WRITE_IN_CYCLE = error(
     22009,
-    ERROR,
-    "{name} is asynchronous and cannot be written in a realtime cycle",
-    "{name} ist asynchron und im Echtzeit-Zyklus nicht beschreibbar",
+    en="{name} is asynchronous and cannot be written in a realtime cycle",
+    de="{name} ist asynchron und im Echtzeit-Zyklus nicht beschreibbar",
     remedy_en="V.E and V.CH: synchronisation TRUE in the variables list, or Vs. for this block.",
     remedy_de="V.E und V.CH: synchronisation TRUE in der Variablenliste, oder Vs. für diesen Satz.",
     cause_en="An asynchronous variable is read once, when the definition is decoded, and is a "
     "constant in the cycle from then on.",
     cause_de="Eine asynchrone Variable wird einmal gelesen, wenn die Definition dekodiert wird, "
     "und ist dann im Zyklus eine Konstante.",
-    parameters=_NAME,
+    name=("the variable", "die Variable"),
     reaction=2,
     clearing=3,
 )
-_add(
+ELSEIF_WITH_FREQUENCY = error(
     22021,
-    ERROR,
-    "$ELSEIF takes no {word}",
-    "bei $ELSEIF gibt es kein {word}",
+    en="$ELSEIF takes no {word}",
+    de="bei $ELSEIF gibt es kein {word}",
     remedy_en="Put an $IF {word} of its own into the branch.",
     remedy_de="Ein eigenes $IF {word} in den Zweig schreiben.",
     cause_en="ONCE, EDGE and ALWAYS keep a state for their own $IF; a further branch would have "
     "none.",
     cause_de="ONCE, EDGE und ALWAYS halten einen Zustand für ihr eigenes $IF; ein weiterer Zweig "
     "hätte keinen.",
-    parameters=_WORD,
+    word=("the word as written", "das Wort, wie geschrieben"),
     reaction=2,
     clearing=3,
 )
-_add(
+FREQUENCY_IF_WITH_ELSE = error(
     22022,
-    ERROR,
-    "$IF {word} has neither $ELSEIF nor $ELSE",
-    "$IF {word} hat weder $ELSEIF noch $ELSE",
+    en="$IF {word} has neither $ELSEIF nor $ELSE",
+    de="$IF {word} hat weder $ELSEIF noch $ELSE",
     remedy_en="Close it before and write a second $IF.",
     remedy_de="Vorher schließen und ein zweites $IF schreiben.",
-    cause_en="While an ALWAYS is latched or a ONCE is done its condition is not evaluated: nothing"
-    " would decide about the other branch.",
+    cause_en="While an ALWAYS is latched or a ONCE is done its condition is not evaluated: nothing "
+    "would decide about the other branch.",
     cause_de="Solange ALWAYS eingerastet oder ONCE erledigt ist, wird die Bedingung nicht "
     "ausgewertet: nichts entschiede über den anderen Zweig.",
-    parameters={"word": "ONCE, EDGE or ALWAYS"},
+    word=("ONCE, EDGE or ALWAYS", "ONCE, EDGE oder ALWAYS"),
     reaction=2,
     clearing=3,
 )
-_add(
+INVALID_CYCLE_ID = error(
     50875,
-    ERROR,
-    "{id} is no ID of a realtime cycle",
-    "{id} ist keine ID eines Echtzeit-Zyklus",
+    en="{id} is no ID of a realtime cycle",
+    de="{id} ist keine ID eines Echtzeit-Zyklus",
     remedy_en="IDs are whole numbers from 1 to 2147483647.",
     remedy_de="IDs sind ganze Zahlen von 1 bis 2147483647.",
     cause_en="An ID is a whole number from 1 on; expressions in it are computed when the block is "
     "decoded.",
     cause_de="Eine ID ist eine ganze Zahl ab 1; Ausdrücke darin werden beim Dekodieren des Satzes "
     "berechnet.",
-    parameters={"id": "the value of the ID"},
+    id=("the value of the ID", "der Wert der ID"),
     reaction=6,
     clearing=6,
 )
-_add(
+CYCLE_M_FUNCTION_NOT_DEFINED = error(
     50938,
-    ERROR,
-    "the channel list does not define M{function}",
-    "die Kanalliste definiert M{function} nicht",
+    en="the channel list does not define M{function}",
+    de="die Kanalliste definiert M{function} nicht",
     remedy_en="Give it a synchronisation type there: m_synch[{function}] MOS",
     remedy_de="Dort eine Synchronisationsart angeben: m_synch[{function}] MOS",
     cause_en="A cycle hands functions to the PLC without waiting; only those of the channel list "
     "have a number there.",
     cause_de="Ein Zyklus übergibt der SPS Funktionen, ohne zu warten; dort haben nur die der "
     "Kanalliste eine Nummer.",
-    parameters={"function": "the number of the function"},
+    function=("the number of the function", "die Nummer der Funktion"),
     reaction=6,
     clearing=6,
 )
-_add(
+CYCLE_H_FUNCTION_NOT_DEFINED = error(
     50940,
-    ERROR,
-    "the channel list does not define H{function}",
-    "die Kanalliste definiert H{function} nicht",
+    en="the channel list does not define H{function}",
+    de="die Kanalliste definiert H{function} nicht",
     remedy_en="Give it a synchronisation type there: h_synch[{function}] MOS",
     remedy_de="Dort eine Synchronisationsart angeben: h_synch[{function}] MOS",
     cause_en="A cycle hands functions to the PLC without waiting; only those of the channel list "
     "have a number there.",
     cause_de="Ein Zyklus übergibt der SPS Funktionen, ohne zu warten; dort haben nur die der "
     "Kanalliste eine Nummer.",
-    parameters={"function": "the number of the function"},
+    function=("the number of the function", "die Nummer der Funktion"),
     reaction=6,
     clearing=6,
 )

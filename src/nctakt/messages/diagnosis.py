@@ -1,183 +1,201 @@
 # SPDX-License-Identifier: MIT
-"""Messages of the lines of the realtime cycles' diagnosis data (900456 … 900458, 900550 …)."""
+"""Messages about the lines of the realtime cycles' diagnosis data."""
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import NOTE, Catalogue
+from nctakt.messages.catalogue import note
 
-MESSAGES = Catalogue()
-_add = MESSAGES.add
-
-_HIDE_INFO_EN = "V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data."
-_HIDE_INFO_DE = "V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus."
-_HIDE_ACTION_EN = "V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data."
-_HIDE_ACTION_DE = "V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus."
-_CYCLE = {"cycle": "the cycle's ID, or # and a number when it has none"}
-
-_add(
+LOG_MANAGER_INITIALISED = note(
     900550,
-    NOTE,
-    "Realtime cycle manager was initialised",
-    "Echtzeit-Zyklen-Manager wurde initialisiert",
-    remedy_en=_HIDE_INFO_EN,
-    remedy_de=_HIDE_INFO_DE,
+    en="Realtime cycle manager was initialised",
+    de="Echtzeit-Zyklen-Manager wurde initialisiert",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
 )
-_add(
+LOG_MANAGER_CAPACITY = note(
     900551,
-    NOTE,
-    "Realtime cycle manager: {count} cycles",
-    "Echtzeit-Zyklen-Manager: {count} Zyklen",
-    remedy_en=_HIDE_INFO_EN,
-    remedy_de=_HIDE_INFO_DE,
-    parameters={"count": "how many cycles there are"},
+    en="Realtime cycle manager: {count} cycles",
+    de="Echtzeit-Zyklen-Manager: {count} Zyklen",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
+    count=("how many cycles there are", "wie viele Zyklen es gibt"),
 )
-_add(
+LOG_CYCLE_CREATED = note(
     900552,
-    NOTE,
-    "Cycle {cycle} was created with {scope} validity",
-    "Zyklus {cycle} mit Gueltigkeit {scope} wurde angelegt",
-    remedy_en=_HIDE_INFO_EN,
-    remedy_de=_HIDE_INFO_DE,
-    parameters={**_CYCLE, "scope": "BLOCK, PROG or GLOBAL"},
+    en="Cycle {cycle} was created with {scope} validity",
+    de="Zyklus {cycle} mit Gueltigkeit {scope} wurde angelegt",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    scope=("BLOCK, PROG or GLOBAL", "BLOCK, PROG oder GLOBAL"),
 )
-_add(
+LOG_CYCLE_STARTED = note(
     900553,
-    NOTE,
-    "Cycle {cycle} was started",
-    "Zyklus {cycle} wurde gestartet",
-    remedy_en=_HIDE_INFO_EN,
-    remedy_de=_HIDE_INFO_DE,
-    parameters=_CYCLE,
+    en="Cycle {cycle} was started",
+    de="Zyklus {cycle} wurde gestartet",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
 )
-_add(
+LOG_CYCLE_HELD = note(
     900554,
-    NOTE,
-    "Cycle {cycle} was put on hold",
-    "Zyklus {cycle} wurde angehalten",
-    remedy_en=_HIDE_INFO_EN,
-    remedy_de=_HIDE_INFO_DE,
-    parameters=_CYCLE,
+    en="Cycle {cycle} was put on hold",
+    de="Zyklus {cycle} wurde angehalten",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
 )
-_add(
+LOG_CYCLE_CONTINUED = note(
     900555,
-    NOTE,
-    "Cycle {cycle} was continued",
-    "Zyklus {cycle} wurde fortgesetzt",
-    remedy_en=_HIDE_INFO_EN,
-    remedy_de=_HIDE_INFO_DE,
-    parameters=_CYCLE,
+    en="Cycle {cycle} was continued",
+    de="Zyklus {cycle} wurde fortgesetzt",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
 )
-_add(
+LOG_CYCLE_ABORTED = note(
     900556,
-    NOTE,
-    "The actions of cycle {cycle} were aborted",
-    "Die Aktionen von Zyklus {cycle} wurden abgebrochen",
-    remedy_en=_HIDE_INFO_EN,
-    remedy_de=_HIDE_INFO_DE,
-    parameters=_CYCLE,
+    en="The actions of cycle {cycle} were aborted",
+    de="Die Aktionen von Zyklus {cycle} wurden abgebrochen",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
 )
-_add(
+LOG_CYCLE_ENDED_WITH_SCOPE = note(
     900557,
-    NOTE,
-    "Cycle {cycle} ended with its validity",
-    "Zyklus {cycle} endete mit seiner Gueltigkeit",
-    remedy_en=_HIDE_INFO_EN,
-    remedy_de=_HIDE_INFO_DE,
-    parameters=_CYCLE,
+    en="Cycle {cycle} ended with its validity",
+    de="Zyklus {cycle} endete mit seiner Gueltigkeit",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
 )
-_add(
+LOG_CYCLE_DELETED = note(
     900558,
-    NOTE,
-    "Cycle {cycle} was deleted",
-    "Zyklus {cycle} wurde geloescht",
-    remedy_en=_HIDE_INFO_EN,
-    remedy_de=_HIDE_INFO_DE,
-    parameters=_CYCLE,
+    en="Cycle {cycle} was deleted",
+    de="Zyklus {cycle} wurde geloescht",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
 )
-_add(
+LOG_CYCLE_ENDED_BY_RESET = note(
     900559,
-    NOTE,
-    "Cycle {cycle} was ended by a reset",
-    "Zyklus {cycle} wurde durch einen Reset beendet",
-    remedy_en=_HIDE_INFO_EN,
-    remedy_de=_HIDE_INFO_DE,
-    parameters=_CYCLE,
+    en="Cycle {cycle} was ended by a reset",
+    de="Zyklus {cycle} wurde durch einen Reset beendet",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
 )
-_add(
+LOG_CYCLE_ENDED_BY_ERROR = note(
     900560,
-    NOTE,
-    "Cycle {cycle} was ended by an error",
-    "Zyklus {cycle} wurde durch einen Fehler beendet",
-    remedy_en=_HIDE_INFO_EN,
-    remedy_de=_HIDE_INFO_DE,
-    parameters=_CYCLE,
+    en="Cycle {cycle} was ended by an error",
+    de="Zyklus {cycle} wurde durch einen Fehler beendet",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
 )
-_add(
+LOG_BRANCH_RUNS = note(
     900561,
-    NOTE,
-    "Cycle {cycle}: the branch in line {line} runs",
-    "Zyklus {cycle}: der Zweig in Zeile {line} laeuft",
-    remedy_en=_HIDE_ACTION_EN,
-    remedy_de=_HIDE_ACTION_DE,
-    parameters={**_CYCLE, "line": "the line of the branch"},
+    en="Cycle {cycle}: the branch in line {line} runs",
+    de="Zyklus {cycle}: der Zweig in Zeile {line} laeuft",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    line=("the line of the branch", "die Zeile des Zweigs"),
 )
-_add(
+LOG_VARIABLE_WRITTEN = note(
     900562,
-    NOTE,
-    "Cycle {cycle}: {variable} = {value}",
-    "Zyklus {cycle}: {variable} = {value}",
-    remedy_en=_HIDE_ACTION_EN,
-    remedy_de=_HIDE_ACTION_DE,
-    parameters={**_CYCLE, "variable": "the variable's name", "value": "its new value"},
+    en="Cycle {cycle}: {variable} = {value}",
+    de="Zyklus {cycle}: {variable} = {value}",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    variable=("the variable's name", "der Name der Variablen"),
+    value=("its new value", "ihr neuer Wert"),
 )
-_add(
+LOG_FUNCTION_OUTPUT = note(
     900563,
-    NOTE,
-    "Cycle {cycle}: {function} was put out, number {sequence} of the tick",
-    "Zyklus {cycle}: {function} wurde ausgegeben, Nummer {sequence} im Takt",
-    remedy_en=_HIDE_ACTION_EN,
-    remedy_de=_HIDE_ACTION_DE,
-    parameters={
-        **_CYCLE,
-        "function": "the M or H function",
-        "sequence": "its number within the tick, from 1",
-    },
+    en="Cycle {cycle}: {function} was put out, number {sequence} of the tick",
+    de="Zyklus {cycle}: {function} wurde ausgegeben, Nummer {sequence} im Takt",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    function=("the M or H function", "die M- oder H-Funktion"),
+    sequence=("its number within the tick, from 1", "ihre Nummer im Takt, ab 1"),
 )
-
-_AXIS = {**_CYCLE, "axis": "the axis"}
-
-_add(
+LOG_AXIS_MOVES = note(
     900456,
-    NOTE,
-    "Cycle {cycle}: axis {axis} moves to {position}",
-    "Zyklus {cycle}: Achse {axis} faehrt auf {position}",
-    remedy_en=_HIDE_ACTION_EN,
-    remedy_de=_HIDE_ACTION_DE,
-    parameters={**_AXIS, "position": "its target in ACS, in mm or degrees"},
+    en="Cycle {cycle}: axis {axis} moves to {position}",
+    de="Zyklus {cycle}: Achse {axis} faehrt auf {position}",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    axis=("the axis", "die Achse"),
+    position=("its target in ACS, in mm or degrees", "ihr Ziel in ACS, in mm oder Grad"),
 )
-_add(
+LOG_AXIS_MOVES_ENDLESSLY = note(
     900457,
-    NOTE,
-    "Cycle {cycle}: axis {axis} moves endlessly in {direction_en} direction",
-    "Zyklus {cycle}: Achse {axis} faehrt endlos in {direction_de} Richtung",
-    remedy_en=_HIDE_ACTION_EN,
-    remedy_de=_HIDE_ACTION_DE,
-    parameters={
-        **_AXIS,
-        "direction_en": "positive or negative, in English",
-        "direction_de": "positive or negative, in German",
-    },
+    en="Cycle {cycle}: axis {axis} moves endlessly in {direction_en} direction",
+    de="Zyklus {cycle}: Achse {axis} faehrt endlos in {direction_de} Richtung",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    axis=("the axis", "die Achse"),
+    direction_en=("positive or negative, in English", "positiv oder negativ, auf Englisch"),
+    direction_de=("positive or negative, in German", "positiv oder negativ, auf Deutsch"),
 )
-_add(
+LOG_MOTION_STATE = note(
     900458,
-    NOTE,
-    "Cycle {cycle}: the motion of axis {axis} {state_en}",
-    "Zyklus {cycle}: die Bewegung der Achse {axis} {state_de}",
-    remedy_en=_HIDE_ACTION_EN,
-    remedy_de=_HIDE_ACTION_DE,
-    parameters={
-        **_AXIS,
-        "state_en": "what has become of it, in English",
-        "state_de": "what has become of it, in German",
-    },
+    en="Cycle {cycle}: the motion of axis {axis} {state_en}",
+    de="Zyklus {cycle}: die Bewegung der Achse {axis} {state_de}",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    axis=("the axis", "die Achse"),
+    state_en=("what has become of it, in English", "was daraus geworden ist, auf Englisch"),
+    state_de=("what has become of it, in German", "was daraus geworden ist, auf Deutsch"),
 )

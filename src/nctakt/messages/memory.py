@@ -1,138 +1,121 @@
 # SPDX-License-Identifier: MIT
-"""Messages of texts, wholes and the packed image of V.E (900340 … 900359)."""
+"""Messages about texts, structures, arrays and the packed image of V.E."""
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import ERROR, WARNING, Catalogue
+from nctakt.messages.catalogue import error, warning
 
-MESSAGES = Catalogue()
-_add = MESSAGES.add
-
-_add(
+TEXT_INSTEAD_OF_NUMBER = error(
     900340,
-    ERROR,
-    "{name} holds a text; a number is needed here",
-    "{name} enthält einen Text; hier wird eine Zahl gebraucht",
+    en="{name} holds a text; a number is needed here",
+    de="{name} enthält einen Text; hier wird eine Zahl gebraucht",
     remedy_en="Use a variable with a number; texts can be assigned, compared and shown by #MSG.",
     remedy_de="Eine Zahl verwenden; Texte lassen sich zuweisen, vergleichen, mit #MSG zeigen.",
-    parameters={"name": "the variable, or the text"},
+    name=("the variable, or the text", "die Variable oder der Text"),
     reaction=2,
     clearing=3,
 )
-_add(
+OPERATOR_WITH_TEXT = error(
     900341,
-    ERROR,
-    "{operator} does not work with texts",
-    "{operator} ist für Texte nicht definiert",
+    en="{operator} does not work with texts",
+    de="{operator} ist für Texte nicht definiert",
     remedy_en="Compare texts with == or !=, join them with +.",
     remedy_de="Texte mit == oder != vergleichen, mit + aneinanderhängen.",
-    parameters={"operator": "the operator"},
+    operator=("the operator", "der Operator"),
     reaction=2,
     clearing=3,
 )
-_add(
+NUMBER_INSTEAD_OF_TEXT = error(
     900342,
-    ERROR,
-    "{value} is no text; a text is needed here",
-    "{value} ist kein Text; hier wird ein Text gebraucht",
+    en="{value} is no text; a text is needed here",
+    de="{value} ist kein Text; hier wird ein Text gebraucht",
     remedy_en='Write a text between "…" or name a variable of type STRING or VSTRING.',
     remedy_de='"…" schreiben oder eine Variable vom Typ STRING oder VSTRING angeben.',
-    parameters={"value": "the expression as written"},
+    value=("the expression as written", "der Ausdruck, wie geschrieben"),
     reaction=2,
     clearing=3,
 )
-_add(
+TEXT_TOO_LONG = error(
     900343,
-    ERROR,
-    "{name} takes {limit} characters; the text has {count}",
-    "{name} fasst {limit} Zeichen; der Text hat {count}",
+    en="{name} takes {limit} characters; the text has {count}",
+    de="{name} fasst {limit} Zeichen; der Text hat {count}",
     remedy_en="Shorten it, or enlarge the variable: P-EXTV-00022 for STRING, 00008 for VSTRING",
     remedy_de="Ihn kürzen oder die Variable vergrößern: P-EXTV-00022 für STRING, 00008 für VSTRING",
-    parameters={
-        "name": "the variable",
-        "limit": "the most characters that it takes",
-        "count": "characters of the text",
-    },
+    name=("the variable", "die Variable"),
+    limit=("the most characters that it takes", "die meisten Zeichen, die sie fasst"),
+    count=("characters of the text", "Zeichen des Textes"),
     reaction=2,
     clearing=3,
 )
-_add(
+CHARACTER_NOT_STORABLE = error(
     900344,
-    ERROR,
-    "{name} cannot hold the character {character}",
-    "{name} kann das Zeichen {character} nicht enthalten",
+    en="{name} cannot hold the character {character}",
+    de="{name} kann das Zeichen {character} nicht enthalten",
     remedy_en="Use characters of Windows-1252: a variable keeps one byte for each.",
     remedy_de="Zeichen aus Windows-1252 verwenden: eine Variable hat ein Byte für jedes.",
-    parameters={"name": "the variable", "character": "number of the character in Unicode"},
+    name=("the variable", "die Variable"),
+    character=("number of the character in Unicode", "Nummer des Zeichens in Unicode"),
     reaction=2,
     clearing=3,
 )
-_add(
+AGGREGATE_TYPE_MISMATCH = error(
     900345,
-    ERROR,
-    "{value} has not the type of {name} and cannot be assigned as a whole",
-    "{value} hat nicht den Typ von {name} und kann nicht als Ganzes zugewiesen werden",
+    en="{value} has not the type of {name} and cannot be assigned as a whole",
+    de="{value} hat nicht den Typ von {name} und kann nicht als Ganzes zugewiesen werden",
     remedy_en="Assign single values, such as {member}",
     remedy_de="Einzelne Werte zuweisen, etwa {member}",
-    parameters={
-        "value": "the structure or array on the right",
-        "name": "the one on the left",
-        "member": "a value of the one on the right",
-    },
+    value=("the structure or array on the right", "die Struktur oder das Feld rechts"),
+    name=("the one on the left", "das, was links steht"),
+    member=("a value of the one on the right", "ein Wert dessen, was rechts steht"),
     reaction=2,
     clearing=3,
 )
-_add(
+PLC_VALUE_NOT_FINITE = warning(
     900346,
-    WARNING,
-    "the PLC wrote no finite number into {variable}, which keeps its value",
-    "die SPS hat keine endliche Zahl in {variable} geschrieben; der Wert bleibt",
+    en="the PLC wrote no finite number into {variable}, which keeps its value",
+    de="die SPS hat keine endliche Zahl in {variable} geschrieben; der Wert bleibt",
     remedy_en="Write a finite number; this is told once for each variable.",
     remedy_de="Eine endliche Zahl schreiben; gemeldet wird das einmal je Variable.",
-    parameters={"variable": "the variable"},
+    variable=("the variable", "die Variable"),
     reaction=1,
     clearing=1,
 )
-_add(
+HLI_IMAGE_EXISTS = error(
     900347,
-    ERROR,
-    "this controller has an image of the HLI already",
-    "diese Steuerung hat schon ein Abbild des HLI",
+    en="this controller has an image of the HLI already",
+    de="diese Steuerung hat schon ein Abbild des HLI",
     remedy_en="Use that one, or close it before.",
     remedy_de="Dieses verwenden oder es vorher schließen.",
 )
-_add(
+SHARED_MEMORY_IN_USE = error(
     900348,
-    ERROR,
-    "the shared memory is still looked at and stays in this process",
-    "der gemeinsame Speicher wird noch betrachtet und bleibt in diesem Prozess",
+    en="the shared memory is still looked at and stays in this process",
+    de="der gemeinsame Speicher wird noch betrachtet und bleibt in diesem Prozess",
     remedy_en="Release all views of its memory and sections, then close the image again.",
     remedy_de="Alle Ansichten des Speichers und der Bereiche freigeben, dann nochmals schließen.",
 )
-_add(
+SHARED_MEMORY_EXISTS = error(
     900349,
-    ERROR,
-    "there is a shared memory {name} already",
-    "einen gemeinsamen Speicher {name} gibt es schon",
+    en="there is a shared memory {name} already",
+    de="einen gemeinsamen Speicher {name} gibt es schon",
     remedy_en="Take another name; if nobody uses the old one any longer, remove it (/dev/shm).",
     remedy_de="Einen anderen Namen wählen; den alten, falls unbenutzt, entfernen (/dev/shm).",
-    parameters={"name": "the name that was given"},
+    name=("the name that was given", "der angegebene Name"),
 )
-_add(
+SHARED_MEMORY_NOT_AVAILABLE = error(
     900350,
-    ERROR,
-    "a shared memory {name} cannot be had: {reason}",
-    "ein gemeinsamer Speicher {name} ist nicht zu bekommen: {reason}",
+    en="a shared memory {name} cannot be had: {reason}",
+    de="ein gemeinsamer Speicher {name} ist nicht zu bekommen: {reason}",
     remedy_en="Take a short name of letters, digits and underscores.",
     remedy_de="Einen kurzen Namen aus Buchstaben, Ziffern und Unterstrichen wählen.",
-    parameters={"name": "the name that was given", "reason": "what the system says"},
+    name=("the name that was given", "der angegebene Name"),
+    reason=("what the system says", "was das System sagt"),
 )
-_add(
+NOT_VISIBLE_TO_PLC = error(
     900351,
-    ERROR,
-    "{name} belongs to the channel; a PLC does not see it",
-    "{name} gehört dem Kanal; eine SPS sieht sie nicht",
+    en="{name} belongs to the channel; a PLC does not see it",
+    de="{name} gehört dem Kanal; eine SPS sieht sie nicht",
     remedy_en="Use a V.E variable, which programs, cycles and the PLC share.",
     remedy_de="Eine V.E-Variable verwenden, die Programme, Zyklen und SPS gemeinsam haben.",
-    parameters={"name": "the variable"},
+    name=("the variable", "die Variable"),
 )

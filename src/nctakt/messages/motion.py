@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""Messages of the path: arcs, slope, contouring (900700 … 900729)."""
+"""Messages about the path: arcs, slope, contouring."""
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import ERROR, WARNING, Catalogue
+from nctakt.messages.catalogue import error, warning
 
-MESSAGES = Catalogue()
-_add = MESSAGES.add
-
-_add(
+ARC_WITHOUT_CENTRE = error(
     900700,
-    ERROR,
-    "the arc has no centre and no radius",
-    "der Kreisbogen hat weder Mittelpunkt noch Radius",
+    en="the arc has no centre and no radius",
+    de="der Kreisbogen hat weder Mittelpunkt noch Radius",
     remedy_en="Program the centre with I, J or K, or a radius R other than 0.",
     remedy_de="Den Mittelpunkt mit I, J oder K programmieren oder einen Radius R ungleich 0.",
     cause_en="G02 and G03 need a centre that is not the start itself; a radius may stand in an "
@@ -22,23 +18,22 @@ _add(
     reaction=2,
     clearing=3,
 )
-_add(
+ARC_RADIUS_TOO_SMALL = error(
     900701,
-    ERROR,
-    "no arc of the radius {radius} leads to this target; it takes at least {least}",
-    "kein Kreisbogen mit dem Radius {radius} führt zu diesem Ziel; nötig ist mindestens {least}",
+    en="no arc of the radius {radius} leads to this target; it takes at least {least}",
+    de="kein Kreisbogen mit dem Radius {radius} führt zu diesem Ziel; nötig ist mindestens {least}",
     remedy_en="Program a larger radius, or the centre. A full circle needs its centre.",
     remedy_de="Einen größeren Radius oder den Mittelpunkt programmieren. Ein Vollkreis braucht "
     "seinen Mittelpunkt.",
-    parameters={"radius": "the radius in mm", "least": "half the way to the target in mm"},
+    radius=("the radius in mm", "der Radius in mm"),
+    least=("half the way to the target in mm", "der halbe Weg zum Ziel in mm"),
     reaction=2,
     clearing=3,
 )
-_add(
+ARC_TARGET_OFF_CIRCLE = error(
     900702,
-    ERROR,
-    "the arc's target is {off} mm off the circle of radius {radius} about its centre",
-    "das Ziel des Kreisbogens liegt {off} mm neben dem Kreis mit Radius {radius} um den "
+    en="the arc's target is {off} mm off the circle of radius {radius} about its centre",
+    de="das Ziel des Kreisbogens liegt {off} mm neben dem Kreis mit Radius {radius} um den "
     "Mittelpunkt",
     remedy_en="Correct the target or the centre; G161 has absolute centres, G162 those from the "
     "start on.",
@@ -48,95 +43,84 @@ _add(
     "to each other.",
     cause_de="0,01 mm oder ein Tausendstel des Radius werden hingenommen, weniger, wo beide Enden "
     "nah beieinander liegen.",
-    parameters={"off": "the difference of the two radii in mm", "radius": "the radius in mm"},
+    off=("the difference of the two radii in mm", "der Unterschied der beiden Radien in mm"),
+    radius=("the radius in mm", "der Radius in mm"),
     reaction=2,
     clearing=3,
 )
-_add(
+PLANE_AXIS_MISSING = error(
     900703,
-    ERROR,
-    "the channel lacks an axis of the plane G{plane}",
-    "dem Kanal fehlt eine Achse der Ebene G{plane}",
+    en="the channel lacks an axis of the plane G{plane}",
+    de="dem Kanal fehlt eine Achse der Ebene G{plane}",
     remedy_en="Choose the plane with G17, G18 or G19, or add the axis to the channel list.",
     remedy_de="Die Ebene mit G17, G18 oder G19 wählen oder die Achse in die Kanalliste aufnehmen.",
-    parameters={"plane": "number of the G function"},
+    plane=("number of the G function", "Nummer der G-Funktion"),
     reaction=2,
     clearing=3,
 )
-_add(
+CENTRE_NOT_IN_PLANE = error(
     900704,
-    ERROR,
-    "{word} is no centre in the plane G{plane}",
-    "{word} ist kein Mittelpunkt in der Ebene G{plane}",
+    en="{word} is no centre in the plane G{plane}",
+    de="{word} ist kein Mittelpunkt in der Ebene G{plane}",
     remedy_en="In G17 program I and J, in G18 K and I, in G19 J and K.",
     remedy_de="Bei G17 I und J programmieren, bei G18 K und I, bei G19 J und K.",
-    parameters={"word": "the word", "plane": "number of the G function"},
+    word=("the word", "das Wort"),
+    plane=("number of the G function", "Nummer der G-Funktion"),
     reaction=2,
     clearing=3,
 )
-_add(
+ARC_OUTSIDE_LIMITS = error(
     900705,
-    ERROR,
-    "the arc leads axis {axis} to {position}, outside its software limits {low} … {high}",
-    "der Kreisbogen führt die Achse {axis} auf {position}, außerhalb ihrer Software-Endschalter "
+    en="the arc leads axis {axis} to {position}, outside its software limits {low} … {high}",
+    de="der Kreisbogen führt die Achse {axis} auf {position}, außerhalb ihrer Software-Endschalter "
     "{low} … {high}",
     remedy_en="Program an arc that stays between the limits (P-AXIS-00177, P-AXIS-00178).",
     remedy_de="Einen Bogen zwischen den Grenzen programmieren (P-AXIS-00177, P-AXIS-00178).",
-    parameters={
-        "axis": "name of the axis",
-        "position": "farthest place of the arc in mm",
-        "low": "lower limit",
-        "high": "upper limit",
-    },
+    axis=("name of the axis", "Name der Achse"),
+    position=("farthest place of the arc in mm", "entfernteste Stelle des Bogens in mm"),
+    low=("lower limit", "untere Grenze"),
+    high=("upper limit", "obere Grenze"),
     reaction=2,
     clearing=3,
 )
-_add(
+COMMAND_WORD_NOT_SIMULATED = error(
     900706,
-    ERROR,
-    "{word} of {command} is not simulated",
-    "{word} von {command} wird nicht simuliert",
+    en="{word} of {command} is not simulated",
+    de="{word} von {command} wird nicht simuliert",
     remedy_en="Leave it out, or take what is simulated: {names}",
     remedy_de="Es weglassen oder nehmen, was simuliert wird: {names}",
     cause_en="It would change positions or times in a way that nctakt does not model.",
     cause_de="Es würde Positionen oder Zeiten in einer Weise ändern, die nctakt nicht nachbildet.",
-    parameters={
-        "word": "the keyword as the program has it",
-        "command": "the command",
-        "names": "what is simulated there",
-    },
+    word=("the keyword as the program has it", "das Schlüsselwort, wie es im Programm steht"),
+    command=("the command", "der Befehl"),
+    names=("what is simulated there", "was dort simuliert wird"),
     reaction=2,
     clearing=3,
 )
-_add(
+INVALID_CONTOUR_DEVIATION = error(
     900707,
-    ERROR,
-    "the deviation {value} of contouring is not above 0",
-    "die Abweichung {value} des Überschleifens liegt nicht über 0",
+    en="the deviation {value} of contouring is not above 0",
+    de="die Abweichung {value} des Überschleifens liegt nicht über 0",
     remedy_en="Program a PATH_DEV above 0, or end contouring with G260.",
     remedy_de="Ein PATH_DEV über 0 programmieren oder das Überschleifen mit G260 beenden.",
-    parameters={"value": "the value"},
+    value=("the value", "der Wert"),
     reaction=2,
     clearing=3,
 )
-_add(
+UNKNOWN_COMMAND_KEYWORD = error(
     900900,
-    ERROR,
-    "{command} knows no {word}",
-    "{command} kennt kein {word}",
+    en="{command} knows no {word}",
+    de="{command} kennt kein {word}",
     remedy_en="Did you mean {nearest}?",
     remedy_de="Ist {nearest} gemeint?",
-    parameters={
-        "word": "the keyword as the program has it",
-        "command": "the command",
-        "nearest": "the nearest known name",
-    },
+    word=("the keyword as the program has it", "das Schlüsselwort, wie es im Programm steht"),
+    command=("the command", "der Befehl"),
+    nearest=("the nearest known name", "der ähnlichste bekannte Name"),
 )
-_add(
+ARC_WITH_CENTRE_AND_RADIUS = warning(
     900904,
-    WARNING,
-    "the arc has a centre and a radius: the centre counts, R is for later arcs",
-    "der Kreisbogen hat Mittelpunkt und Radius: der Mittelpunkt gilt, R erst für spätere Bögen",
+    en="the arc has a centre and a radius: the centre counts, R is for later arcs",
+    de="der Kreisbogen hat Mittelpunkt und Radius: der Mittelpunkt gilt, R erst für spätere Bögen",
     remedy_en="Program the centre (I, J, K) or the radius R, not both.",
     remedy_de="Den Mittelpunkt (I, J, K) oder den Radius R programmieren, nicht beides.",
     cause_en="In a block with a centre the radius is stored, and used by the next arc without one.",

@@ -1,54 +1,49 @@
 # SPDX-License-Identifier: MIT
-"""Messages of offsets between programmed and axis positions (900770 … 900799)."""
+"""Messages about offsets between programmed and axis positions."""
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import ERROR, Catalogue
+from nctakt.messages.catalogue import error
 
-MESSAGES = Catalogue()
-_add = MESSAGES.add
-
-_add(
+G159_WITHOUT_NUMBER = error(
     900770,
-    ERROR,
-    "G159 needs the number of a zero offset",
-    "G159 braucht die Nummer einer Nullpunktverschiebung",
+    en="G159 needs the number of a zero offset",
+    de="G159 braucht die Nummer einer Nullpunktverschiebung",
     remedy_en="Write G159 = 7; group n of the list of zero offsets is np_grp[n].",
     remedy_de="G159 = 7 schreiben; Gruppe n der Nullpunktliste ist np_grp[n].",
 )
-_add(
+COMMAND_WITHOUT_AXIS = error(
     900771,
-    ERROR,
-    "{command} names no axis",
-    "{command} nennt keine Achse",
+    en="{command} names no axis",
+    de="{command} nennt keine Achse",
     remedy_en="Write the axes with their values behind it, as in G92 X10.",
     remedy_de="Die Achsen mit ihren Werten dahinter schreiben, etwa G92 X10.",
-    parameters={"command": "the word or command"},
+    command=("the word or command", "das Wort oder der Befehl"),
 )
-_add(
+MOTION_WORD_WITH_OFFSETS = error(
     900772,
-    ERROR,
-    "{word} cannot stand with {command}, whose values are no motion",
-    "{word} darf nicht bei {command} stehen, dessen Werte keine Bewegung sind",
+    en="{word} cannot stand with {command}, whose values are no motion",
+    de="{word} darf nicht bei {command} stehen, dessen Werte keine Bewegung sind",
     remedy_en="Write the motion into a block of its own.",
     remedy_de="Die Bewegung in einen eigenen Satz schreiben.",
-    parameters={"word": "the word as written", "command": "the word or command"},
+    word=("the word as written", "das Wort, wie geschrieben"),
+    command=("the word or command", "das Wort oder der Befehl"),
 )
-_add(
+UNKNOWN_OFFSET_KIND = error(
     900773,
-    ERROR,
-    "{word} is no kind of offset",
-    "{word} ist keine Art von Verschiebung",
+    en="{word} is no kind of offset",
+    de="{word} ist keine Art von Verschiebung",
     remedy_en="Known are: {names}.",
     remedy_de="Bekannt sind: {names}.",
-    parameters={"word": "the word as written", "names": "the known words"},
+    word=("the word as written", "das Wort, wie geschrieben"),
+    names=("the known words", "die bekannten Wörter"),
 )
-_add(
+UNKNOWN_ZERO_OFFSET = error(
     900774,
-    ERROR,
-    "there is no zero offset {group}",
-    "eine Nullpunktverschiebung {group} gibt es nicht",
+    en="there is no zero offset {group}",
+    de="eine Nullpunktverschiebung {group} gibt es nicht",
     remedy_en="Use a whole number from 0 to {highest}.",
     remedy_de="Eine ganze Zahl von 0 bis {highest} verwenden.",
-    parameters={"group": "the number as programmed", "highest": "the greatest number"},
+    group=("the number as programmed", "die Nummer, wie programmiert"),
+    highest=("the greatest number", "die größte Nummer"),
 )

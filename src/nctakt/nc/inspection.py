@@ -15,9 +15,17 @@ from __future__ import annotations
 from difflib import get_close_matches
 from typing import Protocol
 
-from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.base.diagnostics import Diagnostic, Message, Span
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
+from nctakt.messages.checked_blocks import NOT_NC_TEXT
+from nctakt.messages.program_structure import (
+    DUPLICATE_LABEL,
+    DUPLICATE_LOCAL_SUBPROGRAM,
+    JUMP_INTO_LOOP,
+    UNKNOWN_LABEL,
+    UNKNOWN_LOCAL_SUBPROGRAM,
+)
 from nctakt.nc.check.branches import realtime_cycles
 from nctakt.nc.check.checker import PROGRAM_ENDS, SUBPROGRAM_ENDS, Checker, Role, ends
 from nctakt.nc.fast.plain_lines import PlainScanner, shape_code
@@ -39,9 +47,6 @@ from nctakt.nc.vocabulary.variable_table import NameTable
 
 #: Words whose numbers mean nothing for a check.
 _FREE_WORDS = ("F",)
-
-#: A line in a realtime cycle that could not be read.
-_NO_NC_TEXT = 900229
 
 PlainShape = tuple[str | float, ...]
 
@@ -90,11 +95,13 @@ def plain_scanner(channel: ChannelParameters) -> PlainScanner:
 
 def _told_once(found: list[Diagnostic]) -> list[Diagnostic]:
     """That a line is no NC text counts only where nothing tells why."""
-    told = {one.span.line for one in found if one.span is not None and one.id != _NO_NC_TEXT}
+    told = {
+        one.span.line for one in found if one.span is not None and one.message is not NOT_NC_TEXT
+    }
     return [
         one
         for one in found
-        if one.id != _NO_NC_TEXT or one.span is None or one.span.line not in told
+        if one.message is not NOT_NC_TEXT or one.span is None or one.span.line not in told
     ]
 
 
@@ -186,7 +193,9 @@ class _Sequel:
             self._section = Section(start.name, start.span, line, True)
             known = self._program.subprograms.setdefault(start.name, self._section)
             if known is not self._section:
-                self._report(900130, start.span, name=start.name, line=known.span.line)
+                self._report(
+                    DUPLICATE_LOCAL_SUBPROGRAM, start.span, name=start.name, line=known.span.line
+                )
         self._empty = False
         if self._section is not None:
             self._begin_check()
@@ -238,12 +247,12 @@ class _Sequel:
         for label, spans in self._checker.targets.items():
             for span in spans:
                 if label in section.doubled:
-                    self._report(900128, span, label=label)
+                    self._report(DUPLICATE_LABEL, span, label=label)
                 elif label in section.loop_labels:
-                    self._report(900127, span, label=label)
+                    self._report(JUMP_INTO_LOOP, span, label=label)
                 elif label not in section.labels:
                     near = get_close_matches(label, section.labels, 1, 0.0)
-                    self._report(900126, span, label=label, nearest=near[0] if near else "–")
+                    self._report(UNKNOWN_LABEL, span, label=label, nearest=near[0] if near else "–")
         self._checker.targets = {}
 
     def finish(self) -> ProgramText:
@@ -255,11 +264,13 @@ class _Sequel:
             name = call.name.value
             if name not in known:
                 near = get_close_matches(name, known, 1, 0.0)
-                self._report(900129, call.span, name=name, nearest=near[0] if near else "–")
+                self._report(
+                    UNKNOWN_LOCAL_SUBPROGRAM, call.span, name=name, nearest=near[0] if near else "–"
+                )
         return self._program
 
-    def _report(self, number: int, span: Span, **values: object) -> None:
-        self._collector.report(number, span, self._source.line_of(span), **values)
+    def _report(self, message: Message, span: Span, **values: object) -> None:
+        self._collector.report(message, span, self._source.line_of(span), **values)
 
 
 def _shape(block: Block) -> PlainShape | None:

@@ -15,6 +15,8 @@ from pathlib import Path
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.files import FILE_NOT_READABLE
+from nctakt.messages.plc import INPUT_CELL_COUNT, INPUT_HEADER_MISSING
 from nctakt.run.stimuli import Stimulus, parse_assignment, parse_time
 
 
@@ -28,19 +30,21 @@ def read_inputs(path: Path) -> tuple[Stimulus, ...]:
         lines = path.read_text("utf-8").splitlines()
     except OSError as error:
         reason = error.strerror or str(error)
-        raise Failure(diagnostic(900503, file=str(path), reason=reason)) from error
+        raise Failure(diagnostic(FILE_NOT_READABLE, file=str(path), reason=reason)) from error
     found: list[Diagnostic] = []
     values: list[Stimulus] = []
     rows = _rows(lines)
     number, head = next(rows, (1, [""]))
     names = [cell.strip() for cell in head]
     if names[0].lower() != "time" or len(names) < 2 or not all(names):
-        raise Failure(diagnostic(900655, file=str(path), line=number))
+        raise Failure(diagnostic(INPUT_HEADER_MISSING, file=str(path), line=number))
     for number, row in rows:
         if len(row) != len(names):
             wide = len(names)
             found.append(
-                diagnostic(900654, file=str(path), line=number, count=len(row), expected=wide)
+                diagnostic(
+                    INPUT_CELL_COUNT, file=str(path), line=number, count=len(row), expected=wide
+                )
             )
             continue
         try:

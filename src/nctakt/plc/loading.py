@@ -19,6 +19,8 @@ from typing import TYPE_CHECKING
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE, FOLDER_INSTEAD_OF_FILE
+from nctakt.messages.plc import PLC_CLASS_AMBIGUOUS, PLC_CLASS_MISSING, PLC_FAILED, PLC_LOAD_FAILED
 from nctakt.run.plc_view import AnyPlc
 
 if TYPE_CHECKING:
@@ -43,10 +45,10 @@ def load_plc(path: str | Path) -> AnyPlc:
     module = _load_module(path)
     candidates = _candidates(module)
     if not candidates:
-        raise PlcError(diagnostic(900520, file=str(path)))
+        raise PlcError(diagnostic(PLC_CLASS_MISSING, file=str(path)))
     if len(candidates) > 1:
         names = ", ".join(candidate.__name__ for candidate in candidates)
-        raise PlcError(diagnostic(900521, file=str(path), names=names))
+        raise PlcError(diagnostic(PLC_CLASS_AMBIGUOUS, file=str(path), names=names))
     try:
         plc = candidates[0]()
     except (Exception, SystemExit) as error:  # the user's code may raise what it likes
@@ -67,20 +69,20 @@ class _LoadedPlc:
             self._cycle(hli)
         except (Exception, SystemExit) as error:  # the user's code may raise what it likes
             reason, text = _told(error, self._path)
-            found = diagnostic(900523, tick=hli.tick, reason=reason, traceback=text)
+            found = diagnostic(PLC_FAILED, tick=hli.tick, reason=reason, traceback=text)
             raise PlcError(found, *_refused(error)) from error
 
 
 def _load_module(path: Path) -> ModuleType:
     """Run the user's file as a module; files beside it can be imported while it is loaded."""
     if not path.exists():
-        raise PlcError(diagnostic(900500, file=str(path)))
+        raise PlcError(diagnostic(FILE_MISSING, file=str(path)))
     if path.is_dir():
-        raise PlcError(diagnostic(900501, file=str(path)))
+        raise PlcError(diagnostic(FOLDER_INSTEAD_OF_FILE, file=str(path)))
     name = f"nctakt_plc_{path.stem}"
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None or spec.loader is None:  # not named .py
-        raise PlcError(diagnostic(900520, file=str(path)))
+        raise PlcError(diagnostic(PLC_CLASS_MISSING, file=str(path)))
     module = importlib.util.module_from_spec(spec)
     before = sys.modules.get(name)
     sys.modules[name] = module  # data classes look their own module up
@@ -90,7 +92,7 @@ def _load_module(path: Path) -> ModuleType:
     except OSError as error:
         if error.filename is not None and Path(error.filename) == path:
             reason = error.strerror or str(error)
-            raise PlcError(diagnostic(900503, file=str(path), reason=reason)) from error
+            raise PlcError(diagnostic(FILE_NOT_READABLE, file=str(path), reason=reason)) from error
         raise _load_error(error, path) from error
     except (Exception, SystemExit) as error:  # the user's code may raise what it likes
         raise _load_error(error, path) from error
@@ -127,7 +129,7 @@ def _candidates(module: ModuleType) -> list[type[AnyPlc]]:
 
 def _load_error(error: BaseException, path: Path) -> PlcError:
     reason, text = _told(error, path)
-    return PlcError(diagnostic(900522, reason=reason, traceback=text), *_refused(error))
+    return PlcError(diagnostic(PLC_LOAD_FAILED, reason=reason, traceback=text), *_refused(error))
 
 
 def _refused(error: BaseException) -> tuple[Diagnostic, ...]:

@@ -13,6 +13,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from nctakt.messages import diagnostic
+from nctakt.messages.plc import NO_PLC_AT_HLI, PLC_LEFT_HLI, PLC_NOT_ANSWERING
 from nctakt.plc.loading import PlcError
 
 if TYPE_CHECKING:
@@ -36,13 +37,13 @@ class PartnerPlc:
     def await_presence(self) -> None:
         """Wait until the PLC is there; raises ``PlcError`` (900650) where none comes."""
         if not self._wait(lambda: self._image.plc_is_present):
-            raise PlcError(diagnostic(900650, name=self._image.name or ""))
+            raise PlcError(diagnostic(NO_PLC_AT_HLI, name=self._image.name or ""))
 
     def cycle(self, hli: Interface) -> None:
         """Let the PLC have its turn."""
         image = self._image
         image.hand_over()
         if not self._wait(lambda: image.is_handed_back or not image.plc_is_present):
-            raise PlcError(diagnostic(900651, tick=hli.tick))
+            raise PlcError(diagnostic(PLC_NOT_ANSWERING, tick=hli.tick))
         if not image.is_handed_back:
-            raise PlcError(diagnostic(900652, tick=hli.tick))
+            raise PlcError(diagnostic(PLC_LEFT_HLI, tick=hli.tick))

@@ -21,6 +21,7 @@ from typing import Any
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.schedule_results import LIBRARY_MISSING, UNKNOWN_PICTURE_FORMAT
 from nctakt.plots.motion import ACCELERATION, JERK, SPEED, AxisMotion, Curve, Lane, Motion, thinned
 
 ENDINGS = (".png", ".svg", ".html")
@@ -95,9 +96,9 @@ _PAGE = """\
 def check_picture(path: str) -> None:
     """Whether such a picture can be drawn; raises ``Failure`` (900635, 900634)."""
     if Path(path).suffix.lower() not in ENDINGS:
-        raise Failure(diagnostic(900635, file=path))
+        raise Failure(diagnostic(UNKNOWN_PICTURE_FORMAT, file=path))
     if importlib.util.find_spec("matplotlib") is None:
-        raise Failure(diagnostic(900634, library="matplotlib", what="--plot"))
+        raise Failure(diagnostic(LIBRARY_MISSING, library="matplotlib", what="--plot"))
 
 
 def write_picture(motion: Motion, path: Path, title: str, language: Language) -> None:

@@ -6,12 +6,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.base.diagnostics import Message, Severity, Text
-from nctakt.messages import CATALOGUE
+from nctakt.messages.catalogue import catalogue, is_own
 from nctakt.messages.classes import CLEARINGS, REACTIONS
-from nctakt.messages.meanings import german
 from nctakt.reference.article import Article, Fact, Topic, fact, same
-
-FIRST_OWN, LAST_OWN = 900_000, 999_999
 
 _KINDS = {
     Severity.ERROR: Text("error", "Fehler"),
@@ -20,16 +17,11 @@ _KINDS = {
 }
 
 
-def is_own(message: Message) -> bool:
-    """Whether the number is one of nctakt's, not of the controller."""
-    return FIRST_OWN <= message.id <= LAST_OWN
-
-
 def article(message: Message) -> Article:
     """The article of one message."""
     level = _KINDS[message.severity]
     whose = Text("of nctakt", "von nctakt")
-    if not is_own(message):
+    if not is_own(message.id):
         whose = Text("of the controller", "der Steuerung")
     kind = Text(f"{level.en} {whose.en}", f"{level.de} {whose.de}")
     return Article(str(message.id), kind, message.text, tuple(_facts(message)))
@@ -41,7 +33,7 @@ def _facts(message: Message) -> Iterator[Fact]:
     if message.remedy.en:
         yield fact("Remedy", "Abhilfe", message.remedy)
     for name, meaning in message.parameters.items():
-        yield Fact(same(f"{{{name}}}"), Text(meaning, german(meaning)))
+        yield Fact(same(f"{{{name}}}"), Text(*meaning))
     if message.reaction:
         yield fact("Effect", "Wirkung", _class(message.reaction, REACTIONS[message.reaction]))
         yield fact(
@@ -56,7 +48,7 @@ def _class(number: int, meaning: Text) -> Text:
 
 
 def _all() -> Iterator[Article]:
-    for message in sorted(CATALOGUE, key=lambda one: one.id):
+    for message in catalogue().values():
         yield article(message)
 
 
@@ -64,13 +56,13 @@ def _find(word: str) -> tuple[Article, ...]:
     if not (word.isascii() and word.isdigit()):
         return ()
     number = int(word)
-    if number in CATALOGUE:
-        return (article(CATALOGUE[number]),)
-    return tuple(article(message) for message in CATALOGUE if number in message.known_as)
+    if number in catalogue():
+        return (article(catalogue()[number]),)
+    return tuple(article(message) for message in catalogue().values() if number in message.known_as)
 
 
 def _names() -> Iterator[str]:
-    return (str(message.id) for message in CATALOGUE)
+    return map(str, catalogue())
 
 
 MESSAGES = Topic(

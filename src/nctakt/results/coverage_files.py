@@ -15,6 +15,7 @@ from typing import Any, TypeVar, get_args
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.coverage import INVALID_COVERAGE_DATA
 from nctakt.nc.check.branches import BranchWord
 from nctakt.results.coverage import (
     BranchCounts,
@@ -63,7 +64,7 @@ def from_json(file: str, text: str) -> Coverage:
             raise ValueError(_FORM_KEY)
         return Coverage(_each(document["cycles"], _cycle_in), _count(document["runs"]))
     except (ValueError, ArithmeticError, LookupError, TypeError, RecursionError) as error:
-        raise Failure(diagnostic(900801, file=file)) from error
+        raise Failure(diagnostic(INVALID_COVERAGE_DATA, file=file)) from error
 
 
 def _cycle_in(read: Any) -> CycleCounts:

@@ -19,6 +19,7 @@ from nctakt.base.diagnostics import Span
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.kernel.base import record
 from nctakt.kernel.cycles.cycles import DEFINED, HELD
+from nctakt.messages.realtime import BLOCK_CYCLE_NEVER_RAN
 from nctakt.nc.check.branches import (
     branch_places,
     lines_without_branch,
@@ -45,9 +46,6 @@ CYCLES_KEPT = 256
 
 _EVENT = struct.Struct(f"={record.EVENT_WIDTH}d")
 _PROBE = struct.Struct(f"={record.PROBE_WIDTH}d")
-
-#: Level-2 message of a BLOCK cycle whose program ended before its block came.
-_BLOCK_NEVER_CAME = 900413
 
 _LIFE: dict[int, LifeKind] = {
     record.CREATED: "created",
@@ -163,7 +161,7 @@ class ProbeLog:
             self._ended(cycle, int(tick), int(a), span)
         elif kind == record.ERROR and serial:
             self._stops.append((serial, LifeEvent(int(tick), "ended", span, "error", int(a))))
-        elif kind == record.NOTICE and a == _BLOCK_NEVER_CAME:
+        elif kind == record.NOTICE and a == BLOCK_CYCLE_NEVER_RAN.id:
             cycle.missed_its_block = True
 
     def _ended(self, cycle: _CycleLog, tick: int, reason: int, span: Span | None) -> None:

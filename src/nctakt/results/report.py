@@ -14,7 +14,27 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
-from nctakt.messages import CATALOGUE, diagnostic
+from nctakt.messages import diagnostic
+from nctakt.messages.catalogue import catalogue
+from nctakt.messages.diagnosis import (
+    LOG_AXIS_MOVES,
+    LOG_AXIS_MOVES_ENDLESSLY,
+    LOG_BRANCH_RUNS,
+    LOG_CYCLE_ABORTED,
+    LOG_CYCLE_CONTINUED,
+    LOG_CYCLE_CREATED,
+    LOG_CYCLE_DELETED,
+    LOG_CYCLE_ENDED_BY_ERROR,
+    LOG_CYCLE_ENDED_BY_RESET,
+    LOG_CYCLE_ENDED_WITH_SCOPE,
+    LOG_CYCLE_HELD,
+    LOG_CYCLE_STARTED,
+    LOG_FUNCTION_OUTPUT,
+    LOG_MANAGER_CAPACITY,
+    LOG_MANAGER_INITIALISED,
+    LOG_MOTION_STATE,
+    LOG_VARIABLE_WRITTEN,
+)
 from nctakt.results.user_errors import user_message
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
@@ -73,7 +93,12 @@ _LEVELS = {
     "m": Level.ACTION,
     "h": Level.ACTION,
 }
-_PLAIN = {"started": 900553, "held": 900554, "continued": 900555, "aborted": 900556}
+_PLAIN = {
+    "started": LOG_CYCLE_STARTED,
+    "held": LOG_CYCLE_HELD,
+    "continued": LOG_CYCLE_CONTINUED,
+    "aborted": LOG_CYCLE_ABORTED,
+}
 _MOTIONS = {
     "done": Text("is done", "ist beendet"),
     "aborted": Text("was given up", "wurde abgebrochen"),
@@ -86,7 +111,12 @@ _DIRECTIONS = {
     "positive": Text("positive", "positiver"),
     "negative": Text("negative", "negativer"),
 }
-_ENDED = {"scope": 900557, "delete": 900558, "reset": 900559, "error": 900560}
+_ENDED = {
+    "scope": LOG_CYCLE_ENDED_WITH_SCOPE,
+    "delete": LOG_CYCLE_DELETED,
+    "reset": LOG_CYCLE_ENDED_BY_RESET,
+    "error": LOG_CYCLE_ENDED_BY_ERROR,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,8 +165,8 @@ class DiagnosisReport:
     def initialised(self, time_us: int, count: int, level_limit: float = DEFAULT_LEVEL) -> None:
         """The manager of the realtime cycles has been set up and holds ``count`` cycles."""
         if level_limit >= Level.INFO:
-            self._append(_info(time_us, diagnostic(900550)))
-            self._append(_info(time_us, diagnostic(900551, count=count)))
+            self._append(_info(time_us, diagnostic(LOG_MANAGER_INITIALISED)))
+            self._append(_info(time_us, diagnostic(LOG_MANAGER_CAPACITY, count=count)))
 
     def add(self, event: Event, level_limit: float) -> None:
         """Make a line of ``event`` if its level is at most ``level_limit``.
@@ -148,11 +178,11 @@ class DiagnosisReport:
         if level is None or level > level_limit:
             return
         if event.kind == "user_error":
-            number = user_message(int(event.text.split()[1]))
-            self._append(Line(event.time_us, level, number, event.span, None))
+            message = user_message(int(event.text.split()[1]))
+            self._append(Line(event.time_us, level, message.id, event.span, None))
         elif level <= Level.WARNING:
-            message = _known(event)
-            self._append(Line(event.time_us, level, int(event.text), event.span, message))
+            known = _known(event)
+            self._append(Line(event.time_us, level, int(event.text), event.span, known))
         elif event.cycle:
             self._append(_info(event.time_us, _message(event), level))
 
@@ -221,10 +251,10 @@ def _info(time_us: int, message: Diagnostic, level: Level = Level.INFO) -> Line:
 
 def _known(event: Event) -> Diagnostic | None:
     """The message of an event when it needs no parameters."""
-    number = int(event.text)
-    if number not in CATALOGUE or CATALOGUE[number].parameters:
+    message = catalogue().get(int(event.text))
+    if message is None or message.parameters:
         return None
-    return diagnostic(number, event.span)
+    return diagnostic(message, event.span)
 
 
 def _axis_message(event: Event) -> Diagnostic:
@@ -233,18 +263,18 @@ def _axis_message(event: Event) -> Diagnostic:
     if word in _MOTIONS:
         state = _MOTIONS[word]
         return diagnostic(
-            900458, cycle=event.cycle, axis=axis, state_en=state.en, state_de=state.de
+            LOG_MOTION_STATE, cycle=event.cycle, axis=axis, state_en=state.en, state_de=state.de
         )
     if target[0] in _DIRECTIONS:
         direction = _DIRECTIONS[target[0]]
         return diagnostic(
-            900457,
+            LOG_AXIS_MOVES_ENDLESSLY,
             cycle=event.cycle,
             axis=axis,
             direction_en=direction.en,
             direction_de=direction.de,
         )
-    return diagnostic(900456, cycle=event.cycle, axis=axis, position=target[0])
+    return diagnostic(LOG_AXIS_MOVES, cycle=event.cycle, axis=axis, position=target[0])
 
 
 def _message(event: Event) -> Diagnostic:
@@ -255,13 +285,13 @@ def _message(event: Event) -> Diagnostic:
     if event.kind == "ended":
         return diagnostic(_ENDED[words[-1]], cycle=cycle)
     if event.kind == "created":
-        return diagnostic(900552, cycle=cycle, scope=words[-1])
+        return diagnostic(LOG_CYCLE_CREATED, cycle=cycle, scope=words[-1])
     if event.kind == "fired":
-        return diagnostic(900561, cycle=cycle, line=words[-1])
+        return diagnostic(LOG_BRANCH_RUNS, cycle=cycle, line=words[-1])
     if event.kind == "axis":
         return _axis_message(event)
     if event.kind == "written":
         variable, value = event.text.rsplit(" ", 1)
-        return diagnostic(900562, cycle=cycle, variable=variable, value=value)
+        return diagnostic(LOG_VARIABLE_WRITTEN, cycle=cycle, variable=variable, value=value)
     function = f"{event.kind.upper()}{words[0]}"
-    return diagnostic(900563, cycle=cycle, function=function, sequence=words[1])
+    return diagnostic(LOG_FUNCTION_OUTPUT, cycle=cycle, function=function, sequence=words[1])

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.base.diagnostics import Diagnostic, Message, Span
 from nctakt.base.source_ids import statement_span
 from nctakt.messages import diagnostic
+from nctakt.messages.user_errors import FATAL_USER_ERROR, USER_ERROR, USER_WARNING
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
 
@@ -30,11 +31,11 @@ class UserErrorReport:
 
     def diagnostic(self, texts: Mapping[int, str], line: str) -> Diagnostic:
         """The diagnostic with the text of the ID; ``line`` is the source line."""
-        number = user_message(self.reaction)
+        message = user_message(self.reaction)
         values = {"RC": str(self.reaction), **self.values}
         told = ", ".join(f"{name} = {value}" for name, value in values.items())
         place = statement_span(self.span, line)
-        return diagnostic(number, place, line, said=self.said(texts), values=told)
+        return diagnostic(message, place, line, said=self.said(texts), values=told)
 
     def said(self, texts: Mapping[int, str]) -> str:
         """The ID, with its text where there is one."""
@@ -42,9 +43,9 @@ class UserErrorReport:
         return f"{self.identity}: {text}" if text else str(self.identity)
 
 
-def user_message(reaction: int) -> int:
-    """The number of the message that tells an ``#ERROR`` with this RC."""
-    return {0: 900463, 7: 900465}.get(reaction, 900464)
+def user_message(reaction: int) -> Message:
+    """Return the message that tells an ``#ERROR`` with this RC."""
+    return {0: USER_WARNING, 7: FATAL_USER_ERROR}.get(reaction, USER_ERROR)
 
 
 def user_errors(events: Iterable[Event]) -> list[UserErrorReport]:

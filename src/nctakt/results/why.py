@@ -13,6 +13,13 @@ from dataclasses import dataclass, replace
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.explaining import (
+    CYCLE_NOT_IN_RUN,
+    LINE_NOT_IN_CYCLE,
+    PROGRAMS_WITHOUT_CYCLES,
+    RUN_WITHOUT_CYCLES,
+    TICK_NOT_IN_RUN,
+)
 from nctakt.results.histories import CycleHistory
 from nctakt.results.why_text import render_report, render_state
 from nctakt.results.why_words import Words
@@ -62,27 +69,29 @@ class WhyReport:
         """The states in one tick of the run as text; raises ``Failure`` (900576) for another."""
         last_tick = self.first_tick + self.ticks - 1
         if not self.first_tick <= tick <= last_tick:
-            raise Failure(diagnostic(900576, tick=tick, first=self.first_tick, last=last_tick))
+            raise Failure(
+                diagnostic(TICK_NOT_IN_RUN, tick=tick, first=self.first_tick, last=last_tick)
+            )
         words = Words(language, self.cycle_time_us)
         return render_state(self.cycles, self.left_out, tick, words)
 
     def _unknown_cycle(self, name: str) -> Diagnostic:
         names = list(dict.fromkeys(one.name for one in self.cycles if one.name))
         if not names:
-            return diagnostic(900577, cycle=name)
+            return diagnostic(RUN_WITHOUT_CYCLES, cycle=name)
         told = ", ".join(names[:_NAMES_TOLD])
         if len(names) > _NAMES_TOLD:
             told = f"{told}, …"
-        return diagnostic(900574, cycle=name, known=told)
+        return diagnostic(CYCLE_NOT_IN_RUN, cycle=name, known=told)
 
     def _unknown_line(self, line: int, cycle: str | None) -> Diagnostic:
         known = sorted(
             {known for one in self.cycles if cycle in (None, one.name) for known in _lines(one)}
         )
         if not known:
-            return diagnostic(900578, line=line)
+            return diagnostic(PROGRAMS_WITHOUT_CYCLES, line=line)
         near = min(known, key=lambda one: abs(one - line))
-        return diagnostic(900575, line=line, nearest=near)
+        return diagnostic(LINE_NOT_IN_CYCLE, line=line, nearest=near)
 
 
 def _lines(cycle: CycleHistory) -> list[int]:

@@ -31,6 +31,8 @@ from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.messages import diagnostic
+from nctakt.messages.inputs import MISSPELLED_SIGNAL, UNKNOWN_SIGNAL
+from nctakt.messages.plc import STALE_ACKNOWLEDGEMENT
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, Location, NameTable
 from nctakt.run.event_registry import Registry
@@ -177,7 +179,7 @@ class AssembledMachine:
         """Report, once for each name, that the PLC acknowledges what no longer waits (900671)."""
         if name not in self._stale_names:
             self._stale_names[name] = None
-            self.report(diagnostic(900671, name=name, tick=self.kernel.tick - 1))
+            self.report(diagnostic(STALE_ACKNOWLEDGEMENT, name=name, tick=self.kernel.tick - 1))
 
     def _axis_names(self) -> list[str]:
         """What the axes are called: by their channel, else by their list."""
@@ -334,5 +336,5 @@ class AssembledMachine:
         """The diagnostic of a signal that is none."""
         near = nearest(name, self.signals())
         if near:
-            return diagnostic(900545, name=name, nearest=near)
-        return diagnostic(900544, name=name)
+            return diagnostic(MISSPELLED_SIGNAL, name=name, nearest=near)
+        return diagnostic(UNKNOWN_SIGNAL, name=name)

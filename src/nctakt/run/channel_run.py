@@ -15,6 +15,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.kernel import kernel as reasons
 from nctakt.messages import diagnostic
+from nctakt.messages.user_errors import STOPPED_BY_FATAL_USER_ERROR
 from nctakt.results.run import RunState
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import Budget
@@ -115,7 +116,7 @@ class ChannelRun:
     def begin(self, program: LoadedProgram) -> None:
         """Put a checked program at the start of the channel; ``Failure`` after a fatal error."""
         if self.channel.is_fatal:
-            raise Failure(diagnostic(900466))
+            raise Failure(diagnostic(STOPPED_BY_FATAL_USER_ERROR))
         self._outcome = None
         self._stopped_at = -1
         self._selected = program

@@ -19,6 +19,8 @@ from nctakt.kernel import kernel as reasons
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
+from nctakt.messages.backward import BACKWARD_WITHOUT_HISTORY
+from nctakt.messages.folders import UNKNOWN_CHANNEL
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import Run, RunState, RunStatistics, SaidMessage
 from nctakt.run import program_loader
@@ -202,7 +204,7 @@ class Controller:
         """
         index = self._index(channel)
         if self._machine.channels[index].path.history_size == 0:
-            raise Failure(diagnostic(900880))
+            raise Failure(diagnostic(BACKWARD_WITHOUT_HISTORY))
         self._command_motion(index, backward=True)
 
     def forward(self, channel: int = 1) -> None:
@@ -227,7 +229,7 @@ class Controller:
     def _index(self, channel: int) -> int:
         """The index of a channel, which counts from 0; ``Failure`` where there is none."""
         if not 0 < channel <= len(self._channels):
-            raise Failure(diagnostic(900749, channel=channel, count=len(self._channels)))
+            raise Failure(diagnostic(UNKNOWN_CHANNEL, channel=channel, count=len(self._channels)))
         return channel - 1
 
     # --- whole programs -------------------------------------------------------------------------

@@ -10,6 +10,55 @@ from nctakt.base.source_ids import statement_span
 from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
+from nctakt.messages.axis_motions import (
+    AXIS_IN_ERROR_STATE,
+    AXIS_IN_INDEPENDENT_MOTION,
+    AXIS_MOVED_BY_PATH,
+    AXIS_NOT_AT_BLOCK_START,
+    BUFFERED_MOTION_OUTSIDE_LIMITS,
+    BUFFERED_MOTION_WAITING,
+    ENDLESS_MOTION_AT_LIMIT,
+    ENDLESS_MOTION_BLOCKS_PATH,
+    HELD_MOTION_BLOCKS_PATH,
+    INDP_TARGET_OUTSIDE_LIMITS,
+)
+from nctakt.messages.backward import (
+    BACKWARD_AT_HISTORY_START,
+    BACKWARD_WITHOUT_HISTORY,
+    EDGE_NOT_FOUND,
+)
+from nctakt.messages.catalogue import catalogue
+from nctakt.messages.checked_axes import (
+    INDEPENDENT_MOTION_NOT_PERMITTED,
+    INDEPENDENT_MOTION_REFUSED,
+)
+from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
+from nctakt.messages.feed import WAITING_FOR_MAIN_SPINDLE
+from nctakt.messages.fixed_stops import FIXED_STOP_NOT_FOUND
+from nctakt.messages.memory import PLC_VALUE_NOT_FINITE
+from nctakt.messages.plc import CHANNEL_BEING_RESET
+from nctakt.messages.realtime import (
+    CYCLE_ID_IN_USE,
+    CYCLE_MEMORY_FULL,
+    CYCLE_OPERATION_WITHOUT_RESULT,
+    CYCLE_TOO_LARGE,
+    CYCLE_VALUE_OUT_OF_RANGE,
+    CYCLES_EXCEED_DURATION,
+    CYCLES_EXCEED_STEP_LIMIT,
+    PLC_INTERFACE_FULL,
+    TOO_MANY_CYCLES,
+    TOO_MANY_FUNCTIONS_IN_TICK,
+    UNKNOWN_CYCLE_ID,
+    UNKNOWN_CYCLE_TIMER,
+)
+from nctakt.messages.spindles import (
+    CYCLE_ACTIONS_FULL,
+    INVALID_SPINDLE_SPEED,
+    M19_SPEED_ZERO,
+    SPINDLE_BUSY,
+    SPINDLE_JOB_HELD,
+)
+from nctakt.messages.user_errors import INVALID_USER_ERROR_ID, INVALID_USER_ERROR_RC
 from nctakt.nc.vocabulary.axis_commands import REFUSALS
 from nctakt.run.assembly import AssembledMachine
 from nctakt.trace.events import Event, number_text
@@ -28,9 +77,9 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
     cycle = event.cycle
     values: dict[str, object]
     match number:
-        case 50879:
+        case CYCLE_OPERATION_WITHOUT_RESULT.id:
             values = {"cycle": cycle, "operation": OPERATIONS.get(int(a), "=")}
-        case 50892:
+        case CYCLE_VALUE_OUT_OF_RANGE.id:
             name = machine.registry.variable(int(a))
             location = machine.assembled[index].names.resolve_text(name)
             assert isinstance(location, tuple)
@@ -41,47 +90,65 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
                 "low": scalar.low,
                 "high": scalar.high,
             }
-        case 50929:
+        case INDEX_OUT_OF_RANGE.id:
             values = {"variable": _array(event, machine), "index": number_text(a), "count": int(b)}
-        case 50942 | 50943:
+        case PLC_INTERFACE_FULL.id | TOO_MANY_FUNCTIONS_IN_TICK.id:
             function = f"H{-int(a) - 1}" if a < 0 else f"M{int(a)}"
             values = {"function": function, "slots": int(b)}
-        case 50854 | 50939:
+        case CYCLES_EXCEED_STEP_LIMIT.id | CYCLES_EXCEED_DURATION.id:
             values = {"cycle": cycle, "steps": int(a), "limit": int(b)}
-        case 50858 | 50900:
+        case UNKNOWN_CYCLE_ID.id | CYCLE_ID_IN_USE.id:
             values = {"id": int(channel.error_detail)}
-        case 50855 | 50857:
+        case CYCLE_MEMORY_FULL.id | CYCLE_TOO_LARGE.id:
             manager = channel.manager
             free = manager.memory_limit - manager.memory_used
             values = {"needed": int(channel.error_detail), "free": free}
-        case 50877:
+        case TOO_MANY_CYCLES.id:
             values = {"count": channel.manager.capacity}
-        case 50967:
+        case INDEPENDENT_MOTION_REFUSED.id:
             reason = REFUSALS[int(b)]
             values = {
                 "axis": machine.registry.axis(int(a)),
                 "reason_en": reason.en,
                 "reason_de": reason.de,
             }
-        case 50885 | 900420 | 900435 | 900446 | 900447:
+        case (
+            FIXED_STOP_NOT_FOUND.id
+            | AXIS_NOT_AT_BLOCK_START.id
+            | AXIS_IN_INDEPENDENT_MOTION.id
+            | ENDLESS_MOTION_BLOCKS_PATH.id
+            | HELD_MOTION_BLOCKS_PATH.id
+        ):
             values = {"axis": machine.registry.axis(int(channel.error_detail))}
-        case 900811:
+        case SPINDLE_JOB_HELD.id:
             values = {"spindle": machine.registry.spindle(int(channel.error_detail))}
-        case 900421:
+        case UNKNOWN_CYCLE_TIMER.id:
             values = {"timer": int(a)}
-        case 900346:
+        case PLC_VALUE_NOT_FINITE.id:
             values = {"variable": machine.registry.variable(machine.kernel.image.next_refused())}
-        case 50935:
+        case SPINDLE_BUSY.id:
             values = {"spindle": machine.registry.spindle(int(a))}
-        case 51028:
+        case CYCLE_ACTIONS_FULL.id:
             values = {"cycle": cycle, "places": int(a)}
-        case 900472 | 900819 | 900880 | 900890 | 50891:
+        case (
+            M19_SPEED_ZERO.id
+            | WAITING_FOR_MAIN_SPINDLE.id
+            | BACKWARD_WITHOUT_HISTORY.id
+            | BACKWARD_AT_HISTORY_START.id
+            | EDGE_NOT_FOUND.id
+        ):
             values = {}
-        case 900460 | 900461 | 900470:
+        case INVALID_USER_ERROR_ID.id | INVALID_USER_ERROR_RC.id | INVALID_SPINDLE_SPEED.id:
             values = {"value": number_text(a)}
-        case 50966 | 900430 | 900431 | 900433 | 900810:
+        case (
+            INDEPENDENT_MOTION_NOT_PERMITTED.id
+            | AXIS_MOVED_BY_PATH.id
+            | AXIS_IN_ERROR_STATE.id
+            | BUFFERED_MOTION_WAITING.id
+            | CHANNEL_BEING_RESET.id
+        ):
             values = {"axis": machine.registry.axis(int(a))}
-        case 900432:
+        case INDP_TARGET_OUTSIDE_LIMITS.id:
             axis = machine.configuration.axes[int(a)]
             values = {
                 "axis": machine.registry.axis(int(a)),
@@ -89,12 +156,12 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
                 "low": number_text(axis.software_limit_low),
                 "high": number_text(axis.software_limit_high),
             }
-        case 900434 | 900436:
+        case ENDLESS_MOTION_AT_LIMIT.id | BUFFERED_MOTION_OUTSIDE_LIMITS.id:
             values = {"axis": machine.registry.axis(machine.single_axes.next_failed())}
         case _:
             raise AssertionError(number)
     line = "" if event.span is None else machine.files.line_at(event.span)
-    return diagnostic(number, statement_span(event.span, line), line, **values)
+    return diagnostic(catalogue()[number], statement_span(event.span, line), line, **values)
 
 
 def _array(event: Event, machine: AssembledMachine) -> str:

@@ -15,6 +15,9 @@ from nctakt.base.failure import Failure
 from nctakt.hli.layout import AXIS, CHANNEL
 from nctakt.kernel.plc.axis_requests import CLEAR_FAULT, HALT
 from nctakt.messages import diagnostic
+from nctakt.messages.folders import UNKNOWN_CHANNEL
+from nctakt.messages.memory import NOT_VISIBLE_TO_PLC
+from nctakt.messages.plc import INVALID_AXIS_COMMAND, TOO_MANY_AXIS_COMMANDS, UNKNOWN_PLC_AXIS
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.variable_access import split_channel
 
@@ -120,7 +123,7 @@ class Interface:
         """The PLC's side of a channel, from 1; ``Failure`` where there is none."""
         count = len(self._machine.channels)
         if not 0 < number <= count:
-            raise Failure(diagnostic(900749, channel=number, count=count))
+            raise Failure(diagnostic(UNKNOWN_CHANNEL, channel=number, count=count))
         return Interface(self._machine, number - 1)
 
     @property
@@ -163,7 +166,7 @@ class Interface:
         """The number of an axis; raises ``Failure`` (900656) where there is none."""
         names = {axis.name: i for i, axis in enumerate(self._machine.configuration.axes)}
         if name not in names:
-            raise Failure(diagnostic(900656, name=name, known=", ".join(names)))
+            raise Failure(diagnostic(UNKNOWN_PLC_AXIS, name=name, known=", ".join(names)))
         return names[name]
 
     def request_axis(
@@ -174,10 +177,10 @@ class Interface:
         if kind not in (HALT, CLEAR_FAULT) and not (
             math.isfinite(value) and 0.0 < speed < math.inf
         ):
-            raise Failure(diagnostic(900657, name=name, value=value, speed=speed))
+            raise Failure(diagnostic(INVALID_AXIS_COMMAND, name=name, value=value, speed=speed))
         owner = self._machine.kernel.requests.post(kind, axis, value, speed, mode, direction)
         if owner == 0:
-            raise Failure(diagnostic(900658, name=name))
+            raise Failure(diagnostic(TOO_MANY_AXIS_COMMANDS, name=name))
         return owner
 
     def axis_answer(self, owner: int) -> int:
@@ -385,5 +388,5 @@ class Interface:
 def _seen(name: str) -> str:
     """The name, unless it is that of a variable that a PLC does not see."""
     if name.upper().replace(" ", "").startswith(("V.CH.", "VS.CH.")):
-        raise Failure(diagnostic(900351, name=name))
+        raise Failure(diagnostic(NOT_VISIBLE_TO_PLC, name=name))
     return name

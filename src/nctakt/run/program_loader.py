@@ -20,6 +20,8 @@ from nctakt.decoder.state.environment import DecodeError
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.files import find_below, find_file
 from nctakt.messages import Collector, diagnostic
+from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE, FOLDER_INSTEAD_OF_FILE
+from nctakt.messages.program_structure import PROGRAM_NOT_FOUND
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.inspection import inspect
 from nctakt.nc.outline import ProgramText
@@ -74,7 +76,7 @@ def missing(name: str, folders: list[Path], span: Span, line: str) -> Diagnostic
         searched = name
     else:
         searched = ", ".join(f"{folder.as_posix()}/" for folder in folders)
-    return diagnostic(900131, span, line, name=name, folders=searched)
+    return diagnostic(PROGRAM_NOT_FOUND, span, line, name=name, folders=searched)
 
 
 class LoadedProgram:
@@ -192,11 +194,11 @@ def load(
 def _read(path: Path) -> Sequence[str]:
     """The lines of a program file; ``Failure`` where there is none."""
     if not path.exists():
-        raise Failure(diagnostic(900500, file=str(path)))
+        raise Failure(diagnostic(FILE_MISSING, file=str(path)))
     if path.is_dir():
-        raise Failure(diagnostic(900501, file=str(path)))
+        raise Failure(diagnostic(FOLDER_INSTEAD_OF_FILE, file=str(path)))
     try:
         return read_lines(path)
     except OSError as error:
         reason = error.strerror or str(error)
-        raise Failure(diagnostic(900503, file=str(path), reason=reason)) from error
+        raise Failure(diagnostic(FILE_NOT_READABLE, file=str(path), reason=reason)) from error

@@ -19,6 +19,7 @@ from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.modal_state import state_at_program_start
 from nctakt.decoder.state.program_variables import Scopes
 from nctakt.kernel.tick.command_queue import TIMED_KINDS
+from nctakt.messages.realtime import TOO_MANY_CYCLES
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import Budget
 from nctakt.run.program_loader import LoadedProgram
@@ -194,7 +195,7 @@ class Feed:
         self._pending = None
         self._channel.wants_slot = False
         if slot < 0:
-            self._put(commands.GiveUp(command.source, command.number, 50877), 0)
+            self._put(commands.GiveUp(command.source, command.number, TOO_MANY_CYCLES.id), 0)
             self.stop()
         else:
             self._put(command, slot)

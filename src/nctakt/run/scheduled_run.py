@@ -15,6 +15,11 @@ from nctakt.base.failure import Failure
 from nctakt.lists.machine.machine import Machine
 from nctakt.lists.machine.scheduling_checks import check_contexts, check_time_limits
 from nctakt.messages import Collector, diagnostic
+from nctakt.messages.linux_run import CYCLES_MAY_TAKE_WINDOWS_TIME
+from nctakt.messages.machine import RTCONF_MISSING
+from nctakt.messages.schedule_check import CHANNEL_CONTEXT_WITHOUT_THREAD
+from nctakt.messages.schedule_results import THREAD_OVERFLOWED
+from nctakt.messages.scheduled_runs import TICK_MISMATCH
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.channel_run import ChannelRun
 from nctakt.run.decode_budget import Budget
@@ -26,13 +31,13 @@ from nctakt.schedule.ticks import Duties, Share, TickSchedule
 
 #: What is said of the machine's own scheduling list, which does not count here: that there is none,
 #: contexts without a thread, realtime cycles in the time of Windows.
-_OF_OWN_LIST = (900068, 900611, 900697)
+_OF_OWN_LIST = (RTCONF_MISSING, CHANNEL_CONTEXT_WITHOUT_THREAD, CYCLES_MAY_TAKE_WINDOWS_TIME)
 
 
 def scheduled(machine: Machine, schedule: RunSchedule) -> tuple[Machine, Duties]:
     """The machine with the ticks of a schedule, and who works for it; raises ``Failure``."""
     collector = Collector()
-    known = [one for one in machine.diagnostics if one.id not in _OF_OWN_LIST]
+    known = [one for one in machine.diagnostics if one.message not in _OF_OWN_LIST]
     collector.diagnostics += known
     collector.diagnostics += [one for one in schedule.diagnostics if one not in known]
     parameters = [channel.parameters for channel in machine.channels]
@@ -46,7 +51,7 @@ def scheduled(machine: Machine, schedule: RunSchedule) -> tuple[Machine, Duties]
     tick_us = duties.every * schedule.configuration.cycle_time_us
     if machine.rtconf is not None and tick_us != machine.cycle_time_us:
         collector.report(
-            900730, None, file=schedule.file, cycle=tick_us, other=machine.cycle_time_us
+            TICK_MISMATCH, None, file=schedule.file, cycle=tick_us, other=machine.cycle_time_us
         )
     changed = replace(
         machine,
@@ -109,7 +114,7 @@ class Pace:
         schedule = self._ticks.simulation(self._machine.kernel.tick)
         found = [
             *self._overflow_errors(),
-            *(one for one in simulation_findings(schedule) if one.id != 900630),
+            *(one for one in simulation_findings(schedule) if one.message is not THREAD_OVERFLOWED),
         ]
         new = [one for one in found if one.text("en") not in self._told]
         self._told.update(one.text("en") for one in new)
@@ -122,7 +127,7 @@ class Pace:
             task = self.schedule.model.tasks[thread]
             if task.error_on_overflow:
                 first = ticks[0] * tick_us
-                yield diagnostic(900630, thread=task.name, count=len(ticks), time=first)
+                yield diagnostic(THREAD_OVERFLOWED, thread=task.name, count=len(ticks), time=first)
 
 
 def _sends_late(machine: Machine) -> bool:

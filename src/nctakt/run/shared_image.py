@@ -46,6 +46,12 @@ from nctakt.lists.machine.channel_configuration import Spindle
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.lists.machine.variables_layout import Field, fields, pack_of
 from nctakt.messages import diagnostic
+from nctakt.messages.memory import (
+    HLI_IMAGE_EXISTS,
+    SHARED_MEMORY_EXISTS,
+    SHARED_MEMORY_IN_USE,
+    SHARED_MEMORY_NOT_AVAILABLE,
+)
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.variable_table import SPINDLE_VALUES, Layout
 
@@ -85,7 +91,7 @@ class InterfaceImage:
     ) -> None:
         """``channels``: of the realtime part; ``cells``: where values live in the memory."""
         if kernel.image.is_attached:
-            raise Failure(diagnostic(900347))
+            raise Failure(diagnostic(HLI_IMAGE_EXISTS))
         self.name = name
         self.layout = layout = image_layout(machine)
         self._sections = sections(machine)
@@ -195,7 +201,7 @@ class _Resources:
             if self._shared is not None:
                 self._shared.close()
         except BufferError as error:
-            raise Failure(diagnostic(900348)) from error
+            raise Failure(diagnostic(SHARED_MEMORY_IN_USE)) from error
         self._shared = None
 
     def give_up(self) -> None:
@@ -363,6 +369,8 @@ def _create(name: str, size: int) -> SharedMemory:
     try:
         return SharedMemory(name, create=True, size=size)
     except FileExistsError as error:
-        raise Failure(diagnostic(900349, name=name)) from error
+        raise Failure(diagnostic(SHARED_MEMORY_EXISTS, name=name)) from error
     except (OSError, ValueError) as error:
-        raise Failure(diagnostic(900350, name=name, reason=str(error))) from error
+        raise Failure(
+            diagnostic(SHARED_MEMORY_NOT_AVAILABLE, name=name, reason=str(error))
+        ) from error

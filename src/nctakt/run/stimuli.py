@@ -15,6 +15,7 @@ from decimal import ROUND_CEILING, Decimal
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.inputs import INVALID_TIME, NOT_AN_ASSIGNMENT, UNREADABLE_VALUE
 
 #: Microseconds in a unit of time; a number without a unit means seconds.
 _UNITS = {"us": 1, "µs": 1, "μs": 1, "ms": 1_000, "s": 1_000_000, "": 1_000_000, "min": 60_000_000}
@@ -44,7 +45,7 @@ def parse_time(text: str) -> int:
     """
     match = _TIME.fullmatch(text.strip())
     if match is None or match["unit"] not in _UNITS:
-        raise Failure(diagnostic(900510, text=text))
+        raise Failure(diagnostic(INVALID_TIME, text=text))
     time_us = Decimal(match["number"]) * _UNITS[match["unit"]]
     return int(time_us.to_integral_value(ROUND_CEILING))
 
@@ -57,7 +58,7 @@ def parse_assignment(text: str) -> tuple[str, float | str]:
     name, equals, value = text.partition("=")
     name = name.strip()
     if not equals or not name:
-        raise Failure(diagnostic(900511, text=text))
+        raise Failure(diagnostic(NOT_AN_ASSIGNMENT, text=text))
     return name, _parse_value(name, value.strip())
 
 
@@ -74,5 +75,5 @@ def _parse_value(name: str, text: str) -> float | str:
     if truth is not None:
         return truth
     if _NUMBER.fullmatch(text) is None or abs(float(text)) > _LARGEST:
-        raise Failure(diagnostic(900512, name=name, value=text))
+        raise Failure(diagnostic(UNREADABLE_VALUE, name=name, value=text))
     return float(text)

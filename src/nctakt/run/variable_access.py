@@ -19,6 +19,14 @@ from nctakt.kernel.base import arithmetic
 from nctakt.kernel.kernel import Kernel
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
+from nctakt.messages.folders import UNKNOWN_CHANNEL
+from nctakt.messages.inputs import (
+    MISSPELLED_MACHINE_VARIABLE,
+    UNKNOWN_MACHINE_VARIABLE,
+    VALUE_NOT_OF_TYPE,
+    VARIABLE_NOT_SETTABLE,
+)
+from nctakt.messages.realtime import CYCLE_VALUE_OUT_OF_RANGE, VALUE_NOT_FINITE
 from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.variable_table import Location, NameTable, NotFound
@@ -70,8 +78,10 @@ class VariableAccess:
         if isinstance(found, NotFound):
             near = found.nearest or nearest(path, (known for known, _, _ in names.values()))
             if near:
-                raise Failure(diagnostic(900541, name=name, nearest=f"{prefix}{near}"))
-            raise Failure(diagnostic(900540, name=name))
+                raise Failure(
+                    diagnostic(MISSPELLED_MACHINE_VARIABLE, name=name, nearest=f"{prefix}{near}")
+                )
+            raise Failure(diagnostic(UNKNOWN_MACHINE_VARIABLE, name=name))
         return found
 
     def _find_panel(self, name: str) -> PanelValue | None:
@@ -84,12 +94,12 @@ class VariableAccess:
         found = panel.get(upper)
         if found is None:
             near = f"{prefix}{nearest(upper, panel)}"
-            raise Failure(diagnostic(900541, name=name, nearest=near))
+            raise Failure(diagnostic(MISSPELLED_MACHINE_VARIABLE, name=name, nearest=near))
         return found
 
     def _index(self, number: int) -> int:
         if not 0 < number <= len(self._names):
-            raise Failure(diagnostic(900749, channel=number, count=len(self._names)))
+            raise Failure(diagnostic(UNKNOWN_CHANNEL, channel=number, count=len(self._names)))
         return number - 1
 
     def read(self, name: str) -> float | bool | str:
@@ -115,9 +125,9 @@ class VariableAccess:
             return _command(shown, value)
         location, cell = self._find(name)
         if location.family in ("RTG", "RTA"):
-            raise Failure(diagnostic(900542, name=name))
+            raise Failure(diagnostic(VARIABLE_NOT_SETTABLE, name=name))
         if isinstance(value, str) == location.is_numeric:
-            raise Failure(diagnostic(900543, name=name, type=location.type, value=value))
+            raise Failure(diagnostic(VALUE_NOT_OF_TYPE, name=name, type=location.type, value=value))
         if isinstance(value, str):
             return Write(cell, _characters(name, location, value))
         return Write(cell, _number(name, location.type, float(value)))
@@ -158,20 +168,26 @@ def _characters(name: str, location: Location, text: str) -> bytes:
 def _command(shown: PanelValue, value: float | bool | str) -> Write:
     """An operator's command; the override is no less than 0."""
     if not shown.is_command:
-        raise Failure(diagnostic(900542, name=shown.name))
+        raise Failure(diagnostic(VARIABLE_NOT_SETTABLE, name=shown.name))
     if isinstance(value, str):
-        raise Failure(diagnostic(900543, name=shown.name, type=shown.entry.type, value=value))
+        raise Failure(
+            diagnostic(VALUE_NOT_OF_TYPE, name=shown.name, type=shown.entry.type, value=value)
+        )
     number = _number(shown.name, shown.entry.type, float(value))
     if number < 0.0:
         largest = SCALARS["REAL64"].high
-        raise Failure(diagnostic(50892, variable=shown.name, value=number, low=0, high=largest))
+        raise Failure(
+            diagnostic(
+                CYCLE_VALUE_OUT_OF_RANGE, variable=shown.name, value=number, low=0, high=largest
+            )
+        )
     return Write(shown.cell, number)
 
 
 def _number(name: str, type_: str, number: float) -> float:
     """The number as a variable of this type takes it (RC-307)."""
     if not math.isfinite(number):
-        raise Failure(diagnostic(50893, name=name, value=number))
+        raise Failure(diagnostic(VALUE_NOT_FINITE, name=name, value=number))
     scalar = SCALARS[type_]
     if type_ == "BOOLEAN":
         number = 1.0 if arithmetic.is_true(number) else 0.0
@@ -179,6 +195,12 @@ def _number(name: str, type_: str, number: float) -> float:
         number = arithmetic.round_half_even(number)
     if not scalar.low <= number <= scalar.high:
         raise Failure(
-            diagnostic(50892, variable=name, value=number, low=scalar.low, high=scalar.high)
+            diagnostic(
+                CYCLE_VALUE_OUT_OF_RANGE,
+                variable=name,
+                value=number,
+                low=scalar.low,
+                high=scalar.high,
+            )
         )
     return number

@@ -10,6 +10,7 @@ from __future__ import annotations
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.source_ids import statement_span
 from nctakt.messages import diagnostic
+from nctakt.messages.command_line import WAITING_AT_RUN_LIMIT
 from nctakt.run.assembly import AssembledMachine
 
 #: What the realtime part calls by these words.
@@ -65,7 +66,7 @@ def awaited(machine: AssembledMachine, index: int) -> Diagnostic | None:
     place = machine.files.place(source)
     line = "" if place is None else machine.files.line_at(place)
     return diagnostic(
-        900820,
+        WAITING_AT_RUN_LIMIT,
         statement_span(place, line),
         line,
         awaited_en=text.en.format(name=name),

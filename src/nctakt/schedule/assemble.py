@@ -18,6 +18,15 @@ from nctakt.lists.declared.rtconf import (
 from nctakt.lists.machine.scheduling_checks import is_realtime
 from nctakt.lists.machine.scheduling_profile import Profile
 from nctakt.messages import Collector
+from nctakt.messages.load import (
+    CALL_COUNT_NOT_SIMULATED,
+    EXECUTION_TIME_MISSING,
+    INVALID_LOAD_VALUE,
+    LOAD_ASSUMED,
+    LOAD_INTERRUPT_WITHOUT_EFFECT,
+    LOAD_OF_UNUSED_FUNCTION,
+)
+from nctakt.messages.schedule_results import CPU_MISSING, CPU_NOT_ASSIGNABLE
 from nctakt.schedule.load import ASSUMED_EXTERNAL, ASSUMED_FUNCTION, Load
 from nctakt.schedule.model import (
     ANY_CPU,
@@ -76,7 +85,7 @@ class _Assembly:
     def model(self) -> Model:
         configuration, load = self._configuration, self._load
         if load.is_assumed:
-            self._collector.report(900625, None)
+            self._collector.report(LOAD_ASSUMED, None)
         threads = self._threads()
         tasks = (*threads, *self._external_threads(threads))
         self._check_load()
@@ -114,7 +123,7 @@ class _Assembly:
             return usable
         expected = Text("a list that leaves a CPU", "eine Liste, die eine CPU übrig lässt")
         self._collector.report(
-            900623,
+            INVALID_LOAD_VALUE,
             None,
             key="machine.offline",
             value=list(self._load.offline),
@@ -130,9 +139,9 @@ class _Assembly:
         count = max((*self._cpus, *self._load.offline))
         if cpu in self._load.offline:
             reason = {"reason_en": _OFFLINE.en, "reason_de": _OFFLINE.de}
-            self._collector.report(1000181, None, thread=name, cpu=cpu, **reason)
+            self._collector.report(CPU_NOT_ASSIGNABLE, None, thread=name, cpu=cpu, **reason)
         else:
-            self._collector.report(1000180, None, thread=name, cpu=cpu, cpus=count)
+            self._collector.report(CPU_MISSING, None, thread=name, cpu=cpu, cpus=count)
         return ANY_CPU
 
     def _train(self, cycle: int) -> Train:
@@ -141,14 +150,14 @@ class _Assembly:
         if self._configuration.interrupt_source is InterruptSource.TIMER:
             for key in ("period", "drift", "jitter"):
                 if key in given:
-                    self._collector.report(900627, None, key=key)
+                    self._collector.report(LOAD_INTERRUPT_WITHOUT_EFFECT, None, key=key)
             return Train(cycle, phase)
         period = given.get("period", cycle)
         drift = given.get("drift", 0)
         if period + drift <= 0:
             expected = Text("more than minus the period", "mehr als minus die Periode")
             self._collector.report(
-                900623,
+                INVALID_LOAD_VALUE,
                 None,
                 key="interrupt.drift",
                 value=drift / NS_PER_US,
@@ -188,7 +197,9 @@ class _Assembly:
     def _calls(self, thread: SchedulerThread) -> tuple[Call, ...]:
         count = sum(function.calls_per_cycle for function in thread.functions)
         if count > MOST_CALLS:
-            self._collector.report(900628, None, thread=thread.name, count=count, limit=MOST_CALLS)
+            self._collector.report(
+                CALL_COUNT_NOT_SIMULATED, None, thread=thread.name, count=count, limit=MOST_CALLS
+            )
             return ()
         rounds = max((function.calls_per_cycle for function in thread.functions), default=0)
         if self._rules.calls == "block":
@@ -223,7 +234,7 @@ class _Assembly:
         entry = f'functions."{function.name}"'
         if function.name not in self._missing:
             self._missing.append(function.name)
-            self._collector.report(900622, None, name=function.name, entry=entry)
+            self._collector.report(EXECUTION_TIME_MISSING, None, name=function.name, entry=entry)
         return Execution((0,))
 
     def _refuse_parts(self, key: str, parts: tuple[int, ...]) -> None:
@@ -232,7 +243,7 @@ class _Assembly:
             f"the parts of {REALTIME_FUNCTION} only", f"die Teile von {REALTIME_FUNCTION} nur dort"
         )
         self._collector.report(
-            900623,
+            INVALID_LOAD_VALUE,
             None,
             key=f"functions.{key}",
             value=[part / NS_PER_US for part in parts],
@@ -250,7 +261,9 @@ class _Assembly:
             if load is not None:
                 execution = load.execution
             if execution is None:
-                self._collector.report(900622, None, name=name, entry=f'external."{name}".time')
+                self._collector.report(
+                    EXECUTION_TIME_MISSING, None, name=name, entry=f'external."{name}".time'
+                )
                 execution = Execution((0,))
             urgency = min(realtime, default=0) - 1
             if load is not None and load.priority is not None:
@@ -284,4 +297,6 @@ class _Assembly:
             shown = ", ".join(dict.fromkeys(names))
             for name in given:
                 if name not in names and name not in places:
-                    self._collector.report(900621, None, name=name, names=shown or "–")
+                    self._collector.report(
+                        LOAD_OF_UNUSED_FUNCTION, None, name=name, names=shown or "–"
+                    )

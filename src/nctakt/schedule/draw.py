@@ -14,6 +14,7 @@ from pathlib import Path
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.schedule_results import LIBRARY_MISSING, UNKNOWN_PICTURE_FORMAT
 from nctakt.schedule.figure import svg
 from nctakt.schedule.gantt import gantt
 from nctakt.schedule.results import Simulation
@@ -36,9 +37,9 @@ def check_picture(path: str) -> None:
     """Whether such a picture can be drawn; raises ``Failure`` (900635, 900634)."""
     ending = Path(path).suffix.lower()
     if ending not in (".svg", ".png", ".html"):
-        raise Failure(diagnostic(900635, file=path))
+        raise Failure(diagnostic(UNKNOWN_PICTURE_FORMAT, file=path))
     if ending == ".png" and importlib.util.find_spec("matplotlib") is None:
-        raise Failure(diagnostic(900634, library="matplotlib", what="--plot FILE.png"))
+        raise Failure(diagnostic(LIBRARY_MISSING, library="matplotlib", what="--plot FILE.png"))
 
 
 def write_picture(run: Simulation, path: Path, language: Language, report: str) -> None:

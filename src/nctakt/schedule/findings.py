@@ -10,6 +10,15 @@ from collections.abc import Iterator
 
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.messages import diagnostic
+from nctakt.messages.schedule_results import (
+    CPU_DEMAND_TOO_HIGH,
+    SUSPENSION_TOO_LATE,
+    THREAD_CAN_OVERFLOW,
+    THREAD_OVERFLOWED,
+    WINDOWS_TIME_CAN_BE_VIOLATED,
+    WINDOWS_TIME_VIOLATED,
+    WINDOWS_WITHOUT_GUARANTEE,
+)
 from nctakt.schedule.analyse import Analysis
 from nctakt.schedule.model import NS_PER_US, Model
 from nctakt.schedule.results import Simulation, WindowsNumbers
@@ -27,13 +36,15 @@ def simulation_findings(run: Simulation) -> Iterator[Diagnostic]:
     for task, numbers in zip(run.model.tasks, run.tasks, strict=True):
         if task.error_on_overflow and numbers.first_overflow is not None:
             first = us(numbers.first_overflow)
-            yield diagnostic(900630, thread=task.name, count=numbers.overflows, time=first)
+            yield diagnostic(
+                THREAD_OVERFLOWED, thread=task.name, count=numbers.overflows, time=first
+            )
     if run.missed_suspensions:
-        yield diagnostic(900631, count=run.missed_suspensions, cycles=run.cycles)
+        yield diagnostic(SUSPENSION_TOO_LATE, count=run.missed_suspensions, cycles=run.cycles)
     for windows in run.windows[:-1]:
         if run.model.windows and windows.violated:
             yield diagnostic(
-                900632,
+                WINDOWS_TIME_VIOLATED,
                 cpu=windows.cpu,
                 windows=us(run.model.windows),
                 count=windows.violated,
@@ -66,11 +77,11 @@ def _without_windows_time(model: Model, responses: list[int], least: int) -> Ite
                 f"{task.name} needs longer than one NC cycle",
                 f"{task.name} braucht länger als einen NC-Takt",
             )
-            yield diagnostic(900633, what_en=what.en, what_de=what.de)
+            yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what_en=what.en, what_de=what.de)
             return
     if least == 0:
         what = Text("Windows gets no time in some cycles", "Windows bekommt manchmal keine Zeit")
-        yield diagnostic(900633, what_en=what.en, what_de=what.de)
+        yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what_en=what.en, what_de=what.de)
 
 
 def analysis_findings(analysis: Analysis) -> Iterator[Diagnostic]:
@@ -79,7 +90,7 @@ def analysis_findings(analysis: Analysis) -> Iterator[Diagnostic]:
     for cpu in analysis.cpus:
         if cpu.demand > cpu.suspendable_supply:
             yield diagnostic(
-                900637,
+                CPU_DEMAND_TOO_HIGH,
                 cpu=cpu.cpu,
                 demand=f"{100 * cpu.demand:.2f}",
                 supply=f"{100 * cpu.suspendable_supply:.2f}",
@@ -87,10 +98,14 @@ def analysis_findings(analysis: Analysis) -> Iterator[Diagnostic]:
         if cpu.reaches_windows:
             names = [model.tasks[i].name for i in cpu.intruders]
             who = ", ".join([*names, _LATE] if cpu.is_late else names)
-            yield diagnostic(900640, cpu=cpu.cpu, windows=us(model.windows), who=who)
+            yield diagnostic(
+                WINDOWS_TIME_CAN_BE_VIOLATED, cpu=cpu.cpu, windows=us(model.windows), who=who
+            )
     for task, one in zip(model.tasks, analysis.tasks, strict=True):
         if one.can_overflow:
             response = "∞" if one.response is None else f"{us(one.response)} µs"
-            yield diagnostic(900638, thread=task.name, response=response, cycle=us(one.period))
+            yield diagnostic(
+                THREAD_CAN_OVERFLOW, thread=task.name, response=response, cycle=us(one.period)
+            )
     responses = [one.response or 0 for one in analysis.tasks]
     yield from _without_windows_time(model, responses, 1)

@@ -42,6 +42,7 @@ from typing import Any
 
 from nctakt.base.diagnostics import Text
 from nctakt.messages import Collector
+from nctakt.messages.load import INVALID_LOAD_FILE, INVALID_LOAD_VALUE, UNKNOWN_LOAD_ENTRY
 from nctakt.schedule.model import NO_OVERHEADS, NS_PER_US, PARTS, Execution, Overheads
 
 #: The longest time that a load can name, in µs: that of UNS32, as for the list.
@@ -133,7 +134,7 @@ def read_load(file: str, text: str, collector: Collector) -> Load:
     try:
         tables = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
-        collector.report(900620, None, file=file, reason=str(error))
+        collector.report(INVALID_LOAD_FILE, None, file=file, reason=str(error))
         return Load()
     return _Reader(collector).load(tables)
 
@@ -171,14 +172,19 @@ class _Reader:
 
     def _report(self, key: str, value: object, expected: Text) -> None:
         self._collector.report(
-            900623, None, key=key, value=value, expected_en=expected.en, expected_de=expected.de
+            INVALID_LOAD_VALUE,
+            None,
+            key=key,
+            value=value,
+            expected_en=expected.en,
+            expected_de=expected.de,
         )
 
     def _check_names(self, table: str, found: dict[str, Any], names: tuple[str, ...]) -> None:
         for name in found:
             if name not in names:
                 key = f"{table}.{name}" if table else name
-                self._collector.report(900624, None, key=key, names=", ".join(names))
+                self._collector.report(UNKNOWN_LOAD_ENTRY, None, key=key, names=", ".join(names))
 
     def _subtable(self, tables: dict[str, Any], name: str) -> dict[str, Any]:
         found = tables.get(name, {})

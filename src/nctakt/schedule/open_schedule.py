@@ -18,12 +18,14 @@ from nctakt.lists.declared.rtconf import RtconfConfiguration
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_profile import RtconfOptions
 from nctakt.messages import Collector, diagnostic
+from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE, FOLDER_INSTEAD_OF_FILE
+from nctakt.messages.schedule_results import CPU_MISSING, CPU_NOT_ASSIGNABLE
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.load import ASSUMED, Load, read_load
 from nctakt.schedule.model import Model
 
 #: Errors of a list with a load that leave a schedule: the operating system places the thread.
-PLACED = (1000180, 1000181)
+PLACED = (CPU_MISSING, CPU_NOT_ASSIGNABLE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,14 +43,14 @@ class RunSchedule:
 def read_file(path: str | Path) -> bytes:
     """The content of a file; raises ``Failure``."""
     if not Path(path).exists():
-        raise Failure(diagnostic(900500, file=str(path)))
+        raise Failure(diagnostic(FILE_MISSING, file=str(path)))
     if Path(path).is_dir():
-        raise Failure(diagnostic(900501, file=str(path)))
+        raise Failure(diagnostic(FOLDER_INSTEAD_OF_FILE, file=str(path)))
     try:
         return Path(path).read_bytes()
     except OSError as error:
         reason = error.strerror or str(error)
-        raise Failure(diagnostic(900503, file=str(path), reason=reason)) from error
+        raise Failure(diagnostic(FILE_NOT_READABLE, file=str(path), reason=reason)) from error
 
 
 def open_schedule(
@@ -65,6 +67,6 @@ def open_schedule(
         raise Failure(*collector.diagnostics)
     model = assemble(configuration, times, options.profile, collector)
     errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
-    if any(one.id not in PLACED for one in errors):
+    if any(one.message not in PLACED for one in errors):
         raise Failure(*collector.diagnostics)
     return RunSchedule(str(rtconf), configuration, model, times, tuple(collector.diagnostics))

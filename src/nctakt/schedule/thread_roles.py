@@ -14,6 +14,11 @@ from dataclasses import dataclass
 from nctakt.lists.declared.rtconf import REALTIME_FUNCTION, RtconfConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
+from nctakt.messages.scheduled_runs import (
+    NO_COMMON_TICK,
+    REQUIRED_FUNCTION_NOT_CALLED,
+    UNKNOWN_PLC_THREAD,
+)
 from nctakt.schedule.model import Model, TaskClass
 from nctakt.schedule.ticks import DECODER_FUNCTION, Duties
 
@@ -60,13 +65,13 @@ def find_duties(
         threads = lists.with_function(DECODER_FUNCTION, channel.context_sda)
         decoders.setdefault(threads, []).append(index)
     if not interpolators:
-        found.report(900732, None, function=REALTIME_FUNCTION)
+        found.report(REQUIRED_FUNCTION_NOT_CALLED, None, function=REALTIME_FUNCTION)
     if () in decoders:
-        found.report(900732, None, function=DECODER_FUNCTION)
+        found.report(REQUIRED_FUNCTION_NOT_CALLED, None, function=DECODER_FUNCTION)
     periods = {model.tasks[i].every for i in interpolators}
     if len(periods) > 1:
         names = ", ".join(model.tasks[i].name for i in interpolators)
-        found.report(900731, None, threads=names)
+        found.report(NO_COMMON_TICK, None, threads=names)
     place = _plc(model, plc, found)
     collector.diagnostics += found.diagnostics
     if found.has_errors:
@@ -84,5 +89,5 @@ def _plc(model: Model, name: str | None, collector: Collector) -> int | None:
         if model.tasks[i].name == name:
             return i
     known = ", ".join(model.tasks[i].name for i in external)
-    collector.report(900733, None, name=name, names=known or "–")
+    collector.report(UNKNOWN_PLC_THREAD, None, name=name, names=known or "–")
     return None

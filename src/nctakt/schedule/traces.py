@@ -15,6 +15,7 @@ from typing import Any
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.schedule_results import LIBRARY_MISSING
 from nctakt.schedule.findings import us
 from nctakt.schedule.gantt import tick_times, windows_times
 from nctakt.schedule.interpolation_steps import parts_of
@@ -34,7 +35,7 @@ _EVENT_ORDER = ("END", "SUSPEND", "NC", "RESUME", "RELEASE", "OVERFLOW", "TICK",
 def check_vcd() -> None:
     """Whether a VCD file can be written; raises ``Failure`` (900634)."""
     if importlib.util.find_spec("vcd") is None:
-        raise Failure(diagnostic(900634, library="pyvcd", what="--vcd"))
+        raise Failure(diagnostic(LIBRARY_MISSING, library="pyvcd", what="--vcd"))
 
 
 def write_vcd(run: Simulation, path: Path) -> None:

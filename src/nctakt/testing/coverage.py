@@ -15,6 +15,8 @@ from typing import Any
 import pytest
 
 from nctakt.messages import diagnostic
+from nctakt.messages.coverage import UNKNOWN_COVERAGE_FORMAT
+from nctakt.messages.files import FILE_NOT_WRITABLE
 from nctakt.results.coverage import Coverage
 from nctakt.results.coverage_files import as_json, as_lcov, from_json
 from nctakt.results.coverage_text import CoverageText
@@ -53,7 +55,7 @@ class SessionCoverage:
         self.whole = Coverage()
         for file in self._files:
             if file.suffix not in _WRITERS:
-                found = diagnostic(900804, file=file, suffixes=", ".join(_WRITERS))
+                found = diagnostic(UNKNOWN_COVERAGE_FORMAT, file=file, suffixes=", ".join(_WRITERS))
                 raise pytest.UsageError(found.render())
 
     def add(self, coverage: Coverage) -> None:
@@ -84,7 +86,9 @@ class SessionCoverage:
             try:
                 file.write_text(_WRITERS[file.suffix](self.whole), "utf-8")
             except OSError as error:
-                found = diagnostic(900507, file=file, reason=error.strerror or str(error))
+                found = diagnostic(
+                    FILE_NOT_WRITABLE, file=file, reason=error.strerror or str(error)
+                )
                 self._unwritten.append(found.render())
                 session.exitstatus = pytest.ExitCode.USAGE_ERROR
 

@@ -31,6 +31,7 @@ from typing import Literal
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.inputs import INVALID_EXPECTATION, INVALID_GIVEN_INPUT
 from nctakt.run.stimuli import Stimulus, parse_assignment, parse_time
 
 #: How far a value may be from the expected one unless the expectation says so.
@@ -131,7 +132,7 @@ def read_script(path: Path, text: str) -> Script:
                     script.expectations.append(_expectation(words.strip(), number, about))
             except _NotUnderstoodError:
                 span = Span(str(path), number, match.start() + 1, len(line) + 1)
-                message = 900661 if kind == "given" else 900660
+                message = INVALID_GIVEN_INPUT if kind == "given" else INVALID_EXPECTATION
                 found.append(diagnostic(message, span, line, text=words.strip()))
             except Failure as failure:
                 found.extend(failure.diagnostics)

@@ -15,7 +15,7 @@ from typing import Protocol, overload
 
 from nctakt.base.diagnostics import Severity, Span
 from nctakt.kernel.base import record
-from nctakt.messages import CATALOGUE
+from nctakt.messages.catalogue import catalogue
 from nctakt.nc.check.user_errors import KEYWORDS
 
 _ROW = struct.Struct(f"={record.EVENT_WIDTH}d")
@@ -319,8 +319,9 @@ def _line_text(span: Span | None) -> str:
 
 
 def _severity_word(number: int) -> str:
-    known = number in CATALOGUE and CATALOGUE[number].severity is not Severity.ERROR
-    return "warning" if known else "error"
+    message = catalogue().get(number)
+    is_warning = message is not None and message.severity is not Severity.ERROR
+    return "warning" if is_warning else "error"
 
 
 class EventChunk(Sequence[Event]):

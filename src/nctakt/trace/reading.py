@@ -20,6 +20,7 @@ from typing import Any
 from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.files import FILE_NOT_READABLE, NOT_A_TRACE, UNKNOWN_TRACE_FORMAT
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
 from nctakt.trace.sinks import FORMAT_NAME, FORMAT_VERSION, SUFFIXES, Signal, TraceHeader
@@ -38,16 +39,18 @@ def read_trace(path: str | Path) -> Trace:
     """
     path = Path(path)
     if path.suffix.lower() not in SUFFIXES:
-        raise Failure(diagnostic(900506, file=str(path), suffixes=" or ".join(SUFFIXES)))
+        raise Failure(
+            diagnostic(UNKNOWN_TRACE_FORMAT, file=str(path), suffixes=" or ".join(SUFFIXES))
+        )
     read = _read_csv if path.suffix.lower() == ".csv" else _read_jsonl
     try:
         with path.open(encoding="utf-8", newline="") as file:
             return read(_whole_lines(file))
     except OSError as error:
         reason = error.strerror or str(error)
-        raise Failure(diagnostic(900503, file=str(path), reason=reason)) from error
+        raise Failure(diagnostic(FILE_NOT_READABLE, file=str(path), reason=reason)) from error
     except (ValueError, KeyError, TypeError, IndexError) as error:
-        raise Failure(diagnostic(900508, file=str(path))) from error
+        raise Failure(diagnostic(NOT_A_TRACE, file=str(path))) from error
 
 
 def _whole_lines(lines: Iterable[str]) -> Iterator[str]:

@@ -16,6 +16,7 @@ from typing import Protocol, TextIO, cast
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.files import FILE_NOT_WRITABLE, UNKNOWN_TRACE_FORMAT
 from nctakt.trace.events import Event
 from nctakt.trace.texts import (
     by_tick,
@@ -77,7 +78,9 @@ def file_sink(path: Path) -> CsvSink | JsonlSink:
     Raises ``Failure`` for another suffix (900506). The file is opened with the trace.
     """
     if path.suffix.lower() not in SUFFIXES:
-        raise Failure(diagnostic(900506, file=str(path), suffixes=" or ".join(SUFFIXES)))
+        raise Failure(
+            diagnostic(UNKNOWN_TRACE_FORMAT, file=str(path), suffixes=" or ".join(SUFFIXES))
+        )
     return CsvSink(path) if path.suffix.lower() == ".csv" else JsonlSink(path)
 
 
@@ -153,7 +156,7 @@ class _FileSink(abc.ABC):
     def _unwritable(self, error: OSError) -> Failure:
         name = self._target if isinstance(self._target, Path) else self._target.name
         reason = error.strerror or str(error)
-        return Failure(diagnostic(900507, file=str(name), reason=reason))
+        return Failure(diagnostic(FILE_NOT_WRITABLE, file=str(name), reason=reason))
 
 
 class CsvSink(_FileSink):

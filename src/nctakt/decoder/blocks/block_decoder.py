@@ -45,6 +45,11 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.offsets import MOST_GROUPS
 from nctakt.lists.declared.technology_functions import TechnologyFunction
+from nctakt.messages.backward import EDGE_BANDING_NOT_SIMULATED
+from nctakt.messages.checked_blocks import WORD_VALUE_OUT_OF_RANGE
+from nctakt.messages.decoder import INVALID_DWELL_TIME
+from nctakt.messages.fixed_stops import FIXED_STOP_WITHOUT_MOTION
+from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc import tree
 from nctakt.nc.check.blocks import LEAST_VALUE, MOST_VALUE
 from nctakt.nc.vocabulary.spindle_commands import split
@@ -239,7 +244,7 @@ class Words:
             return
         group = arithmetic.round_half_even(value)
         if not 0 <= group < MOST_GROUPS:
-            self._values.fail(900774, word.span, group=value, highest=MOST_GROUPS - 1)
+            self._values.fail(UNKNOWN_ZERO_OFFSET, word.span, group=value, highest=MOST_GROUPS - 1)
         content.zero_group = int(group)
 
     def _offsets(self, content: _Content, source: int, number: int) -> Iterator[Command]:
@@ -277,7 +282,7 @@ class Words:
     def _edge_banding(self, function: int, span: Span) -> None:
         """G108 lets the next block with a function of the type MNE_SNS look for an edge."""
         if function == EDGE_BANDING[1] and self._surroundings.parameters.edge_across_blocks:
-            self._values.fail(900884, span)
+            self._values.fail(EDGE_BANDING_NOT_SIMULATED, span)
         self._state.measures = function == EDGE_BANDING[1]
 
     def _word(
@@ -319,7 +324,12 @@ class Words:
         if not LEAST_VALUE <= whole <= MOST_VALUE:
             name = f"{word.name}{function}"
             self._values.fail(
-                900847, word.span, word=name, value=whole, least=LEAST_VALUE, most=MOST_VALUE
+                WORD_VALUE_OUT_OF_RANGE,
+                word.span,
+                word=name,
+                value=whole,
+                least=LEAST_VALUE,
+                most=MOST_VALUE,
             )
         return whole
 
@@ -374,7 +384,7 @@ class Words:
         monitored = False
         for word, stop in content.stops:
             if stop.is_on and word.name not in moved:
-                self._values.fail(21966, word.span, axis=word.name)
+                self._values.fail(FIXED_STOP_WITHOUT_MOTION, word.span, axis=word.name)
             if stop.is_on:
                 self._values.empties_channel(f"{word.name}[FIXED_STOP]", word.span)
             monitored = monitored or stop.is_on
@@ -463,7 +473,7 @@ class Words:
     def dwell(self, seconds: float, span: Span, number: int) -> Generator[Command, Answer]:
         """Standing still; ``ceil(d / T)`` ticks (RC-005)."""
         if seconds < 0.0:
-            self._values.fail(900305, span, seconds=seconds)
+            self._values.fail(INVALID_DWELL_TIME, span, seconds=seconds)
         ticks = seconds * 1e6 / self._surroundings.cycle_time_us
         count = int(arithmetic.ceiling(ticks - 1e-6))
         if count > 0:

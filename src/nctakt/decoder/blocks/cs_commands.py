@@ -15,6 +15,16 @@ from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
+from nctakt.messages.coordinate_systems import (
+    COORDINATE_SYSTEM_DURING_COMPENSATION,
+    COORDINATE_SYSTEM_NOT_ADDED,
+    COORDINATE_SYSTEM_NOT_STORED,
+    CS_SELECT_DURING_CS_ON,
+    LINEAR_AXES_MISSING,
+    NO_COORDINATE_SYSTEM_ACTIVE,
+    TOO_MANY_COORDINATE_SYSTEMS,
+    UNKNOWN_COORDINATE_SYSTEM_NAME,
+)
 from nctakt.nc import tree
 from nctakt.nc.check.coordinate_systems import SystemCommand, system_command
 
@@ -41,10 +51,14 @@ class SystemCommands:
         offsets = self._surroundings.offsets
         compensation = self._values.state.path.compensation
         if compensation.is_active:
-            self._values.fail(900846, statement.span, command=f"#CS {command.action}")
+            self._values.fail(
+                COORDINATE_SYSTEM_DURING_COMPENSATION,
+                statement.span,
+                command=f"#CS {command.action}",
+            )
         if command.action.startswith("OFF"):
             if command.action == "OFF" and not offsets.systems.is_active:
-                self._values.fail(900841, statement.span)
+                self._values.fail(NO_COORDINATE_SYSTEM_ACTIVE, statement.span)
             count = offsets.systems.count
             if command.action == "OFF":
                 count = 1 if count > self._selected else self._selected
@@ -72,7 +86,9 @@ class SystemCommands:
         """``#CS ADD``: the stack has one system more on its top; nothing else changes."""
         if command.name in self._stack or len(self._stack) >= MOST_STORED:
             names = ", ".join(self._stack)
-            self._values.fail(900930, span, name=command.name, most=MOST_STORED, known=names)
+            self._values.fail(
+                COORDINATE_SYSTEM_NOT_ADDED, span, name=command.name, most=MOST_STORED, known=names
+            )
         assert command.components is not None
         self._stack[command.name] = yield from self._evaluated(command.components, number)
 
@@ -81,9 +97,9 @@ class SystemCommands:
         offsets = self._surroundings.offsets
         if name not in self._stack:
             known = ", ".join(self._stack) or "–"
-            self._values.fail(900931, span, name=name, known=known)
+            self._values.fail(UNKNOWN_COORDINATE_SYSTEM_NAME, span, name=name, known=known)
         if offsets.systems.count > self._selected:
-            self._values.fail(900932, span)
+            self._values.fail(CS_SELECT_DURING_CS_ON, span)
         source = self._surroundings.place(span)
         yield from self._leave(self._selected, source, number)
         for other, components in self._stack.items():
@@ -105,7 +121,7 @@ class SystemCommands:
     def _check_axes(self, span: Span) -> None:
         axes = self._surroundings.axes
         if len(axes) < MAIN_AXES or not all(axis.is_linear for axis in axes[:MAIN_AXES]):
-            self._values.fail(900843, span)
+            self._values.fail(LINEAR_AXES_MISSING, span)
 
     def _components(
         self, command: SystemCommand, span: Span, number: int
@@ -118,7 +134,7 @@ class SystemCommands:
         if command.components is None:
             if identity not in self._stored:
                 known = ", ".join(map(str, self._stored)) or "–"
-                self._values.fail(900840, span, id=identity, known=known)
+                self._values.fail(COORDINATE_SYSTEM_NOT_STORED, span, id=identity, known=known)
             return self._stored[identity]
         found = yield from self._evaluated(command.components, number)
         if command.identity is None:
@@ -126,7 +142,7 @@ class SystemCommands:
                 return found
             identity = next(free for free in range(1, 7) if free not in self._stored)
         if identity not in self._stored and len(self._stored) >= MOST_STORED:
-            self._values.fail(900844, span, most=MOST_STORED)
+            self._values.fail(TOO_MANY_COORDINATE_SYSTEMS, span, most=MOST_STORED)
         self._stored[identity] = found
         self._latest = identity
         return found

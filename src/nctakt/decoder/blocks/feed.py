@@ -17,6 +17,12 @@ from nctakt.decoder.state.commands import Answer, Command, Pace
 from nctakt.decoder.state.modal_state import PaceState
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
+from nctakt.messages.decoder import G194_ABOVE_MAX_FEED, NEGATIVE_FEED, NO_FEED_ACTIVE
+from nctakt.messages.feed import (
+    FEED_PER_REVOLUTION_SPINDLE_STOPPED,
+    FEED_PER_REVOLUTION_WITHOUT_SPINDLE,
+    INVALID_PROGRAM_OVERRIDE,
+)
 from nctakt.nc import tree
 from nctakt.nc.vocabulary.spindle_commands import STOP
 
@@ -78,7 +84,12 @@ class PathPace:
             pct = yield from self._values.evaluate(item.value, number)
             if not LEAST_PCT <= pct <= MOST_PCT:
                 self._values.fail(
-                    900835, item.value.span, word=item.name, value=pct, low=LEAST_PCT, high=MOST_PCT
+                    INVALID_PROGRAM_OVERRIDE,
+                    item.value.span,
+                    word=item.name,
+                    value=pct,
+                    low=LEAST_PCT,
+                    high=MOST_PCT,
                 )
             if item.name == FACTORS[0]:
                 feed = pct / 100.0
@@ -143,7 +154,9 @@ class PathPace:
             case 194:
                 self._need(pace.share_pct, span)
                 if pace.share_pct > MOST_SHARE_PCT:
-                    self._values.fail(900925, span, value=pace.share_pct, most=MOST_SHARE_PCT)
+                    self._values.fail(
+                        G194_ABOVE_MAX_FEED, span, value=pace.share_pct, most=MOST_SHARE_PCT
+                    )
                 return self._highest(start, target, arc) * pace.share_pct / 100.0, -1, 0.0
         self._need(self._state.feed_mm_s, span)
         return self._state.feed_mm_s, -1, 0.0
@@ -151,9 +164,9 @@ class PathPace:
     def _need(self, value: float, span: Span) -> None:
         """F 0 or below, or none at all (MO-17)."""
         if value < 0.0:
-            self._values.fail(900926, span)
+            self._values.fail(NEGATIVE_FEED, span)
         if value == 0.0:
-            self._values.fail(20008, span)
+            self._values.fail(NO_FEED_ACTIVE, span)
 
     def _per_revolution(self, pace: PaceState, span: Span) -> tuple[float, int, float]:
         """Under G95; of a spindle of the PLC only what is programmed is known."""
@@ -162,12 +175,12 @@ class PathPace:
                 continue
             modal = self._spindles.modal.get(index)
             if modal is None or modal.function == STOP or modal.speed <= 0.0:
-                self._values.fail(60131, span, spindle=spindle.name)
+                self._values.fail(FEED_PER_REVOLUTION_SPINDLE_STOPPED, span, spindle=spindle.name)
             feed = pace.per_revolution_mm * modal.speed / 60.0
             if spindle.plc_controlled:
                 return feed, -1, 0.0
             return feed, index, modal.speed * DEGREES_PER_S
-        self._values.fail(900836, span)
+        self._values.fail(FEED_PER_REVOLUTION_WITHOUT_SPINDLE, span)
 
     def _highest(self, start: Sequence[float], target: Sequence[float], arc: Arc | None) -> float:
         """The speed at which one axis of the block goes at its highest (P-AXIS-00212), none above.

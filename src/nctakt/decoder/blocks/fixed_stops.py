@@ -8,6 +8,7 @@ from collections.abc import Generator
 from nctakt.decoder.state.commands import Answer, Command, FixedStop
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
+from nctakt.messages.fixed_stops import INVALID_FIXED_STOP_RANGE
 from nctakt.nc import tree
 
 #: The first keyword of the command.
@@ -32,7 +33,7 @@ def fixed_stop(
             found[item.name] = yield from values.evaluate(item.value, number)
     begin, end = found.get("START", 0.0), found.get("END", 100.0)
     if not 0.0 <= begin < end <= 100.0:
-        values.fail(21968, command.span, start=begin, end=end)
+        values.fail(INVALID_FIXED_STOP_RANGE, command.span, start=begin, end=end)
     limit = found.get("POS_LAG_LIMIT", DEFAULT_LIMIT)
     if "POS_LAG_LIMIT" in found and values.surroundings.axes[axis].is_linear:
         limit *= values.state.length_unit_mm

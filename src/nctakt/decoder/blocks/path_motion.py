@@ -24,6 +24,20 @@ from nctakt.decoder.state.modal_state import (
 )
 from nctakt.decoder.state.offsets import ALL
 from nctakt.decoder.values.variables import Values
+from nctakt.messages.coordinate_systems import ARC_PLANE_ASKEW, WORD_IN_ROTATED_COORDINATE_SYSTEM
+from nctakt.messages.decoder import TARGET_OUTSIDE_LIMITS
+from nctakt.messages.motion import (
+    ARC_OUTSIDE_LIMITS,
+    ARC_WITHOUT_CENTRE,
+    CENTRE_NOT_IN_PLANE,
+    INVALID_CONTOUR_DEVIATION,
+    PLANE_AXIS_MISSING,
+)
+from nctakt.messages.tools import (
+    G238_DURING_COMPENSATION,
+    NO_RADIUS_TO_COMPENSATE,
+    PLANE_CHANGE_DURING_COMPENSATION,
+)
 from nctakt.nc import tree
 from nctakt.nc.check.path_commands import keywords
 
@@ -101,23 +115,27 @@ class PathMotion:
         """While compensation is active there is no other plane."""
         path = self._state.path
         if function != path.plane:
-            self._values.fail(900873, span, word=f"G{function}", plane=path.plane)
+            self._values.fail(
+                PLANE_CHANGE_DURING_COMPENSATION, span, word=f"G{function}", plane=path.plane
+            )
 
     def keep_selection(self, function: int, span: Span) -> None:
         """While compensation is active its way to the contour stays G238, or another one."""
         mode = self._state.path.compensation.mode
         if function != mode and INNER_CORNER in (function, mode):
-            self._values.fail(900957, span, word=f"G{function}")
+            self._values.fail(G238_DURING_COMPENSATION, span, word=f"G{function}")
 
     def compensate(self, function: int, span: Span) -> None:
         """G41 or G42, with the tool that is active now."""
         compensation = self._state.path.compensation
         radius = self._state.tool.tool.radius
         if radius == 0.0:
-            self._values.fail(900869, span, word=f"G{function}")
+            self._values.fail(NO_RADIUS_TO_COMPENSATE, span, word=f"G{function}")
         path = self._state.path
         if not self._surroundings.offsets.systems.keeps_plane(path.plane):
-            self._values.fail(900845, span, word=f"G{function}", plane=path.plane)
+            self._values.fail(
+                WORD_IN_ROTATED_COORDINATE_SYSTEM, span, word=f"G{function}", plane=path.plane
+            )
         compensation.radius = radius
         compensation.side = 1 if function == 41 else -1
 
@@ -134,7 +152,7 @@ class PathMotion:
             if keyword.name == "PATH_DEV" and keyword.value is not None:
                 value = yield from self._values.evaluate(keyword.value, number)
                 if value <= 0.0:
-                    self._values.fail(900707, keyword.value.span, value=value)
+                    self._values.fail(INVALID_CONTOUR_DEVIATION, keyword.value.span, value=value)
                 path.deviation = value * self._state.length_unit_mm
         switch = command.words[-1].name
         if switch in ("ON", "OFF"):
@@ -190,7 +208,7 @@ class PathMotion:
         path = self._state.path
         clockwise = self._state.motion == 2
         if max(PLANES[path.plane]) >= len(start):
-            self._values.fail(900703, span, plane=path.plane)
+            self._values.fail(PLANE_AXIS_MISSING, span, plane=path.plane)
         offsets = self._surroundings.offsets
         begin = offsets.inside(start, words.offset_kinds)
         end = offsets.inside(target, words.offset_kinds)
@@ -199,7 +217,7 @@ class PathMotion:
                 centre = self._centre(begin, words)
                 arc = arc_about(begin, end, path.plane, centre, clockwise)
             elif path.radius == 0.0:
-                raise ArcError(900700)
+                raise ArcError(ARC_WITHOUT_CENTRE)
             elif start == target:
                 return None
             else:
@@ -210,7 +228,7 @@ class PathMotion:
             return arc
         outside = offsets.systems.arc(arc, begin, start)
         if outside is None:
-            self._values.fail(900842, span, plane=path.plane)
+            self._values.fail(ARC_PLANE_ASKEW, span, plane=path.plane)
         return outside
 
     def _centre(self, start: list[float], words: PathWords) -> tuple[float, float]:
@@ -218,7 +236,9 @@ class PathMotion:
         plane = PLANES[self._state.path.plane]
         for name, (span, _) in words.centre.items():
             if CENTRE_WORDS.index(name) not in plane:
-                self._values.fail(900704, span, word=name, plane=self._state.path.plane)
+                self._values.fail(
+                    CENTRE_NOT_IN_PLANE, span, word=name, plane=self._state.path.plane
+                )
         place = []
         for axis in plane:
             _, value = words.centre.get(CENTRE_WORDS[axis], (None, 0.0))
@@ -235,7 +255,7 @@ class PathMotion:
             low, high = axis.software_limit_low, axis.software_limit_high
             if not axis.is_modulo and not low <= position <= high:
                 self._values.fail(
-                    900705, span, axis=axis.name, position=position, low=low, high=high
+                    ARC_OUTSIDE_LIMITS, span, axis=axis.name, position=position, low=low, high=high
                 )
 
     def check_limits(self, target: Sequence[float], places: Sequence[int], span: Span) -> None:
@@ -248,4 +268,6 @@ class PathMotion:
         axis = self._surroundings.axes[place]
         low, high = axis.software_limit_low, axis.software_limit_high
         if not low <= position <= high and not axis.is_modulo:
-            self._values.fail(900306, span, axis=axis.name, position=position, low=low, high=high)
+            self._values.fail(
+                TARGET_OUTSIDE_LIMITS, span, axis=axis.name, position=position, low=low, high=high
+            )

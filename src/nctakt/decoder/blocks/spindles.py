@@ -22,6 +22,13 @@ from nctakt.kernel.cycles.instructions import Statement
 from nctakt.kernel.cycles.spindle_commands import CommandSpindle
 from nctakt.lists.machine.channel_configuration import Spindle
 from nctakt.messages import diagnostic
+from nctakt.messages.spindles import (
+    DWELL_WITHOUT_SPINDLE,
+    INVALID_SPINDLE_SPEED,
+    M19_WITHOUT_SPEED,
+    SPINDLE_AXIS_LIST_MISSING,
+    SPINDLE_SPEED_LIMITED,
+)
 from nctakt.nc import tree
 from nctakt.nc.vocabulary.spindle_commands import (
     CLOCKWISE,
@@ -69,7 +76,7 @@ class SpindleWords:
         if POSITION in command.functions:
             key, modal.function = "m19", STOP
             if modal.speed <= 0.0:
-                self.values.fail(900471, command.span)
+                self.values.fail(M19_WITHOUT_SPEED, command.span)
         elif command.functions:
             modal.function = command.functions[0]
             key = f"m{modal.function}"
@@ -91,7 +98,7 @@ class SpindleWords:
             if spindle.is_main and modal is not None and modal.function in _DIRECTIONS:
                 if modal.speed > 0.0:
                     return 60.0 * count / modal.speed
-        self.values.fail(900813, span)
+        self.values.fail(DWELL_WITHOUT_SPINDLE, span)
 
     def _issue(
         self,
@@ -115,7 +122,7 @@ class SpindleWords:
     def _speed(self, expression: tree.Expression, number: int) -> Generator[Command, Answer, float]:
         value = yield from self.values.evaluate(expression, number)
         if value < 0.0:
-            self.values.fail(900470, expression.span, value=value)
+            self.values.fail(INVALID_SPINDLE_SPEED, expression.span, value=value)
         return value
 
     def _spindle(self, command: SpindleCommand) -> tuple[int, Spindle]:
@@ -127,7 +134,12 @@ def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
     for index, spindle in enumerate(values.surroundings.parameters.spindles):
         if spindle.name == name or (spindle.is_main and not name):
             if not spindle.plc_controlled and index not in values.surroundings.turning:
-                values.fail(50955, span, spindle=spindle.name, logical=spindle.logical_number)
+                values.fail(
+                    SPINDLE_AXIS_LIST_MISSING,
+                    span,
+                    spindle=spindle.name,
+                    logical=spindle.logical_number,
+                )
             return index, spindle
     raise AssertionError(name)
 
@@ -139,7 +151,9 @@ def warn_of_speed(values: Values, index: int, speed: float, span: Span) -> None:
         return
     name = values.surroundings.parameters.spindles[index].name
     line = values.surroundings.line(span)
-    told = diagnostic(900905, span, line, spindle=name, limit=limit / DEGREES_PER_S, speed=speed)
+    told = diagnostic(
+        SPINDLE_SPEED_LIMITED, span, line, spindle=name, limit=limit / DEGREES_PER_S, speed=speed
+    )
     values.surroundings.notice(told)
 
 

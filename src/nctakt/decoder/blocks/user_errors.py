@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Generator
 from dataclasses import dataclass
 
+from nctakt.base.diagnostics import Message
 from nctakt.decoder.state.commands import (
     Answer,
     Command,
@@ -18,6 +19,7 @@ from nctakt.decoder.state.commands import (
     UserErrorValue,
 )
 from nctakt.decoder.values.variables import Values
+from nctakt.messages.user_errors import INVALID_USER_ERROR_ID, INVALID_USER_ERROR_RC
 from nctakt.nc import tree
 from nctakt.nc.check.user_errors import KEYWORDS
 
@@ -58,8 +60,12 @@ def user_error(
 ) -> Generator[Command, Answer]:
     """The commands of an ``#ERROR`` of the main program."""
     given = parts(statement)
-    identity = yield from _whole(values, given.identity, number, 1, HIGHEST_ID, 900460)
-    reaction = yield from _whole(values, given.reaction, number, 0, HIGHEST_REACTION, 900461)
+    identity = yield from _whole(
+        values, given.identity, number, 1, HIGHEST_ID, INVALID_USER_ERROR_ID
+    )
+    reaction = yield from _whole(
+        values, given.reaction, number, 0, HIGHEST_REACTION, INVALID_USER_ERROR_RC
+    )
     told: list[tuple[int, float | str]] = []
     for code, expression in given.values:
         told.append((code, (yield from values.evaluate_any(expression, number))))
@@ -74,7 +80,7 @@ def user_error(
 
 
 def _whole(
-    values: Values, expression: tree.Expression, number: int, low: int, high: int, message: int
+    values: Values, expression: tree.Expression, number: int, low: int, high: int, message: Message
 ) -> Generator[Command, Answer, int]:
     """A whole number from ``low`` to ``high``, or the message that refuses it."""
     value = yield from values.evaluate(expression, number)

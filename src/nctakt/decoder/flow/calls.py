@@ -16,6 +16,8 @@ from nctakt.decoder.state.call_stack import Level
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.values.variables import Values
 from nctakt.lists.machine.channel_configuration import ImplicitPrograms
+from nctakt.messages.decoder import TOO_FEW_OPEN_CALLS
+from nctakt.messages.program_structure import UNKNOWN_LOCAL_SUBPROGRAM
 from nctakt.nc import tree
 from nctakt.nc.check.calls import parameter_number
 from nctakt.nc.outline import ProgramText
@@ -61,7 +63,7 @@ class Calls:
             return Level(called, called.main, arguments)
         section = text.subprograms.get(name)
         if section is None:
-            self._values.fail(900129, call.span, name=name, nearest=_names(text))
+            self._values.fail(UNKNOWN_LOCAL_SUBPROGRAM, call.span, name=name, nearest=_names(text))
         return Level(text, section, arguments)
 
     def _file(self, name: str, span: Span) -> ProgramText:
@@ -133,7 +135,7 @@ class Calls:
                 value = yield from self._values.evaluate(item.value, number)
                 if not 1 <= value <= len(self._values.state.levels.stack) - 1:
                     most = len(self._values.state.levels.stack) - 1
-                    self._values.fail(900310, item.span, count=value, most=most)
+                    self._values.fail(TOO_FEW_OPEN_CALLS, item.span, count=value, most=most)
                 calls = int(value)
             else:
                 label = label_of(item)

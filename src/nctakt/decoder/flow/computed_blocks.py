@@ -10,14 +10,16 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import NoReturn, overload
+from typing import overload
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.environment import Surroundings
+from nctakt.decoder.state.tools import Fail
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.messages import Collector
+from nctakt.messages.checked_blocks import INVALID_FUNCTION_NUMBER
 from nctakt.nc import tree
 from nctakt.nc.check.checker import Checker, Role
 from nctakt.nc.source import Source
@@ -41,7 +43,7 @@ def is_as_written(block: tree.Block) -> bool:
 
 def check(
     surroundings: Surroundings,
-    fail: Callable[..., NoReturn],
+    fail: Fail,
     statements: Sequence[tree.Statement],
     span: Span,
     line: Callable[[], str],
@@ -59,7 +61,7 @@ def check(
         checker.statement(statement)
     errors = [one for one in collector.diagnostics if one.severity.name == "ERROR"]
     if errors:
-        fail(errors[0].id, span, **errors[0].values)
+        fail(errors[0].message, span, **errors[0].values)
 
 
 def with_numbers(
@@ -72,7 +74,7 @@ def with_numbers(
             value = yield from values.evaluate(word.value, number)
             whole = arithmetic.round_half_even(value)
             if whole < 0.0:
-                values.fail(900204, word.span, word=f"{word.name}{whole:.0f}")
+                values.fail(INVALID_FUNCTION_NUMBER, word.span, word=f"{word.name}{whole:.0f}")
             words.append(replace(word, value=tree.Number(word.value.span, whole)))
         else:
             words.append(word)

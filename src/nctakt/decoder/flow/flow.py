@@ -17,6 +17,7 @@ from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.messages import diagnostic
+from nctakt.messages.decoder import FOR_STEP_ZERO
 from nctakt.nc import tree
 from nctakt.nc.outline import bodies_of, leads_to
 
@@ -135,7 +136,7 @@ class Flow:
         step = yield from values.evaluate(loop.step, number)
         if step == 0.0:
             line = values.surroundings.line(loop.step.span)
-            values.surroundings.notice(diagnostic(900302, loop.step.span, line))
+            values.surroundings.notice(diagnostic(FOR_STEP_ZERO, loop.step.span, line))
         while True:
             value = yield from values.evaluate(loop.variable, number)
             if (value > end) if step >= 0.0 else (value < end):

@@ -19,6 +19,7 @@ from nctakt.decoder.state.commands import (
     ProgramTimer,
 )
 from nctakt.decoder.values.variables import Values
+from nctakt.messages.decoder import UNKNOWN_TIMER
 from nctakt.nc import tree
 from nctakt.nc.vocabulary.system_variables import TIMERS
 
@@ -76,7 +77,7 @@ class Hashes:
             identity = yield from self._values.evaluate(keyword.value, number)
             if not 0 <= identity == int(identity) < TIMERS:
                 most = TIMERS - 1
-                self._values.fail(900318, keyword.value.span, id=f"{identity:g}", most=most)
+                self._values.fail(UNKNOWN_TIMER, keyword.value.span, id=f"{identity:g}", most=most)
         index = int(identity)
         timers = self._surroundings.system.timers
         if not timer.options:

@@ -8,15 +8,16 @@ and lower case of names count. Within a text other macros stand between ``\\"`` 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
-from typing import NoReturn
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.text import nearest
 from nctakt.decoder.flow.computed_blocks import check
 from nctakt.decoder.state.environment import Surroundings
+from nctakt.decoder.state.tools import Fail
+from nctakt.messages.decoder import MACRO_TEXT_TOO_LONG, MACROS_NESTED_TOO_DEEP, UNKNOWN_MACRO
 from nctakt.nc import tree
 from nctakt.nc.check.macros import MacroPlaces, placed
 from nctakt.nc.parse.block_words import parse_content
@@ -37,7 +38,7 @@ MOST_REMEMBERED = 4096
 class Macros:
     """The macros of one run of a program; ``fail`` gives it up."""
 
-    def __init__(self, surroundings: Surroundings, fail: Callable[..., NoReturn]) -> None:
+    def __init__(self, surroundings: Surroundings, fail: Fail) -> None:
         self._surroundings = surroundings
         self._fail = fail
         self._texts: dict[str, str] = {}
@@ -84,7 +85,7 @@ class Macros:
             if not text.at_end():
                 raise unreadable(text)
         except BlockError as error:
-            self._fail(error.number, name.span, **error.values)
+            self._fail(error.message, name.span, **error.values)
         meaning = self._places.number(placed(expression, name.span))
         self._depth -= 1
         return meaning
@@ -93,13 +94,13 @@ class Macros:
         """Enter a macro inside the others; fail where it is one too many."""
         self._depth += 1
         if self._depth > MOST_MACROS:
-            self._fail(900848, span, name=name, limit=MOST_MACROS)
+            self._fail(MACROS_NESTED_TOO_DEEP, span, name=name, limit=MOST_MACROS)
 
     def _count(self, content: str, name: str, span: Span) -> None:
         """Count the text of a macro; fail where it is too much for one statement."""
         self._characters += len(content)
         if self._characters > MOST_CHARACTERS:
-            self._fail(900849, span, name=name, limit=MOST_CHARACTERS)
+            self._fail(MACRO_TEXT_TOO_LONG, span, name=name, limit=MOST_CHARACTERS)
 
     def expand(self, block: tree.Block) -> list[tree.Statement] | None:
         """The statements of a block with macros; ``None`` for one without.
@@ -121,7 +122,7 @@ class Macros:
         try:
             statements = parse_content(text, replace(block.head, skip=None, label=None))
         except BlockError as error:
-            self._fail(error.number, macro.span, **error.values)
+            self._fail(error.message, macro.span, **error.values)
         check(self._surroundings, self._fail, statements, macro.span, lambda: content)
         for statement in statements:
             if isinstance(statement, tree.Block) and _first_macro(statement) is not None:
@@ -137,7 +138,7 @@ class Macros:
         span = word.span if self._depth == 1 else macro.span
         if word.text not in self._texts:
             near = nearest(word.text, self._texts) or "–"
-            self._fail(900319, span, name=word.text, nearest=near)
+            self._fail(UNKNOWN_MACRO, span, name=word.text, nearest=near)
         content = self._texts[word.text]
         self._count(content, word.text, span)
         return content

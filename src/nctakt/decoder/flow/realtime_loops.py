@@ -22,6 +22,14 @@ from nctakt.decoder.state.commands import (
     WriteVariable,
 )
 from nctakt.decoder.values.variables import Values
+from nctakt.messages.backward import (
+    NOT_ALLOWED_IN_RT_WHILE,
+    RT_WHILE_DURING_COMPENSATION,
+    RT_WHILE_PATH_NOT_CLOSED,
+    RT_WHILE_TOO_LONG,
+    RT_WHILE_WITHOUT_HISTORY,
+    RT_WHILE_WITHOUT_MOTION,
+)
 from nctakt.nc import tree
 
 #: How far the end of a pass may be from its begin, in mm or degrees: a rounding.
@@ -47,9 +55,9 @@ class RealtimeLoops:
         """The commands of a loop; the decoder goes on when the realtime part has left it."""
         size = self._surroundings.history_size
         if self._state.path.compensation.is_active:
-            self._values.fail(22158, loop.span)
+            self._values.fail(RT_WHILE_DURING_COMPENSATION, loop.span)
         if size == 0:
-            self._values.fail(900881, loop.span)
+            self._values.fail(RT_WHILE_WITHOUT_HISTORY, loop.span)
         source = self._surroundings.place(loop.span)
         yield from self._words.request(tuple(self._surroundings.axis_numbers), loop.span, number)
         yield from self._words.technology.before_feed()
@@ -57,15 +65,15 @@ class RealtimeLoops:
         body = self._body(loop)
         motions = sum(isinstance(command, Segment) for command in body)
         if motions == 0:
-            self._values.fail(900883, loop.span)
+            self._values.fail(RT_WHILE_WITHOUT_MOTION, loop.span)
         if motions > size:
-            self._values.fail(900882, loop.span, count=motions, size=size)
+            self._values.fail(RT_WHILE_TOO_LONG, loop.span, count=motions, size=size)
         for axis, before, behind in zip(
             self._surroundings.axis_numbers, begin, self._state.positions, strict=True
         ):
             if abs(behind - before) > CLOSE_ENOUGH:
                 off = abs(behind - before)
-                self._values.fail(50991, loop.span, off=f"{off:.6g}", axis=axis)
+                self._values.fail(RT_WHILE_PATH_NOT_CLOSED, loop.span, off=f"{off:.6g}", axis=axis)
         yield LoopBegin(source, number)
         yield from body
         yield LoopPass(source, number)
@@ -81,5 +89,5 @@ class RealtimeLoops:
             except StopIteration:
                 return found
             if not isinstance(command, Segment | WriteVariable | BlockMark):
-                self._values.fail(22073, loop.span, command="#RT WHILE")
+                self._values.fail(NOT_ALLOWED_IN_RT_WHILE, loop.span, command="#RT WHILE")
             found.append(command)

@@ -11,7 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from nctakt.base.diagnostics import Message
 from nctakt.kernel.base import arithmetic
+from nctakt.messages.motion import ARC_RADIUS_TOO_SMALL, ARC_TARGET_OFF_CIRCLE, ARC_WITHOUT_CENTRE
 
 #: G function of a plane -> its first and second axis.
 PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
@@ -56,7 +58,7 @@ class Arc:
 class ArcError(Exception):
     """No arc: ``message`` is the number of the diagnostic, ``values`` are its parameters."""
 
-    def __init__(self, message: int, **values: float) -> None:
+    def __init__(self, message: Message, **values: float) -> None:
         super().__init__(message)
         self.message = message
         self.values = values
@@ -82,16 +84,16 @@ def arc_about(
     radius = _length(x, y)
     off = abs(_length(u, v) - radius)
     if radius <= 0.0:
-        raise ArcError(900700)
+        raise ArcError(ARC_WITHOUT_CENTRE)
     if off > max(TOLERANCE_MM, TOLERANCE_SHARE * radius):
-        raise ArcError(900702, off=off, radius=radius)
+        raise ArcError(ARC_TARGET_OFF_CIRCLE, off=off, radius=radius)
     chord = _length(u - x, v - y)
     if chord <= SAME_PLACE_MM:
         return Arc(first, second, *centre, -360.0 if clockwise else 360.0)
     # The centre goes along the chord to the middle between both.
     along = ((x + u) * (u - x) + (y + v) * (v - y)) / (2.0 * chord * chord)
     if abs(along) * chord > MOST_SHIFT_SHARE * radius:
-        raise ArcError(900702, off=off, radius=radius)
+        raise ArcError(ARC_TARGET_OFF_CIRCLE, off=off, radius=radius)
     centre = (centre[0] + along * (u - x), centre[1] + along * (v - y))
     return Arc(first, second, *centre, _angle(start, target, (first, second), centre, clockwise))
 
@@ -104,11 +106,11 @@ def arc_of_radius(
     x, y = target[first] - start[first], target[second] - start[second]
     chord = _length(x, y)
     if chord == 0.0 or radius == 0.0:
-        raise ArcError(900701, radius=radius, least=chord / 2.0)
+        raise ArcError(ARC_RADIUS_TOO_SMALL, radius=radius, least=chord / 2.0)
     height2 = radius * radius - chord * chord / 4.0
     if height2 < 0.0:
         if chord / 2.0 - abs(radius) > TOLERANCE_MM:
-            raise ArcError(900701, radius=radius, least=chord / 2.0)
+            raise ArcError(ARC_RADIUS_TOO_SMALL, radius=radius, least=chord / 2.0)
         height2 = 0.0
     height = arithmetic.square_root(height2) / chord
     if clockwise != (radius < 0.0):

@@ -12,9 +12,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import prod
 
+from nctakt.base.diagnostics import Message
 from nctakt.base.text import nearest
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
+from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE, WRONG_INDEX_COUNT
+from nctakt.messages.decoder import (
+    TOO_MANY_ELEMENTS,
+    VALUE_COUNT_MISMATCH,
+    VALUE_OUTSIDE_TYPE_RANGE,
+    VARIABLE_NOT_PRESENT,
+)
+from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT, TEXT_INSTEAD_OF_NUMBER, TEXT_TOO_LONG
 
 #: Characters of a STRING without a length, the longest that there is.
 LONGEST_STRING = 126
@@ -27,11 +36,11 @@ _MADE_BY_WRITING = ("P", "S")
 
 
 class VariableError(Exception):
-    """A message number and its values."""
+    """A message and its values."""
 
-    def __init__(self, number: int, **values: object) -> None:
-        super().__init__(number)
-        self.number = number
+    def __init__(self, message: Message, **values: object) -> None:
+        super().__init__(message)
+        self.message = message
         self.values = values
 
 
@@ -51,18 +60,22 @@ class OwnVariable:
     def __post_init__(self) -> None:
         count = prod(self.dimensions)
         if count > MOST_ELEMENTS:
-            raise VariableError(900316, name=self.name, count=count, most=MOST_ELEMENTS)
+            raise VariableError(TOO_MANY_ELEMENTS, name=self.name, count=count, most=MOST_ELEMENTS)
         self.values = ["" if self.type == "STRING" else 0.0] * count
 
     def element(self, indices: Sequence[int]) -> int:
         """The place of an element."""
         if len(indices) != len(self.dimensions):
             expected = len(self.dimensions)
-            raise VariableError(900214, name=self.name, expected=expected, given=len(indices))
+            raise VariableError(
+                WRONG_INDEX_COUNT, name=self.name, expected=expected, given=len(indices)
+            )
         place = 0
         for index, count in zip(indices, self.dimensions, strict=True):
             if not 0 <= index < count:
-                raise VariableError(50929, variable=self.name, index=index, count=count)
+                raise VariableError(
+                    INDEX_OUT_OF_RANGE, variable=self.name, index=index, count=count
+                )
             place = place * count + index
         return place
 
@@ -73,13 +86,15 @@ class OwnVariable:
     def _converted(self, value: float | str) -> float | str:
         if isinstance(value, str):
             if self.type != "STRING":
-                raise VariableError(900340, name=self.name)
+                raise VariableError(TEXT_INSTEAD_OF_NUMBER, name=self.name)
             if len(value) > self.characters:
                 count = len(value)
-                raise VariableError(900343, name=self.name, limit=self.characters, count=count)
+                raise VariableError(
+                    TEXT_TOO_LONG, name=self.name, limit=self.characters, count=count
+                )
             return value
         if self.type == "STRING":
-            raise VariableError(900342, value=value)
+            raise VariableError(NUMBER_INSTEAD_OF_TEXT, value=value)
         if self.type == "BOOLEAN":
             return 1.0 if arithmetic.is_true(value) else 0.0
         scalar = SCALARS[self.type]
@@ -88,14 +103,18 @@ class OwnVariable:
         value = arithmetic.round_half_even(value)
         if not scalar.low <= value <= scalar.high:
             low, high = scalar.low, scalar.high
-            raise VariableError(900313, name=self.name, value=value, low=low, high=high)
+            raise VariableError(
+                VALUE_OUTSIDE_TYPE_RANGE, name=self.name, value=value, low=low, high=high
+            )
         return value
 
     def fill(self, values: Sequence[float | str]) -> None:
         """Give the elements from the first on these values; the others keep theirs."""
         if len(values) > len(self.values):
             count = len(self.values)
-            raise VariableError(900315, name=self.name, given=len(values), count=count)
+            raise VariableError(
+                VALUE_COUNT_MISMATCH, name=self.name, given=len(values), count=count
+            )
         for place, value in enumerate(values):
             self.put(place, value)
 
@@ -155,7 +174,7 @@ class Scopes:
             known = [name for place in self._places(family) for name in place]
             near = nearest(path, known)
             shown = f"V.{family}.{near}" if near else "–"
-            raise VariableError(900314, name=f"V.{family}.{path}", nearest=shown)
+            raise VariableError(VARIABLE_NOT_PRESENT, name=f"V.{family}.{path}", nearest=shown)
         return found
 
     def for_writing(

@@ -13,13 +13,21 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import NoReturn, Protocol
 
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Message, Span
 from nctakt.decoder.state.arcs import PLANES
 from nctakt.decoder.state.commands import SetOffset
 from nctakt.decoder.state.environment import Surroundings
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.tools import MOST_PARAMETERS, NO_TOOL, Tool
+from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
+from nctakt.messages.tools import (
+    INVALID_TOOL_NUMBER,
+    TOOL_LENGTH_WITHOUT_AXIS,
+    TOOL_NOT_VALID,
+    TOOL_RADIUS_LOST,
+    UNKNOWN_TOOL,
+)
 from nctakt.nc.tree import Expression, Variable, Word
 from nctakt.nc.vocabulary.system_variables import SystemVariable
 
@@ -30,7 +38,7 @@ _MAIN_AXES = 0 + 1 + 2
 class Fail(Protocol):
     """Gives the program up."""
 
-    def __call__(self, id_: int, span: Span, **values: object) -> NoReturn: ...
+    def __call__(self, message: Message, span: Span, **values: object) -> NoReturn: ...
 
 
 class ActiveTool:
@@ -45,16 +53,16 @@ class ActiveTool:
         """T or D: the tool list has what D calls, T is a matter of the PLC."""
         number = int(arithmetic.round_half_even(value))
         if number != value or number < 0:
-            self._fail(900867, word.span, word=word.name, value=f"{value:g}")
+            self._fail(INVALID_TOOL_NUMBER, word.span, word=word.name, value=f"{value:g}")
         state = self._state.tool
         if word.name == "T":
             state.number = number
             return
         tool = NO_TOOL if number == 0 else self._surroundings.tools.get(number)
         if tool is None:
-            self._fail(900865, word.span, tool=number)
+            self._fail(UNKNOWN_TOOL, word.span, tool=number)
         if tool is not NO_TOOL and not tool.valid:
-            self._fail(900866, word.span, tool=number)
+            self._fail(TOOL_NOT_VALID, word.span, tool=number)
         self._change_radius(tool.radius, f"D{number}", word.span)
         state.record = number
         state.tool = tool
@@ -65,7 +73,7 @@ class ActiveTool:
         if not compensation.side:
             return
         if radius == 0.0:
-            self._fail(900874, span, command=command, word=compensation.word)
+            self._fail(TOOL_RADIUS_LOST, span, command=command, word=compensation.word)
         compensation.radius = radius
 
     def offsets(self, span: Span, number: int) -> Iterator[SetOffset]:
@@ -75,7 +83,7 @@ class ActiveTool:
         if tool.length:
             normal = _MAIN_AXES - sum(PLANES[plane])
             if normal >= len(self._surroundings.axes):
-                self._fail(900868, span, length=tool.length, plane=plane)
+                self._fail(TOOL_LENGTH_WITHOUT_AXIS, span, length=tool.length, plane=plane)
             offsets[normal] = offsets.get(normal, 0.0) + tool.length
         source = self._surroundings.place(span)
         yield from self._surroundings.offsets.set_tool(offsets, source, number)
@@ -97,7 +105,7 @@ class ActiveTool:
             number = int(index(found.number))
             listed = NO_TOOL if number == 0 else self._surroundings.tools.get(number)
             if listed is None:
-                self._fail(900865, found.number.span, tool=number)
+                self._fail(UNKNOWN_TOOL, found.number.span, tool=number)
             tool = listed
         unit = self._state.length_unit_mm
         match found.subject:
@@ -143,7 +151,9 @@ class ActiveTool:
         place = int(index(found.element))
         if not 0 <= place < count:
             name = f"V.{variable.family}." + ".".join(part.name for part in variable.parts)
-            self._fail(50929, found.element.span, variable=name, index=place, count=count)
+            self._fail(
+                INDEX_OUT_OF_RANGE, found.element.span, variable=name, index=place, count=count
+            )
         return place
 
     def write(

@@ -11,7 +11,7 @@ from collections.abc import Generator, Sequence
 from functools import cached_property
 from typing import NoReturn
 
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Message, Span
 from nctakt.decoder.state.commands import (
     Answer,
     Command,
@@ -30,6 +30,16 @@ from nctakt.kernel.base import arithmetic
 from nctakt.kernel.cycles.context import Context, empty_context
 from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.messages import diagnostic
+from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
+from nctakt.messages.decoder import (
+    ARGUMENT_OUT_OF_RANGE,
+    CALL_PARAMETER_MISSING,
+    OPERATION_WITHOUT_RESULT,
+    RESULT_TOO_LARGE,
+    UNKNOWN_MACRO,
+)
+from nctakt.messages.lints import FLUSH_DURING_COMPENSATION
+from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT, TEXT_INSTEAD_OF_NUMBER
 from nctakt.nc import tree
 from nctakt.nc.fast.templates import TemplateExpression, to_tree
 from nctakt.nc.vocabulary import strings
@@ -140,7 +150,7 @@ class Reading:
         else:
             value = self._compute(expression)
         if not isinstance(value, str):
-            self.fail(900342, expression.span, value=value)
+            self.fail(NUMBER_INSTEAD_OF_TEXT, expression.span, value=value)
         return value
 
     def _is_text(self, expression: tree.Expression) -> bool:
@@ -159,7 +169,7 @@ class Reading:
             return None
         value = self._asked(call)
         if isinstance(value, str):
-            self.fail(900340, call.span, name=call.function)
+            self.fail(TEXT_INSTEAD_OF_NUMBER, call.span, name=call.function)
         return constant(value)
 
     def _asked(self, call: tree.Call) -> float | str:
@@ -216,7 +226,7 @@ class Reading:
         number = self._parameter(parameter)
         value = self.state.levels.arguments.get(number)
         if value is None:
-            self.fail(900312, parameter.span, name=f"@P{number}")
+            self.fail(CALL_PARAMETER_MISSING, parameter.span, name=f"@P{number}")
         return value
 
     def _compare_texts(self, comparison: tree.Binary) -> Built | None:
@@ -253,10 +263,10 @@ class Reading:
         value = self._builder.build(expression).node.measure(context)
         if context.fault:
             operation = OPERATIONS[int(context.fault_a)]
-            id_ = 21241 if operation in _FUNCTIONS else 900300
+            id_ = ARGUMENT_OUT_OF_RANGE if operation in _FUNCTIONS else OPERATION_WITHOUT_RESULT
             self.fail(id_, expression.span, operation=operation)
         if not arithmetic.is_finite(value):
-            self.fail(900301, expression.span)
+            self.fail(RESULT_TOO_LARGE, expression.span)
         return value
 
     def _load(self, leaves: Sequence[Leaf]) -> bool:
@@ -299,18 +309,18 @@ class Reading:
         if isinstance(node, tree.Variable):
             value = self._fetched[id(node)]
             if isinstance(value, str):
-                self.fail(900340, node.span, name=path_text(node))
+                self.fail(TEXT_INSTEAD_OF_NUMBER, node.span, name=path_text(node))
             return constant(value)
         if node.call:
             argument = self._argument(node)
             if isinstance(argument, str):
-                self.fail(900340, node.span, name="@P")
+                self.fail(TEXT_INSTEAD_OF_NUMBER, node.span, name="@P")
             return constant(argument)
         return constant(self.state.parameters.get(self._parameter(node), 0.0))
 
     def no_macro(self, text: tree.StringLiteral) -> NoReturn:
         """A text where a number is needed names no macro."""
-        self.fail(900319, text.span, name=text.value, nearest="–")
+        self.fail(UNKNOWN_MACRO, text.span, name=text.value, nearest="–")
 
     def _parameter(self, node: tree.Parameter) -> int:
         if isinstance(node.index, tree.Number):
@@ -339,7 +349,7 @@ class Reading:
             number = self._index(found.number)
             if not 0 <= number < TIMERS:
                 self.fail(
-                    50929,
+                    INDEX_OUT_OF_RANGE,
                     found.number.span,
                     variable="V.G.TIMER",
                     index=int(number),
@@ -380,7 +390,7 @@ class Reading:
             number = self._index(index)
             if not 0 <= number < dimension.count:
                 self.fail(
-                    50929,
+                    INDEX_OUT_OF_RANGE,
                     index.span,
                     variable=location.name,
                     index=int(number),
@@ -393,8 +403,8 @@ class Reading:
         """What waits until the path stands cannot be while contours are compensated (RC-308)."""
         compensation = self.state.path.compensation
         if compensation.side:
-            self.fail(20651, span, command=command, word=compensation.word)
+            self.fail(FLUSH_DURING_COMPENSATION, span, command=command, word=compensation.word)
 
-    def fail(self, id_: int, span: Span, **values: object) -> NoReturn:
+    def fail(self, message: Message, span: Span, **values: object) -> NoReturn:
         """Give the program up."""
-        raise DecodeError(diagnostic(id_, span, self.surroundings.line(span), **values))
+        raise DecodeError(diagnostic(message, span, self.surroundings.line(span), **values))

@@ -14,7 +14,10 @@ from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.call_stack import Levels
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.program_variables import LONGEST_STRING, OwnVariable, VariableError
+from nctakt.decoder.state.tools import Fail
 from nctakt.decoder.values.text_functions import compute
+from nctakt.messages.checked_values import INVALID_ELEMENT_COUNT
+from nctakt.messages.decoder import OPERATION_WITHOUT_RESULT, VALUE_LIST_FOR_ONE_ELEMENT
 from nctakt.nc import tree
 from nctakt.nc.check.program_variables import TYPES
 from nctakt.nc.vocabulary.resolution import indices_of, own_path
@@ -30,7 +33,7 @@ class OwnValues:
         self,
         levels: Levels,
         index: Callable[[tree.Expression], float],
-        fail: Callable[..., NoReturn],
+        fail: Fail,
     ) -> None:
         self._scopes = levels.scopes
         self._index = index
@@ -68,7 +71,7 @@ class OwnValues:
         """Give the elements of a whole array values."""
         try:
             if any(True for _ in indices_of(variable)):
-                raise VariableError(900317)
+                raise VariableError(VALUE_LIST_FOR_ONE_ELEMENT)
             self._scopes.get(variable.family, own_path(variable)).fill(values)
         except VariableError as error:
             self._wrong(error, variable.span)
@@ -97,7 +100,7 @@ class OwnValues:
         """The result of a function of texts."""
         result = compute(call.function, values)
         if result is None:
-            self._fail(900300, call.span, operation=call.function)
+            self._fail(OPERATION_WITHOUT_RESULT, call.span, operation=call.function)
         return result
 
     # --- declarations ---------------------------------------------------------------------------
@@ -111,7 +114,12 @@ class OwnValues:
         for index in indices_of(variable):
             count = yield from evaluate(index, number)
             if not 1 <= count == int(count):
-                self._fail(900140, index.span, name=f"V.{variable.family}", count=f"{count:g}")
+                self._fail(
+                    INVALID_ELEMENT_COUNT,
+                    index.span,
+                    name=f"V.{variable.family}",
+                    count=f"{count:g}",
+                )
             dimensions.append(int(count))
         values: list[float | str] = []
         if declaration.initial is not None:
@@ -146,7 +154,7 @@ class OwnValues:
         self._scopes.delete(variable.family, own_path(variable))
 
     def _wrong(self, error: VariableError, span: Span) -> NoReturn:
-        self._fail(error.number, span, **error.values)
+        self._fail(error.message, span, **error.values)
 
 
 def _type(declaration: tree.Declaration, values: Sequence[float | str]) -> str:

@@ -17,6 +17,8 @@ from nctakt.decoder.state.tools import Fail
 from nctakt.kernel.axes.coordinates import ADD_ZERO, CLAMP, ZERO
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.offsets import MOST_GROUPS
+from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
+from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc.tree import Expression, Variable
 from nctakt.nc.vocabulary.resolution import path_text
 from nctakt.nc.vocabulary.system_variables import SystemVariable
@@ -126,7 +128,7 @@ class SystemValues:
         number = int(self._index(index))
         if not 0 <= number < count:
             name = path_text(variable)
-            self._fail(50929, index.span, variable=name, index=number, count=count)
+            self._fail(INDEX_OUT_OF_RANGE, index.span, variable=name, index=number, count=count)
         return number
 
     # --- writing --------------------------------------------------------------------------------
@@ -139,7 +141,7 @@ class SystemValues:
         if found.kind == "channel":
             group = arithmetic.round_half_even(value)
             if not 0 <= group < MOST_GROUPS:
-                self._fail(900774, variable.span, group=value, highest=MOST_GROUPS - 1)
+                self._fail(UNKNOWN_ZERO_OFFSET, variable.span, group=value, highest=MOST_GROUPS - 1)
             offsets.default_group = int(group)
             return
         place = self._place(variable, found)

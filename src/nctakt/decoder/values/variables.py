@@ -23,6 +23,8 @@ from nctakt.decoder.values.evaluation import Reading
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import Node
+from nctakt.messages.memory import TEXT_INSTEAD_OF_NUMBER
+from nctakt.messages.realtime import CYCLE_VALUE_OUT_OF_RANGE
 from nctakt.nc import tree
 from nctakt.nc.fast.templates import TemplateExpression, to_tree
 from nctakt.nc.vocabulary import strings
@@ -109,7 +111,7 @@ class Values(Reading):
                 self.state.levels.arguments[self._parameter(target)] = value
                 return
             if isinstance(value, str):
-                self.fail(900340, target.span, name="P")
+                self.fail(TEXT_INSTEAD_OF_NUMBER, target.span, name="P")
             self.state.parameters[self._parameter(target)] = value
             return
         if is_own(target):
@@ -146,7 +148,7 @@ class Values(Reading):
         found = system_variable(target, tuple(self.surroundings.axis_numbers))
         assert found is not None
         if isinstance(value, str):
-            self.fail(900340, target.span, name=path_text(target))
+            self.fail(TEXT_INSTEAD_OF_NUMBER, target.span, name=path_text(target))
         for index in indices_of(target):
             yield from self._fetch(index, number)
         if found.kind == "tool":
@@ -237,7 +239,7 @@ class Values(Reading):
         value = arithmetic.round_half_even(value)
         if not scalar.low <= value <= scalar.high:
             self.fail(
-                50892,
+                CYCLE_VALUE_OUT_OF_RANGE,
                 span,
                 variable=location.name,
                 value=int(value),

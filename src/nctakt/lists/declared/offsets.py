@@ -15,6 +15,11 @@ from nctakt.lists.format.parameter import Parameter, Schema, ValueType
 from nctakt.lists.format.reader import ListDialect
 from nctakt.lists.format.schema import Values
 from nctakt.messages import Collector
+from nctakt.messages.folders import (
+    DEFAULT_GROUP_EMPTY,
+    GROUP_ZERO_OFFSETS_IGNORED,
+    UNKNOWN_AXIS_INDEX,
+)
 
 MOST_GROUPS = 97
 MOST_AXES = 32
@@ -133,12 +138,14 @@ def zero_offsets_configuration(
         if group == 0 and not g53_available:
             wrong = next((axis for axis, offset in offsets.items() if offset), None)
             if wrong is not None:
-                values.report(collector, 900742, ("np_grp[].achse[].versch", 0, wrong))
+                values.report(
+                    collector, GROUP_ZERO_OFFSETS_IGNORED, ("np_grp[].achse[].versch", 0, wrong)
+                )
             continue
         groups[group] = offsets
     default_group = values.integer("default_index")
     if default_group and default_group not in groups:
-        values.report(collector, 900743, ("default_index",), group=default_group)
+        values.report(collector, DEFAULT_GROUP_EMPTY, ("default_index",), group=default_group)
     return ZeroOffsets(groups, default_group, g53_available)
 
 
@@ -166,7 +173,7 @@ def _offsets(
         if axis >= axis_count:
             if values.given(pattern, group, axis):
                 key = (pattern, group, axis)
-                values.report(collector, 900741, key, index=axis, count=axis_count)
+                values.report(collector, UNKNOWN_AXIS_INDEX, key, index=axis, count=axis_count)
             continue
         found.append((axis, values.integer(pattern, group, axis) / _POSITION_UNITS))
     return found

@@ -14,6 +14,8 @@ from nctakt.lists.format.parameter import Alias, Effect, Parameter, Schema, Valu
 from nctakt.lists.format.reader import ListDialect
 from nctakt.lists.format.schema import Values
 from nctakt.messages import Collector
+from nctakt.messages.backward import BACKWARD_MEMORY_TOO_SMALL
+from nctakt.messages.variables import INVALID_ALIGNMENT
 
 MOST_CHANNELS = 12
 MOST_AXES = 32
@@ -317,7 +319,7 @@ def startup_configuration(values: Values, collector: Collector) -> StartupConfig
     alignment = values.integer("ext_var_struct_member_alignment")
     if alignment not in ALIGNMENTS:
         key = "ext_var_struct_member_alignment"
-        values.report(collector, 1000178, (key,), value=alignment)
+        values.report(collector, INVALID_ALIGNMENT, (key,), value=alignment)
         alignment = 0
     return StartupConfiguration(
         _reference(values, "default_sda_mds"),
@@ -368,7 +370,11 @@ def _backward_memory(values: Values, index: int, collector: Collector) -> int:
     size = values.integer("fb_storage_size[]", index)
     if 0 < size < LEAST_BACKWARD_MEMORY:
         values.report(
-            collector, 50450, ("fb_storage_size[]", index), value=size, least=LEAST_BACKWARD_MEMORY
+            collector,
+            BACKWARD_MEMORY_TOO_SMALL,
+            ("fb_storage_size[]", index),
+            value=size,
+            least=LEAST_BACKWARD_MEMORY,
         )
         return LEAST_BACKWARD_MEMORY
     return size

@@ -15,6 +15,7 @@ from nctakt.base.diagnostics import Text
 from nctakt.lists.format.parameter import Parameter, ValueType, with_indices
 from nctakt.lists.format.schema import Values
 from nctakt.messages import Collector
+from nctakt.messages.lists import INVALID_SYNCHRONISATION_TYPE, UNKNOWN_FUNCTION_AXIS
 
 MOST_FUNCTIONS = 1000
 _MOST_SPINDLES = 6
@@ -76,7 +77,7 @@ def _synchronisation(id_: str, path: str, default: str, en: str, de: str) -> Par
         Text(en, de),
         names=_FLAGS,
         invalid=_REPLACEMENT,
-        invalid_message=20965,
+        invalid_message=INVALID_SYNCHRONISATION_TYPE,
     )
 
 
@@ -203,7 +204,7 @@ def _axis_of(
     if name and name not in axes:
         key = (f"{letter}_default_outp_ax_name[]", number)
         path = with_indices(key[0], (number,))
-        values.report(collector, 900812, key, key=path, value=name)
+        values.report(collector, UNKNOWN_FUNCTION_AXIS, key, key=path, value=name)
         return ""
     return name
 

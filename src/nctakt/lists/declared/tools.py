@@ -15,6 +15,7 @@ from nctakt.lists.format.parameter import Effect, Parameter, Schema, Value, Valu
 from nctakt.lists.format.reader import ListDialect
 from nctakt.lists.format.schema import Values
 from nctakt.messages import Collector
+from nctakt.messages.folders import TOOL_ZERO_WITHOUT_DIMENSIONS, UNKNOWN_AXIS_INDEX
 
 MOST_TOOLS = 201
 MOST_AXES = 32
@@ -265,7 +266,7 @@ def tools_configuration(
     for number in values.indices("wz[]"):
         if number == 0:
             if _has_dimensions(values):
-                values.report(collector, 900740, _first_key(values, 0))
+                values.report(collector, TOOL_ZERO_WITHOUT_DIMENSIONS, _first_key(values, 0))
             continue
         tools[number] = _one(values, number, linear, collector)
     return tools
@@ -298,7 +299,7 @@ def _one(values: Values, number: int, linear: tuple[bool, ...], collector: Colle
     for index in _offset_indices(values, number):
         if index >= len(linear):
             key = ("wz[].ax_versatz[]", number, index)
-            values.report(collector, 900741, key, index=index, count=len(linear))
+            values.report(collector, UNKNOWN_AXIS_INDEX, key, index=index, count=len(linear))
             continue
         offset = length("wz[].ax_versatz[]", index)
         offsets[index] = offset * scale if linear[index] else offset

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.lists.format.parameter import MAX_UNS16, Alias, Effect, Parameter, Schema, ValueType
 from nctakt.lists.format.reader import ListDialect
+from nctakt.messages.variables import INVALID_SCOPE
 
 #: Names are addressed as V.E.name, 30 characters in all.
 NAME_LENGTH = 26
@@ -182,7 +183,7 @@ _EXTERNAL = (
         Text("One for all channels, or one for each", "Eine für alle Kanäle oder eine für jeden"),
         names={"CHANNEL": None, "GLOBAL": None},
         invalid="CHANNEL",
-        invalid_message=21196,
+        invalid_message=INVALID_SCOPE,
     ),
     _synchronisation("P-EXTV-00005", f"{_VAR}.synchronisation"),
     _rights("P-EXTV-00006", f"{_VAR}.access_rights"),

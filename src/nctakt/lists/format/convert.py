@@ -7,6 +7,7 @@ the value, or ``None`` after a report that says why there is none.
 
 from __future__ import annotations
 
+from nctakt.base.diagnostics import Message
 from nctakt.lists.format.parameter import Parameter, Value, ValueType, shown
 from nctakt.lists.format.reader import Entry, ListDialect
 from nctakt.lists.format.values import (
@@ -18,6 +19,15 @@ from nctakt.lists.format.values import (
     read_word,
 )
 from nctakt.messages import Collector
+from nctakt.messages.lists import (
+    NOT_A_BOOLEAN,
+    NOT_A_NUMBER,
+    PARAMETER_OUT_OF_RANGE,
+    PARAMETER_TEXT_TOO_LONG,
+    QUOTED_NUMBER,
+    UNKNOWN_PARAMETER_VALUE,
+    VALUE_MISSING,
+)
 
 _TRUTH = {"TRUE": True, "FALSE": False}
 
@@ -59,19 +69,19 @@ class _Report:
     def no_value(self) -> Value:
         entry = self.entry
         self.collector.report(
-            900013, entry.key_span, entry.line, key=entry.path, default=self.default
+            VALUE_MISSING, entry.key_span, entry.line, key=entry.path, default=self.default
         )
         return None
 
-    def defect(self, number: int, word: Word, **values: object) -> Value:
+    def defect(self, message: Message, word: Word, **values: object) -> Value:
         self.collector.report(
-            number, word.span, self.entry.line, key=self.entry.path, default=self.default, **values
+            message, word.span, self.entry.line, key=self.entry.path, default=self.default, **values
         )
         return None
 
     def quoted_number(self, word: Word) -> None:
         if word.quoted:
-            self.collector.report(900015, word.span, self.entry.line, key=self.entry.path)
+            self.collector.report(QUOTED_NUMBER, word.span, self.entry.line, key=self.entry.path)
 
 
 def _string(parameter: Parameter, entry: Entry, report: _Report) -> Value:
@@ -80,7 +90,7 @@ def _string(parameter: Parameter, entry: Entry, report: _Report) -> Value:
         return report.no_value()
     limit = parameter.high
     if limit is not None and len(word.text) > limit:
-        return report.defect(900020, word, length=len(word.text), limit=limit)
+        return report.defect(PARAMETER_TEXT_TOO_LONG, word, length=len(word.text), limit=limit)
     return word.text
 
 
@@ -89,9 +99,11 @@ def _boolean(word: Word, dialect: ListDialect, report: _Report) -> Value:
         return _TRUTH[word.text.upper()]
     number = parse_integer(word.text, hexadecimal=dialect.hexadecimal)
     if number is None:
-        return report.defect(900022 if dialect.boolean_words else 900014, word, value=word.text)
+        return report.defect(
+            NOT_A_BOOLEAN if dialect.boolean_words else NOT_A_NUMBER, word, value=word.text
+        )
     if number not in (0, 1):
-        return report.defect(900019, word, value=word.text, low=0, high=1)
+        return report.defect(PARAMETER_OUT_OF_RANGE, word, value=word.text, low=0, high=1)
     report.quoted_number(word)
     return number == 1
 
@@ -114,11 +126,11 @@ def _number(parameter: Parameter, word: Word, dialect: ListDialect, report: _Rep
     else:
         number = parse_integer(word.text, hexadecimal=dialect.hexadecimal)
     if number is None:
-        return report.defect(900014, word, value=word.text)
+        return report.defect(NOT_A_NUMBER, word, value=word.text)
     report.quoted_number(word)
     low, high = parameter.bounds
     if not low <= number <= high:
-        return report.defect(900019, word, value=word.text, low=low, high=high)
+        return report.defect(PARAMETER_OUT_OF_RANGE, word, value=word.text, low=low, high=high)
     return number
 
 
@@ -152,7 +164,9 @@ def _flags_of(parameter: Parameter, number: int) -> tuple[str, ...]:
 
 def _bad_name(parameter: Parameter, word: Word, report: _Report) -> Value:
     if parameter.invalid_message is None:
-        return report.defect(900021, word, value=word.text, names=", ".join(parameter.names))
+        return report.defect(
+            UNKNOWN_PARAMETER_VALUE, word, value=word.text, names=", ".join(parameter.names)
+        )
     report.collector.report(
         parameter.invalid_message,
         word.span,

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 
-from nctakt.base.diagnostics import Text
+from nctakt.base.diagnostics import Message, Text
 from nctakt.lists.format.reader import ListDialect
 
 #: A value of a parameter: flag sets are tuples of names, ``None`` is the default of a parameter
@@ -102,7 +102,7 @@ class Parameter:
     restart: bool = False
     effect: Effect = Effect.TAKEN
     invalid: Value = None
-    invalid_message: int | None = None
+    invalid_message: Message | None = None
 
     @property
     def pattern(self) -> str:

@@ -19,6 +19,15 @@ from dataclasses import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.base.text import decode_text, split_lines
 from nctakt.messages import Collector
+from nctakt.messages.lists import (
+    BLANK_MISSING_AFTER_HASH,
+    HASH_NOT_AT_LINE_START,
+    LIST_WITHOUT_END,
+    NUL_CHARACTER_IN_LINE,
+    TEXT_AFTER_END,
+    TEXT_NOT_UTF8,
+    UNUSUAL_END_WORD,
+)
 
 BLANKS = " \t"
 _END_OF_FILE = "\x1a"
@@ -81,7 +90,7 @@ def read_list(
     """The entries of the list ``data``; ``file`` is its name in spans."""
     decoded = decode_text(data)
     if decoded.guessed:
-        collector.report(900000, Span(file, 1, 1, 2), encoding=decoded.encoding)
+        collector.report(TEXT_NOT_UTF8, Span(file, 1, 1, 2), encoding=decoded.encoding)
     lines = split_lines(decoded.text.split(_END_OF_FILE, 1)[0])
     entries: list[Entry] = []
     for number, line in enumerate(lines, start=1):
@@ -98,12 +107,12 @@ def read_list(
             return tuple(entries)
         if "\0" in line:
             column = line.index("\0") + 1
-            collector.report(900006, Span(file, number, column, column + 1), line)
+            collector.report(NUL_CHARACTER_IN_LINE, Span(file, number, column, column + 1), line)
             continue
         entries.append(entry)
     if dialect.expects_end:
         last = max(1, len(lines))
-        collector.report(900005, Span(file, last, 1, 2), lines[-1] if lines else "")
+        collector.report(LIST_WITHOUT_END, Span(file, last, 1, 2), lines[-1] if lines else "")
     return tuple(entries)
 
 
@@ -111,10 +120,10 @@ def _check_comment(place: Span, line: str, collector: Collector) -> None:
     column = line.index("#")
     span = Span(place.file, place.line, column + 1, column + 2)
     if column > 0:
-        collector.report(900002, span, line)
+        collector.report(HASH_NOT_AT_LINE_START, span, line)
     following = line[column + 1 : column + 2]
     if following and following not in BLANKS:
-        collector.report(900001, span, line)
+        collector.report(BLANK_MISSING_AFTER_HASH, span, line)
 
 
 def _read_entry(file: str, number: int, line: str) -> Entry:
@@ -136,7 +145,7 @@ def _is_end(entry: Entry, collector: Collector) -> bool:
     if entry.path.lower() not in {"end", "ende"}:
         return False
     if entry.path not in {"End", "Ende"}:
-        collector.report(900003, entry.key_span, entry.line, word=entry.path)
+        collector.report(UNUSUAL_END_WORD, entry.key_span, entry.line, word=entry.path)
     return True
 
 
@@ -144,5 +153,5 @@ def _check_after_end(file: str, lines: list[str], end: int, collector: Collector
     for number, line in enumerate(lines[end:], start=end + 1):
         content = line.strip(BLANKS)
         if content and not content.startswith("#"):
-            collector.report(900004, Span(file, number, 1, len(line) + 1), line)
+            collector.report(TEXT_AFTER_END, Span(file, number, 1, len(line) + 1), line)
             return

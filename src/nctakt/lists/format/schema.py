@@ -13,7 +13,7 @@ import re
 from collections.abc import Container, Mapping
 from dataclasses import dataclass, field
 
-from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.base.diagnostics import Diagnostic, Message, Span
 from nctakt.lists.format.convert import convert
 from nctakt.lists.format.parameter import (
     Effect,
@@ -26,6 +26,17 @@ from nctakt.lists.format.parameter import (
 )
 from nctakt.lists.format.reader import Entry, read_list
 from nctakt.messages import Collector
+from nctakt.messages.lists import (
+    DUPLICATE_ENTRY,
+    INVALID_PARAMETER_REFERENCE,
+    MISSPELLED_PARAMETER,
+    OLD_PARAMETER_NAME,
+    PARAMETER_INDEX_OUT_OF_RANGE,
+    PARAMETER_OF_OTHER_LIST,
+    PARAMETER_WITHOUT_EFFECT,
+    UNKNOWN_ENTRIES,
+    UNKNOWN_PARAMETER,
+)
 
 #: A parameter of a list: its pattern and its indices.
 Key = tuple[str, tuple[int, ...]]
@@ -121,14 +132,14 @@ class Values:
     def report(
         self,
         collector: Collector,
-        number: int,
+        message: Message,
         at: tuple[str, *tuple[int, ...]],
         /,
         **values: object,
     ) -> None:
-        """Report ``number`` at the entry ``at``: the pattern, then the indices."""
+        """Report ``message`` at the entry ``at``: the pattern, then the indices."""
         span, line = self.place(*at)
-        collector.report(number, span, line, **values)
+        collector.report(message, span, line, **values)
 
     def _parameter(self, pattern: str) -> Parameter:
         found = self.schema.find(pattern)
@@ -176,7 +187,9 @@ def check_list(
     for key, (parameter, entry) in _select(schema, entries, collector, verbose).items():
         if verbose and parameter.effect is not Effect.TAKEN:
             name = parameter.id or "–"
-            collector.report(900026, entry.key_span, entry.line, key=entry.path, id=name)
+            collector.report(
+                PARAMETER_WITHOUT_EFFECT, entry.key_span, entry.line, key=entry.path, id=name
+            )
         if parameter.effect is Effect.ACCEPTED:
             continue
         default = taken[key].value if key in taken else parameter.default
@@ -207,7 +220,7 @@ def _select(
         name = with_indices(parameter.pattern, entry.indices)
         if alias is not None and not alias.silent:
             place = entry.key_span
-            collector.report(900024, place, entry.line, alias=entry.path, key=name)
+            collector.report(OLD_PARAMETER_NAME, place, entry.line, alias=entry.path, key=name)
         key = (parameter.pattern, entry.indices)
         earlier = selected.get(key)
         winner = entry
@@ -222,7 +235,9 @@ def _check_indices(parameter: Parameter, entry: Entry, collector: Collector) -> 
     for index, (low, high) in zip(entry.indices, parameter.index_ranges, strict=True):
         if not low <= index <= high:
             place = entry.key_span
-            collector.report(900011, place, entry.line, key=entry.path, low=low, high=high)
+            collector.report(
+                PARAMETER_INDEX_OUT_OF_RANGE, place, entry.line, key=entry.path, low=low, high=high
+            )
             return False
     return True
 
@@ -234,7 +249,7 @@ def _check_duplicate(
     old_name_second = first.pattern == parameter.pattern != second.pattern
     winner = first if old_name_second else second
     collector.report(
-        900023,
+        DUPLICATE_ENTRY,
         second.key_span,
         second.line,
         key=name,
@@ -252,23 +267,25 @@ def _report_unknown(
         return
     if not (verbose or schema.dialect.report_unknown):
         place = Span(unknown[0].key_span.file, 1, 1, 2)
-        collector.report(900010, place, count=len(unknown))
+        collector.report(UNKNOWN_ENTRIES, place, count=len(unknown))
         return
     foreign = {name.pattern: name for name in schema.foreign}
     for entry in unknown:
         place, line, key = entry.key_span, entry.line, entry.path
         if entry.pattern in foreign:
             other = foreign[entry.pattern]
-            collector.report(900012, place, line, key=key, list=other.kind, id=other.id)
+            collector.report(
+                PARAMETER_OF_OTHER_LIST, place, line, key=key, list=other.kind, id=other.id
+            )
             continue
         nearest = schema.nearest(entry.pattern)
         if nearest is None:
-            collector.report(900008, place, line, key=key)
+            collector.report(UNKNOWN_PARAMETER, place, line, key=key)
             continue
         if nearest.count("[]") == len(entry.indices):
             nearest = with_indices(nearest, entry.indices)
         nearest = nearest.replace("[]", "[i]")
-        collector.report(900009, place, line, key=key, nearest=nearest)
+        collector.report(MISSPELLED_PARAMETER, place, line, key=key, nearest=nearest)
 
 
 def _reference(parameter: Parameter, entry: Entry) -> str:
@@ -300,7 +317,12 @@ def _resolve(schema: Schema, taken: dict[Key, Taken], collector: Collector) -> d
         name = with_indices(*key)
         default = shown(item.value)
         collector.report(
-            900025, place, item.entry.line, key=name, value=item.reference, default=default
+            INVALID_PARAMETER_REFERENCE,
+            place,
+            item.entry.line,
+            key=name,
+            value=item.reference,
+            default=default,
         )
         if item.value is not None:
             resolved[key] = Taken(item.value, item.entry)

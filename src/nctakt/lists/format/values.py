@@ -15,6 +15,12 @@ from dataclasses import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.lists.format.reader import BLANKS, Entry
 from nctakt.messages import Collector
+from nctakt.messages.lists import (
+    BLANK_MISSING,
+    CLOSING_QUOTE_MISSING,
+    TEXT_AFTER_QUOTE,
+    UNQUOTED_SPECIAL_CHARACTERS,
+)
 
 _WORD = re.compile(r'"(?P<quoted>[^"]*)"(?=[ \t]|$)|(?P<bare>[^ \t]+)')
 _FLAG_SEPARATOR = re.compile(r"[ \t]*[|,][ \t]*")
@@ -62,24 +68,26 @@ def read_string(entry: Entry, collector: Collector) -> Word | None:
     comment = body.find("(")
     if comment > 0 and body[comment - 1] not in BLANKS:
         place = entry.span(start + comment, start + comment + 1)
-        collector.report(900007, place, entry.line, key=entry.path)
+        collector.report(BLANK_MISSING, place, entry.line, key=entry.path)
     text = (body if comment < 0 else body[:comment]).rstrip(BLANKS)
     span = entry.span(start, start + len(text))
     if any(special in text for special in (" ", "\t", "#", "/*", '"')):
-        collector.report(900018, span, entry.line, key=entry.path)
+        collector.report(UNQUOTED_SPECIAL_CHARACTERS, span, entry.line, key=entry.path)
     return Word(text, span)
 
 
 def _read_quoted(entry: Entry, start: int, collector: Collector) -> Word:
     closing = entry.rest.find('"', start + 1)
     if closing < 0:
-        collector.report(900016, entry.span(start, start + 1), entry.line, key=entry.path)
+        collector.report(
+            CLOSING_QUOTE_MISSING, entry.span(start, start + 1), entry.line, key=entry.path
+        )
         closing = len(entry.rest)
     tail = entry.rest[closing + 1 :].strip(BLANKS)
     if tail and not tail.startswith("("):
         column = entry.rest.index(tail, closing + 1)
         place = entry.span(column, column + len(tail))
-        collector.report(900017, place, entry.line, key=entry.path)
+        collector.report(TEXT_AFTER_QUOTE, place, entry.line, key=entry.path)
     text = entry.rest[start + 1 : closing].rstrip(BLANKS)
     return Word(text, entry.span(start, closing + 1), quoted=True)
 
@@ -109,7 +117,7 @@ def read_flags(entry: Entry, collector: Collector) -> tuple[Word, ...]:
 
 def _check_blank(entry: Entry, collector: Collector) -> None:
     if entry.rest and entry.rest[0] not in BLANKS:
-        collector.report(900007, entry.span(0, 1), entry.line, key=entry.path)
+        collector.report(BLANK_MISSING, entry.span(0, 1), entry.line, key=entry.path)
 
 
 def parse_integer(text: str, *, hexadecimal: bool) -> int | None:

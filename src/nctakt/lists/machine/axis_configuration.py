@@ -15,6 +15,7 @@ from math import inf
 from nctakt.lists.declared.axis import LINEAR_TYPE, ROTARY_TYPE, SPINDLE_TYPE
 from nctakt.lists.format.schema import Values
 from nctakt.messages import Collector
+from nctakt.messages.machine import MODULO_RANGE_EMPTY, SOFTWARE_LIMITS_SWAPPED, UNKNOWN_GEAR_STEP
 
 #: Positions of the lists (0.1 µm, 1e-4°) per mm or degree.
 POSITION_UNITS = 10_000
@@ -234,7 +235,7 @@ def _software_limits(values: Values, collector: Collector) -> tuple[float, float
     low = values.integer("kenngr.swe_neg")
     high = values.integer("kenngr.swe_pos")
     if low >= high:
-        values.report(collector, 900075, ("kenngr.swe_neg",), low=low, high=high)
+        values.report(collector, SOFTWARE_LIMITS_SWAPPED, ("kenngr.swe_neg",), low=low, high=high)
         low, high = min(low, high), max(low, high)
     return low / POSITION_UNITS, high / POSITION_UNITS
 
@@ -247,7 +248,9 @@ def _active_gear(
         if gear.gear_number == number:
             return gear
     used = gears[0].gear_number
-    values.report(collector, 900074, ("kenngr.getriebe_stufe",), wanted=number, used=used)
+    values.report(
+        collector, UNKNOWN_GEAR_STEP, ("kenngr.getriebe_stufe",), wanted=number, used=used
+    )
     return gears[0]
 
 
@@ -285,7 +288,9 @@ def _modulo(values: Values, step: int, collector: Collector) -> tuple[float, flo
     low = values.integer("getriebe[].modulou", step)
     high = values.integer("getriebe[].moduloo", step)
     if high <= low:
-        values.report(collector, 900073, ("getriebe[].moduloo", step), low=low, high=high)
+        values.report(
+            collector, MODULO_RANGE_EMPTY, ("getriebe[].moduloo", step), low=low, high=high
+        )
         low, high = 0, 360 * POSITION_UNITS
     return low / POSITION_UNITS, high / POSITION_UNITS
 

@@ -14,6 +14,8 @@ from nctakt.lists.format.schema import Values
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters, Spindle
 from nctakt.messages import Collector
+from nctakt.messages.folders import AXIS_IN_TWO_CHANNELS, CHANNEL_WITHOUT_AXES
+from nctakt.messages.machine import AXIS_LIST_MISSING
 
 _AXIS_NUMBERS = ("gruppe[].achse[].log_achs_nr",)
 _SPINDLE_NUMBERS = ("spindel[].log_achs_nr", "main_spindle_ax_nr")
@@ -59,15 +61,15 @@ def channel_axes(
         place = values.where(_AXIS_NUMBERS, number)
         index = _index(number, axes)
         if index is None:
-            collector.report(900066, *place, logical=number, name=axis.name)
+            collector.report(AXIS_LIST_MISSING, *place, logical=number, name=axis.name)
             continue
         owner = owners.setdefault(index, channel)
         if owner != channel:
-            collector.report(900750, *place, axis=number, first=owner, second=channel)
+            collector.report(AXIS_IN_TWO_CHANNELS, *place, axis=number, first=owner, second=channel)
         else:
             found.append(ChannelAxis(axis.name, number, index))
     if not parameters.axes:
-        values.report(collector, 900818, ("gruppe[].achs_anzahl", 0), channel=channel)
+        values.report(collector, CHANNEL_WITHOUT_AXES, ("gruppe[].achs_anzahl", 0), channel=channel)
     return tuple(found)
 
 
@@ -84,7 +86,7 @@ def channel_spindles(
         if index is None and not spindle.plc_controlled:
             number = spindle.logical_number
             place = values.where(_SPINDLE_NUMBERS, number)
-            collector.report(900066, *place, logical=number, name=spindle.name)
+            collector.report(AXIS_LIST_MISSING, *place, logical=number, name=spindle.name)
         else:
             found.append(ChannelSpindle(spindle, index))
     return tuple(found)

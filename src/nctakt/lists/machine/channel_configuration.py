@@ -20,6 +20,14 @@ from nctakt.lists.declared.technology_functions import (
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.schema import Values
 from nctakt.messages import Collector
+from nctakt.messages.lists import PARAMETER_OUT_OF_RANGE, UNKNOWN_PARAMETER_VALUE
+from nctakt.messages.machine import (
+    CYCLE_DURATION_ABOVE_TICK,
+    DESCRIBED_COUNT_MISMATCH,
+    INVALID_AXIS_NAME,
+    SLOPE_NOT_SIMULATED,
+    UNKNOWN_MAIN_SPINDLE,
+)
 
 MAIN_PROGRAM_BIT, SUBPROGRAM_BIT = 1, 2
 MM_PER_MINUTE_FACTOR = 100.0
@@ -193,7 +201,12 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
 def _realtime_cycles(values: Values, collector: Collector) -> RealtimeCycleLimits:
     max_duration_pct = values.integer("rt_cycles.max_duration")
     if max_duration_pct > 100:
-        values.report(collector, 900086, ("rt_cycles.max_duration",), value=max_duration_pct)
+        values.report(
+            collector,
+            CYCLE_DURATION_ABOVE_TICK,
+            ("rt_cycles.max_duration",),
+            value=max_duration_pct,
+        )
     return RealtimeCycleLimits(
         values.flag("configuration.rt_cycles.enable"),
         values.integer("configuration.rt_cycles.memory"),
@@ -213,7 +226,9 @@ def _counted(
     count = values.integer(*count_key)
     if count != found:
         name = with_indices(count_key[0], tuple(count_key[1:]))
-        values.report(collector, 900070, count_key, key=name, count=count, found=found)
+        values.report(
+            collector, DESCRIBED_COUNT_MISMATCH, count_key, key=name, count=count, found=found
+        )
     return min(count, found)
 
 
@@ -226,7 +241,11 @@ def _axes(values: Values, collector: Collector) -> tuple[NamedAxis, ...]:
         key = ("gruppe[].achse[].bezeichnung", 0, index)
         if not _is_usable(name, "ABCQUVWXYZ") or any(axis.name == name for axis in axes):
             values.report(
-                collector, 900069, key, key=with_indices(key[0], (0, index)), value=name or "–"
+                collector,
+                INVALID_AXIS_NAME,
+                key,
+                key=with_indices(key[0], (0, index)),
+                value=name or "–",
             )
             continue
         axes.append(NamedAxis(name, values.integer("gruppe[].achse[].log_achs_nr", 0, index)))
@@ -252,13 +271,13 @@ def _spindles(values: Values, collector: Collector) -> tuple[Spindle, ...]:
         if not _is_usable(name, "S") or any(spindle.name == name for spindle in spindles):
             key = ("spindel[].bezeichnung", index)
             path = with_indices(key[0], (index,))
-            values.report(collector, 900069, key, key=path, value=name or "–")
+            values.report(collector, INVALID_AXIS_NAME, key, key=path, value=name or "–")
             continue
         plc_controlled = values.flag("spindel[].plc_control", index)
         functions = {key: _spindle_function(values, key, index) for key in SPINDLE_FUNCTION_KEYS}
         spindles.append(Spindle(name, list_name, number, is_main, plc_controlled, functions))
     if main_number and not any(spindle.is_main for spindle in spindles):
-        values.report(collector, 900072, ("main_spindle_ax_nr",), logical=main_number)
+        values.report(collector, UNKNOWN_MAIN_SPINDLE, ("main_spindle_ax_nr",), logical=main_number)
     return tuple(spindles)
 
 
@@ -304,7 +323,7 @@ def _program_start(values: Values, collector: Collector) -> ProgramStart:
         if factor != -1:
             values.report(
                 collector,
-                900019,
+                PARAMETER_OUT_OF_RANGE,
                 ("prog_start.feedrate_factor",),
                 key="prog_start.feedrate_factor",
                 value=factor,
@@ -316,7 +335,9 @@ def _program_start(values: Values, collector: Collector) -> ProgramStart:
     profile = values.integer("prog_start.slope.profile")
     if profile in OTHER_SLOPES:
         key = ("prog_start.slope.profile",)
-        values.report(collector, 900885, key, value=profile, name=OTHER_SLOPES[profile])
+        values.report(
+            collector, SLOPE_NOT_SIMULATED, key, value=profile, name=OTHER_SLOPES[profile]
+        )
     return ProgramStart(
         values.real("prog_start.feedrate"),
         MM_PER_MINUTE_FACTOR / factor,
@@ -336,7 +357,7 @@ def _g_functions(values: Values, collector: Collector) -> dict[int, int]:
             key = ("prog_start.g_gruppe[].nr", group)
             values.report(
                 collector,
-                900021,
+                UNKNOWN_PARAMETER_VALUE,
                 key,
                 key=with_indices(key[0], (group,)),
                 value=number,

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from nctakt.lists.declared.startup import ListReference
 from nctakt.messages import Collector
+from nctakt.messages.machine import LIST_FILE_MISSING, LIST_NOT_READABLE, PATH_TAKEN_AS
 
 #: How the start-up list of a machine's folder is called.
 STARTUP_NAMES = ("hochlauf.lis", "startup.lis")
@@ -22,11 +23,11 @@ def find_list(reference: ListReference, folder: Path, collector: Collector) -> P
     found = find_file(reference.path, folder)
     place, line = reference.span, reference.line
     if found is None:
-        collector.report(900062, place, line, path=reference.path)
+        collector.report(LIST_FILE_MISSING, place, line, path=reference.path)
         return None
     plain = "/".join(part for part in reference.path.split("/") if part not in {"", "."})
     if not found.as_posix().endswith(plain):
-        collector.report(900063, place, line, path=reference.path, found=found.as_posix())
+        collector.report(PATH_TAKEN_AS, place, line, path=reference.path, found=found.as_posix())
     return found
 
 
@@ -107,5 +108,7 @@ def read_file(path: Path, collector: Collector) -> bytes | None:
     try:
         return path.read_bytes()
     except OSError as error:
-        collector.report(900076, None, path=path.as_posix(), reason=error.strerror or str(error))
+        collector.report(
+            LIST_NOT_READABLE, None, path=path.as_posix(), reason=error.strerror or str(error)
+        )
         return None

@@ -18,6 +18,8 @@ from nctakt.lists.format.schema import Values, load_list
 from nctakt.lists.machine.files import find_file, find_list, read_file
 from nctakt.lists.machine.list_kinds import kind_of, other_kind, references
 from nctakt.messages import Collector
+from nctakt.messages.checking import NOT_A_TEXT_FILE
+from nctakt.messages.folders import CIRCULAR_LIST_REFERENCE, WRONG_LIST_KIND
 
 
 class LinkedLists:
@@ -58,7 +60,7 @@ class LinkedLists:
         if not is_binary(data):
             return False
         place, line = (None, "") if reference is None else (reference.span, reference.line)
-        self._collector.report(900581, place, line, file=path.as_posix())
+        self._collector.report(NOT_A_TEXT_FILE, place, line, file=path.as_posix())
         return True
 
     def _values(self, schema: Schema, path: Path, data: bytes, base: Values | None) -> Values:
@@ -75,10 +77,12 @@ class LinkedLists:
         circle = find_circle(self._startup_file, path) if other is STARTUP else ()
         if circle:
             way = " → ".join(one.name for one in circle)
-            self._collector.report(900744, reference.span, reference.line, circle=way)
+            self._collector.report(
+                CIRCULAR_LIST_REFERENCE, reference.span, reference.line, circle=way
+            )
             return True
         self._collector.report(
-            900745,
+            WRONG_LIST_KIND,
             reference.span,
             reference.line,
             path=reference.path,

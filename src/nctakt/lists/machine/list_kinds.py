@@ -29,6 +29,7 @@ from nctakt.lists.machine.files import find_list
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.variables import variables_configuration
 from nctakt.messages import Collector
+from nctakt.messages.machine import LIST_FORMAT_NOT_SUPPORTED
 
 #: How files of each kind are called in the field, for lists whose entries tell nothing.
 _NAMES = {
@@ -88,7 +89,9 @@ def check_list_alone(
         variables_configuration(values, collector)
     elif schema is STARTUP:
         if values.text("listen") != "ASCII":
-            values.report(collector, 900064, ("listen",), format=values.text("listen"))
+            values.report(
+                collector, LIST_FORMAT_NOT_SUPPORTED, ("listen",), format=values.text("listen")
+            )
             return
         for _, reference in references(startup_configuration(values, collector)):
             find_list(reference, path.parent, collector)

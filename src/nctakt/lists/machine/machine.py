@@ -57,6 +57,17 @@ from nctakt.lists.machine.variables import (
     variables_configuration,
 )
 from nctakt.messages import Collector
+from nctakt.messages.machine import (
+    GLOBAL_VARIABLE_DECLARED_DIFFERENTLY,
+    INVALID_LOGICAL_AXIS_NUMBER,
+    LIST_FORMAT_NOT_SUPPORTED,
+    MACHINE_FOLDER_MISSING,
+    MACHINE_WITHOUT_CHANNELS,
+    MANDATORY_PARAMETER_MISSING,
+    RTCONF_MISSING,
+    STARTUP_LIST_MISSING,
+)
+from nctakt.messages.variables import CHANNEL_VARIABLES_TOO_LARGE
 
 #: NC cycle without rtconf.lis, in µs.
 DEFAULT_CYCLE_TIME_US = 1000
@@ -129,12 +140,14 @@ def _startup_file(folder: Path, collector: Collector) -> Path:
     if folder.is_file():
         return folder
     if not folder.is_dir():
-        collector.report(900060, None, path=folder.as_posix())
+        collector.report(MACHINE_FOLDER_MISSING, None, path=folder.as_posix())
         raise Failure(*collector.diagnostics)
     found = startup_list(folder)
     if found is not None:
         return found
-    collector.report(900061, None, path=folder.as_posix(), names=", ".join(STARTUP_NAMES))
+    collector.report(
+        STARTUP_LIST_MISSING, None, path=folder.as_posix(), names=", ".join(STARTUP_NAMES)
+    )
     raise Failure(*collector.diagnostics)
 
 
@@ -190,21 +203,21 @@ class _Loader:
         self.startup_values = values
         format_ = values.text("listen")
         if format_ != "ASCII":
-            values.report(self.collector, 900064, ("listen",), format=format_)
+            values.report(self.collector, LIST_FORMAT_NOT_SUPPORTED, ("listen",), format=format_)
             raise self._fail()
         return startup_configuration(values, self.collector)
 
     def _rtconf(self, startup: StartupConfiguration) -> RtconfConfiguration | None:
         found = self.lists.data(RTCONF, startup.rtconf)
         if found is None:
-            self.collector.report(900068, None, cycle=DEFAULT_CYCLE_TIME_US)
+            self.collector.report(RTCONF_MISSING, None, cycle=DEFAULT_CYCLE_TIME_US)
             return None
         path, data = found
         return load_rtconf(path.as_posix(), data, self.collector)
 
     def _missing(self, key: str, count: str) -> None:
         """Tell that ``key`` is missing, of which ``count`` says how many there are."""
-        self.startup_values.report(self.collector, 900065, (count,), key=key)
+        self.startup_values.report(self.collector, MANDATORY_PARAMETER_MISSING, (count,), key=key)
 
     def _axes(self, startup: StartupConfiguration) -> tuple[AxisConfiguration, ...]:
         base = self.lists.values(AXIS, startup.axis_defaults)
@@ -218,7 +231,9 @@ class _Loader:
             axis = axis_configuration(values, self.collector)
             number = axis.logical_number
             if number == 0 or any(other.logical_number == number for other in axes):
-                values.report(self.collector, 900067, ("kopf.achs_nr",), logical=number)
+                values.report(
+                    self.collector, INVALID_LOGICAL_AXIS_NUMBER, ("kopf.achs_nr",), logical=number
+                )
                 continue
             axes.append(axis)
         return tuple(axes)
@@ -236,7 +251,7 @@ class _Loader:
             parameters.append(channel_parameters(values, self.collector))
             self.channel_values.append(values)
         if not any_list:
-            self.collector.report(900077, None)
+            self.collector.report(MACHINE_WITHOUT_CHANNELS, None)
             raise self._fail()
         return tuple(parameters)
 
@@ -264,7 +279,12 @@ class _Loader:
                     values = self.variable_values[number - 1]
                     span, line = values.where(("var[].name",), variable.name)
                     self.collector.report(
-                        900078, span, line, name=variable.name, channel=number, first=first
+                        GLOBAL_VARIABLE_DECLARED_DIFFERENTLY,
+                        span,
+                        line,
+                        name=variable.name,
+                        channel=number,
+                        first=first,
                     )
                 external.append(known)
             settled.append(replace(variables, external=tuple(external)))
@@ -318,6 +338,12 @@ class _Loader:
         available = parameters.channel_variables_bytes
         if needed > available:
             key = "configuration.decoder.v_ch_memory"
-            values.report(self.collector, 21992, (key,), needed=needed, available=available)
+            values.report(
+                self.collector,
+                CHANNEL_VARIABLES_TOO_LARGE,
+                (key,),
+                needed=needed,
+                available=available,
+            )
             return ()
         return variables.channel

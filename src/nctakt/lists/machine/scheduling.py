@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nctakt.base.diagnostics import Severity
 from nctakt.lists.declared.rtconf import (
     KNOWN_FUNCTIONS,
     RTCONF,
@@ -27,6 +26,44 @@ from nctakt.lists.machine.scheduling_checks import check_priorities, is_realtime
 from nctakt.lists.machine.scheduling_profile import RtconfOptions
 from nctakt.lists.machine.scheduling_source import comment_of, read_source
 from nctakt.messages import Collector
+from nctakt.messages.rtconf import (
+    CYCLE_TIME_LONG,
+    CYCLE_TIME_NOT_A_MULTIPLE,
+    CYCLE_TIME_SHORT,
+    DUPLICATE_THREAD_BIT,
+    DUPLICATE_THREAD_NAME,
+    EXTERNAL_THREAD_WITHOUT_SEMAPHORE,
+    INTERRUPT_SOURCE_MISSING,
+    REALTIME_OVERFLOW_NOT_REPORTED,
+    REALTIME_THREAD_ASSUMED,
+    SCHEDULE_TEXT_EMPTY,
+    SCHEDULE_TIME_MISSING,
+    SCHEDULE_TIME_TOO_LONG,
+    SEMAPHORE_NAME_MISSING,
+    SEMAPHORE_NAME_WITHOUT_EFFECT,
+    SEVERAL_CALLS_PER_ACTIVATION,
+    THREAD_CYCLE_MISSING,
+    THREAD_INDEX_GAP,
+    THREAD_WITHOUT_FUNCTION,
+    TIME_NOT_A_MULTIPLE,
+    TIME_SLICE_ABOVE_CYCLE_TIME,
+    UNKNOWN_THREAD_FUNCTION,
+    WINDOWS_TIME_BELOW_TIME_SLICE,
+    WINDOWS_TIME_DIFFERS,
+    WINDOWS_TIME_SHORT,
+    WINDOWS_TIME_TAKES_WHOLE_CYCLE,
+    WINDOWS_TIME_ZERO,
+)
+from nctakt.messages.schedule_check import (
+    INTERRUPT_SOURCE_ASSUMED,
+    INVALID_SEMAPHORE_NAME,
+    SCHEDULE_WITHOUT_THREADS,
+    TIME_SLICE_NOT_HAL_PERIOD,
+    TIME_SLICE_NOT_SETTABLE,
+    WINDOWS_TIME_IGNORED,
+    WINDOWS_TIME_OFF,
+    WINDOWS_TIME_UNSTABLE,
+)
 
 CYCLE_TIME_FALLBACK_US = 2000
 TIME_SLICE_FALLBACK_US = 500
@@ -39,7 +76,13 @@ _LONGEST_SLICE_US = MAX_UNS16 - 1
 
 
 #: Errors by our choice, where the manual gives no default: warnings when they are taken leniently.
-_LENIENT = (900030, 900031, 900041, 900052, 900055)
+_LENIENT = (
+    INTERRUPT_SOURCE_MISSING,
+    SCHEDULE_TIME_MISSING,
+    SEMAPHORE_NAME_MISSING,
+    SCHEDULE_TIME_TOO_LONG,
+    EXTERNAL_THREAD_WITHOUT_SEMAPHORE,
+)
 _STANDARD = RtconfOptions()
 
 
@@ -65,11 +108,8 @@ def effective(
     findings = Collector()
     configuration = _effective(values, findings, options)
     for found in findings.diagnostics:
-        if options.lenient and found.id in _LENIENT:
-            message = replace(found.message, severity=Severity.WARNING)
-            collector.diagnostics.append(replace(found, message=message))
-        else:
-            collector.diagnostics.append(found)
+        is_lenient = options.lenient and found.message in _LENIENT
+        collector.diagnostics.append(replace(found, is_lenient=True) if is_lenient else found)
     return configuration
 
 
@@ -97,13 +137,20 @@ def _interrupt_source(
     key = ("interrupt_source",)
     taken = values.taken.get(("interrupt_source", ()))
     if taken is None:
-        values.report(collector, 900030, key)
+        values.report(collector, INTERRUPT_SOURCE_MISSING, key)
         return InterruptSource.TIMER
     number = values.integer("interrupt_source")
     reading = read_source(number, comment_of(taken.entry), options.convention)
     if reading.source is not InterruptSource.SEMAPHORE:
         text = reading.text
-        values.report(collector, 900600, key, value=number, meaning_en=text.en, meaning_de=text.de)
+        values.report(
+            collector,
+            INTERRUPT_SOURCE_ASSUMED,
+            key,
+            value=number,
+            meaning_en=text.en,
+            meaning_de=text.de,
+        )
     return reading.source
 
 
@@ -111,12 +158,12 @@ def _object_name(values: Values, source: InterruptSource, collector: Collector) 
     key = ("external_object_name",)
     name = values.text("external_object_name")
     if source is InterruptSource.SEMAPHORE and not name:
-        values.report(collector, 900041, key)
+        values.report(collector, SEMAPHORE_NAME_MISSING, key)
     if source is not InterruptSource.SEMAPHORE and name:
-        values.report(collector, 900042, key)
+        values.report(collector, SEMAPHORE_NAME_WITHOUT_EFFECT, key)
         return ""
     if len(name.removeprefix("/")) > LONGEST_OBJECT_NAME or "/" in name.removeprefix("/"):
-        values.report(collector, 900610, key, limit=LONGEST_OBJECT_NAME)
+        values.report(collector, INVALID_SEMAPHORE_NAME, key, limit=LONGEST_OBJECT_NAME)
         return ""
     return name
 
@@ -127,31 +174,45 @@ def _times(values: Values, collector: Collector, options: RtconfOptions) -> tupl
     slice_ = _given_or(values, "time_slice", min(TIME_SLICE_FALLBACK_US, cycle), collector)
     profile, hal = options.profile, options.hal_timer_us
     if not profile.settable_slice and values.given("time_slice"):
-        values.report(collector, 900601, ("time_slice",), profile=profile.title)
+        values.report(collector, TIME_SLICE_NOT_SETTABLE, ("time_slice",), profile=profile.title)
     if profile.name == "rtx" and hal is not None and hal != slice_:
-        values.report(collector, 900609, ("time_slice",), slice=slice_, hal=hal)
+        values.report(collector, TIME_SLICE_NOT_HAL_PERIOD, ("time_slice",), slice=slice_, hal=hal)
     if slice_ > _LONGEST_SLICE_US:
-        values.report(collector, 900052, ("time_slice",), key="time_slice", limit=_LONGEST_SLICE_US)
+        values.report(
+            collector,
+            SCHEDULE_TIME_TOO_LONG,
+            ("time_slice",),
+            key="time_slice",
+            limit=_LONGEST_SLICE_US,
+        )
     ratio = {"cycle": cycle, "slice": slice_}
     if cycle < slice_:
-        values.report(collector, 900032, ("time_slice",), **ratio)
+        values.report(collector, TIME_SLICE_ABOVE_CYCLE_TIME, ("time_slice",), **ratio)
     elif cycle < 3 * slice_:
-        values.report(collector, 900033, ("time_slice",), **ratio)
+        values.report(collector, CYCLE_TIME_SHORT, ("time_slice",), **ratio)
     elif cycle > 20 * slice_:
-        values.report(collector, 900034, ("time_slice",), **ratio)
+        values.report(collector, CYCLE_TIME_LONG, ("time_slice",), **ratio)
     rounded = _round_up(cycle, slice_)
     if rounded > _LONGEST_TIME_US:
-        values.report(collector, 900052, ("cycle_time",), key="cycle_time", limit=_LONGEST_TIME_US)
+        values.report(
+            collector,
+            SCHEDULE_TIME_TOO_LONG,
+            ("cycle_time",),
+            key="cycle_time",
+            limit=_LONGEST_TIME_US,
+        )
         rounded = _round_up(CYCLE_TIME_FALLBACK_US, slice_)
     elif rounded != cycle:
-        values.report(collector, 1000153, ("cycle_time",), value=cycle, effective=rounded)
+        values.report(
+            collector, CYCLE_TIME_NOT_A_MULTIPLE, ("cycle_time",), value=cycle, effective=rounded
+        )
     return slice_, rounded
 
 
 def _given_or(values: Values, pattern: str, fallback: int, collector: Collector) -> int:
     if values.given(pattern):
         return values.integer(pattern)
-    values.report(collector, 900031, (pattern,), key=pattern, fallback=fallback)
+    values.report(collector, SCHEDULE_TIME_MISSING, (pattern,), key=pattern, fallback=fallback)
     return fallback
 
 
@@ -165,12 +226,12 @@ def _windows_time(
     key = ("windows_time",)
     wanted = _given_or(values, "windows_time", slice_, collector)
     if wanted == 0:
-        values.report(collector, 900037, key)
+        values.report(collector, WINDOWS_TIME_ZERO, key)
         return 0
     if wanted < slice_:
         values.report(
             collector,
-            900615 if options.small_windows_is_off else 900036,
+            WINDOWS_TIME_OFF if options.small_windows_is_off else WINDOWS_TIME_BELOW_TIME_SLICE,
             key,
             value=wanted,
             slice=slice_,
@@ -181,11 +242,17 @@ def _windows_time(
     rounded = wanted // slice_ * slice_
     if rounded != wanted:
         values.report(
-            collector, 900035, key, key="windows_time", value=wanted, effective=rounded, step=slice_
+            collector,
+            TIME_NOT_A_MULTIPLE,
+            key,
+            key="windows_time",
+            value=wanted,
+            effective=rounded,
+            step=slice_,
         )
     # Vendors' lists for Linux carry the cycle time here, and mean nothing by it.
     if options.ignore_windows or (options.profile.name == "linux" and rounded >= cycle):
-        values.report(collector, 900602, key, value=rounded)
+        values.report(collector, WINDOWS_TIME_IGNORED, key, value=rounded)
         return 0
     _check_windows_time(values, rounded, slice_, cycle, collector, options)
     return rounded
@@ -196,13 +263,13 @@ def _check_windows_time(
 ) -> None:
     key = ("windows_time",)
     if time >= cycle:
-        values.report(collector, 900038, key, value=time, cycle=cycle)
+        values.report(collector, WINDOWS_TIME_TAKES_WHOLE_CYCLE, key, value=time, cycle=cycle)
     if time <= SHORT_WINDOWS_TIME_US:
-        values.report(collector, 900039, key, value=time)
+        values.report(collector, WINDOWS_TIME_SHORT, key, value=time)
     elif time != slice_:
-        values.report(collector, 900040, key, value=time, slice=slice_)
+        values.report(collector, WINDOWS_TIME_DIFFERS, key, value=time, slice=slice_)
     if options.profile.name == "rtx" and time <= UNSTABLE_WINDOWS_TIME_US:
-        values.report(collector, 900613, key, value=time)
+        values.report(collector, WINDOWS_TIME_UNSTABLE, key, value=time)
 
 
 def _thread_cycle(
@@ -212,15 +279,21 @@ def _thread_cycle(
     name = with_indices(pattern, (index,))
     wanted = values.integer(pattern, index)
     if wanted == 0:
-        values.report(collector, 900044, key, key=name, effective=cycle_time)
+        values.report(collector, THREAD_CYCLE_MISSING, key, key=name, effective=cycle_time)
         return cycle_time
     rounded = _round_up(wanted, cycle_time)
     if rounded > _LONGEST_TIME_US:
-        values.report(collector, 900052, key, key=name, limit=_LONGEST_TIME_US)
+        values.report(collector, SCHEDULE_TIME_TOO_LONG, key, key=name, limit=_LONGEST_TIME_US)
         return cycle_time
     if rounded != wanted:
         values.report(
-            collector, 900035, key, key=name, value=wanted, effective=rounded, step=cycle_time
+            collector,
+            TIME_NOT_A_MULTIPLE,
+            key,
+            key=name,
+            value=wanted,
+            effective=rounded,
+            step=cycle_time,
         )
     return rounded
 
@@ -239,9 +312,9 @@ def _threads(
     )
     _check_trace_bits(values, threads, collector)
     if not threads:
-        values.report(collector, 900612, ("thread[].name", 0))
+        values.report(collector, SCHEDULE_WITHOUT_THREADS, ("thread[].name", 0))
     elif not any(is_realtime(thread) for thread in threads):
-        values.report(collector, 900051, ("thread[].function[].name", 0, 0))
+        values.report(collector, REALTIME_THREAD_ASSUMED, ("thread[].function[].name", 0, 0))
     return check_priorities(values, threads, options.profile, collector)
 
 
@@ -260,9 +333,14 @@ def _thread(
         functions,
     )
     if not functions:
-        values.report(collector, 900053, ("thread[].name", index), thread=index)
+        values.report(collector, THREAD_WITHOUT_FUNCTION, ("thread[].name", index), thread=index)
     if is_realtime(thread) and not thread.error_on_overflow:
-        values.report(collector, 900057, ("thread[].error_on_overflow", index), thread=index)
+        values.report(
+            collector,
+            REALTIME_OVERFLOW_NOT_REPORTED,
+            ("thread[].error_on_overflow", index),
+            thread=index,
+        )
     return thread
 
 
@@ -278,14 +356,23 @@ def _functions(
         key = ("thread[].function[].name", thread, index)
         path = with_indices(key[0], (thread, index))
         if not name:
-            values.report(collector, 900045, key, key=path)
+            values.report(collector, SCHEDULE_TEXT_EMPTY, key, key=path)
             continue
         if name not in known:
-            values.report(collector, 900048, key, key=path, value=name, names=", ".join(known))
+            values.report(
+                collector,
+                UNKNOWN_THREAD_FUNCTION,
+                key,
+                key=path,
+                value=name,
+                names=", ".join(known),
+            )
         calls = values.integer("thread[].function[].calls_per_cycle", thread, index)
         if calls > 1 and name != "task_rnd":
             calls_key = ("thread[].function[].calls_per_cycle", thread, index)
-            values.report(collector, 900054, calls_key, function=name, value=calls)
+            values.report(
+                collector, SEVERAL_CALLS_PER_ACTIVATION, calls_key, function=name, value=calls
+            )
         trace_bit = values.integer("thread[].function[].trace_bit", thread, index)
         functions.append(ThreadFunction(index, name, calls, trace_bit))
     return tuple(functions)
@@ -301,7 +388,7 @@ def _external_threads(
         name = values.text("external_thread[].semaphore_name", index)
         if not name:
             key = ("external_thread[].semaphore_name", index)
-            values.report(collector, 900055, key, thread=index)
+            values.report(collector, EXTERNAL_THREAD_WITHOUT_SEMAPHORE, key, thread=index)
             continue
         cycle = _thread_cycle(values, "external_thread[].cycle", index, cycle_time, collector)
         threads.append(ExternalThread(index, name, cycle))
@@ -319,7 +406,9 @@ def _check_gaps(
 ) -> None:
     if indices and indices[-1] != len(indices) - 1:
         missing = next(index for index in range(indices[-1]) if index not in indices)
-        collector.report(900050, values.place("schedule")[0], key=with_indices(prefix, (missing,)))
+        collector.report(
+            THREAD_INDEX_GAP, values.place("schedule")[0], key=with_indices(prefix, (missing,))
+        )
 
 
 def _check_names(
@@ -329,10 +418,17 @@ def _check_names(
     for index, name in names:
         path = with_indices(pattern, (index,))
         if not name:
-            values.report(collector, 900045, (pattern, index), key=path)
+            values.report(collector, SCHEDULE_TEXT_EMPTY, (pattern, index), key=path)
         elif name in first:
             other = with_indices(pattern, (first[name],))
-            values.report(collector, 900047, (pattern, index), key=path, other=other, value=name)
+            values.report(
+                collector,
+                DUPLICATE_THREAD_NAME,
+                (pattern, index),
+                key=path,
+                other=other,
+                value=name,
+            )
         else:
             first[name] = index
 
@@ -349,7 +445,7 @@ def _check_trace_bits(
             if function.trace_bit and other != path:
                 values.report(
                     collector,
-                    900049,
+                    DUPLICATE_THREAD_BIT,
                     (pattern, thread.index, function.index),
                     key=path,
                     other=other,

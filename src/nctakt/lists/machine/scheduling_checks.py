@@ -22,6 +22,17 @@ from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.scheduling_profile import Profile
 from nctakt.lists.machine.scheduling_source import comment_of
 from nctakt.messages import Collector
+from nctakt.messages.linux_run import CYCLES_MAY_TAKE_WINDOWS_TIME
+from nctakt.messages.schedule_check import (
+    CHANNEL_CONTEXT_WITHOUT_THREAD,
+    COMMENT_CONTRADICTS_ENTRY,
+    DUPLICATE_PRIORITY,
+    HIGHEST_PRIORITY_ASSUMED,
+    LOWEST_PRIORITY_ASSUMED,
+    PRIORITY_OUT_OF_RANGE,
+    PRIORITY_RESERVED,
+    THREAD_BEFORE_REALTIME_THREAD,
+)
 
 _KEY = "thread[].priority"
 _EXTREME = re.compile(r"\b(highest|lowest)\b", re.I)
@@ -52,7 +63,7 @@ def _check_range(
     if not profile.low <= priority <= profile.high and values.given(*key):
         values.report(
             collector,
-            900603,
+            PRIORITY_OUT_OF_RANGE,
             key,
             key=name,
             value=priority,
@@ -62,9 +73,11 @@ def _check_range(
         )
         priority = 0
     elif priority in profile.reserved and values.given(*key):
-        values.report(collector, 900605, key, key=name, value=priority, profile=profile.title)
+        values.report(
+            collector, PRIORITY_RESERVED, key, key=name, value=priority, profile=profile.title
+        )
     if priority != thread.priority or not values.given(*key):
-        number = 900604 if profile.greatest_first else 900614
+        number = LOWEST_PRIORITY_ASSUMED if profile.greatest_first else HIGHEST_PRIORITY_ASSUMED
         values.report(collector, number, key, key=name, profile=profile.title)
     return replace(thread, priority=priority)
 
@@ -82,7 +95,7 @@ def _check_equal(
         if other != thread.index:
             values.report(
                 collector,
-                900606,
+                DUPLICATE_PRIORITY,
                 (_KEY, thread.index),
                 key=with_indices(*_at(thread)),
                 other=with_indices(_KEY, (other,)),
@@ -100,7 +113,7 @@ def _check_realtime(
         if is_realtime(thread) and above:
             values.report(
                 collector,
-                900607,
+                THREAD_BEFORE_REALTIME_THREAD,
                 (_KEY, thread.index),
                 thread=thread.index,
                 other=above[0].index,
@@ -121,7 +134,7 @@ def _check_comments(
         if urgency != extreme:
             values.report(
                 collector,
-                900608,
+                COMMENT_CONTRADICTS_ENTRY,
                 (_KEY, thread.index),
                 key=with_indices(*_at(thread)),
                 word=said[1],
@@ -145,7 +158,12 @@ def check_contexts(
                 for thread in configuration.threads
             ):
                 collector.report(
-                    900611, None, channel=number, key=key, context=context, function=function
+                    CHANNEL_CONTEXT_WITHOUT_THREAD,
+                    None,
+                    channel=number,
+                    key=key,
+                    context=context,
+                    function=function,
                 )
 
 
@@ -165,7 +183,7 @@ def check_time_limits(
         windows_us = configuration.windows_time_us
         if limits.enable and windows_us and allowed_us + windows_us > configuration.cycle_time_us:
             collector.report(
-                900697,
+                CYCLES_MAY_TAKE_WINDOWS_TIME,
                 None,
                 channel=number,
                 share=limits.max_duration_pct,

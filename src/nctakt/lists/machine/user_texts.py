@@ -13,6 +13,7 @@ from pathlib import Path
 from nctakt.base.text import decode_text, split_lines
 from nctakt.lists.machine.files import find_file, read_file
 from nctakt.messages import Collector
+from nctakt.messages.user_errors import INVALID_USER_TEXT_LINE, USER_TEXTS_MISSING
 
 HIGHEST_ID = 1000
 
@@ -25,7 +26,7 @@ def user_texts(path: str, folder: Path, collector: Collector) -> dict[int, str]:
         return {}
     found = find_file(path, folder)
     if found is None:
-        collector.report(900469, None, path=path)
+        collector.report(USER_TEXTS_MISSING, None, path=path)
         return {}
     data = read_file(found, collector)
     return {} if data is None else _texts(data, path, collector)
@@ -38,7 +39,7 @@ def _texts(data: bytes, name: str, collector: Collector) -> dict[int, str]:
             continue
         match = _LINE.match(line)
         if match is None or not 1 <= int(match[1]) <= HIGHEST_ID:
-            collector.report(900468, None, file=name, line=number)
+            collector.report(INVALID_USER_TEXT_LINE, None, file=name, line=number)
             continue
         texts[int(match[1])] = match[2]
     return texts

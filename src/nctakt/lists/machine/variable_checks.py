@@ -14,6 +14,7 @@ from nctakt.lists.format.schema import Values
 from nctakt.lists.machine.variables import VariablesConfiguration, VariableScope
 from nctakt.lists.machine.variables_layout import overlaps, pack_of, place, size_of
 from nctakt.messages import Collector
+from nctakt.messages.variables import EXTERNAL_VARIABLES_TOO_LARGE, VARIABLES_OVERLAP
 
 
 def check_memory(
@@ -35,7 +36,7 @@ def check_memory(
         needed = sum(size_of(one.node, pack) for one in variables.external)
         if needed > available:
             numbers = {"channel": channel, "needed": needed, "available": available}
-            values.report(collector, 900814, ("ext_var_max",), **numbers)
+            values.report(collector, EXTERNAL_VARIABLES_TOO_LARGE, ("ext_var_max",), **numbers)
 
 
 def _overlapping(variables: VariablesConfiguration, pack: int, collector: Collector) -> None:
@@ -44,4 +45,4 @@ def _overlapping(variables: VariablesConfiguration, pack: int, collector: Collec
         placed = place([one for one in variables.external if one.scope is scope], pack)
         for one, other in overlaps(placed):
             name, earlier = other.variable.name, one.variable.name
-            collector.report(900087, None, name=name, other=earlier, offset=other.offset)
+            collector.report(VARIABLES_OVERLAP, None, name=name, other=earlier, offset=other.offset)

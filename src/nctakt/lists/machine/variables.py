@@ -17,6 +17,15 @@ from nctakt.lists.declared.variables import NAME_LENGTH, SCALARS
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.schema import Values
 from nctakt.messages import Collector
+from nctakt.messages.variables import (
+    INVALID_VARIABLE_NAME,
+    RECURSIVE_STRUCTURE,
+    UNKNOWN_VARIABLE_TYPE,
+    VARIABLE_BEYOND_COUNT,
+    VARIABLE_OFFSET_TOO_LARGE,
+    VARIABLE_STRUCTURE_TOO_DEEP,
+    VARIABLE_TOO_LARGE,
+)
 
 #: The most numbers and strings that one variable may hold.
 MOST_LEAVES = 65_536
@@ -159,7 +168,9 @@ def variables_configuration(values: Values, collector: Collector) -> VariablesCo
     beyond = [index for index in indices if index >= count]
     if beyond:
         key = with_indices("var[]", (beyond[0],))
-        values.report(collector, 900081, ("var[].name", beyond[0]), key=key, count=count)
+        values.report(
+            collector, VARIABLE_BEYOND_COUNT, ("var[].name", beyond[0]), key=key, count=count
+        )
     external = builder.variables(
         "var[]", VariableSpace.EXTERNAL, tuple(index for index in indices if index < count)
     )
@@ -234,7 +245,14 @@ class _Builder:
         if offset > MOST_OFFSET:
             at = (f"{prefix}.byte_offset", index)
             key = with_indices(at[0], (index,))
-            values.report(self.collector, 900088, at, key=key, value=offset, limit=MOST_OFFSET)
+            values.report(
+                self.collector,
+                VARIABLE_OFFSET_TOO_LARGE,
+                at,
+                key=key,
+                value=offset,
+                limit=MOST_OFFSET,
+            )
             offset = -1
         return Variable(space, scope, node, offset)
 
@@ -280,7 +298,12 @@ class _Builder:
             return True
         key = with_indices(pattern, indices)
         self.values.report(
-            self.collector, 900080, (pattern, *indices), key=key, value=name, limit=NAME_LENGTH
+            self.collector,
+            INVALID_VARIABLE_NAME,
+            (pattern, *indices),
+            key=key,
+            value=name,
+            limit=NAME_LENGTH,
         )
         return False
 
@@ -294,7 +317,11 @@ class _Builder:
         if elements > MOST_LEAVES:
             key = with_indices(array_pattern, (index,))
             self.values.report(
-                self.collector, 900084, (array_pattern, index), key=key, limit=MOST_LEAVES
+                self.collector,
+                VARIABLE_TOO_LARGE,
+                (array_pattern, index),
+                key=key,
+                limit=MOST_LEAVES,
             )
             return False
         return True
@@ -308,15 +335,19 @@ class _Builder:
         if type_ in self.counts:
             return self.counts[type_]
         if type_ in outer:
-            self.values.report(self.collector, 900083, at, name=type_)
+            self.values.report(self.collector, RECURSIVE_STRUCTURE, at, name=type_)
             return None
         if len(outer) > MOST_NESTING:
-            self.values.report(self.collector, 900085, at, name=outer[0], limit=MOST_NESTING)
+            self.values.report(
+                self.collector, VARIABLE_STRUCTURE_TOO_DEEP, at, name=outer[0], limit=MOST_NESTING
+            )
             return None
         if type_ not in self.structures:
             key = with_indices(at[0], tuple(at[1:]))
             names = ", ".join(SCALARS)
-            self.values.report(self.collector, 900082, at, key=key, value=type_, names=names)
+            self.values.report(
+                self.collector, UNKNOWN_VARIABLE_TYPE, at, key=key, value=type_, names=names
+            )
             return None
         total = 0
         prefix = "struct[].element[]"

@@ -11,6 +11,14 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Protocol
 
+from nctakt.base.diagnostics import Message
+from nctakt.messages.checked_cycles import AGGREGATE_COPY_IN_CYCLE
+from nctakt.messages.checked_values import (
+    STRUCTURE_USED_AS_VALUE,
+    VARIABLE_READ_ONLY,
+    VARIABLE_WRITE_ONLY,
+)
+from nctakt.messages.memory import AGGREGATE_TYPE_MISMATCH
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Assignment, Expression, Parameter, Variable
 from nctakt.nc.vocabulary.cells import leaf_cells, same_type
@@ -77,25 +85,27 @@ class WholeChecker:
         assert isinstance(target, Variable)
         name, member = path_text(target), _first_member(source)
         if self._in_cycle:
-            self._findings.report(21984, target.span, name=name, member=member)
+            self._findings.report(AGGREGATE_COPY_IN_CYCLE, target.span, name=name, member=member)
             return
         for index in (*indices_of(target), *indices_of(value)):
             self._values.value(index)
         if not same_type(source.node, place.node):
             other = path_text(value)
-            self._findings.report(900345, value.span, name=name, value=other, member=member)
+            self._findings.report(
+                AGGREGATE_TYPE_MISMATCH, value.span, name=name, value=other, member=member
+            )
             return
         fits = [self._values.indices_fit(target, place), self._values.indices_fit(value, source)]
         if all(fits):
-            self._may(target, place, Access.WRITE, 900216)
-            self._may(value, source, Access.READ, 900217)
+            self._may(target, place, Access.WRITE, VARIABLE_READ_ONLY)
+            self._may(value, source, Access.READ, VARIABLE_WRITE_ONLY)
 
-    def _may(self, variable: Variable, whole: Whole, wanted: Access, number: int) -> None:
+    def _may(self, variable: Variable, whole: Whole, wanted: Access, message: Message) -> None:
         """The first member that may not be written or read is told."""
         one = replace(whole.node, array_elements=0)
         for name, leaf, _ in leaf_cells(one, whole.name, 0):
             if wanted not in RIGHTS[leaf.rights]:
-                self._findings.report(number, variable.span, name=name)
+                self._findings.report(message, variable.span, name=name)
                 return
 
     def _no_value(self, target: Variable | Parameter, value: Variable) -> None:
@@ -104,7 +114,9 @@ class WholeChecker:
         assert isinstance(found, NotFound)
         if found.reason is Problem.STRUCTURE:
             member = self._member_like(target, value) or found.nearest
-            self._findings.report(900215, value.span, name=found.name, member=member)
+            self._findings.report(
+                STRUCTURE_USED_AS_VALUE, value.span, name=found.name, member=member
+            )
         else:
             self._values.not_found(value, found)
 

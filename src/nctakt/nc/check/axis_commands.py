@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nctakt.messages.checked_axes import INDEPENDENT_MOTION_NOT_PERMITTED, INDP_OF_SPINDLE
 from nctakt.nc.check.blocks import WordChecker
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
@@ -57,11 +58,11 @@ class AxisCommandChecker:
         """An axis of the channel that may be moved on its own (RC-406)."""
         axis = self._names.axis(bracket.name)
         if bracket.name in self._words.spindles:
-            self._findings.report(900262, bracket.span, spindle=bracket.name)
+            self._findings.report(INDP_OF_SPINDLE, bracket.span, spindle=bracket.name)
         elif axis is None:
             self._words.unknown(bracket)
         elif not axis.moves_alone:
-            self._findings.report(50966, bracket.span, axis=bracket.name)
+            self._findings.report(INDEPENDENT_MOTION_NOT_PERMITTED, bracket.span, axis=bracket.name)
 
     def _needs(self, command: AxisCommand, bracket: BracketCommand) -> list[Wrong]:
         """What the command needs of its axis, and of the cycle's other commands."""
@@ -78,4 +79,4 @@ class AxisCommandChecker:
         values = dict(wrong.values)
         if wrong.written:
             values[wrong.written] = self._findings.written(wrong.span)
-        self._findings.report(wrong.number, wrong.span, **values)
+        self._findings.report(wrong.message, wrong.span, **values)

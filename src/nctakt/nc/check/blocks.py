@@ -14,6 +14,33 @@ from typing import Literal
 
 from nctakt.lists.declared.offsets import MOST_GROUPS
 from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.messages.checked_axes import INDP_OUTSIDE_REALTIME_CYCLE
+from nctakt.messages.checked_blocks import (
+    DUPLICATE_WORD,
+    EXCLUSIVE_WORDS,
+    EXTRA_PARAMETERS,
+    FUNCTION_NOT_DEFINED,
+    G04_NOT_ALONE,
+    G60_WITHOUT_MOTION,
+    G163_WITHOUT_RADIUS,
+    INVALID_FUNCTION_NUMBER,
+    UNKNOWN_WORD,
+    WORD_VALUE_MISSING,
+    WORD_VALUE_OUT_OF_RANGE,
+)
+from nctakt.messages.offsets import (
+    COMMAND_WITHOUT_AXIS,
+    G159_WITHOUT_NUMBER,
+    MOTION_WORD_WITH_OFFSETS,
+    UNKNOWN_OFFSET_KIND,
+    UNKNOWN_ZERO_OFFSET,
+)
+from nctakt.messages.program_structure import (
+    INVALID_RETURN_OPTION,
+    PROGRAM_END_IN_SUBPROGRAM,
+    SUBPROGRAM_END_IN_MAIN_PROGRAM,
+)
+from nctakt.messages.spindles import NOT_A_SPINDLE_WORD
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import RADIUS_FUNCTION, check_arc
@@ -124,7 +151,7 @@ class WordChecker:
             if not state.unknown:
                 self._needs_value(word)
         elif word.name in state.names:
-            self._findings.report(900209, word.span, word=word.name)
+            self._findings.report(DUPLICATE_WORD, word.span, word=word.name)
         else:
             state.names[word.name] = None
             self._values.value(word.value)
@@ -139,7 +166,7 @@ class WordChecker:
         names = [*self.axes, *self.spindles, "G", "M", "H", "F", "N"]
         near = get_close_matches(word.name, names, 1)
         self._findings.report(
-            900203,
+            UNKNOWN_WORD,
             word.span,
             word=self._findings.written(word.span),
             axes=", ".join(self.axes) or "–",
@@ -147,7 +174,7 @@ class WordChecker:
         )
 
     def _needs_value(self, word: AxisWord | Word) -> None:
-        self._findings.report(900208, word.span, word=word.name)
+        self._findings.report(WORD_VALUE_MISSING, word.span, word=word.name)
 
     def _word(self, word: Word, state: _Block) -> None:
         if word.name in _NUMBERED:
@@ -158,7 +185,7 @@ class WordChecker:
         if word.name in self.spindles:
             written = self._findings.written(word.span)
             self._findings.report(
-                900282, word.span, word=written, nearest=f"{word.name}[M3 REV=1000]"
+                NOT_A_SPINDLE_WORD, word.span, word=written, nearest=f"{word.name}[M3 REV=1000]"
             )
             return
         entry = support_level.answer_word(word.name)
@@ -181,7 +208,9 @@ class WordChecker:
             written = self._findings.written(word.span)
             self._findings.answer(support_level.form("M[P1], in cycles"), word.span, written)
         elif not value.value.is_integer() or value.value < 0:
-            self._findings.report(900204, word.span, word=f"{word.name}{value.value:g}")
+            self._findings.report(
+                INVALID_FUNCTION_NUMBER, word.span, word=f"{word.name}{value.value:g}"
+            )
         else:
             return int(value.value)
         return None
@@ -198,11 +227,11 @@ class WordChecker:
             self._g(word, number, state)
         elif word.name == "M" and number in _SUBPROGRAM_ENDS:
             if state.role == "main":
-                self._findings.report(900123, word.span, word=f"M{number}")
+                self._findings.report(SUBPROGRAM_END_IN_MAIN_PROGRAM, word.span, word=f"M{number}")
             self._given(word)
         else:
             if word.name == "M" and number in _PROGRAM_ENDS and state.role == "called":
-                self._findings.report(900124, word.span, word=f"M{number:02}")
+                self._findings.report(PROGRAM_END_IN_SUBPROGRAM, word.span, word=f"M{number:02}")
             self._technology(word, number)
 
     def _g(self, word: Word, number: int, state: _Block) -> None:
@@ -212,7 +241,7 @@ class WordChecker:
                 self._values.any_value(argument)
             return
         if entry is None:
-            self._findings.report(900204, word.span, word=f"G{number}")
+            self._findings.report(INVALID_FUNCTION_NUMBER, word.span, word=f"G{number}")
             return
         self._findings.answer(entry, word.span)
         if entry.answer is Answer.REFUSED:
@@ -221,22 +250,22 @@ class WordChecker:
             self._zero_offset(word)
         elif number == RADIUS_FUNCTION:
             if word.additional is None or word.arguments:
-                self._findings.report(900927, word.span)
+                self._findings.report(G163_WITHOUT_RADIUS, word.span)
             else:
                 self._values.value(word.additional)
         elif word.additional is not None or word.arguments:
-            self._findings.report(900212, word.span, word=entry.name)
+            self._findings.report(EXTRA_PARAMETERS, word.span, word=entry.name)
         if entry.group:
             other = state.groups.setdefault(entry.group, entry.name)
             if other != entry.name:
-                self._findings.report(900210, word.span, word=entry.name, other=other)
+                self._findings.report(EXCLUSIVE_WORDS, word.span, word=entry.name, other=other)
 
     def _technology(self, word: Word, number: int) -> None:
         entry = self._technology_entry(word.name, number)
         name = f"{word.name}{number:02}"
         if entry is None:
             key = f"{word.name.lower()}_synch[{number}]"
-            self._findings.report(900205, word.span, word=name, key=key)
+            self._findings.report(FUNCTION_NOT_DEFINED, word.span, word=name, key=key)
         else:
             self._findings.answer(entry, word.span, name)
             self._given(word)
@@ -250,7 +279,7 @@ class WordChecker:
         if isinstance(value, Number) and not LEAST_VALUE <= round(value.value) <= MOST_VALUE:
             name = self._findings.written(word.span)
             self._findings.report(
-                900847,
+                WORD_VALUE_OUT_OF_RANGE,
                 value.span,
                 word=name,
                 value=round(value.value),
@@ -270,13 +299,13 @@ class WordChecker:
     def _return(self, command: BracketCommand, state: _Block | None) -> None:
         """``M17 [MAIN]``, ``M17 [JUMPS=2]``, each also with a label."""
         if state is not None and state.role == "main":
-            self._findings.report(900123, command.span, word=command.name)
+            self._findings.report(SUBPROGRAM_END_IN_MAIN_PROGRAM, command.span, word=command.name)
         seen: dict[str, None] = {}
         for item in command.items:
             kind = _return_option(item)
             if not kind or kind in seen:
                 written = self._findings.written(item.span)
-                self._findings.report(900135, item.span, word=written)
+                self._findings.report(INVALID_RETURN_OPTION, item.span, word=written)
             elif isinstance(item, Keyword) and item.name == "JUMPS" and item.value is not None:
                 self._values.value(item.value)
             seen[kind] = None
@@ -291,7 +320,7 @@ class WordChecker:
         """``X[…]``, ``S2[…]``, ``M17[MAIN]``; false where nobody knows the name."""
         name = command.name
         if name in self.axes and is_axis_command(command):
-            self._findings.report(900260, command.span, axis=name)
+            self._findings.report(INDP_OUTSIDE_REALTIME_CYCLE, command.span, axis=name)
             return True
         if name in self.axes:
             form, shown = "X[…]", f"{name}[…]"
@@ -306,14 +335,14 @@ class WordChecker:
     def _exact_stop(self, block: Block) -> None:
         stop = next((word for word in block.words if _is_g(word, 60)), None)
         if stop is not None and not any(isinstance(word, AxisWord) for word in block.words):
-            self._findings.report(20003, stop.span)
+            self._findings.report(G60_WITHOUT_MOTION, stop.span)
 
     # --- offsets ---------------------------------------------------------------------------------
 
     def _zero_offset(self, word: Word) -> None:
         """``G159 = n``."""
         if word.additional is None or word.arguments:
-            self._findings.report(900770, word.span)
+            self._findings.report(G159_WITHOUT_NUMBER, word.span)
         else:
             self._values.value(word.additional)
             self._known_group(word.additional)
@@ -323,7 +352,9 @@ class WordChecker:
         if isinstance(value, Number):
             group = value.value
             if not 0 <= round(group) < MOST_GROUPS:
-                self._findings.report(900774, value.span, group=group, highest=MOST_GROUPS - 1)
+                self._findings.report(
+                    UNKNOWN_ZERO_OFFSET, value.span, group=group, highest=MOST_GROUPS - 1
+                )
 
     def _reference(self, block: Block) -> None:
         """G92 has axes, whose values are offsets, and no motion."""
@@ -331,11 +362,13 @@ class WordChecker:
         if reference is None:
             return
         if not any(isinstance(word, AxisWord) for word in block.words):
-            self._findings.report(900771, reference.span, command="G92")
+            self._findings.report(COMMAND_WITHOUT_AXIS, reference.span, command="G92")
         for word in block.words:
             if any(_is_g(word, motion) for motion in (0, 1, 2, 3)):
                 written = self._findings.written(word.span)
-                self._findings.report(900772, word.span, word=written, command="G92")
+                self._findings.report(
+                    MOTION_WORD_WITH_OFFSETS, word.span, word=written, command="G92"
+                )
 
     def offsets(self, command: OffsetCommand, role: Role) -> None:
         """``#PSET``, ``#PRESET``: axes with values; ``#SUPPRESS OFFSETS``: any motion."""
@@ -345,7 +378,9 @@ class WordChecker:
             word = kind.name if isinstance(kind, Keyword) and kind.value is None else ""
             if command.name != "SUPPRESS OFFSETS" or word not in OFFSETS:
                 written = self._findings.written(kind.span)
-                self._findings.report(900773, kind.span, word=written, names=", ".join(OFFSETS))
+                self._findings.report(
+                    UNKNOWN_OFFSET_KIND, kind.span, word=written, names=", ".join(OFFSETS)
+                )
         if command.name == "SUPPRESS OFFSETS":
             self.block(Block(command.span, command.head, command.words), role)
         else:
@@ -354,10 +389,12 @@ class WordChecker:
                     self._axis(other, state)
                 else:
                     written = self._findings.written(other.span)
-                    self._findings.report(900772, other.span, word=written, command=name)
+                    self._findings.report(
+                        MOTION_WORD_WITH_OFFSETS, other.span, word=written, command=name
+                    )
         needs_axis = command.name != "PRESET"
         if needs_axis and not any(isinstance(word, AxisWord) for word in command.words):
-            self._findings.report(900771, command.span, command=name)
+            self._findings.report(COMMAND_WITHOUT_AXIS, command.span, command=name)
 
     def _dwell_block(self, block: Block) -> None:
         """``G04`` with its time: ``G04 X0.5``, ``G04 0.5``; in revolutions, ``G04 S10``."""
@@ -374,7 +411,7 @@ class WordChecker:
             else:
                 wrong = True
         if wrong or len(times) != 1:
-            self._findings.report(900211, dwell.span)
+            self._findings.report(G04_NOT_ALONE, dwell.span)
         for time in times:
             self._values.value(time)
 

@@ -10,6 +10,9 @@ from __future__ import annotations
 import re
 from difflib import get_close_matches
 
+from nctakt.messages.checked_blocks import WORD_VALUE_MISSING
+from nctakt.messages.checked_cycles import DUPLICATE_KEYWORD
+from nctakt.messages.program_structure import INVALID_CALL_PARAMETER
 from nctakt.nc.check.blocks import WordChecker
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
@@ -65,14 +68,14 @@ class CallChecker:
     def _keyword(self, keyword: Keyword, seen: dict[str, None]) -> None:
         if keyword.name in _MODAL and keyword.value is None and not keyword.arguments:
             if _MODAL[0] in seen:
-                self._findings.report(900224, keyword.span, word=keyword.name)
+                self._findings.report(DUPLICATE_KEYWORD, keyword.span, word=keyword.name)
             seen[_MODAL[0]] = None
         elif parameter_number(keyword) is None:
             self._unknown(keyword)
         elif keyword.name in seen:
-            self._findings.report(900224, keyword.span, word=keyword.name)
+            self._findings.report(DUPLICATE_KEYWORD, keyword.span, word=keyword.name)
         elif keyword.value is None:
-            self._findings.report(900208, keyword.span, word=keyword.name)
+            self._findings.report(WORD_VALUE_MISSING, keyword.span, word=keyword.name)
         else:
             seen[keyword.name] = None
             self._values.any_value(keyword.value)
@@ -80,7 +83,7 @@ class CallChecker:
     def _unknown(self, item: Keyword | Expression) -> None:
         word = self._findings.written(item.span)
         near = get_close_matches(word.upper(), ("@P1", *_MODAL), 1, 0.0)
-        self._findings.report(900133, item.span, word=word, nearest=near[0])
+        self._findings.report(INVALID_CALL_PARAMETER, item.span, word=word, nearest=near[0])
 
 
 def _given(call: SubprogramCall) -> list[Expression]:

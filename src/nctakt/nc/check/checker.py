@@ -16,6 +16,20 @@ from difflib import get_close_matches
 from nctakt.base.diagnostics import Span
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
+from nctakt.messages.checked_blocks import (
+    FORMAT_VALUE_COUNT,
+    INVALID_COMMAND_FORM,
+    INVALID_PLACEHOLDER,
+    TEXT_FOR_NUMERIC_WORD,
+    UNKNOWN_COMMAND,
+    UNKNOWN_COMMAND_OPTION,
+)
+from nctakt.messages.checked_cycles import (
+    DUPLICATE_KEYWORD,
+    FREQUENCY_OUTSIDE_REALTIME_CYCLE,
+    LOOP_CONTROL_OUTSIDE_LOOP,
+)
+from nctakt.messages.program_structure import BLOCK_NUMBER_BEFORE_HASH_IF
 from nctakt.nc.check.axis_commands import AxisCommandChecker
 from nctakt.nc.check.blocks import Role, WordChecker
 from nctakt.nc.check.calls import CallChecker
@@ -203,15 +217,15 @@ class Checker:
 
     def _if(self, statement: If) -> None:
         if statement.preprocessor and statement.head.number is not None:
-            self._findings.report(900125, statement.span)
+            self._findings.report(BLOCK_NUMBER_BEFORE_HASH_IF, statement.span)
         if statement.frequency is not None:
             word = f"$IF {statement.frequency}"
-            self._findings.report(900222, statement.span, word=word)
+            self._findings.report(FREQUENCY_OUTSIDE_REALTIME_CYCLE, statement.span, word=word)
         self._branch(statement.condition, statement.body)
         for branch in statement.elseifs:
             if branch.frequency is not None:
                 word = f"$ELSEIF {branch.frequency}"
-                self._findings.report(900222, branch.span, word=word)
+                self._findings.report(FREQUENCY_OUTSIDE_REALTIME_CYCLE, branch.span, word=word)
             self._branch(branch.condition, branch.body)
         self._all(statement.else_body or ())
 
@@ -224,7 +238,7 @@ class Checker:
         inside = self._loops or (isinstance(statement, Break) and self._switches)
         if not inside:
             word = "$BREAK" if isinstance(statement, Break) else "$CONTINUE"
-            self._findings.report(900223, statement.span, word=word)
+            self._findings.report(LOOP_CONTROL_OUTSIDE_LOOP, statement.span, word=word)
 
     # --- commands --------------------------------------------------------------------------------
 
@@ -237,10 +251,14 @@ class Checker:
                 near = get_close_matches(option.name, _MESSAGE_OPTIONS, 1)
                 names = [*near, *(name for name in _MESSAGE_OPTIONS if name not in near)]
                 self._findings.report(
-                    900234, option.span, command="#MSG", word=option.text, names=", ".join(names)
+                    UNKNOWN_COMMAND_OPTION,
+                    option.span,
+                    command="#MSG",
+                    word=option.text,
+                    names=", ".join(names),
                 )
             elif option.name in seen:
-                self._findings.report(900224, option.span, word=option.name)
+                self._findings.report(DUPLICATE_KEYWORD, option.span, word=option.name)
             seen[option.name] = None
         self._message_text(message)
 
@@ -254,16 +272,18 @@ class Checker:
         found = list(places(message.format.value))
         wrong = next((place for place in found if not place.known), None)
         if wrong is not None:
-            self._findings.report(900231, message.format.span, word=wrong.text)
+            self._findings.report(INVALID_PLACEHOLDER, message.format.span, word=wrong.text)
         elif len(found) != len(message.arguments):
             expected, given = len(found), len(message.arguments)
-            self._findings.report(900230, message.format.span, expected=expected, given=given)
+            self._findings.report(
+                FORMAT_VALUE_COUNT, message.format.span, expected=expected, given=given
+            )
         for index, argument in enumerate(message.arguments):
             self._values.any_value(argument)
             if not self._values.is_text(argument):
                 continue
             if index < len(found) and found[index].known and not found[index].takes_text:
-                self._findings.report(900232, argument.span, word=found[index].text)
+                self._findings.report(TEXT_FOR_NUMERIC_WORD, argument.span, word=found[index].text)
 
     def _other(self, statement: Statement) -> None:
         """Jumps, calls, and statements that this version refuses as a whole."""
@@ -295,7 +315,7 @@ class Checker:
         name = "#" + " ".join(words)
         if entry is None:
             nearest = support_level.nearest_hash(words) or "–"
-            self._findings.report(900202, command.span, word=name, nearest=nearest)
+            self._findings.report(UNKNOWN_COMMAND, command.span, word=name, nearest=nearest)
         elif words == ["EXPL", "SYN"] and not command.arguments:
             return
         elif check_path_command(command, self._values, self._findings):
@@ -308,7 +328,9 @@ class Checker:
             pass
         elif entry.answer is Answer.SIMULATED:
             forms = forms_of(entry.name)
-            self._findings.report(900233, command.span, command=entry.name, forms=forms)
+            self._findings.report(
+                INVALID_COMMAND_FORM, command.span, command=entry.name, forms=forms
+            )
         else:
             self._findings.answer(entry, command.span, name)
 

@@ -10,6 +10,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
+from nctakt.messages.coordinate_systems import INVALID_COORDINATE_SYSTEM_NAME
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Number
@@ -94,11 +96,11 @@ def check_system(command: HashCommand, values: ValueChecker, findings: Findings)
     if found is None:
         name = "#" + " ".join(words)
         forms = forms_of(name if name in FORMS else "#CS")
-        findings.report(900233, command.span, command=name, forms=forms)
+        findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
         return True
     if len(found.name) > MOST_CHARACTERS or found.name in RESERVED:
         most = MOST_CHARACTERS
-        findings.report(900929, command.span, name=found.name, most=most)
+        findings.report(INVALID_COORDINATE_SYSTEM_NAME, command.span, name=found.name, most=most)
     for value in (found.identity, *(found.components or ())):
         if value is not None:
             values.value(value)

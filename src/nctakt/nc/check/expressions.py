@@ -13,6 +13,31 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 from itertools import zip_longest
 
+from nctakt.messages.checked_cycles import (
+    ASYNCHRONOUS_WRITE_IN_CYCLE,
+    TEXT_IN_REALTIME_CYCLE,
+    VALUE_LIST_IN_CYCLE,
+)
+from nctakt.messages.checked_values import (
+    ACCESS_NOT_DEFINED,
+    ASYNCHRONOUS_INDEX,
+    INDEX_OUT_OF_RANGE,
+    INVALID_EXIST_ARGUMENT,
+    MIXED_SYNCHRONOUS_ACCESS,
+    NOT_A_VALUE,
+    QUERY_IN_REALTIME_CYCLE,
+    TOO_MANY_INDICES,
+    UNKNOWN_EXPRESSION_FUNCTION,
+    UNKNOWN_VARIABLE,
+    VARIABLE_READ_ONLY,
+    VARIABLE_WRITE_ONLY,
+    WRONG_ARGUMENT_COUNT,
+)
+from nctakt.messages.memory import (
+    NUMBER_INSTEAD_OF_TEXT,
+    OPERATOR_WITH_TEXT,
+    TEXT_INSTEAD_OF_NUMBER,
+)
 from nctakt.nc.check.aggregates import WholeChecker
 from nctakt.nc.check.cost import is_live
 from nctakt.nc.check.findings import Findings
@@ -97,7 +122,7 @@ class ValueChecker:
                 continue
             for variable in variables:
                 if not variable.synchronous:
-                    self._findings.report(900228, variable.span, name=name)
+                    self._findings.report(MIXED_SYNCHRONOUS_ACCESS, variable.span, name=name)
 
     def _is_synchronous(self, variable: Variable) -> bool:
         """Whether a variable is synchronous by its list; a structure: all that is in it."""
@@ -128,7 +153,10 @@ class ValueChecker:
                 known = [*FUNCTIONS, *CONSTANTS]
                 near = get_close_matches(expression.name, known, 1)
                 self._findings.report(
-                    900221, expression.span, word=expression.text, nearest=near[0] if near else "–"
+                    NOT_A_VALUE,
+                    expression.span,
+                    word=expression.text,
+                    nearest=near[0] if near else "–",
                 )
             case StringLiteral():
                 self._no_number(expression, '"…"')
@@ -161,7 +189,7 @@ class ValueChecker:
             self.text(expression.right)
         else:
             written = self._findings.written(expression.span)
-            self._findings.report(900342, expression.span, value=written)
+            self._findings.report(NUMBER_INSTEAD_OF_TEXT, expression.span, value=written)
 
     def _binary(self, expression: Binary) -> None:
         """Two numbers, or two texts under ``==`` and ``!=``."""
@@ -172,34 +200,42 @@ class ValueChecker:
                 self.text(right)
                 return
             if expression.operator != "+":
-                self._findings.report(900341, expression.span, operator=expression.operator)
+                self._findings.report(
+                    OPERATOR_WITH_TEXT, expression.span, operator=expression.operator
+                )
                 return
         self.value(left)
         self.value(right)
 
     def _no_number(self, expression: Expression, name: str) -> None:
         """A text where a number is needed; in a realtime cycle it is out of place anywhere."""
-        self._findings.report(21981 if self._in_cycle else 900340, expression.span, name=name)
+        self._findings.report(
+            TEXT_IN_REALTIME_CYCLE if self._in_cycle else TEXT_INSTEAD_OF_NUMBER,
+            expression.span,
+            name=name,
+        )
 
     def _parameter(self, parameter: Parameter) -> None:
         if parameter.call:
             self._findings.answer(support_level.call_parameter(), parameter.span)
         self.value(parameter.index)
         if self._in_cycle and self._is_live(parameter.index):
-            self._findings.report(900227, parameter.span, name="P")
+            self._findings.report(ASYNCHRONOUS_INDEX, parameter.span, name="P")
 
     def _call(self, call: Call) -> None:
         function = FUNCTIONS.get(call.function)
         if function is None:
             near = get_close_matches(call.function, list(FUNCTIONS), 1)
             nearest = near[0] if near else "–"
-            self._findings.report(900218, call.span, word=call.function, nearest=nearest)
+            self._findings.report(
+                UNKNOWN_EXPRESSION_FUNCTION, call.span, word=call.function, nearest=nearest
+            )
         elif function.decoder_only and self._in_cycle:
-            self._findings.report(900220, call.span, word=call.function)
+            self._findings.report(QUERY_IN_REALTIME_CYCLE, call.span, word=call.function)
             return
         elif not function.minimum <= len(call.arguments) <= function.maximum:
             self._findings.report(
-                900219,
+                WRONG_ARGUMENT_COUNT,
                 call.span,
                 word=call.function,
                 expected=function.minimum,
@@ -229,7 +265,7 @@ class ValueChecker:
             self.value(argument.index)
         elif not isinstance(argument, Name) or _M_FUNCTION.fullmatch(argument.name) is None:
             written = self._findings.written(argument.span)
-            self._findings.report(900138, argument.span, word=written)
+            self._findings.report(INVALID_EXIST_ARGUMENT, argument.span, word=written)
 
     # --- variables -------------------------------------------------------------------------------
 
@@ -250,7 +286,7 @@ class ValueChecker:
             self._no_number(variable, location.name)
         elif self._in_cycle and not (location.synchronous or variable.synchronous):
             if any(self._is_live(index) for index in indices_of(variable)):
-                self._findings.report(900227, variable.span, name=location.name)
+                self._findings.report(ASYNCHRONOUS_INDEX, variable.span, name=location.name)
 
     def write(
         self, target: Variable | Parameter, *, compound: bool = False, text: bool = False
@@ -282,17 +318,19 @@ class ValueChecker:
         if not (location.is_numeric or text):
             self._no_number(target, location.name)
         elif self._in_cycle and not (location.synchronous or target.synchronous):
-            self._findings.report(22009, target.span, name=location.name)
+            self._findings.report(ASYNCHRONOUS_WRITE_IN_CYCLE, target.span, name=location.name)
 
     def _own(self, variable: Variable) -> None:
         """V.P, V.S, V.L, V.CYC: whether it exists only the run shows."""
         for index in indices_of(variable):
             self.value(index)
         if not variable.parts:
-            self._findings.report(900213, variable.span, name=path_text(variable), nearest="–")
+            self._findings.report(
+                UNKNOWN_VARIABLE, variable.span, name=path_text(variable), nearest="–"
+            )
         elif sum(1 for _ in indices_of(variable)) > MOST_DIMENSIONS:
             name = path_text(variable)
-            self._findings.report(900139, variable.span, name=name, most=MOST_DIMENSIONS)
+            self._findings.report(TOO_MANY_INDICES, variable.span, name=name, most=MOST_DIMENSIONS)
 
     def assignment(self, statement: Assignment) -> None:
         """``target operator value``, texts, structures and lists of values among them."""
@@ -309,7 +347,7 @@ class ValueChecker:
             if may_be_text(target) and self.is_text(value):
                 if statement.operator not in ("=", "+="):
                     operator = statement.operator[0]
-                    self._findings.report(900341, statement.span, operator=operator)
+                    self._findings.report(OPERATOR_WITH_TEXT, statement.span, operator=operator)
                 self.text(value)
             else:
                 self.value(value)
@@ -318,7 +356,9 @@ class ValueChecker:
         """A text is given to a variable, or put behind what it holds."""
         self.write(target, compound=statement.operator != "=", text=True)
         if statement.operator not in ("=", "+="):
-            self._findings.report(900341, statement.span, operator=statement.operator[0])
+            self._findings.report(
+                OPERATOR_WITH_TEXT, statement.span, operator=statement.operator[0]
+            )
             return
         self.text(statement.value)
         location = resolve(target, self._names)
@@ -331,7 +371,7 @@ class ValueChecker:
     def _list_of_values(self, target: Variable | Parameter, value: ArrayLiteral) -> None:
         if self._in_cycle:
             name = path_text(target) if isinstance(target, Variable) else "P"
-            self._findings.report(22001, value.span, name=name)
+            self._findings.report(VALUE_LIST_IN_CYCLE, value.span, name=name)
         elif isinstance(target, Variable) and is_own(target):
             self._own(target)
             self.list_items(value)
@@ -350,7 +390,7 @@ class ValueChecker:
         name = path_text(target) if isinstance(target, Variable) else "P"
         if isinstance(target, Parameter) and isinstance(target.index, Number):
             name = f"P{target.index.value:g}"
-        self._findings.report(22009, target.span, name=name)
+        self._findings.report(ASYNCHRONOUS_WRITE_IN_CYCLE, target.span, name=name)
 
     def _found(self, variable: Variable) -> Location | None:
         """The location, or the report why there is none; the indices are checked, too."""
@@ -358,7 +398,7 @@ class ValueChecker:
         if entry is None:
             nearest = support_level.nearest_family(variable.family) or "–"
             name = path_text(variable)
-            self._findings.report(900213, variable.span, name=name, nearest=nearest)
+            self._findings.report(UNKNOWN_VARIABLE, variable.span, name=name, nearest=nearest)
             return None
         if entry.answer is not Answer.SIMULATED:
             self._findings.answer(entry, variable.span, path_text(variable))
@@ -382,7 +422,7 @@ class ValueChecker:
             if isinstance(index, Number) and not 0 <= round(index.value) < dimension.count:
                 fits = False
                 self._findings.report(
-                    50929,
+                    INDEX_OUT_OF_RANGE,
                     index.span,
                     variable=location.name,
                     index=round(index.value),
@@ -395,11 +435,11 @@ class ValueChecker:
         if wanted in allowed:
             return True
         if location.family in DECLARED:
-            number = 900216 if wanted is Access.WRITE else 900217
+            number = VARIABLE_READ_ONLY if wanted is Access.WRITE else VARIABLE_WRITE_ONLY
             self._findings.report(number, variable.span, name=location.name)
             return False
         self._findings.report(
-            21993,
+            ACCESS_NOT_DEFINED,
             variable.span,
             name=location.name,
             access=_RIGHTS[wanted],

@@ -8,8 +8,9 @@ for what is accepted.
 
 from __future__ import annotations
 
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Message, Span
 from nctakt.messages import Collector
+from nctakt.messages.checked_blocks import ACCEPTED_WITHOUT_EFFECT, NOT_SIMULATED
 from nctakt.nc.source import Source
 from nctakt.nc.vocabulary.support_level import Answer, Entry
 
@@ -25,9 +26,9 @@ class Findings:
         self.macros: set[str] = set()
         self.has_other_macros = False
 
-    def report(self, number: int, span: Span, **values: object) -> None:
+    def report(self, message: Message, span: Span, **values: object) -> None:
         """Add a diagnostic."""
-        self._collector.report(number, span, self._source.line_of(span), **values)
+        self._collector.report(message, span, self._source.line_of(span), **values)
 
     def written(self, span: Span) -> str:
         """The text that a span covers, cut to what fits into a message."""
@@ -49,9 +50,9 @@ class Findings:
             "meaning_de": entry.meaning.de,
         }
         if entry.answer is Answer.ACCEPTED:
-            self.report(900201, span, **values)
+            self.report(ACCEPTED_WITHOUT_EFFECT, span, **values)
             return
         instead = entry.instead
         values["instead_en"] = f" {instead.en}" if instead.en else ""
         values["instead_de"] = f" {instead.de}" if instead.de else ""
-        self.report(900200, span, **values)
+        self.report(NOT_SIMULATED, span, **values)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from difflib import get_close_matches
 
+from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_COMMAND_OPTION
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Timer
@@ -49,7 +50,9 @@ class CommandChecker:
         elif tuple(words) in _WITHOUT_ARGUMENTS:
             if command.arguments:
                 name = "#" + " ".join(words)
-                self._findings.report(900233, command.span, command=name, forms=forms_of(name))
+                self._findings.report(
+                    INVALID_COMMAND_FORM, command.span, command=name, forms=forms_of(name)
+                )
         else:
             return False
         return True
@@ -75,7 +78,9 @@ class CommandChecker:
         """What stands in the one bracket of the command."""
         if len(command.arguments) == 1 and isinstance(command.arguments[0], Bracket):
             return command.arguments[0].items
-        self._findings.report(900233, command.span, command=name, forms=forms_of(name))
+        self._findings.report(
+            INVALID_COMMAND_FORM, command.span, command=name, forms=forms_of(name)
+        )
         return ()
 
     def _option(
@@ -84,4 +89,6 @@ class CommandChecker:
         near = get_close_matches(word.upper(), names, 1)
         order = [*near, *(name for name in names if name not in near)]
         listed = ", ".join(order)
-        self._findings.report(900234, node.span, command=command, word=word, names=listed)
+        self._findings.report(
+            UNKNOWN_COMMAND_OPTION, node.span, command=command, word=word, names=listed
+        )

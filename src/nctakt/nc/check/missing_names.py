@@ -9,6 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from nctakt.messages.checked_values import (
+    STRUCTURE_USED_AS_VALUE,
+    UNKNOWN_VARIABLE,
+    WRONG_INDEX_COUNT,
+)
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Variable
 from nctakt.nc.vocabulary.resolution import indices_of, path_text
@@ -33,12 +38,18 @@ class MissingNames:
                 nearest = (
                     self._with_axis(variable) or self._spelled(variable) or found.nearest or "–"
                 )
-                report(900213, span, name=path_text(variable), nearest=nearest)
+                report(UNKNOWN_VARIABLE, span, name=path_text(variable), nearest=nearest)
             case Problem.INDICES:
                 given = sum(1 for _ in indices_of(variable))
-                report(900214, span, name=found.name, expected=found.expected_indices, given=given)
+                report(
+                    WRONG_INDEX_COUNT,
+                    span,
+                    name=found.name,
+                    expected=found.expected_indices,
+                    given=given,
+                )
             case Problem.STRUCTURE:
-                report(900215, span, name=found.name, member=found.nearest)
+                report(STRUCTURE_USED_AS_VALUE, span, name=found.name, member=found.nearest)
 
     def _with_axis(self, variable: Variable) -> str:
         """``V.RTA.ACS.ACT_POS.X`` where the axis is missing at the end; else nothing."""

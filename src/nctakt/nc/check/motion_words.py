@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from nctakt.messages.lints import FEED_NOT_POSITIVE
+from nctakt.messages.motion import ARC_WITH_CENTRE_AND_RADIUS
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import AxisWord, Block, Number, Word
 
@@ -25,14 +27,14 @@ def check_feed(block: Block, findings: Findings) -> None:
     """A feed of 0 or below is no feed."""
     for word in _words(block, FEED_WORD):
         if isinstance(word.value, Number) and word.value.value <= 0.0:
-            findings.report(900903, word.span, value=word.value.value)
+            findings.report(FEED_NOT_POSITIVE, word.span, value=word.value.value)
 
 
 def check_arc(block: Block, findings: Findings) -> None:
     """Centre and radius in one block."""
     radius = list(_radii(block))
     if radius and any(list(_words(block, name)) for name in CENTRE_WORDS):
-        findings.report(900904, radius[0].span)
+        findings.report(ARC_WITH_CENTRE_AND_RADIUS, radius[0].span)
 
 
 def lacks_centre(block: Block, *, is_modal: bool) -> bool:

@@ -12,6 +12,12 @@ from dataclasses import dataclass, field
 
 from nctakt.base.diagnostics import NOTHING, Span
 from nctakt.base.text import nearest
+from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, WORD_VALUE_MISSING
+from nctakt.messages.motion import (
+    COMMAND_WORD_NOT_SIMULATED,
+    INVALID_CONTOUR_DEVIATION,
+    UNKNOWN_COMMAND_KEYWORD,
+)
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import (
@@ -103,7 +109,7 @@ def check_path_command(command: HashCommand, values: ValueChecker, findings: Fin
         forms = forms_of(
             f"#{name.removesuffix(' ON').removesuffix(' OFF').removesuffix(' DEFAULT')}"
         )
-        findings.report(900233, command.span, command=f"#{name}", forms=forms)
+        findings.report(INVALID_COMMAND_FORM, command.span, command=f"#{name}", forms=forms)
         return True
     for argument in command.arguments:
         assert isinstance(argument, Bracket)
@@ -120,7 +126,7 @@ def check_path_axis(command: BracketCommand, values: ValueChecker, findings: Fin
     form, name = _AXIS_FORMS[first.name], f"{command.name}[{first.name}]"
     if len(command.items) == 1 and first.value is None:
         forms = f"{command.name}[{first.name} {_AXIS_EXAMPLES[first.name]}]"
-        findings.report(900233, first.span, command=name, forms=forms)
+        findings.report(INVALID_COMMAND_FORM, first.span, command=name, forms=forms)
     for item in command.items:
         _check_item(form, name, item, values, findings)
     return True
@@ -135,7 +141,7 @@ def _check_item(
     if item.name in form.words and item.value is None:
         return
     if item.value is None and item.name in (*form.numbers, *form.names):
-        findings.report(900208, item.span, word=item.name)
+        findings.report(WORD_VALUE_MISSING, item.span, word=item.name)
     elif item.value is not None and item.name in form.numbers:
         values.value(item.value)
         _check_number(item, findings)
@@ -151,7 +157,7 @@ def _check_number(item: Keyword, findings: Findings) -> None:
     """What is known to be wrong before the program runs."""
     value = item.value
     if item.name == "PATH_DEV" and isinstance(value, Number) and value.value <= 0.0:
-        findings.report(900707, value.span, value=value.value)
+        findings.report(INVALID_CONTOUR_DEVIATION, value.span, value=value.value)
 
 
 def _refuse(name: str, word: str, known: Sequence[str], span: Span, findings: Findings) -> None:
@@ -159,6 +165,6 @@ def _refuse(name: str, word: str, known: Sequence[str], span: Span, findings: Fi
     near = nearest(word, known)
     names = ", ".join(known) or NOTHING
     if near and near != word:
-        findings.report(900900, span, command=name, word=word, nearest=near)
+        findings.report(UNKNOWN_COMMAND_KEYWORD, span, command=name, word=word, nearest=near)
     else:
-        findings.report(900706, span, command=name, word=word, names=names)
+        findings.report(COMMAND_WORD_NOT_SIMULATED, span, command=name, word=word, names=names)

@@ -9,6 +9,12 @@ from __future__ import annotations
 from difflib import get_close_matches
 
 from nctakt.lists.declared.variables import SCALARS
+from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
+from nctakt.messages.checked_values import (
+    INVALID_ELEMENT_COUNT,
+    NOT_A_PROGRAM_VARIABLE,
+    UNKNOWN_TYPE,
+)
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import (
@@ -52,11 +58,13 @@ class OwnChecker:
         for index in indices_of(variable):
             if isinstance(index, Number) and not 1 <= index.value == int(index.value):
                 name = path_text(variable)
-                self._findings.report(900140, index.span, name=name, count=f"{index.value:g}")
+                self._findings.report(
+                    INVALID_ELEMENT_COUNT, index.span, name=name, count=f"{index.value:g}"
+                )
         if declaration.type_name is not None and declaration.type_name not in TYPES:
             word = declaration.type_name
             near = get_close_matches(word, TYPES, 1, 0.0)
-            self._findings.report(900136, declaration.span, word=word, nearest=near[0])
+            self._findings.report(UNKNOWN_TYPE, declaration.span, word=word, nearest=near[0])
         if declaration.size is not None:
             self._values.value(declaration.size)
         if isinstance(declaration.initial, ArrayLiteral):
@@ -67,13 +75,15 @@ class OwnChecker:
     def _no_own(self, node: Node) -> None:
         word = self._findings.written(node.span)
         families = ", ".join(f"V.{family}" for family in OWN_FAMILIES)
-        self._findings.report(900137, node.span, word=word, families=families)
+        self._findings.report(NOT_A_PROGRAM_VARIABLE, node.span, word=word, families=families)
 
     def delete(self, command: HashCommand) -> None:
         """``#DELETE V.P.A, V.S.B``; a family alone, ``V.P.``, means all of it."""
         if not command.arguments:
             forms = forms_of("#DELETE")
-            self._findings.report(900233, command.span, command="#DELETE", forms=forms)
+            self._findings.report(
+                INVALID_COMMAND_FORM, command.span, command="#DELETE", forms=forms
+            )
         for argument in command.arguments:
             if not isinstance(argument, Variable) or not is_own(argument):
                 self._no_own(argument)

@@ -13,6 +13,30 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 
 from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.messages.checked_blocks import (
+    AXIS_FUNCTION_IN_CYCLE,
+    NOT_NC_TEXT,
+    PROGRAM_CONTROL_IN_CYCLE,
+    UNKNOWN_COMMAND,
+    WORD_VALUE_MISSING,
+)
+from nctakt.messages.checked_cycles import (
+    COMMAND_NOT_ALLOWED_IN_CYCLE,
+    CYCLE_COMMAND_WITHOUT_ID,
+    CYCLE_H_FUNCTION_NOT_DEFINED,
+    CYCLE_M_FUNCTION_NOT_DEFINED,
+    CYCLE_WITHOUT_ID,
+    DUPLICATE_KEYWORD,
+    ELSEIF_WITH_FREQUENCY,
+    FREQUENCY_IF_WITH_ELSE,
+    INVALID_CYCLE_ID,
+    INVALID_GLOBAL_CYCLE_ID,
+    INVALID_KEYWORD_VALUE,
+    REALTIME_CYCLES_OFF,
+    TIMER_WITHOUT_SYN,
+    UNKNOWN_KEYWORD_IN_CYCLE,
+)
+from nctakt.messages.nc_text import UNKNOWN_CYCLE_KEYWORD
 from nctakt.nc.check.axis_commands import AxisCommandChecker
 from nctakt.nc.check.blocks import RETURN_COMMANDS, WordChecker
 from nctakt.nc.check.expressions import ValueChecker
@@ -90,9 +114,9 @@ class CycleChecker:
         if "ID" in found:
             self._identity(found["ID"], is_global=scope == "GLOBAL")
         elif cycle.definition_only:
-            self._findings.report(22003, cycle.span, word="DEF")
+            self._findings.report(CYCLE_WITHOUT_ID, cycle.span, word="DEF")
         elif scope == "GLOBAL":
-            self._findings.report(22003, cycle.span, word="SCOPE=GLOBAL")
+            self._findings.report(CYCLE_WITHOUT_ID, cycle.span, word="SCOPE=GLOBAL")
         self._axes.begin(cycle.body)
         self._statements(cycle.body)
 
@@ -103,11 +127,11 @@ class CycleChecker:
         if "ID" in found:
             self._identity(found["ID"], is_global=False)
         else:
-            self._findings.report(900226, control.span, action=control.action)
+            self._findings.report(CYCLE_COMMAND_WITHOUT_ID, control.span, action=control.action)
 
     def _enabled(self, statement: Statement, command: str) -> None:
         if not self._channel.realtime_cycles.enable:
-            self._findings.report(21982, statement.span, command=command)
+            self._findings.report(REALTIME_CYCLES_OFF, statement.span, command=command)
 
     def _keywords(
         self, items: Sequence[Keyword | Expression], known: Sequence[str]
@@ -116,10 +140,12 @@ class CycleChecker:
         for item in items:
             if not isinstance(item, Keyword) or item.name not in known or item.arguments:
                 self._findings.report(
-                    21985, item.span, keyword=self._findings.written(item.span) or "–"
+                    UNKNOWN_CYCLE_KEYWORD,
+                    item.span,
+                    keyword=self._findings.written(item.span) or "–",
                 )
             elif item.name in found:
-                self._findings.report(900224, item.span, word=item.name)
+                self._findings.report(DUPLICATE_KEYWORD, item.span, word=item.name)
             else:
                 found[item.name] = item
         return found
@@ -136,7 +162,7 @@ class CycleChecker:
         order = [*near, *(name for name in names if name not in near)]
         span = keyword.span if value is None else value.span
         self._findings.report(
-            900225, span, word=keyword.name, value=written, names=", ".join(order)
+            INVALID_KEYWORD_VALUE, span, word=keyword.name, value=written, names=", ".join(order)
         )
         return ""
 
@@ -144,15 +170,15 @@ class CycleChecker:
         """The ID: constant ones are whole and above 0 (RC-103)."""
         value = keyword.value
         if value is None:
-            self._findings.report(900208, keyword.span, word="ID")
+            self._findings.report(WORD_VALUE_MISSING, keyword.span, word="ID")
             return
         self._program_values.block(value)
         if not isinstance(value, Number):
             return
         if is_global and value.value <= 0:
-            self._findings.report(21983, value.span, id=f"{value.value:g}")
+            self._findings.report(INVALID_GLOBAL_CYCLE_ID, value.span, id=f"{value.value:g}")
         elif not 1 <= value.value <= HIGHEST_ID or not value.value.is_integer():
-            self._findings.report(50875, value.span, id=f"{value.value:g}")
+            self._findings.report(INVALID_CYCLE_ID, value.span, id=f"{value.value:g}")
 
     # --- the body --------------------------------------------------------------------------------
 
@@ -179,12 +205,14 @@ class CycleChecker:
             case HashCommand():
                 self._hash(statement)
             case Unreadable():
-                self._findings.report(900229, statement.span)
+                self._findings.report(NOT_NC_TEXT, statement.span)
             case _:
                 self._no_meaning(statement)
 
     def _no_meaning(self, node: Statement | Word) -> None:
-        self._findings.report(22002, node.span, command=self._findings.written(node.span))
+        self._findings.report(
+            COMMAND_NOT_ALLOWED_IN_CYCLE, node.span, command=self._findings.written(node.span)
+        )
 
     def _if(self, statement: If) -> None:
         if statement.preprocessor:
@@ -192,12 +220,14 @@ class CycleChecker:
             return
         if statement.frequency is not None:
             if statement.elseifs or statement.else_body is not None:
-                self._findings.report(22022, statement.span, word=statement.frequency)
+                self._findings.report(
+                    FREQUENCY_IF_WITH_ELSE, statement.span, word=statement.frequency
+                )
         self._values.block(statement.condition)
         self._statements(statement.body)
         for branch in statement.elseifs:
             if branch.frequency is not None:
-                self._findings.report(22021, branch.span, word=branch.frequency)
+                self._findings.report(ELSEIF_WITH_FREQUENCY, branch.span, word=branch.frequency)
             self._values.block(branch.condition)
             self._statements(branch.body)
         self._statements(statement.else_body or ())
@@ -206,15 +236,21 @@ class CycleChecker:
         """``#TIMER`` with SYN and at most an ID (RC-401)."""
         for option in timer.options:
             if option.name != "SYN":
-                self._findings.report(22004, option.span, command="#TIMER", word=option.text)
+                self._findings.report(
+                    UNKNOWN_KEYWORD_IN_CYCLE, option.span, command="#TIMER", word=option.text
+                )
         for item in timer.keywords:
             if not isinstance(item, Keyword) or item.name != "ID":
                 written = self._findings.written(item.span)
-                self._findings.report(22004, item.span, command="#TIMER", word=written)
+                self._findings.report(
+                    UNKNOWN_KEYWORD_IN_CYCLE, item.span, command="#TIMER", word=written
+                )
         if timer.action not in _TIMER_ACTIONS:
-            self._findings.report(22004, timer.span, command="#TIMER", word=timer.action)
+            self._findings.report(
+                UNKNOWN_KEYWORD_IN_CYCLE, timer.span, command="#TIMER", word=timer.action
+            )
         elif not any(option.name == "SYN" for option in timer.options):
-            self._findings.report(22006, timer.span, action=timer.action)
+            self._findings.report(TIMER_WITHOUT_SYN, timer.span, action=timer.action)
         for item in timer.keywords:
             if isinstance(item, Keyword) and item.value is not None:
                 self._values.block(item.value)
@@ -225,13 +261,15 @@ class CycleChecker:
             self._no_meaning(command)
             return
         nearest = support_level.nearest_hash(words) or "–"
-        self._findings.report(900202, command.span, word="#" + " ".join(words), nearest=nearest)
+        self._findings.report(
+            UNKNOWN_COMMAND, command.span, word="#" + " ".join(words), nearest=nearest
+        )
 
     # --- words -----------------------------------------------------------------------------------
 
     def _block(self, block: Block) -> None:
         """Functions, spindles, single axes; of words for the path the first is reported."""
-        told: dict[int, None] = {}
+        told = False
         for word in block.words:
             if isinstance(word, BracketCommand) and _moves_an_axis(word):
                 self._axes.command(word)
@@ -245,9 +283,13 @@ class CycleChecker:
             elif isinstance(word, BracketCommand) and word.name not in RETURN_COMMANDS:
                 if not self._words.bracket(word):
                     self._words.unknown(word)
-            elif 22002 not in told:
-                told[22002] = None
-                self._findings.report(22002, word.span, command=self._findings.written(word.span))
+            elif not told:
+                told = True
+                self._findings.report(
+                    COMMAND_NOT_ALLOWED_IN_CYCLE,
+                    word.span,
+                    command=self._findings.written(word.span),
+                )
 
     def _function(self, word: Word) -> None:
         """An M or H function: of the channel, in its list, not one that controls programs."""
@@ -258,12 +300,16 @@ class CycleChecker:
         is_m = word.name == "M"
         functions = self._channel.m_functions if is_m else self._channel.h_functions
         if is_m and number in RESERVED_M:
-            self._findings.report(900207, word.span, word=name)
+            self._findings.report(PROGRAM_CONTROL_IN_CYCLE, word.span, word=name)
         elif number not in functions:
-            self._findings.report(50938 if is_m else 50940, word.span, function=number)
+            self._findings.report(
+                CYCLE_M_FUNCTION_NOT_DEFINED if is_m else CYCLE_H_FUNCTION_NOT_DEFINED,
+                word.span,
+                function=number,
+            )
         elif functions[number].axis_name:
             self._findings.report(
-                900206,
+                AXIS_FUNCTION_IN_CYCLE,
                 word.span,
                 word=name,
                 axis=functions[number].axis_name,

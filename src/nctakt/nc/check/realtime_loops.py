@@ -11,6 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.messages.backward import NOT_ALLOWED_IN_RT_WHILE, RT_WHILE_NESTED
+from nctakt.messages.checked_cycles import REALTIME_CYCLES_OFF
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import (
     Assignment,
@@ -52,7 +54,7 @@ class LoopChecker:
     def loop(self, loop: RealtimeLoop) -> None:
         """The loop with its body."""
         if not self._channel.realtime_cycles.enable:
-            self._findings.report(21982, loop.span, command="#RT WHILE")
+            self._findings.report(REALTIME_CYCLES_OFF, loop.span, command="#RT WHILE")
         for statement in loop.body:
             if self._belongs(statement):
                 self._check(statement)
@@ -64,7 +66,7 @@ class LoopChecker:
             case Assignment():
                 return self._writes(statement)
             case RealtimeLoop():
-                self._findings.report(22181, statement.span, found="#RT WHILE")
+                self._findings.report(RT_WHILE_NESTED, statement.span, found="#RT WHILE")
                 return False
             case Unreadable():
                 return False
@@ -72,7 +74,9 @@ class LoopChecker:
         return False
 
     def _refuse(self, node: Statement | BlockWord | Expression) -> None:
-        self._findings.report(22073, node.span, command=self._findings.written(node.span))
+        self._findings.report(
+            NOT_ALLOWED_IN_RT_WHILE, node.span, command=self._findings.written(node.span)
+        )
 
     def _motion(self, block: Block) -> bool:
         wrong = next((word for word in block.words if not self._is_of_motion(word)), None)

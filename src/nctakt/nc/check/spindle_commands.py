@@ -10,6 +10,14 @@ from __future__ import annotations
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.text import nearest
 from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.messages.checked_cycles import DUPLICATE_KEYWORD
+from nctakt.messages.spindles import (
+    EXCLUSIVE_SPINDLE_WORDS,
+    NO_MAIN_SPINDLE,
+    NOT_A_SPINDLE_WORD,
+    SPINDLE_POSITION_WITHOUT_M19,
+    SPINDLE_WORD_COUNT,
+)
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.vocabulary.spindle_commands import (
@@ -43,13 +51,15 @@ class SpindleChecker:
     def check(self, command: SpindleCommand) -> None:
         """One command."""
         if not command.name and not self._has_main:
-            self._findings.report(900473, command.span)
+            self._findings.report(NO_MAIN_SPINDLE, command.span)
         for word in command.wrong:
             written = self._findings.written(word.span)
             known = nearest(written, WORDS) or NOTHING
-            self._findings.report(900282, word.span, word=written, nearest=known)
+            self._findings.report(NOT_A_SPINDLE_WORD, word.span, word=written, nearest=known)
         for doubled in command.doubled:
-            self._findings.report(900224, doubled.span, word=self._findings.written(doubled.span))
+            self._findings.report(
+                DUPLICATE_KEYWORD, doubled.span, word=self._findings.written(doubled.span)
+            )
         for value in (command.speed, command.position):
             if value is not None:
                 self._values.value(value)
@@ -58,18 +68,22 @@ class SpindleChecker:
         if not self._in_cycle:
             self._fit(command)
         elif not self._is_job(command):
-            self._findings.report(50954, command.span, command=self._findings.written(command.span))
+            self._findings.report(
+                SPINDLE_WORD_COUNT, command.span, command=self._findings.written(command.span)
+            )
 
     def _fit(self, command: SpindleCommand) -> None:
         """The words of the main program have to go together."""
         turns = [one for one in command.functions if one in (CLOCKWISE, COUNTER_CLOCKWISE)]
         if len(turns) > 1 or (STOP in command.functions and len(command.functions) > 1):
             words = ", ".join(f"M{one}" for one in command.functions)
-            self._findings.report(900901, command.span, words=words)
+            self._findings.report(EXCLUSIVE_SPINDLE_WORDS, command.span, words=words)
         elif command.position is not None and POSITION not in command.functions:
-            self._findings.report(900902, command.position.span)
+            self._findings.report(SPINDLE_POSITION_WITHOUT_M19, command.position.span)
         elif not command.functions and command.speed is None:
-            self._findings.report(50954, command.span, command=self._findings.written(command.span))
+            self._findings.report(
+                SPINDLE_WORD_COUNT, command.span, command=self._findings.written(command.span)
+            )
 
     def _is_job(self, command: SpindleCommand) -> bool:
         """Whether they are a complete job: turn, go to a position, or stop."""

@@ -7,6 +7,15 @@ a value, there is an ID, and constant values are within their bounds.
 
 from __future__ import annotations
 
+from nctakt.messages.checked_blocks import UNKNOWN_COMMAND_OPTION, WORD_VALUE_MISSING
+from nctakt.messages.checked_cycles import DUPLICATE_KEYWORD, UNKNOWN_KEYWORD_IN_CYCLE
+from nctakt.messages.user_errors import (
+    INVALID_USER_ERROR_ID,
+    INVALID_USER_ERROR_MID,
+    INVALID_USER_ERROR_RC,
+    USER_ERROR_TEXT_TOO_LONG,
+    USER_ERROR_WITHOUT_ID,
+)
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Expression, Keyword, Number, StringLiteral, UserError
@@ -21,7 +30,11 @@ KEYWORDS = (
 LONGEST_TEXT = 23
 
 #: Lowest and highest constant value, and the message for others.
-_BOUNDS = {"ID": (1, 1000, 900460), "RC": (0, 7, 900461), "MID": (1, 4294967295, 900462)}
+_BOUNDS = {
+    "ID": (1, 1000, INVALID_USER_ERROR_ID),
+    "RC": (0, 7, INVALID_USER_ERROR_RC),
+    "MID": (1, 4294967295, INVALID_USER_ERROR_MID),
+}
 
 
 class UserErrorChecker:
@@ -44,18 +57,24 @@ class UserErrorChecker:
             if not isinstance(item, Keyword) or item.name not in KEYWORDS or item.arguments:
                 written = self._findings.written(item.span)
                 if self._in_cycle:
-                    self._findings.report(22004, item.span, command="#ERROR", word=written)
+                    self._findings.report(
+                        UNKNOWN_KEYWORD_IN_CYCLE, item.span, command="#ERROR", word=written
+                    )
                 else:
                     names = ", ".join(KEYWORDS)
                     self._findings.report(
-                        900234, item.span, command="#ERROR", word=written, names=names
+                        UNKNOWN_COMMAND_OPTION,
+                        item.span,
+                        command="#ERROR",
+                        word=written,
+                        names=names,
                     )
             elif item.name in found:
-                self._findings.report(900224, item.span, word=item.name)
+                self._findings.report(DUPLICATE_KEYWORD, item.span, word=item.name)
             else:
                 found[item.name] = item
         if "ID" not in found:
-            self._findings.report(900280, error.span)
+            self._findings.report(USER_ERROR_WITHOUT_ID, error.span)
         expressions = [one.value for one in found.values() if one.value is not None]
         self._values.line(*expressions)
         for keyword in found.values():
@@ -64,10 +83,10 @@ class UserErrorChecker:
     def _value(self, keyword: Keyword) -> None:
         value = keyword.value
         if value is None:
-            self._findings.report(900208, keyword.span, word=keyword.name)
+            self._findings.report(WORD_VALUE_MISSING, keyword.span, word=keyword.name)
         elif keyword.name.startswith("PV") and isinstance(value, StringLiteral):
             if len(value.value) > LONGEST_TEXT:
-                self._findings.report(900281, value.span, longest=LONGEST_TEXT)
+                self._findings.report(USER_ERROR_TEXT_TOO_LONG, value.span, longest=LONGEST_TEXT)
         elif keyword.name.startswith("PV"):
             self._values.any_value(value)
         else:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from nctakt.messages.lints import FLUSH_DURING_COMPENSATION
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import (
     Assignment,
@@ -51,7 +52,9 @@ class ChannelUse:
         """One statement, but not what is inside it; ``active`` is G41 or G42."""
         if _waits(statement):
             command = self._findings.written(statement.span)
-            self._findings.report(20651, statement.span, command=command, word=active)
+            self._findings.report(
+                FLUSH_DURING_COMPENSATION, statement.span, command=command, word=active
+            )
             return
         if isinstance(statement, Block) and _ends_compensation(statement):
             return
@@ -67,7 +70,7 @@ class ChannelUse:
         found = resolve(variable, self._names)
         if isinstance(found, Location) and (found.synchronous or variable.synchronous):
             self._findings.report(
-                20651,
+                FLUSH_DURING_COMPENSATION,
                 variable.span,
                 command=path_text(variable),
                 word=active,

@@ -20,6 +20,13 @@ from math import isfinite
 from nctakt.base.diagnostics import Span
 from nctakt.lists.declared.tools import Tool
 from nctakt.messages import Collector
+from nctakt.messages.lints import (
+    ARC_LIKELY_WITHOUT_CENTRE,
+    GLOBAL_CYCLE_NEVER_DELETED,
+    TOOL_NOT_IN_LIST,
+    VARIABLE_WRITTEN_BY_SEVERAL_CYCLES,
+)
+from nctakt.messages.tools import TOOL_NOT_VALID, UNKNOWN_TOOL
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
 from nctakt.nc.lint.channel_flush import ChannelUse
@@ -81,7 +88,9 @@ def never_deleted(programs: Sequence[GlobalCycles], collector: Collector) -> Non
     for one in programs:
         for cycle in one.defined:
             if cycle.identity not in deleted:
-                collector.report(900245, cycle.span, cycle.line, id=cycle.identity)
+                collector.report(
+                    GLOBAL_CYCLE_NEVER_DELETED, cycle.span, cycle.line, id=cycle.identity
+                )
 
 
 @dataclass(slots=True)
@@ -269,7 +278,9 @@ class Linter:
                 common.setdefault(first, []).append(target)
         for first, targets in common.items():
             names = ", ".join(element_text(target) for target in targets)
-            self._findings.report(900244, targets[0].span, names=names, line=first.line)
+            self._findings.report(
+                VARIABLE_WRITTEN_BY_SEVERAL_CYCLES, targets[0].span, names=names, line=first.line
+            )
 
     def _control(self, control: CycleControl) -> None:
         if control.action != "DELETE":
@@ -300,7 +311,7 @@ class Linter:
         if has_radius(block) or any(isinstance(word, StringWord) for word in block.words):
             self._state.lacks_radius = False
         elif self._state.lacks_radius and lacks_centre(block, is_modal=self._state.is_arc):
-            self._findings.report(900906, block.span)
+            self._findings.report(ARC_LIKELY_WITHOUT_CENTRE, block.span)
         self._state.is_arc = leaves_arc(block, before=self._state.is_arc)
         for word in block.words:
             if isinstance(word, Word) and word.name == "G" and isinstance(word.value, Number):
@@ -318,8 +329,8 @@ class Linter:
         number = int(word.value.value)
         if word.name == "T":
             if number > 0 and number not in self._tools:
-                self._findings.report(900928, word.span, tool=number)
+                self._findings.report(TOOL_NOT_IN_LIST, word.span, tool=number)
         elif number > 0 and number not in self._tools:
-            self._findings.report(900865, word.span, tool=number)
+            self._findings.report(UNKNOWN_TOOL, word.span, tool=number)
         elif number > 0 and not self._tools[number].valid:
-            self._findings.report(900866, word.span, tool=number)
+            self._findings.report(TOOL_NOT_VALID, word.span, tool=number)

@@ -13,6 +13,21 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from nctakt.lists.declared.variables import SCALARS
+from nctakt.messages.lints import (
+    ASYNCHRONOUS_CONDITION,
+    ASYNCHRONOUS_VALUE,
+    AXIS_COMMANDED_EACH_TICK,
+    COMPARISON_OUTSIDE_TYPE_RANGE,
+    CONDITION_NEVER_CHANGES,
+    CONSTANT_CONDITION,
+    CYCLE_MAY_EXCEED_DURATION,
+    CYCLE_MAY_EXCEED_STEP_LIMIT,
+    EXACT_POSITION_COMPARISON,
+    FUNCTION_OUTPUT_EACH_TICK,
+    IF_EVALUATED_IN_ONE_TICK,
+    IF_NOT_EVALUATED_EVERY_TICK,
+    OVERRIDE_FOR_ONE_TICK,
+)
 from nctakt.nc.check.cost import is_live, most_steps
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.lint.uses import (
@@ -111,8 +126,8 @@ class CycleLinter:
     def _limits(self, cycle: RealtimeCycle) -> None:
         steps = most_steps(cycle.body, self._names)
         for number, limit in (
-            (900246, self._budget.max_steps),
-            (900247, self._budget.duration_steps),
+            (CYCLE_MAY_EXCEED_STEP_LIMIT, self._budget.max_steps),
+            (CYCLE_MAY_EXCEED_DURATION, self._budget.duration_steps),
         ):
             if steps > limit:
                 self._findings.report(number, cycle.span, steps=steps, limit=limit)
@@ -165,9 +180,11 @@ class CycleLinter:
 
     def _nesting(self, statement: If, around: _Around) -> None:
         if around.once:
-            self._findings.report(900241, statement.span, word="ONCE")
+            self._findings.report(IF_EVALUATED_IN_ONE_TICK, statement.span, word="ONCE")
         elif around.skipped:
-            self._findings.report(900240, statement.span, word=statement.frequency)
+            self._findings.report(
+                IF_NOT_EVALUATED_EVERY_TICK, statement.span, word=statement.frequency
+            )
 
     def _assignment(self, statement: Assignment, around: _Around) -> None:
         target = statement.target
@@ -176,7 +193,9 @@ class CycleLinter:
                 self._frozen(index)
             if around.single and is_override(target):
                 name = path_text(target)
-                self._findings.report(900242, target.span, name=name, word=around.single)
+                self._findings.report(
+                    OVERRIDE_FOR_ONE_TICK, target.span, name=name, word=around.single
+                )
         self._frozen(statement.value)
 
     def _block(self, block: Block, around: _Around) -> None:
@@ -189,7 +208,7 @@ class CycleLinter:
         for word in block.words:
             if isinstance(word, Word) and word.name in ("M", "H"):
                 written = self._findings.written(word.span)
-                self._findings.report(900243, word.span, word=written)
+                self._findings.report(FUNCTION_OUTPUT_EACH_TICK, word.span, word=written)
                 return
 
     def _axis_command(self, bracket: BracketCommand, around: _Around) -> None:
@@ -201,7 +220,9 @@ class CycleLinter:
             return
         if command.kind == "distance" or command.buffered:
             word = "BUFFERED" if command.buffered else "G91"
-            self._findings.report(900270, bracket.span, axis=command.axis, word=word)
+            self._findings.report(
+                AXIS_COMMANDED_EACH_TICK, bracket.span, axis=command.axis, word=word
+            )
 
     # --- conditions ------------------------------------------------------------------------------
 
@@ -216,7 +237,7 @@ class CycleLinter:
         elif frozen:
             self._never_changes(condition, frozen)
         else:
-            self._findings.report(900237, condition.span)
+            self._findings.report(CONSTANT_CONDITION, condition.span)
         for comparison in comparisons_in(condition):
             self._compare(comparison)
 
@@ -226,7 +247,7 @@ class CycleLinter:
         if len(names) > 1:
             meaning_en, meaning_de = _THOSE_EN, _THOSE_DE
         self._findings.report(
-            900238,
+            CONDITION_NEVER_CHANGES,
             condition.span,
             names=", ".join(names),
             meaning_en=meaning_en,
@@ -254,7 +275,7 @@ class CycleLinter:
         if truth is None:
             return
         self._findings.report(
-            900239,
+            COMPARISON_OUTSIDE_TYPE_RANGE,
             comparison.span,
             name=found.name,
             type=found.type,
@@ -269,7 +290,7 @@ class CycleLinter:
         for one, other in ((left, right), (right, left)):
             if is_position(one, "ACT_POS", "CUR_POS") and not is_position(other, "CMD_POS"):
                 assert isinstance(one, Variable)
-                self._findings.report(900248, one.span, name=path_text(one))
+                self._findings.report(EXACT_POSITION_COMPARISON, one.span, name=path_text(one))
                 return
 
     # --- frozen values ---------------------------------------------------------------------------
@@ -294,7 +315,11 @@ class CycleLinter:
             return
         self._told[name] = None
         meaning_en, meaning_de = self._value(operand)
-        number = 900235 if in_condition and isinstance(operand, Variable) else 900236
+        number = (
+            ASYNCHRONOUS_CONDITION
+            if in_condition and isinstance(operand, Variable)
+            else ASYNCHRONOUS_VALUE
+        )
         self._findings.report(
             number, operand.span, name=name, meaning_en=meaning_en, meaning_de=meaning_de
         )

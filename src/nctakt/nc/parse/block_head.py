@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 
+from nctakt.messages.nc_text import INVALID_SKIP_LEVEL
 from nctakt.nc.parse.expressions import number_at, parse_expression
 from nctakt.nc.parse.lexer import BlockError, BlockText
 from nctakt.nc.tree import NO_HEAD, Expression, Head, ProgramStart
@@ -36,7 +37,7 @@ def parse_head(text: BlockText) -> Head:
         return NO_HEAD if computed is None else Head(parse_expression(text, names=False))
     level = None if skip is None else int(skip[:3] or 1)
     if level is not None and not 1 <= level <= SKIP_LEVELS:
-        raise BlockError(900122, *found.span(1), level=skip, limit=SKIP_LEVELS)
+        raise BlockError(INVALID_SKIP_LEVEL, *found.span(1), level=skip, limit=SKIP_LEVELS)
     number: Expression | None = None
     label = None if name is None else name.upper()
     if digits is not None:

@@ -15,6 +15,8 @@ from typing import NamedTuple, cast
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.text import nearest
+from nctakt.messages.nc_text import NAME_EXPECTED, TEXT_NOT_CLOSED
+from nctakt.messages.program_structure import CYCLE_CALL_WITHOUT_NAME, INVALID_CALL_PARAMETER
 from nctakt.nc.parse.expressions import (
     EQUALS,
     FUNCTION_NAMES,
@@ -215,8 +217,10 @@ def _without_name(keywords: list[Keyword | Expression], start: int) -> BlockErro
     """No NAME: perhaps a keyword is a misspelt one, else nothing tells what is called."""
     for item in keywords:
         if isinstance(item, Keyword) and nearest(item.name, ("NAME",)):
-            return BlockError(900133, 0, 0, item.span, word=item.name, nearest="NAME")
-    return BlockError(900916, start, start + 1)
+            return BlockError(
+                INVALID_CALL_PARAMETER, 0, 0, item.span, word=item.name, nearest="NAME"
+            )
+    return BlockError(CYCLE_CALL_WITHOUT_NAME, start, start + 1)
 
 
 def _call_item(text: BlockText, depth: int) -> Keyword | Expression:
@@ -236,7 +240,7 @@ def _called_name(text: BlockText) -> Expression:
         return variable
     found = text.match(_CALL_NAME)
     if found is None:
-        raise expected(text, 900114)
+        raise expected(text, NAME_EXPECTED)
     return StringLiteral(text.span(*found.span(1)), found[1])
 
 
@@ -336,5 +340,5 @@ def _with_bare_value(text: BlockText, start: int, value: Number) -> Word:
 def _unreadable_word(text: BlockText) -> BlockError:
     start = text.skip_blanks()
     if text.text.startswith('"', start):
-        return BlockError(900104, start, start + 1)
+        return BlockError(TEXT_NOT_CLOSED, start, start + 1)
     return unreadable(text)

@@ -14,6 +14,16 @@ from difflib import get_close_matches
 from typing import NamedTuple, cast
 
 from nctakt.base.diagnostics import Span
+from nctakt.messages.backward import RT_WHILE_NESTED
+from nctakt.messages.nc_text import (
+    BRANCH_AFTER_ELSE,
+    CYCLE_BEGIN_END_MISMATCH,
+    NAME_EXPECTED,
+    STRUCTURE_NOT_OPENED,
+    UNEXPECTED_TEXT,
+    UNKNOWN_CONTROL_WORD,
+    UNKNOWN_CYCLE_KEYWORD,
+)
 from nctakt.nc.parse.block_head import parse_label
 from nctakt.nc.parse.block_words import parse_offsets
 from nctakt.nc.parse.expressions import (
@@ -98,7 +108,11 @@ def control_line(text: BlockText, head: Head, structure: Structure) -> None:
         suggestion = get_close_matches(word, CONTROL_WORDS, 1, 0.0)[0]
         start = found.start(1) - 1
         raise BlockError(
-            900107, start, found.end(), word=shown("$" + found[1]), suggestion=suggestion
+            UNKNOWN_CONTROL_WORD,
+            start,
+            found.end(),
+            word=shown("$" + found[1]),
+            suggestion=suggestion,
         )
     handler(Here(text, head, structure, found.start(1) - 1, word))
 
@@ -155,7 +169,7 @@ def _frequency(here: Here) -> Frequency | None:
 def _stray(here: Here, begin: str) -> None:
     span = here.span()
     line = here.text.source_line(span)
-    here.structure.report(900106, span, line, word=here.word, begin=begin)
+    here.structure.report(STRUCTURE_NOT_OPENED, span, line, word=here.word, begin=begin)
     here.text.pos = len(here.text.text)
 
 
@@ -194,7 +208,7 @@ def _one_line_body(text: BlockText) -> Statement:
     start = found.start(1) - 1
     make = _JUMPS.get("$" + found[1].upper())
     if make is None:
-        raise BlockError(900100, start, found.end(), found=quoted("$" + found[1]))
+        raise BlockError(UNEXPECTED_TEXT, start, found.end(), found=quoted("$" + found[1]))
     return make(text, Head(), text.span(start, found.end()))
 
 
@@ -222,7 +236,7 @@ def _branch_of(here: Here) -> IfFrame | None:
         return None
     assert isinstance(frame, IfFrame)
     if frame.else_body is not None:
-        raise BlockError(900120, here.start, here.start + len(here.word), word=here.word)
+        raise BlockError(BRANCH_AFTER_ELSE, here.start, here.start + len(here.word), word=here.word)
     return frame
 
 
@@ -246,7 +260,7 @@ def _for(here: Here) -> None:
     try:
         target = parse_target(text)
         if target is None:
-            raise expected(text, 900114)
+            raise expected(text, NAME_EXPECTED)
         require(text, EQUALS, "=")
         start = parse_expression(text)
         require(text, COMMA, ",")
@@ -326,7 +340,7 @@ def _end_switch(here: Here) -> None:
 def _goto(text: BlockText, head: Head, span: Span) -> Statement:
     label = parse_label(text)
     if label is None:
-        raise expected(text, 900114)
+        raise expected(text, NAME_EXPECTED)
     return Goto(span, head, label)
 
 
@@ -401,7 +415,7 @@ def _realtime_cycle(here: Here, command: Hash) -> None:
         here.structure.expect_stray_cycle_end()
         known = words[0] in CYCLE_ACTIONS and len(words) > 1
         wrong = command.words[3 if known else 2]
-        raise BlockError(21985, 0, 0, wrong.span, keyword=shown(wrong.text))
+        raise BlockError(UNKNOWN_CYCLE_KEYWORD, 0, 0, wrong.span, keyword=shown(wrong.text))
 
 
 def _end_realtime_cycle(here: Here, command: Hash) -> None:
@@ -411,11 +425,13 @@ def _end_realtime_cycle(here: Here, command: Hash) -> None:
         frame.end_span = here.text.span(command.start, command.end)
         here.structure.close(frame)
     elif not here.structure.forgive_cycle_end():
-        raise BlockError(22005, command.start, command.end, found="#RT CYCLE END")
+        raise BlockError(
+            CYCLE_BEGIN_END_MISMATCH, command.start, command.end, found="#RT CYCLE END"
+        )
     rest = (*command.words[3:], *command.arguments)
     if rest:
         found = quoted(here.text.text_of(rest[0].span))
-        raise BlockError(900100, 0, 0, rest[0].span, found=found)
+        raise BlockError(UNEXPECTED_TEXT, 0, 0, rest[0].span, found=found)
 
 
 def _realtime_loop(here: Here, command: Hash) -> None:
@@ -423,22 +439,22 @@ def _realtime_loop(here: Here, command: Hash) -> None:
     frame = LoopFrame(here.opening("#RT ENDWHILE"))
     here.structure.open(frame)
     for wrong in command.words[2:]:
-        raise BlockError(900100, 0, 0, wrong.span, found=shown(wrong.text))
+        raise BlockError(UNEXPECTED_TEXT, 0, 0, wrong.span, found=shown(wrong.text))
     for item in cycle_keywords(here.text, command):
         if not isinstance(item, Keyword) or item != Keyword(item.span, "MODULO", None):
             found = shown(here.text.text_of(item.span))
-            raise BlockError(900100, 0, 0, item.span, found=found)
+            raise BlockError(UNEXPECTED_TEXT, 0, 0, item.span, found=found)
         frame.modulo = True
 
 
 def _end_realtime_loop(here: Here, command: Hash) -> None:
     frame = here.structure.find(lambda open_frame: isinstance(open_frame, LoopFrame))
     if frame is None:
-        raise BlockError(22181, command.start, command.end, found="#RT ENDWHILE")
+        raise BlockError(RT_WHILE_NESTED, command.start, command.end, found="#RT ENDWHILE")
     here.structure.close(frame)
     for wrong in (*command.words[2:], *command.arguments):
         found = shown(here.text.text_of(wrong.span))
-        raise BlockError(900100, 0, 0, wrong.span, found=found)
+        raise BlockError(UNEXPECTED_TEXT, 0, 0, wrong.span, found=found)
 
 
 def _variables(here: Here, _: Hash) -> None:

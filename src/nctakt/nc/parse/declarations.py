@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 
+from nctakt.messages.nc_text import NAME_EXPECTED, ONLY_DECLARATIONS_IN_VAR
 from nctakt.nc.parse.expressions import (
     EQUALS,
     OPENING,
@@ -54,7 +55,7 @@ def parse_declaration(text: BlockText, head: Head) -> Declaration:
     if text.match(_COLON) is not None:
         found = text.match(_TYPE)
         if found is None:
-            raise expected(text, 900114)
+            raise expected(text, NAME_EXPECTED)
         type_name = found[1].upper()
         if text.looking_at(OPENING) is not None:
             size = parse_list(text)[0].node
@@ -69,4 +70,4 @@ def parse_declaration(text: BlockText, head: Head) -> Declaration:
 def _no_declaration(text: BlockText) -> BlockError:
     start = text.pos
     end = start + len(text.text[start:].split("\n", 1)[0].rstrip())
-    return BlockError(900116, start, max(end, start + 1))
+    return BlockError(ONLY_DECLARATIONS_IN_VAR, start, max(end, start + 1))

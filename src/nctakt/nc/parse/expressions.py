@@ -13,7 +13,18 @@ from collections.abc import Callable
 from math import isinf
 from typing import NamedTuple
 
-from nctakt.base.diagnostics import Text
+from nctakt.base.diagnostics import Message, Text
+from nctakt.messages.nc_text import (
+    BRACKET_NOT_CLOSED,
+    EXPRESSION_TOO_DEEP,
+    NAME_EXPECTED,
+    NUMBER_TOO_LARGE,
+    SYMBOL_EXPECTED,
+    TEXT_NOT_CLOSED,
+    UNEXPECTED_TEXT,
+    UNMATCHED_CLOSING_BRACKET,
+    VALUE_EXPECTED,
+)
 from nctakt.nc.parse.lexer import BlockError, BlockText
 from nctakt.nc.tree import (
     ArrayLiteral,
@@ -111,7 +122,9 @@ def parse_target(text: BlockText) -> Variable | Parameter | None:
     return None if target is None else target.node
 
 
-def expected(text: BlockText, message: int = 900101, symbol: str | None = None) -> BlockError:
+def expected(
+    text: BlockText, message: Message = VALUE_EXPECTED, symbol: str | None = None
+) -> BlockError:
     """The error that something is missing at the reading position, showing what stands there."""
     found = text.looking_at(_FOUND)
     word: str | Text = END_OF_BLOCK
@@ -130,7 +143,7 @@ def number_at(text: BlockText, start: int, end: int) -> Number:
     """The literal at a place; one that no float64 holds is 900119."""
     value = float(text.text[start:end])
     if isinf(value):
-        raise BlockError(900119, start, end)
+        raise BlockError(NUMBER_TOO_LARGE, start, end)
     return Number(text.span(start, end), value)
 
 
@@ -138,8 +151,8 @@ def unreadable(text: BlockText) -> BlockError:
     """The error that nobody knows what to do with the text at the reading position."""
     closing = text.looking_at(CLOSING)
     if closing is not None:
-        return BlockError(900103, closing.end() - 1, closing.end())
-    return expected(text, 900100)
+        return BlockError(UNMATCHED_CLOSING_BRACKET, closing.end() - 1, closing.end())
+    return expected(text, UNEXPECTED_TEXT)
 
 
 def shown(found: str) -> str:
@@ -155,7 +168,7 @@ def quoted(found: str) -> str:
 def require(text: BlockText, pattern: re.Pattern[str], symbol: str) -> None:
     """Go behind a sign that has to stand next."""
     if text.match(pattern) is None:
-        raise expected(text, 900113, symbol=symbol)
+        raise expected(text, SYMBOL_EXPECTED, symbol=symbol)
 
 
 def _expression(text: BlockText, depth: int, names: bool) -> Sized:
@@ -208,7 +221,7 @@ def _apply(text: BlockText, operator: _Pending, operands: list[Sized]) -> None:
 
 def _too_deep(text: BlockText) -> BlockError:
     start = min(text.skip_blanks(), len(text.text) - 1)
-    return BlockError(50861, start, start + 1, limit=EXPRESSION_DEPTH)
+    return BlockError(EXPRESSION_TOO_DEEP, start, start + 1, limit=EXPRESSION_DEPTH)
 
 
 def _operand(text: BlockText, depth: int, names: bool) -> Sized:
@@ -242,7 +255,7 @@ def _operand(text: BlockText, depth: int, names: bool) -> Sized:
             return Sized(Name(text.span(*name.span(1)), upper, name[1]), 1)
     start = text.skip_blanks()
     if text.text.startswith('"', start):
-        raise BlockError(900104, start, start + 1)
+        raise BlockError(TEXT_NOT_CLOSED, start, start + 1)
     raise expected(text)
 
 
@@ -265,8 +278,8 @@ def parse_list(text: BlockText, depth: int = 0) -> list[Sized]:
         items.append(_expression(text, depth + 1, True))
     if text.match(CLOSING) is None:
         if text.at_end():
-            raise BlockError(900102, start, start + 1)
-        raise expected(text, 900113, symbol="]")
+            raise BlockError(BRACKET_NOT_CLOSED, start, start + 1)
+        raise expected(text, SYMBOL_EXPECTED, symbol="]")
     return items
 
 
@@ -284,7 +297,7 @@ def _target(text: BlockText, depth: int) -> _SizedTarget | None:
     else:
         items = parse_list(text, depth)
         if len(items) != 1:
-            raise BlockError(900100, end, end + 1, found=quoted("["))
+            raise BlockError(UNEXPECTED_TEXT, end, end + 1, found=quoted("["))
         index = items[0]
     parameter = Parameter(text.span(start, text.pos), index.node, bool(found[1]))
     return _SizedTarget(parameter, _checked(text, index.height + 1))
@@ -307,7 +320,7 @@ def _variable(
     """The variable whose family stands next; ``start`` is where its ``V`` stands."""
     family = text.match(_FAMILY)
     if family is None:
-        raise expected(text, 900114)
+        raise expected(text, NAME_EXPECTED)
     parts = []
     height = 1
     while (part := text.match(_PART)) is not None:
@@ -320,7 +333,7 @@ def _variable(
     open_end = text.text.startswith(".", text.pos)
     text.pos += open_end
     if (open_end and parts) or not (parts or whole_family):
-        raise expected(text, 900114)
+        raise expected(text, NAME_EXPECTED)
     span = text.span(start, text.pos)
     variable = Variable(span, family[0].upper(), tuple(parts), synchronous)
     return _SizedTarget(variable, _checked(text, height))
@@ -360,7 +373,7 @@ def parse_items(
     items: list[Item] = []
     while text.match(CLOSING) is None:
         if text.at_end():
-            raise BlockError(900102, start, start + 1)
+            raise BlockError(BRACKET_NOT_CLOSED, start, start + 1)
         if text.match(COMMA) is None:
             items.append((item or parse_item)(text, depth))
     return tuple(items)

@@ -13,6 +13,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, cast
 
+from nctakt.messages.nc_text import BRACKET_NOT_CLOSED, NAME_EXPECTED, UNEXPECTED_TEXT
 from nctakt.nc.parse.expressions import (
     CLOSING,
     COMMA,
@@ -78,7 +79,7 @@ def parse_words(text: BlockText) -> tuple[Name, ...]:
         text.pos = word.end()
         words.append(Name(text.span(*word.span(1)), word[1].upper(), word[1]))
     if not words:
-        raise expected(text, 900114)
+        raise expected(text, NAME_EXPECTED)
     return tuple(words)
 
 
@@ -104,7 +105,7 @@ def _components(text: BlockText) -> Argument:
     is_gap = True
     while text.match(CLOSING) is None:
         if text.at_end():
-            raise BlockError(900102, start, start + 1)
+            raise BlockError(BRACKET_NOT_CLOSED, start, start + 1)
         place = text.skip_blanks()
         is_comma = text.match(COMMA) is not None
         if not is_comma:
@@ -142,7 +143,7 @@ def cycle_keywords(text: BlockText, command: Hash) -> tuple[Item, ...]:
             if index or not isinstance(argument, Bracket)
         )
         found = quoted(text.text_of(wrong.span))
-        raise BlockError(900100, 0, 0, wrong.span, found=found)
+        raise BlockError(UNEXPECTED_TEXT, 0, 0, wrong.span, found=found)
     return items
 
 

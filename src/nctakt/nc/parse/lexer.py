@@ -15,8 +15,16 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Message, Span
 from nctakt.messages import Collector
+from nctakt.messages.nc_text import (
+    BINARY_FILE,
+    BLOCK_LONGER_THAN_MANUAL,
+    BLOCK_TOO_LONG,
+    COMMENT_BEGIN_NOT_ALONE,
+    COMMENT_END_NOT_ALONE,
+    COMMENT_NOT_CLOSED,
+)
 from nctakt.nc.source import LineReader, Source
 
 #: Characters that a block may have, and those beyond which it is not read at all (20301).
@@ -42,10 +50,10 @@ class BlockError(Exception):
     """
 
     def __init__(
-        self, number: int, start: int, end: int, span: Span | None = None, **values: object
+        self, message: Message, start: int, end: int, span: Span | None = None, **values: object
     ) -> None:
-        super().__init__(number)
-        self.number = number
+        super().__init__(message)
+        self.message = message
         self.start = start
         self.end = end
         self.span = span
@@ -235,7 +243,7 @@ class Lexer:
         if "\0" in raw:
             column = raw.index("\0") + 1
             self._finished = True
-            self._report(900108, number, column, column + 1, raw)
+            self._report(BINARY_FILE, number, column, column + 1, raw)
             return None
         return number, raw
 
@@ -277,18 +285,20 @@ class Lexer:
             return text
         before = text[: begin.start()]
         if not _ALONE_BEFORE.match(before) or not _blank(text[begin.end() :]):
-            self._report(20566, number, begin.start() + 1, begin.end() + 1, raw)
+            self._report(COMMENT_BEGIN_NOT_ALONE, number, begin.start() + 1, begin.end() + 1, raw)
         while (line := self._next_line()) is not None:
             end_number, end_raw = line
             end = _COMMENT_END.search(end_raw) if "#" in end_raw else None
             if end is not None:
                 after = without_comments(end_raw[end.end() :])
                 if not _ALONE_BEFORE.match(end_raw[: end.start()]) or not _blank(after):
-                    self._report(20569, end_number, end.start() + 1, end.end() + 1, end_raw)
+                    self._report(
+                        COMMENT_END_NOT_ALONE, end_number, end.start() + 1, end.end() + 1, end_raw
+                    )
                 break
         else:
             if not self._finished:
-                self._report(900112, number, begin.start() + 1, begin.end() + 1, raw)
+                self._report(COMMENT_NOT_CLOSED, number, begin.start() + 1, begin.end() + 1, raw)
         return "" if _ALONE_BEFORE.match(before) else before
 
     def _check_length(self, number: int, raw: str, length: int) -> bool:
@@ -298,7 +308,7 @@ class Lexer:
         limit = BLOCK_LENGTH_HARD if too_long else BLOCK_LENGTH
         start = min(limit, len(raw) - 1)
         self._report(
-            20301 if too_long else 900110,
+            BLOCK_TOO_LONG if too_long else BLOCK_LONGER_THAN_MANUAL,
             number,
             start + 1,
             start + 2,
@@ -309,7 +319,7 @@ class Lexer:
         return not too_long
 
     def _report(
-        self, message: int, number: int, start: int, end: int, raw: str, **values: object
+        self, message: Message, number: int, start: int, end: int, raw: str, **values: object
     ) -> None:
         self._collector.report(message, Span(self._file, number, start, end), raw, **values)
 

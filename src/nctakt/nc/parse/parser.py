@@ -13,6 +13,7 @@ from collections.abc import Iterator
 
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.messages import Collector
+from nctakt.messages.nc_text import ONLY_DECLARATIONS_IN_VAR, PROGRAM_EMPTY, SECOND_MAIN_PROGRAM
 from nctakt.nc.parse.block_head import parse_head, parse_program_start
 from nctakt.nc.parse.block_words import parse_content
 from nctakt.nc.parse.controls import control_line, hash_line
@@ -91,7 +92,7 @@ class StatementReader:
         yield from self._ready(begin)
         if empty and not collector.has_errors:
             place = Span(source.file, 1, 1, 2)
-            collector.report(900109, place, source.line_of(place))
+            collector.report(PROGRAM_EMPTY, place, source.line_of(place))
 
     def _ready(self, begin: int) -> Iterator[tuple[int, Statement]]:
         """What is finished, counted as it is given."""
@@ -189,7 +190,7 @@ def _declaration_line(
         frame.declarations.append(parse_declaration(text, head))
         frame.strangers = 0
     except BlockError as error:
-        frame.strangers += error.number == 900116
+        frame.strangers += error.message is ONLY_DECLARATIONS_IN_VAR
         structure.block_error(text, error)
     return True
 
@@ -225,7 +226,7 @@ def sections(
             continue
         else:
             line = source.line_of(statement.span)
-            collector.report(900117, statement.span, line, name=statement.name)
+            collector.report(SECOND_MAIN_PROGRAM, statement.span, line, name=statement.name)
             section = -1
         yield begin, section, statement
 

@@ -11,8 +11,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Message, Span
 from nctakt.messages import Collector
+from nctakt.messages.backward import RT_WHILE_WITHOUT_END
+from nctakt.messages.nc_text import (
+    CYCLE_BEGIN_END_MISMATCH,
+    STATEMENT_BEFORE_CASE,
+    STRUCTURE_NOT_CLOSED,
+    STRUCTURES_NESTED_TOO_DEEP,
+    TEXT_AFTER_PROGRAM_END,
+)
 from nctakt.nc.parse.lexer import BlockError, BlockText
 from nctakt.nc.parse.open_structures import CycleFrame, Frame, LoopFrame, SwitchFrame
 from nctakt.nc.tree import Head, Statement, Unreadable
@@ -52,7 +60,7 @@ class Structure:
         """Add what is not a structure; between ``$SWITCH`` and ``$CASE`` it has no place."""
         top = self.top
         if isinstance(top, SwitchFrame) and not top.cases:
-            self.report(900115, statement.span, text.source_line(statement.span))
+            self.report(STATEMENT_BEFORE_CASE, statement.span, text.source_line(statement.span))
         self.add(statement)
 
     def add_unreadable(self, text: BlockText, head: Head, error: BlockError) -> None:
@@ -79,15 +87,15 @@ class Structure:
         if self._stack and (self._stack[-1].dead or self._stack[-1].inside_dead):
             return
         span = error.span or text.span(error.start, error.end)
-        self.report(error.number, span, text.source_line(span), **error.values)
+        self.report(error.message, span, text.source_line(span), **error.values)
 
-    def report(self, number: int, span: Span, line: str, **values: object) -> None:
+    def report(self, message: Message, span: Span, line: str, **values: object) -> None:
         """Report a mistake; behind a program end one warning stands for all of them."""
         if not self._ended:
-            self._collector.report(number, span, line, **values)
+            self._collector.report(message, span, line, **values)
         elif not self._patience_told:
             self._patience_told = True
-            self._collector.report(900118, span, line)
+            self._collector.report(TEXT_AFTER_PROGRAM_END, span, line)
 
     # --- structures ------------------------------------------------------------------------------
 
@@ -99,7 +107,11 @@ class Structure:
         if len(self._stack) == STRUCTURE_DEPTH + 1:
             opening = frame.opening
             self.report(
-                900111, opening.span, opening.line, limit=STRUCTURE_DEPTH, begin=opening.begin
+                STRUCTURES_NESTED_TOO_DEEP,
+                opening.span,
+                opening.line,
+                limit=STRUCTURE_DEPTH,
+                begin=opening.begin,
             )
 
     def find(self, fits: Callable[[Frame], bool]) -> Frame | None:
@@ -132,12 +144,20 @@ class Structure:
         opening = frame.opening
         if isinstance(frame, CycleFrame):
             if not frame.reported:
-                self.report(22005, opening.span, opening.line, found=opening.begin)
+                self.report(
+                    CYCLE_BEGIN_END_MISMATCH, opening.span, opening.line, found=opening.begin
+                )
                 self.expect_stray_cycle_end()
         elif isinstance(frame, LoopFrame):
-            self.report(50992, opening.span, opening.line)
+            self.report(RT_WHILE_WITHOUT_END, opening.span, opening.line)
         else:
-            self.report(900105, opening.span, opening.line, begin=opening.begin, end=opening.end)
+            self.report(
+                STRUCTURE_NOT_CLOSED,
+                opening.span,
+                opening.line,
+                begin=opening.begin,
+                end=opening.end,
+            )
         self.close(frame)
 
     def close_all(self) -> None:
@@ -163,7 +183,7 @@ class Structure:
             return
         cycle = self._stack[index]
         assert isinstance(cycle, CycleFrame)
-        self.report(22005, span, line, found="#RT CYCLE")
+        self.report(CYCLE_BEGIN_END_MISMATCH, span, line, found="#RT CYCLE")
         cycle.reported = True
         if cycle is self.top:
             # Most likely its end was forgotten; if not, the end that is left over is forgiven.

@@ -12,7 +12,16 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Literal
 
-from nctakt.base.diagnostics import Span, Text
+from nctakt.base.diagnostics import Message, Span, Text
+from nctakt.messages.checked_axes import (
+    DUPLICATE_INDP_KEYWORD,
+    INDEPENDENT_MOTION_REFUSED,
+    INDP_KEYWORD_NOT_ALLOWED,
+    INDP_KEYWORD_WITH_VALUE,
+    UNKNOWN_INDP_KEYWORD,
+)
+from nctakt.messages.checked_blocks import WORD_VALUE_MISSING
+from nctakt.messages.checked_cycles import INVALID_KEYWORD_VALUE
 from nctakt.nc.tree import Block, BracketCommand, Expression, If, Keyword, Name, Number, Statement
 
 #: OFFSET keywords, those of single kinds in the order of ``kernel/axes/coordinates.py``.
@@ -99,9 +108,9 @@ class AxisCommand:
 
 @dataclass(frozen=True, slots=True)
 class Wrong:
-    """A message number with its place and values; ``written``: the value that is the text there."""
+    """A message with its place and values; ``written``: the value that is the text there."""
 
-    number: int
+    message: Message
     span: Span
     values: dict[str, object]
     written: str = ""
@@ -153,12 +162,11 @@ def read_axis_command(command: BracketCommand) -> tuple[AxisCommand, list[Wrong]
 def refusal(command: BracketCommand, number: int) -> Wrong:
     """50967 with one of ``REFUSALS``."""
     reason = REFUSALS[number]
-    values: dict[str, object] = {
-        "axis": command.name,
-        "reason_en": reason.en,
-        "reason_de": reason.de,
-    }
-    return Wrong(50967, command.span, values)
+    return Wrong(
+        INDEPENDENT_MOTION_REFUSED,
+        command.span,
+        {"axis": command.name, "reason_en": reason.en, "reason_de": reason.de},
+    )
 
 
 def _sorted(command: BracketCommand, wrong: list[Wrong]) -> dict[str, Keyword]:
@@ -169,17 +177,25 @@ def _sorted(command: BracketCommand, wrong: list[Wrong]) -> dict[str, Keyword]:
         if isinstance(item, Keyword) and name == "G":
             name = _g_word(item)
             if not name:
-                wrong.append(Wrong(50965, item.span, {"axis": command.name, "word": _shown(item)}))
+                wrong.append(
+                    Wrong(
+                        INDP_KEYWORD_NOT_ALLOWED,
+                        item.span,
+                        {"axis": command.name, "word": _shown(item)},
+                    )
+                )
                 continue
         elif not isinstance(item, Keyword) or item.arguments or name not in _FLAGS + _VALUES:
-            wrong.append(Wrong(900261, item.span, {"axis": command.name}, "word"))
+            wrong.append(Wrong(UNKNOWN_INDP_KEYWORD, item.span, {"axis": command.name}, "word"))
             continue
         if name in found:
-            wrong.append(Wrong(22032, item.span, {"axis": command.name, "word": name}))
+            wrong.append(
+                Wrong(DUPLICATE_INDP_KEYWORD, item.span, {"axis": command.name, "word": name})
+            )
         elif name in _FLAGS and item.value is not None:
-            wrong.append(Wrong(900263, item.span, {"word": name}))
+            wrong.append(Wrong(INDP_KEYWORD_WITH_VALUE, item.span, {"word": name}))
         elif name in _VALUES and item.value is None:
-            wrong.append(Wrong(900208, item.span, {"word": name}))
+            wrong.append(Wrong(WORD_VALUE_MISSING, item.span, {"word": name}))
         found.setdefault(name, item)
     return found
 
@@ -209,7 +225,9 @@ def _offset(keyword: Keyword | None, wrong: list[Wrong]) -> str:
 
 
 def _unknown_choice(value: Expression, word: str, names: tuple[str, ...]) -> Wrong:
-    return Wrong(900225, value.span, {"word": word, "names": ", ".join(names)}, "value")
+    return Wrong(
+        INVALID_KEYWORD_VALUE, value.span, {"word": word, "names": ", ".join(names)}, "value"
+    )
 
 
 def _combination(command: AxisCommand, found: dict[str, Keyword]) -> list[int]:

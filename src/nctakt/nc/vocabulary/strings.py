@@ -8,7 +8,9 @@ less than it has bytes; STRING without P-EXTV-00022 has 24 bytes and takes 20.
 
 from __future__ import annotations
 
+from nctakt.base.diagnostics import Message
 from nctakt.base.text import WINDOWS_1252
+from nctakt.messages.memory import CHARACTER_NOT_STORABLE, TEXT_TOO_LONG
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 
 _BYTES = {ord(character): byte for byte, character in WINDOWS_1252.items()}
@@ -36,16 +38,15 @@ def encode(text: str, size_bytes: int) -> bytes:
 
 def misfit(
     name: str, type_: str, size_bytes: int, text: str
-) -> tuple[int, dict[str, object]] | None:
-    """Why variable ``name`` cannot hold ``text``: message number and values, ``None`` if it
-    can."""
+) -> tuple[Message, dict[str, object]] | None:
+    """Return why variable ``name`` cannot hold ``text``: message and values; ``None`` if it can."""
     for character in text:
         code = _BYTES.get(ord(character), ord(character))
         if not 0 < code < 256 or WINDOWS_1252.get(code, chr(code)) != character:
-            return 900344, {"name": name, "character": f"U+{ord(character):04X}"}
+            return CHARACTER_NOT_STORABLE, {"name": name, "character": f"U+{ord(character):04X}"}
     limit = most_characters(type_, size_bytes)
     if len(text) > limit:
-        return 900343, {"name": name, "limit": limit, "count": len(text)}
+        return TEXT_TOO_LONG, {"name": name, "limit": limit, "count": len(text)}
     return None
 
 

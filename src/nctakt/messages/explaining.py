@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+"""Messages about ``nctakt explain``, ``why`` and ``coverage``: what is asked for and not there."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error
+
+UNKNOWN_TOPIC = error(
+    900570,
+    en="'{word}' is known to nobody here",
+    de="'{word}' kennt hier niemand",
+    remedy_en="nctakt explain without a word lists what can be asked for.",
+    remedy_de="nctakt explain ohne Wort zeigt, wonach gefragt werden kann.",
+    word=("the word as it was given", "das Wort, wie angegeben"),
+)
+MISSPELLED_TOPIC = error(
+    900571,
+    en="'{word}' is known to nobody here",
+    de="'{word}' kennt hier niemand",
+    remedy_en="Did you mean {nearest}?",
+    remedy_de="Ist {nearest} gemeint?",
+    word=("the word as it was given", "das Wort, wie angegeben"),
+    nearest=("the nearest known word", "das ähnlichste bekannte Wort"),
+)
+CYCLE_NOT_IN_RUN = error(
+    900574,
+    en="there is no realtime cycle {cycle} in this run",
+    de="es gibt in diesem Lauf keinen Echtzeit-Zyklus {cycle}",
+    remedy_en="Name one of: {known}",
+    remedy_de="Einen von diesen nennen: {known}",
+    cycle=("the ID that was given", "die angegebene ID"),
+    known=("the IDs of the run's cycles", "die IDs der Zyklen des Laufs"),
+)
+LINE_NOT_IN_CYCLE = error(
+    900575,
+    en="line {line} belongs to no realtime cycle",
+    de="Zeile {line} gehört zu keinem Echtzeit-Zyklus",
+    remedy_en="The nearest line that does is {nearest}",
+    remedy_de="Die nächste Zeile, die zu einem gehört, ist {nearest}",
+    line=("the line that was given", "die angegebene Zeile"),
+    nearest=("the nearest line of a cycle", "die nächste Zeile eines Zyklus"),
+)
+TICK_NOT_IN_RUN = error(
+    900576,
+    en="tick {tick} is not in the run, which went from tick {first} to tick {last}",
+    de="Takt {tick} liegt nicht im Lauf, der von Takt {first} bis Takt {last} ging",
+    remedy_en="Give a time within the run.",
+    remedy_de="Eine Zeit innerhalb des Laufs angeben.",
+    tick=("the tick", "der Takt"),
+    first=("the run's first tick", "der erste Takt des Laufs"),
+    last=("its last tick", "sein letzter Takt"),
+)
+RUN_WITHOUT_CYCLES = error(
+    900577,
+    en="there is no realtime cycle {cycle}: this run has defined none",
+    de="es gibt keinen Echtzeit-Zyklus {cycle}: dieser Lauf hat keinen angelegt",
+    remedy_en="Ask without a cycle to see which definitions were not reached.",
+    remedy_de="Ohne Zyklus fragen, um zu sehen, welche Definitionen nicht erreicht wurden.",
+    cycle=("the ID that was given", "die angegebene ID"),
+)
+PROGRAMS_WITHOUT_CYCLES = error(
+    900578,
+    en="line {line} belongs to no realtime cycle: the programs have none",
+    de="Zeile {line} gehört zu keinem Echtzeit-Zyklus: die Programme haben keinen",
+    remedy_en="Name a program that defines realtime cycles.",
+    remedy_de="Ein Programm nennen, das Echtzeit-Zyklen definiert.",
+    line=("the line that was given", "die angegebene Zeile"),
+)

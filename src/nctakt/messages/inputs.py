@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+"""Messages about times, values and names that a user gives a run."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error
+
+INVALID_TIME = error(
+    900510,
+    en="'{text}' is no time",
+    de="'{text}' ist keine Zeit",
+    remedy_en="Write a number from 0 on with us, ms, s or min, such as 1500us or 1.5ms; a number "
+    "alone means seconds.",
+    remedy_de="Eine Zahl ab 0 mit us, ms, s oder min schreiben, etwa 1500us oder 1.5ms; eine Zahl "
+    "allein bedeutet Sekunden.",
+    text=("the time as it was given", "die Zeit, wie angegeben"),
+)
+NOT_AN_ASSIGNMENT = error(
+    900511,
+    en="'{text}' does not give a value to a variable",
+    de="'{text}' gibt keiner Variablen einen Wert",
+    remedy_en="Write NAME=VALUE, such as V.E.VALUE=5.",
+    remedy_de="NAME=WERT schreiben, etwa V.E.VALUE=5.",
+    text=("what was given", "was angegeben wurde"),
+)
+UNREADABLE_VALUE = error(
+    900512,
+    en="{name}: '{value}' is no value",
+    de="{name}: '{value}' ist kein Wert",
+    remedy_en='Write a number, TRUE, FALSE or a text between "…".',
+    remedy_de='Eine Zahl, TRUE, FALSE oder einen Text zwischen "…" schreiben.',
+    name=("the variable", "die Variable"),
+    value=("the value as it was given", "der Wert, wie angegeben"),
+)
+UNKNOWN_MACHINE_VARIABLE = error(
+    900540,
+    en="there is no variable {name}",
+    de="es gibt keine Variable {name}",
+    remedy_en="See the machine's variables list for the names.",
+    remedy_de="Die Namen stehen in der Variablenliste der Maschine.",
+    name=("the name", "der Name"),
+)
+MISSPELLED_MACHINE_VARIABLE = error(
+    900541,
+    en="there is no variable {name}",
+    de="es gibt keine Variable {name}",
+    remedy_en="Did you mean {nearest}?",
+    remedy_de="War {nearest} gemeint?",
+    name=("the name", "der Name"),
+    nearest=("the nearest known name", "der ähnlichste bekannte Name"),
+)
+VARIABLE_NOT_SETTABLE = error(
+    900542,
+    en="{name} belongs to the controller and cannot be set from outside",
+    de="{name} gehört der Steuerung und kann nicht von außen gesetzt werden",
+    remedy_en="Set V.E or V.CH variables; write V.RT* variables in a program or a realtime cycle.",
+    remedy_de="V.E- oder V.CH-Variablen setzen; V.RT* in Programm oder Echtzeit-Zyklus schreiben.",
+    name=("the name", "der Name"),
+)
+VALUE_NOT_OF_TYPE = error(
+    900543,
+    en="{name} of type {type} does not take the value {value}",
+    de="{name} vom Typ {type} nimmt den Wert {value} nicht",
+    remedy_en="Give a number to a number, a text to a text.",
+    remedy_de="Einer Zahl eine Zahl geben, einem Text einen Text.",
+    name=("the variable", "die Variable"),
+    type=("its type", "ihr Typ"),
+    value=("the value", "der Wert"),
+)
+UNKNOWN_SIGNAL = error(
+    900544,
+    en="there is no signal {name}",
+    de="es gibt kein Signal {name}",
+    remedy_en="Signals are X.ACS.ACT_POS and its kin, PATH.SPEED, BLOCK, V.E and V.CH variables.",
+    remedy_de="Signale sind X.ACS.ACT_POS und andere, PATH.SPEED, BLOCK, V.E- und V.CH-Variablen.",
+    name=("the name", "der Name"),
+)
+MISSPELLED_SIGNAL = error(
+    900545,
+    en="there is no signal {name}",
+    de="es gibt kein Signal {name}",
+    remedy_en="Did you mean {nearest}?",
+    remedy_de="War {nearest} gemeint?",
+    name=("the name", "der Name"),
+    nearest=("the nearest known name", "der ähnlichste bekannte Name"),
+)
+INVALID_EXPECTATION = error(
+    900660,
+    en="'{text}' is no expectation",
+    de="'{text}' ist keine Erwartung",
+    remedy_en='Write fired, M100, message "…", error 22009, ended, X = 1.5; see docs/testing.md.',
+    remedy_de='Etwa fired, M100, message "…", error 22009, X = 1.5; siehe docs/testing.md.',
+    text=(
+        "the expectation as it stands in the comment",
+        "die Erwartung, wie sie im Kommentar steht",
+    ),
+)
+INVALID_GIVEN_INPUT = error(
+    900661,
+    en="'{text}' cannot be given to a run",
+    de="'{text}' kann einem Lauf nicht mitgegeben werden",
+    remedy_en="Write V.E.VALUE = 5, V.E.VALUE = 5 at 20ms, plc FILE, machine FOLDER, limit TIME, "
+    "after TIME or start.",
+    remedy_de="V.E.VALUE = 5, V.E.VALUE = 5 at 20ms, plc DATEI, machine ORDNER, limit ZEIT, after "
+    "ZEIT oder start schreiben.",
+    text=("what stands in the comment", "was im Kommentar steht"),
+)

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT
+"""Messages about a schedule that runs for real."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error, note, warning
+
+LINUX_ONLY = error(
+    900680,
+    en="a schedule runs for real on Linux only; this is {system}",
+    de="ein Ablauf läuft nur unter Linux wirklich; das hier ist {system}",
+    remedy_en="Simulate it: nctakt schedule simulate.",
+    remedy_de="Ihn simulieren: nctakt schedule simulate.",
+    system=("the operating system", "das Betriebssystem"),
+)
+SCHEDULE_RUNNER_MISSING = error(
+    900681,
+    en="the part that runs schedules is not installed",
+    de="der Teil, der Abläufe laufen lässt, ist nicht installiert",
+    remedy_en="Install nctakt again where there is a C compiler.",
+    remedy_de="nctakt neu installieren, wo ein C-Compiler vorhanden ist.",
+)
+SCHED_FIFO_NOT_PERMITTED = warning(
+    900682,
+    en="SCHED_FIFO is not permitted ({reason}): ordinary scheduling, which ignores priorities",
+    de="SCHED_FIFO ist nicht erlaubt ({reason}): gewöhnliches Scheduling, das Prioritäten nicht "
+    "kennt",
+    remedy_en="Run as root, or raise rtprio in /etc/security/limits.conf; in a container add the "
+    "capability SYS_NICE.",
+    remedy_de="Als root starten, rtprio in /etc/security/limits.conf erhöhen oder einem Container "
+    "SYS_NICE geben.",
+    reason=("what the system says", "was das System sagt"),
+)
+TIMER_INSTEAD_OF_INTERRUPT = note(
+    900683,
+    en="no hardware interrupt can be had here: a timer gives the NC interrupts, as the load says",
+    de="einen Hardware-Interrupt gibt es hier nicht: ein Timer gibt die NC-Interrupts nach der "
+    "Last",
+    remedy_en="Nothing to do; interrupt_source 3 takes them from a semaphore.",
+    remedy_de="Nichts zu tun; interrupt_source 3 nimmt sie von einem Semaphor.",
+)
+INVALID_LINUX_SEMAPHORE_NAME = error(
+    900684,
+    en="{name} cannot be the name of a semaphore on Linux",
+    de="{name} kann unter Linux kein Semaphor heißen",
+    remedy_en="At most 250 characters, no '/' but one at the begin.",
+    remedy_de="Höchstens 250 Zeichen, kein '/' außer am Anfang.",
+    name=("the semaphore", "die Semaphore"),
+)
+SEMAPHORE_EXISTS = error(
+    900685,
+    en="semaphore {name} is there already: another run, or another program, has made it",
+    de="den Semaphor {name} gibt es schon: ein anderer Lauf oder ein anderes Programm hat ihn",
+    remedy_en="End the other one; if nobody has it any more, remove its file below /dev/shm.",
+    remedy_de="Das andere beenden; hat ihn niemand mehr, seine Datei unter /dev/shm löschen.",
+    name=("the semaphore", "die Semaphore"),
+)
+SEMAPHORE_NOT_CREATED = error(
+    900686,
+    en="{name} cannot be made: {reason}",
+    de="{name} lässt sich nicht anlegen: {reason}",
+    remedy_en="See that /dev/shm is there and can be written.",
+    remedy_de="Sehen, dass /dev/shm da ist und beschrieben werden kann.",
+    name=("the semaphore, or a file about it", "die Semaphore oder eine Datei über sie"),
+    reason=("what the system says", "was das System sagt"),
+)
+SEMAPHORE_NOT_OPENED = error(
+    900687,
+    en="semaphore '{name}', which is to give the NC interrupts, cannot be opened: {reason}",
+    de="der Semaphor '{name}', der die NC-Interrupts geben soll, lässt sich nicht öffnen: {reason}",
+    remedy_en="Start the program that makes it first; external_object_name names it.",
+    remedy_de="Zuerst das Programm starten, das ihn anlegt; external_object_name nennt ihn.",
+    name=("the semaphore", "die Semaphore"),
+    reason=("what the system says", "was das System sagt"),
+)
+CPU_WOULD_STARVE = error(
+    900688,
+    en="the threads want {demand} % of CPU {cpu}: under SCHED_FIFO the machine could stand still",
+    de="die Threads wollen {demand} % der CPU {cpu}: mit SCHED_FIFO könnte die Maschine "
+    "stillstehen",
+    remedy_en="Lower the load, run with --no-fifo, or insist with --force.",
+    remedy_de="Die Last verringern, mit --no-fifo laufen lassen oder auf --force bestehen.",
+    demand=("the demand of all threads, in percent", "der Bedarf aller Threads, in Prozent"),
+    cpu=("the processor", "der Prozessor"),
+)
+SCHEDULE_RUN_ENDED = error(
+    900689,
+    en="the run was ended from outside, or could not begin ({reason_en})",
+    de="der Lauf wurde von außen beendet oder konnte nicht beginnen ({reason_de})",
+    remedy_en="Nothing was left behind; start it again.",
+    remedy_de="Es blieb nichts zurück; neu starten.",
+    reason_en=("what happened, in English", "was geschah, englisch"),
+    reason_de=("the same in German", "dasselbe auf Deutsch"),
+)
+LOAD_MACHINE_IGNORED = note(
+    900690,
+    en="machine.{key} of the load does not count: this machine has the CPUs {cpus}",
+    de="machine.{key} der Last zählt nicht: diese Maschine hat die CPUs {cpus}",
+    remedy_en="Nothing to do; a simulation goes by the load.",
+    remedy_de="Nichts zu tun; eine Simulation richtet sich nach der Last.",
+    key=("the entry", "der Eintrag"),
+    cpus=("the processors that can be used", "die Prozessoren, die benutzt werden können"),
+)
+SCHEDULE_RECORDING_FULL = warning(
+    900691,
+    en="the run ended after {cycles} NC cycles: more cannot be recorded",
+    de="der Lauf endete nach {cycles} NC-Takten: mehr lässt sich nicht aufzeichnen",
+    remedy_en="Run shorter pieces.",
+    remedy_de="In kürzeren Stücken laufen lassen.",
+    cycles=("complete NC cycles", "vollständige NC-Zyklen"),
+)
+LEFTOVERS_REMOVED = note(
+    900692,
+    en="removed what a killed run had left behind: {names}",
+    de="entfernt, was ein abgebrochener Lauf zurückgelassen hatte: {names}",
+    remedy_en="Nothing to do.",
+    remedy_de="Nichts zu tun.",
+    names=("the semaphores", "die Semaphoren"),
+)
+SCHEDULE_RUN_STOPPED = note(
+    900693,
+    en="stopped after {cycles} complete NC cycles",
+    de="angehalten nach {cycles} ganzen NC-Takten",
+    remedy_en="Nothing to do.",
+    remedy_de="Nichts zu tun.",
+    cycles=("complete NC cycles", "vollständige NC-Zyklen"),
+)
+LATE_WAKEUPS = warning(
+    900694,
+    en="the scheduler woke {count} times later than one time_slice, {latest} µs at most",
+    de="der Scheduler wachte {count}-mal später als ein time_slice auf, höchstens {latest} µs",
+    remedy_en="A kernel with PREEMPT_RT, SCHED_FIFO and a processor of its own make it punctual.",
+    remedy_de="Ein Kernel mit PREEMPT_RT, SCHED_FIFO und eine eigene CPU machen ihn pünktlich.",
+    count=("how often", "wie oft"),
+    latest=("the longest delay, in µs", "die längste Verspätung in µs"),
+)
+NO_NC_CYCLE_COMPLETED = error(
+    900695,
+    en="not one NC cycle was completed",
+    de="kein einziger NC-Takt wurde fertig",
+    remedy_en="Run longer; with interrupt_source 3 see that somebody gives the semaphore.",
+    remedy_de="Länger laufen lassen; bei interrupt_source 3 muss jemand den Semaphor geben.",
+)
+CYCLES_MAY_TAKE_WINDOWS_TIME = warning(
+    900697,
+    en="channel {channel}: realtime cycles may take {allowed} µs, Windows has {windows} of {cycle} "
+    "µs",
+    de="Kanal {channel}: Echtzeit-Zyklen dürfen {allowed} µs dauern, Windows hat {windows} von "
+    "{cycle} µs",
+    remedy_en="Lower rt_cycles.max_duration ({share} %), or windows_time.",
+    remedy_de="rt_cycles.max_duration ({share} %) oder windows_time verringern.",
+    channel=("the channel's number", "die Nummer des Kanals"),
+    share=("P-CHAN-00425, in percent of the NC cycle", "P-CHAN-00425 in Prozent des NC-Zyklus"),
+    allowed=("what it is of the NC cycle, in µs", "was das vom NC-Zyklus ist, in µs"),
+    windows=("windows_time, in µs", "windows_time, in µs"),
+    cycle=("cycle_time, in µs", "cycle_time in µs"),
+)

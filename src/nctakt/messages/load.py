@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+"""Messages about the load of a schedule."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error, note, warning
+
+INVALID_LOAD_FILE = error(
+    900620,
+    en="{file}: no load in TOML: {reason}",
+    de="{file}: keine Last in TOML: {reason}",
+    remedy_en="Correct the text.",
+    remedy_de="Den Text berichtigen.",
+    file=("the file", "die Datei"),
+    reason=("what the reader says", "was der Leser sagt"),
+)
+LOAD_OF_UNUSED_FUNCTION = warning(
+    900621,
+    en="load: {name} is called by no thread of the list; its time is not used",
+    de="Last: {name} ruft kein Thread der Liste; die Zeit wird nicht verwendet",
+    remedy_en="The list calls {names}.",
+    remedy_de="Die Liste ruft {names}.",
+    name=("the name in the load", "der Name in der Last"),
+    names=("the names of the list", "die Namen der Liste"),
+)
+EXECUTION_TIME_MISSING = error(
+    900622,
+    en="load: the execution time of {name} is missing",
+    de="Last: die Ausführungszeit von {name} fehlt",
+    remedy_en="Write '{entry} = ' with a time in µs.",
+    remedy_de="'{entry} = ' mit einer Zeit in µs schreiben.",
+    name=("the function or external thread", "die Funktion oder der externe Thread"),
+    entry=("how the load names it", "wie die Last es nennt"),
+)
+INVALID_LOAD_VALUE = error(
+    900623,
+    en="load: {key}: {value} is not {expected_en}",
+    de="Last: {key}: {value} ist nicht {expected_de}",
+    remedy_en="Correct the entry.",
+    remedy_de="Den Eintrag berichtigen.",
+    key=("the entry", "der Eintrag"),
+    value=("its value", "sein Wert"),
+    expected_en=("what it should be, in English", "was es sein soll, englisch"),
+    expected_de=("the same in German", "dasselbe auf Deutsch"),
+)
+UNKNOWN_LOAD_ENTRY = error(
+    900624,
+    en="load: {key} is no entry of a load",
+    de="Last: {key} ist kein Eintrag einer Last",
+    remedy_en="Entries there are {names}.",
+    remedy_de="Einträge sind dort {names}.",
+    key=("the entry", "der Eintrag"),
+    names=("what can stand there", "was dort stehen kann"),
+)
+LOAD_ASSUMED = note(
+    900625,
+    en="no load is given; the execution times are assumed",
+    de="keine Last angegeben; die Ausführungszeiten sind angenommen",
+    remedy_en="Give your own times with --load.",
+    remedy_de="Eigene Zeiten mit --load angeben.",
+)
+LOAD_INTERRUPT_WITHOUT_EFFECT = warning(
+    900627,
+    en="load: interrupt.{key} has no effect: the timer starts the NC cycles",
+    de="Last: interrupt.{key} bleibt ohne Wirkung: der Timer löst die NC-Takte aus",
+    remedy_en="Delete the entry, or choose what interrupt_source means with --convention.",
+    remedy_de="Den Eintrag löschen oder mit --convention wählen, was interrupt_source bedeutet.",
+    key=("the entry", "der Eintrag"),
+)
+CALL_COUNT_NOT_SIMULATED = error(
+    900628,
+    en="{thread}: {count} calls in one activation cannot be simulated",
+    de="{thread}: {count} Aufrufe je Aktivierung sind nicht simulierbar",
+    remedy_en="Set calls_per_cycle so that there are at most {limit}.",
+    remedy_de="calls_per_cycle so setzen, dass es höchstens {limit} sind.",
+    thread=("the thread", "der Thread"),
+    count=("its calls", "seine Aufrufe"),
+    limit=("the most calls", "die meisten Aufrufe"),
+)

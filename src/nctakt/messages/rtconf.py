@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: MIT
+"""Messages about the scheduling list rtconf.lis."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error, note, warning
+
+INTERRUPT_SOURCE_MISSING = error(
+    900030,
+    en="interrupt_source is not configured; the timer starts the NC cycles",
+    de="interrupt_source ist nicht konfiguriert; der Timer löst die NC-Takte aus",
+    remedy_en="Set interrupt_source to 1 (hardware interrupt), 2 (timer) or 3 (semaphore).",
+    remedy_de="interrupt_source auf 1 (Hardware-Interrupt), 2 (Timer) oder 3 (Semaphor) setzen.",
+    cause_en="With external scheduling (4) there is nothing that nctakt could simulate.",
+    cause_de="Bei externem Scheduling (4) gibt es nichts, was nctakt simulieren könnte.",
+)
+SCHEDULE_TIME_MISSING = error(
+    900031,
+    en="{key} is missing or defective and has no default; {fallback} µs are used",
+    de="{key} fehlt oder ist fehlerhaft und hat keinen Standardwert; es gelten {fallback} µs",
+    remedy_en="Set {key}.",
+    remedy_de="{key} setzen.",
+    key=("the parameter's name", "der Name des Parameters"),
+    fallback=("the value that is used, in µs", "der Wert, der gilt, in µs"),
+)
+TIME_SLICE_ABOVE_CYCLE_TIME = error(
+    900032,
+    en="time_slice ({slice} µs) is longer than cycle_time ({cycle} µs)",
+    de="time_slice ({slice} µs) ist länger als cycle_time ({cycle} µs)",
+    remedy_en="Make time_slice a third to a twentieth of cycle_time.",
+    remedy_de="time_slice auf ein Drittel bis ein Zwanzigstel von cycle_time setzen.",
+    cycle=("cycle_time as written, in µs", "cycle_time, wie geschrieben, in µs"),
+    slice=("time_slice as written, in µs", "time_slice, wie geschrieben, in µs"),
+)
+CYCLE_TIME_SHORT = warning(
+    900033,
+    en="cycle_time ({cycle} µs) is less than three times time_slice ({slice} µs)",
+    de="cycle_time ({cycle} µs) ist kleiner als das Dreifache von time_slice ({slice} µs)",
+    remedy_en="Make time_slice a third to a twentieth of cycle_time.",
+    remedy_de="time_slice auf ein Drittel bis ein Zwanzigstel von cycle_time setzen.",
+    cycle=("cycle_time as written, in µs", "cycle_time, wie geschrieben, in µs"),
+    slice=("time_slice as written, in µs", "time_slice, wie geschrieben, in µs"),
+)
+CYCLE_TIME_LONG = note(
+    900034,
+    en="cycle_time ({cycle} µs) is more than twenty times time_slice ({slice} µs)",
+    de="cycle_time ({cycle} µs) ist größer als das Zwanzigfache von time_slice ({slice} µs)",
+    remedy_en="Make time_slice a third to a twentieth of cycle_time.",
+    remedy_de="time_slice auf ein Drittel bis ein Zwanzigstel von cycle_time setzen.",
+    cycle=("cycle_time as written, in µs", "cycle_time, wie geschrieben, in µs"),
+    slice=("time_slice as written, in µs", "time_slice, wie geschrieben, in µs"),
+)
+TIME_NOT_A_MULTIPLE = warning(
+    900035,
+    en="{key}: {value} µs is no multiple of {step} µs; {effective} µs are used",
+    de="{key}: {value} µs ist kein Vielfaches von {step} µs; es gelten {effective} µs",
+    remedy_en="Write a multiple of {step}.",
+    remedy_de="Ein Vielfaches von {step} schreiben.",
+    key=("the parameter's name", "der Name des Parameters"),
+    value=("the time as written, in µs", "die Zeit, wie geschrieben, in µs"),
+    step=("what it has to be a multiple of, in µs", "wovon sie ein Vielfaches sein muss, in µs"),
+    effective=("the time that is used, in µs", "die Zeit, die gilt, in µs"),
+)
+CYCLE_TIME_NOT_A_MULTIPLE = warning(
+    1000153,
+    en="cycle_time: {value} µs is no multiple of time_slice; {effective} µs are used",
+    de="cycle_time: {value} µs ist kein Vielfaches von time_slice; es gelten {effective} µs",
+    remedy_en="Write a multiple of time_slice.",
+    remedy_de="Ein Vielfaches von time_slice schreiben.",
+    cause_en="An NC cycle is made of whole time slices.",
+    cause_de="Ein NC-Takt besteht aus ganzen Zeitscheiben.",
+    value=("the time as written, in µs", "die Zeit, wie geschrieben, in µs"),
+    effective=("the time that is used, in µs", "die Zeit, die gilt, in µs"),
+)
+WINDOWS_TIME_BELOW_TIME_SLICE = error(
+    900036,
+    en="windows_time ({value} µs) is shorter than time_slice; {slice} µs are used",
+    de="windows_time ({value} µs) ist kürzer als time_slice; es gelten {slice} µs",
+    remedy_en="Write a multiple of time_slice, or 0 to guarantee nothing.",
+    remedy_de="Ein Vielfaches von time_slice schreiben oder 0, um nichts zu garantieren.",
+    value=("windows_time as written, in µs", "windows_time, wie geschrieben, in µs"),
+    slice=("time_slice, in µs", "time_slice, in µs"),
+)
+WINDOWS_TIME_ZERO = note(
+    900037,
+    en="windows_time 0: no computing time is guaranteed to Windows",
+    de="windows_time 0: für Windows ist keine Rechenzeit garantiert",
+    remedy_en="Make sure that all threads finish within every NC cycle.",
+    remedy_de="Sicherstellen, dass alle Threads in jedem NC-Takt fertig werden.",
+)
+WINDOWS_TIME_TAKES_WHOLE_CYCLE = warning(
+    900038,
+    en="windows_time ({value} µs) takes the whole NC cycle ({cycle} µs): threads that can be "
+    "suspended get nothing",
+    de="windows_time ({value} µs) nimmt den ganzen NC-Takt ({cycle} µs): suspendierbare Threads "
+    "bekommen nichts",
+    remedy_en="Shorten windows_time.",
+    remedy_de="windows_time verkürzen.",
+    value=("windows_time, in µs", "windows_time, in µs"),
+    cycle=("the NC cycle, in µs", "der NC-Takt, in µs"),
+)
+WINDOWS_TIME_SHORT = warning(
+    900039,
+    en="windows_time ({value} µs) is short: switching to Windows and back takes much of it",
+    de="windows_time ({value} µs) ist kurz: der Wechsel zu Windows und zurück kostet viel davon",
+    remedy_en="500 µs are usual.",
+    remedy_de="Üblich sind 500 µs.",
+    value=("windows_time, in µs", "windows_time, in µs"),
+)
+WINDOWS_TIME_DIFFERS = note(
+    900040,
+    en="windows_time ({value} µs) differs from time_slice ({slice} µs)",
+    de="windows_time ({value} µs) weicht von time_slice ({slice} µs) ab",
+    remedy_en="The manual recommends equal times.",
+    remedy_de="Das Handbuch empfiehlt gleiche Zeiten.",
+    value=("windows_time, in µs", "windows_time, in µs"),
+    slice=("time_slice, in µs", "time_slice, in µs"),
+)
+SEMAPHORE_NAME_MISSING = error(
+    900041,
+    en="interrupt_source is a semaphore, but external_object_name is empty",
+    de="interrupt_source ist ein Semaphor, aber external_object_name ist leer",
+    remedy_en="Name the semaphore.",
+    remedy_de="Den Semaphor benennen.",
+)
+SEMAPHORE_NAME_WITHOUT_EFFECT = note(
+    900042,
+    en="external_object_name has no effect: interrupt_source is no semaphore",
+    de="external_object_name bleibt ohne Wirkung: interrupt_source ist kein Semaphor",
+    remedy_en="Set interrupt_source to 3, or delete the line.",
+    remedy_de="interrupt_source auf 3 setzen oder die Zeile löschen.",
+)
+THREAD_CYCLE_MISSING = warning(
+    900044,
+    en="{key} is 0 or missing; the thread runs in every NC cycle ({effective} µs)",
+    de="{key} ist 0 oder fehlt; der Thread läuft in jedem NC-Takt ({effective} µs)",
+    remedy_en="Set the cycle.",
+    remedy_de="Den Takt setzen.",
+    key=("the parameter's name", "der Name des Parameters"),
+    effective=("the cycle that is used, in µs", "der Takt, der gilt, in µs"),
+)
+SCHEDULE_TEXT_EMPTY = warning(
+    900045,
+    en="{key} is empty",
+    de="{key} ist leer",
+    remedy_en="Name the thread; a function without a name is never called.",
+    remedy_de="Den Thread benennen; eine Funktion ohne Namen wird nie gerufen.",
+    key=("the parameter's name", "der Name des Parameters"),
+)
+DUPLICATE_THREAD_NAME = warning(
+    900047,
+    en="{key}: {other} has the name '{value}' already",
+    de="{key}: {other} heißt bereits '{value}'",
+    remedy_en="Use different names.",
+    remedy_de="Verschiedene Namen verwenden.",
+    key=("the parameter's name", "der Name des Parameters"),
+    other=("the parameter that had the name first", "der Parameter, der den Namen zuerst hatte"),
+    value=("the name", "der Name"),
+)
+UNKNOWN_THREAD_FUNCTION = warning(
+    900048,
+    en="{key}: '{value}' is no function of the controller; it is taken as a function of yours",
+    de="{key}: '{value}' ist keine Funktion der Steuerung; sie gilt als eigene Funktion",
+    remedy_en="The controller's functions are {names}.",
+    remedy_de="Die Funktionen der Steuerung sind {names}.",
+    key=("the parameter's name", "der Name des Parameters"),
+    value=("the function's name", "der Name der Funktion"),
+    names=("the functions that exist", "die Funktionen, die es gibt"),
+)
+DUPLICATE_THREAD_BIT = note(
+    900049,
+    en="{key}: {other} uses bit {value} already",
+    de="{key}: {other} verwendet Bit {value} bereits",
+    remedy_en="Use different bits to tell the functions apart.",
+    remedy_de="Verschiedene Bits verwenden, um die Funktionen zu unterscheiden.",
+    key=("the parameter's name", "der Name des Parameters"),
+    other=("the parameter that used the bit first", "der Parameter, der das Bit zuerst nutzte"),
+    value=("the bit", "das Bit"),
+)
+THREAD_INDEX_GAP = note(
+    900050,
+    en="the indices have a gap: {key} is not configured",
+    de="die Indizes haben eine Lücke: {key} ist nicht konfiguriert",
+    remedy_en="Number threads and functions without gaps.",
+    remedy_de="Threads und Funktionen lückenlos nummerieren.",
+    key=("the first element that is missing", "das erste fehlende Element"),
+)
+REALTIME_THREAD_ASSUMED = warning(
+    900051,
+    en="no thread calls task_int; the thread of highest priority is taken as the realtime thread",
+    de="kein Thread ruft task_int; der Thread höchster Priorität gilt als Echtzeit-Thread",
+    remedy_en="Give the realtime thread the function task_int.",
+    remedy_de="Dem Echtzeit-Thread die Funktion task_int geben.",
+)
+SCHEDULE_TIME_TOO_LONG = error(
+    900052,
+    en="{key} goes beyond {limit} µs",
+    de="{key} übersteigt {limit} µs",
+    remedy_en="Use a shorter time.",
+    remedy_de="Eine kürzere Zeit verwenden.",
+    key=("the parameter's name", "der Name des Parameters"),
+    limit=("the longest time, in µs", "die längste Zeit, in µs"),
+)
+THREAD_WITHOUT_FUNCTION = warning(
+    900053,
+    en="thread[{thread}] has no function and never runs",
+    de="thread[{thread}] hat keine Funktion und läuft nie",
+    remedy_en="Give the thread a function, or delete its lines.",
+    remedy_de="Dem Thread eine Funktion geben oder seine Zeilen löschen.",
+    thread=("the thread's index", "der Index des Threads"),
+)
+SEVERAL_CALLS_PER_ACTIVATION = note(
+    900054,
+    en="{function} is called {value} times per activation; that is usual for task_rnd only",
+    de="{function} wird je Aktivierung {value}-mal gerufen; üblich ist das nur bei task_rnd",
+    remedy_en="Set calls_per_cycle to 1.",
+    remedy_de="calls_per_cycle auf 1 setzen.",
+    function=("the function's name", "der Name der Funktion"),
+    value=("how often it is called", "wie oft sie aufgerufen wird"),
+)
+EXTERNAL_THREAD_WITHOUT_SEMAPHORE = error(
+    900055,
+    en="external_thread[{thread}] has no semaphore and is left out",
+    de="external_thread[{thread}] hat keinen Semaphor und wird ausgelassen",
+    remedy_en="Set its semaphore_name.",
+    remedy_de="Seinen semaphore_name setzen.",
+    thread=("the external thread's index", "der Index des externen Threads"),
+)
+REALTIME_OVERFLOW_NOT_REPORTED = note(
+    900057,
+    en="thread[{thread}] is the realtime thread, and its overflow is not reported",
+    de="thread[{thread}] ist der Echtzeit-Thread, und sein Überlauf wird nicht gemeldet",
+    remedy_en="Set error_on_overflow to 1.",
+    remedy_de="error_on_overflow auf 1 setzen.",
+    thread=("the thread's index", "der Index des Threads"),
+)

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+"""Where messages are reported: each by its name, with exactly the parameters that it declares."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import nctakt
+from nctakt.base.diagnostics import Message
+from nctakt.messages.catalogue import catalogue
+from nctakt.messages.unreached import UNREACHED
+
+SOURCES = Path(nctakt.__file__).parent
+MESSAGES = SOURCES / "messages"
+#: The realtime part imports nothing: there a message is its number.
+KERNEL = SOURCES / "kernel"
+
+NAMES = {
+    name: message
+    for module in sorted(MESSAGES.glob("*.py"))
+    for name, message in vars(importlib.import_module(f"nctakt.messages.{module.stem}")).items()
+    if isinstance(message, Message)
+}
+TREES = {
+    path.relative_to(SOURCES).as_posix(): ast.parse(path.read_text("utf-8"))
+    for path in sorted(SOURCES.rglob("*.py"))
+    if path.parent != MESSAGES
+}
+
+
+def reported(node: ast.expr) -> list[str]:
+    """The names of the messages that an argument stands for: one, or one of two."""
+    if isinstance(node, ast.IfExp):
+        return [*reported(node.body), *reported(node.orelse)]
+    return [node.id] if isinstance(node, ast.Name) and node.id in NAMES else []
+
+
+def given(call: ast.Call) -> set[str | None]:
+    """The parameters of a call; those of a dictionary that stands in it count as well."""
+    values: set[str | None] = {word.arg for word in call.keywords}
+    for argument in call.args:
+        if isinstance(argument, ast.Dict):
+            values |= {key.value for key in argument.keys if isinstance(key, ast.Constant)}
+    return values
+
+
+def calls() -> Iterator[tuple[str, ast.Call, Message]]:
+    """Each call that has a message as an argument, with its place."""
+    for file, tree in TREES.items():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call):
+                for argument in node.args:
+                    for name in reported(argument):
+                        yield f"{file}:{node.lineno}: {name}", node, NAMES[name]
+
+
+#: What a call adds of its own to the parameters that it is given.
+ADDED = {
+    "defect": {"key", "default"},
+    "_may": {"name"},
+    "_whole": {"value"},
+    "HeldMotion": {"radius"},
+    "expected": {"found", "symbol"},
+    "Wrong": {"value", "word"},
+    "get": {"said", "values"},
+}
+
+
+def name_of(call: ast.Call) -> str:
+    """The last word of what is called."""
+    return getattr(call.func, "attr", getattr(call.func, "id", ""))
+
+
+def test_a_call_gives_the_parameters_of_its_message() -> None:
+    """Else a mistake of a user would end in a traceback."""
+    wrong = []
+    for place, call, message in calls():
+        names = given(call) - {"source_line", "span"}
+        missing = message.parameters.keys() - names - ADDED.get(name_of(call), set())
+        unknown = names - message.parameters.keys() - {None}
+        if unknown or (missing and None not in names):
+            wrong.append(f"{place}: missing {sorted(missing)}, unknown {sorted(map(str, unknown))}")
+    assert wrong == []
+
+
+def test_names_are_unique_and_upper_case() -> None:
+    """A name stands for one message, wherever it is imported."""
+    declared = Counter(
+        target.id
+        for module in MESSAGES.glob("*.py")
+        for node in ast.parse(module.read_text("utf-8")).body
+        if isinstance(node, ast.Assign)
+        for target in node.targets
+        if isinstance(target, ast.Name) and target.id in NAMES
+    )
+    assert [name for name, count in declared.items() if count > 1 or name != name.upper()] == []
+    assert {message.id for message in NAMES.values()} | {one.id for one in UNREACHED} == set(
+        catalogue()
+    )
+
+
+def names_in(tree: ast.Module) -> set[str]:
+    """The names that a module reads."""
+    return {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+
+
+def numbers_in(tree: ast.Module) -> set[int]:
+    """The numbers of messages that stand in a module."""
+    constants = (node.value for node in ast.walk(tree) if isinstance(node, ast.Constant))
+    return {value for value in constants if type(value) is int and value in catalogue()}
+
+
+def test_each_message_is_in_use() -> None:
+    """Each message is reported somewhere by its name, or by the realtime part as a number."""
+    names = set().union(*map(names_in, TREES.values()))
+    numbers = set().union(*map(numbers_in, TREES.values()))
+    unused = [name for name, one in NAMES.items() if name not in names and one.id not in numbers]
+    assert unused == []
+
+
+def test_what_is_declared_as_unreached_is_reported_nowhere() -> None:
+    """errors.md: the numbers that the checker makes impossible are reported nowhere."""
+    silent = {message.id for message in UNREACHED}
+    assert silent.isdisjoint(set().union(*map(numbers_in, TREES.values())))
+
+
+@pytest.mark.parametrize("file", TREES)
+def test_no_bare_number_stands_for_a_message(file: str) -> None:
+    """Outside of the realtime part a message has its name."""
+    if not (SOURCES / file).is_relative_to(KERNEL):
+        assert numbers_in(TREES[file]) == set()

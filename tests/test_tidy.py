@@ -17,6 +17,8 @@ from pathlib import Path
 
 import pytest
 
+from nctakt.nc.vocabulary.functions import G_FUNCTIONS, M_FUNCTIONS
+
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "nctakt"
 KERNEL = PACKAGE / "kernel"
@@ -557,3 +559,50 @@ def test_numbers_of_the_queue_have_names() -> None:
             for target in node.targets
         }
         assert set(names) <= assigned, file
+
+
+# --- facts that stand in one place ----------------------------------------------------------------
+
+#: Where the numbers of G and M functions stand in ``nc`` and ``decoder``.
+FUNCTION_TABLE = PACKAGE / "nc" / "vocabulary" / "functions.py"
+#: How values are called that are the number of a function.
+FUNCTION_WORDS = ("function", "motion", "mode", "feed_mode", "number", "value")
+
+
+def literals(node: ast.expr) -> list[object]:
+    """The items of a tuple, list, set or of the keys of a dictionary, if all are constants."""
+    if isinstance(node, ast.Call) and len(node.args) == 1:
+        return literals(node.args[0])
+    items = node.keys if isinstance(node, ast.Dict) else getattr(node, "elts", [])
+    values = [item.value for item in items if isinstance(item, ast.Constant)]
+    return values if len(values) == len(items) else []
+
+
+def function_numbers(tree: ast.Module) -> Iterator[ast.AST]:
+    """Comparisons with numbers of functions, and constants that are collections of them."""
+    numbers: set[object] = {*G_FUNCTIONS, *M_FUNCTIONS} - {0, 1}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Compare):
+            name = ast.unparse(node.left).split(".")[-1]
+            for other in node.comparators:
+                values = literals(other) or [getattr(other, "value", None)]
+                if name in FUNCTION_WORDS and numbers.intersection(values):
+                    yield node
+        elif isinstance(node, ast.Assign):
+            values = literals(node.value)
+            if isinstance(node.value, ast.Dict) and not numbers.difference(range(10)) & {*values}:
+                continue  # small numbers that are keys mean other things
+            if numbers & {*values} and {0, 1, *numbers}.issuperset(values):
+                yield node
+
+
+@pytest.mark.parametrize("folder", ["nc", "decoder"])
+def test_numbers_of_functions_stand_in_one_table(folder: str) -> None:
+    """Ends of programs, modal groups and motions: by their names, from the table of functions."""
+    found = [
+        f"{path.relative_to(PACKAGE)}: {ast.unparse(node)}"
+        for path in sorted((PACKAGE / folder).rglob("*.py"))
+        if path != FUNCTION_TABLE
+        for node in function_numbers(tree_of(path))
+    ]
+    assert found == []

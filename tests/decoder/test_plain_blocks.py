@@ -27,6 +27,9 @@ from nctakt.nc.parse.lexer import Lexer
 from nctakt.nc.parse.parser import parse
 from nctakt.nc.source import Source
 from nctakt.nc.tree import AxisWord, Block, Number, Word
+from nctakt.nc.vocabulary.entries import Support
+from nctakt.nc.vocabulary.function_rows import Form, GFunction, Group
+from nctakt.nc.vocabulary.functions import G_FUNCTIONS
 from nctakt.run.controller import Controller, NcText
 
 #: Lines of all kinds: plain ones, nearly plain ones, and those that change what plain ones mean.
@@ -162,6 +165,28 @@ def by_tree(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(handover.PlainBlocks, "decode", decode)
 
 
+def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """How many commands each filling of the queue by plain blocks has added, as they come."""
+    added: list[int] = []
+    fill = handover.PlainBlocks.fill
+
+    def count(blocks: handover.PlainBlocks, ring: CommandRing, timed: int) -> None:
+        before = ring.timed_count
+        fill(blocks, ring, timed)
+        added.append(ring.timed_count - before)
+
+    monkeypatch.setattr(handover.PlainBlocks, "fill", count)
+    return added
+
+
+#: The modal functions that are not refused.
+MODAL = [
+    row
+    for row in G_FUNCTIONS.values()
+    if row.group not in (None, Group.MOTION) and row.support is not Support.REFUSED
+]
+
+
 @pytest.mark.parametrize("seed", range(150))
 def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random programs: the rows of the queue are equal to the bit, and so are the diagnostics."""
@@ -175,19 +200,27 @@ def test_many_random_programs_are_in_order_and_full_of_plain_blocks(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The comparison is worth something: rows of both ways in most of its programs."""
-    taken = 0
-    fill = handover.PlainBlocks.fill
-
-    def count(blocks: handover.PlainBlocks, ring: CommandRing, timed: int) -> None:
-        nonlocal taken
-        before = ring.timed_count
-        fill(blocks, ring, timed)
-        taken += ring.timed_count - before
-
-    monkeypatch.setattr(handover.PlainBlocks, "fill", count)
+    taken = counted(monkeypatch)
     found = [len(rows(text(seed))[0]) for seed in range(60)]
     assert sum(count > 5 for count in found) > 30
-    assert 0.5 * sum(found) < taken < 0.95 * sum(found)
+    assert 0.5 * sum(found) < sum(taken) < 0.95 * sum(found)
+
+
+@pytest.mark.parametrize("row", MODAL, ids=lambda row: row.name)
+def test_plain_blocks_follow_the_table_of_functions(
+    row: GFunction, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """While a modal function is active that is not ``plain``, no block takes the short way."""
+    word = "G159=1" if row.form is Form.ZERO_OFFSET else row.name
+    lines = ["M3 S600", "G01 F60 G26", "V.G.WZ_AKT.R = 0.01", f"{word} F60", "Y1"]
+    lines += [f"X{10 * i} Y{i % 2 * 5}" for i in range(1, 8)]
+    content = "\n".join([*lines, "G40 X0 Y0", "M30"])
+    taken = counted(monkeypatch)
+    short = rows(content)
+    assert len(short[0]) > 7
+    assert (sum(taken) > 0) is row.plain
+    by_tree(monkeypatch)
+    assert rows(content) == short
 
 
 @pytest.mark.parametrize("seed", range(20))

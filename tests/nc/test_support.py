@@ -16,12 +16,12 @@ from nctakt.lists.declared.technology_functions import (
 )
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.command_forms import FORMS
+from nctakt.nc.vocabulary.entries import Kind, Support
 from nctakt.nc.vocabulary.message_formats import places
 from nctakt.nc.vocabulary.operators import FUNCTIONS
-from nctakt.nc.vocabulary.support_level import Answer, Kind
 
 
-def test_each_name_has_one_answer_and_two_texts() -> None:
+def test_each_name_has_one_row_and_two_texts() -> None:
     """The table can be printed: no name twice in its kind, a meaning in both languages."""
     table = list(support_level.entries())
     names = Counter((entry.kind, entry.name) for entry in table)
@@ -31,7 +31,7 @@ def test_each_name_has_one_answer_and_two_texts() -> None:
 
 
 def test_the_table_covers_what_the_other_tables_name() -> None:
-    """Synchronisation types, internal M functions, functions and control words have answers."""
+    """Synchronisation types, internal M functions, functions and control words have rows."""
     known = {(entry.kind, entry.name) for entry in support_level.entries()}
     for name in SYNCHRONISATIONS:
         assert (Kind.TECHNOLOGY, name) in known
@@ -45,26 +45,26 @@ def test_the_table_covers_what_the_other_tables_name() -> None:
 
 def test_g_functions_are_found_by_number() -> None:
     """``G1`` and ``G01`` are one function; what is not in the table nobody knows."""
-    rapid, unknown = support_level.answer_g(0), support_level.answer_g(7)
+    rapid, unknown = support_level.g_function(0), support_level.g_function(7)
     assert rapid is not None
     assert rapid.name == "G00"
-    assert rapid.answer is Answer.SIMULATED
+    assert rapid.support is Support.SIMULATED
     assert unknown is None
-    assert support_level.answer_g(1.5) is None
+    assert support_level.g_function(1.5) is None
 
 
-def test_technology_functions_are_answered_by_their_synchronisation() -> None:
+def test_technology_functions_are_supported_by_their_synchronisation() -> None:
     """An M function of the channel list is simulated if its synchronisation type is."""
     functions = demo_channel().parameters.m_functions
-    answers = {
-        number: support_level.answer_m(number, functions) for number in (30, 100, 116, 200, 99)
+    entries = {
+        number: support_level.m_function(number, functions) for number in (30, 100, 116, 200, 99)
     }
-    assert answers[99] is None
-    assert {number: entry.answer for number, entry in answers.items() if entry} == {
-        30: Answer.SIMULATED,
-        100: Answer.SIMULATED,
-        116: Answer.SIMULATED,
-        200: Answer.SIMULATED,
+    assert entries[99] is None
+    assert {number: entry.support for number, entry in entries.items() if entry} == {
+        30: Support.SIMULATED,
+        100: Support.SIMULATED,
+        116: Support.SIMULATED,
+        200: Support.SIMULATED,
     }
 
 
@@ -80,20 +80,20 @@ def test_technology_functions_are_answered_by_their_synchronisation() -> None:
     ],
 )
 def test_commands_are_known_by_their_first_words(words: tuple[str, ...], name: str | None) -> None:
-    """The longest row that fits answers."""
-    entry = support_level.answer_hash(words)
+    """The longest row that fits counts."""
+    entry = support_level.hash_command(words)
     assert (entry.name if entry else None) == name
 
 
 def test_what_ends_a_simulated_command_is_simulated() -> None:
-    """The end of a realtime loop has the answer of its begin."""
+    """The end of a realtime loop has the support of its begin."""
     found, begin = (
-        support_level.answer_hash(["RT", "ENDWHILE"]),
-        support_level.answer_hash(["RT", "WHILE"]),
+        support_level.hash_command(["RT", "ENDWHILE"]),
+        support_level.hash_command(["RT", "WHILE"]),
     )
     assert found is not None
     assert begin is not None
-    assert found.answer == begin.answer
+    assert found.support == begin.support
 
 
 def test_a_text_tells_its_places_for_values() -> None:
@@ -109,9 +109,9 @@ def test_a_text_tells_its_places_for_values() -> None:
 @pytest.mark.parametrize("command", FORMS)
 def test_the_forms_of_a_command_are_right(command: str) -> None:
     """Each form that a remedy and ``nctakt explain`` show passes the check."""
-    entry = support_level.answer_hash(command.removeprefix("#").split())
+    entry = support_level.hash_command(command.removeprefix("#").split())
     assert entry is not None
-    assert entry.answer is Answer.SIMULATED
+    assert entry.support is Support.SIMULATED
     for form in FORMS[command]:
         lines = ("#VAR", "V.P.NAME", "#ENDVAR", form, "M30")
         assert [one.headline() for one in findings(lines) if one.severity is Severity.ERROR] == []
@@ -124,6 +124,6 @@ def test_functions_that_go_out_before_their_block_are_refused(
 ) -> None:
     """P-CHAN-00041: a way or a time before the block's end; refused by name, for axes as well."""
     functions = {7: TechnologyFunction(7, synchronisation, (), 0.0, axis)}
-    entry = support_level.answer_m(7, functions)
+    entry = support_level.m_function(7, functions)
     assert entry is not None
-    assert (entry.name, entry.answer) == (synchronisation, Answer.REFUSED)
+    assert (entry.name, entry.support) == (synchronisation, Support.REFUSED)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Each word that is known has one of three answers, and nothing is skipped in silence.
+"""Each word that is known has one of three levels of support, and nothing is skipped in silence.
 
-nc-programs, "What a command that we know but do not simulate does": the table of ``support.py`` is
-the only place that tells, so the checker is held to it row by row.
+nc-programs, "What a command that we know but do not simulate does": the table of
+``support_level.py`` is the only place that tells, so the checker is held to it row by row.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ import pytest
 from check_machine import findings
 
 from nctakt.nc.vocabulary import support_level
-from nctakt.nc.vocabulary.support_level import Answer, Entry, Kind
+from nctakt.nc.vocabulary.entries import Entry, Kind, Support
 
-#: The answers by the number of the message that tells them.
+#: The messages that report the level.
 REFUSED, ACCEPTED = 900200, 900201
 
 
@@ -23,12 +23,14 @@ def told(block: str) -> list[tuple[int, str]]:
     return [(one.id, one.render("en")) for one in found]
 
 
-def rows(kind: Kind, answer: Answer) -> list[Entry]:
-    """The rows of the table with this answer."""
-    return [one for one in support_level.entries() if (one.kind, one.answer) == (kind, answer)]
+def rows(kind: Kind, support: Support) -> list[Entry]:
+    """The rows of the table with this level of support."""
+    return [
+        entry for entry in support_level.entries() if (entry.kind, entry.support) == (kind, support)
+    ]
 
 
-@pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Answer.REFUSED), ids=lambda one: one.name)
+@pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Support.REFUSED), ids=lambda one: one.name)
 def test_a_refused_g_function_is_refused_by_name(entry: Entry) -> None:
     """One error, which names the function and what it does."""
     ((number, text),) = told(f"{entry.name} X1")
@@ -36,20 +38,22 @@ def test_a_refused_g_function_is_refused_by_name(entry: Entry) -> None:
     assert f"{entry.name} ({entry.meaning.en})" in text
 
 
-@pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Answer.ACCEPTED), ids=lambda one: one.name)
+@pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Support.ACCEPTED), ids=lambda one: one.name)
 def test_an_accepted_g_function_is_told_as_a_note(entry: Entry) -> None:
     """Once per program, however often it stands there."""
     found = findings((f"{entry.name} X1", f"{entry.name} X2", "M30"), file="p.nc")
     assert [one.id for one in found] == [ACCEPTED]
 
 
-@pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Answer.SIMULATED), ids=lambda one: one.name)
+@pytest.mark.parametrize(
+    "entry", rows(Kind.G_FUNCTION, Support.SIMULATED), ids=lambda one: one.name
+)
 def test_a_simulated_g_function_is_neither(entry: Entry) -> None:
     """It may lack its value or axis here; refused it is not."""
     assert not {REFUSED, ACCEPTED} & {number for number, _ in told(f"{entry.name} X1")}
 
 
-@pytest.mark.parametrize("entry", rows(Kind.COMMAND, Answer.REFUSED), ids=lambda one: one.name)
+@pytest.mark.parametrize("entry", rows(Kind.COMMAND, Support.REFUSED), ids=lambda one: one.name)
 def test_a_refused_command_is_refused_by_name(entry: Entry) -> None:
     """``#MC_`` stands for all that begin like it."""
     name = entry.name + "POWER" if entry.name.endswith("_") else entry.name
@@ -57,7 +61,7 @@ def test_a_refused_command_is_refused_by_name(entry: Entry) -> None:
     assert numbers == [REFUSED]
 
 
-@pytest.mark.parametrize("entry", rows(Kind.VARIABLE, Answer.REFUSED), ids=lambda one: one.name)
+@pytest.mark.parametrize("entry", rows(Kind.VARIABLE, Support.REFUSED), ids=lambda one: one.name)
 def test_a_refused_family_of_variables_is_refused_by_name(entry: Entry) -> None:
     """Read and written."""
     for block in (f"P1 = {entry.name}.NONE.X", f"{entry.name}.NONE.X = 1"):

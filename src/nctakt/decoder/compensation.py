@@ -32,7 +32,6 @@ from nctakt.decoder.pending_motion import HeldMotion, at_tool, share_of_contour
 from nctakt.decoder.state.arcs import PLANES, SAME_PLACE_MM, Arc
 from nctakt.decoder.state.commands import Answer, Command, ProgramEnd, Segment, pack, waits
 from nctakt.decoder.state.environment import DecodeError
-from nctakt.decoder.state.modal_state import ENDS_WITHOUT_WAY, INNER_CORNER, PERPENDICULAR
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.tick.command_queue import TIMED_KINDS
@@ -51,6 +50,11 @@ from nctakt.messages.tools import (
     TOOL_TOO_LARGE_FOR_ARC,
     TOOL_WOULD_CUT_CONTOUR,
     TOOL_WOULD_CUT_INNER_CORNER,
+)
+from nctakt.nc.vocabulary.functions import (
+    APPROACH_INNER_CORNER,
+    APPROACH_PERPENDICULAR,
+    DEPART_WITHOUT_MOTION,
 )
 
 #: Commands that may stand between the motions in the plane that are held.
@@ -127,7 +131,10 @@ class Compensation:
             return
         wanted = self._state.compensation
         distance = wanted.side * wanted.radius
-        if distance != self._distance and wanted.mode in (PERPENDICULAR, ENDS_WITHOUT_WAY):
+        if distance != self._distance and wanted.mode in (
+            APPROACH_PERPENDICULAR,
+            DEPART_WITHOUT_MOTION,
+        ):
             yield from self._leave(distance)
             if distance == 0.0:
                 yield segment
@@ -144,7 +151,7 @@ class Compensation:
         if not tool.is_open:
             at = (x, y) if self._at is None else self._at
             self._at = at
-            tool.begin(*at, self._distance == 0.0 and wanted.mode == PERPENDICULAR)
+            tool.begin(*at, self._distance == 0.0 and wanted.mode == APPROACH_PERPENDICULAR)
         elif not tool.add():
             self._fail(self._motions.pop())
         self._distance = distance
@@ -155,7 +162,7 @@ class Compensation:
             yield from self._release(REACH if self._waits_for_loops else 0)
         elif len(self._motions) > MOST_CLOSED:
             self._values.fail(CLOSED_CONTOUR_TOO_LONG, self._path.span, count=MOST_CLOSED)
-        if wanted.mode == ENDS_WITHOUT_WAY:
+        if wanted.mode == DEPART_WITHOUT_MOTION:
             wanted.end = tool.beside_end()
         if distance == 0.0:
             yield from self._finish()
@@ -183,14 +190,14 @@ class Compensation:
                 tool.line(*ends, d, d, segment.feed > 0.0)
             elif d * before > 0.0:
                 tool.line(*ends, before, d, segment.feed > 0.0)
-            elif wanted.mode == PERPENDICULAR:
+            elif wanted.mode == APPROACH_PERPENDICULAR:
                 tool.line(*ends, d, d, segment.feed > 0.0)
             else:
                 tool.line(*ends, 0.0, 0.0, False)
             return
         if d * before > 0.0 and d != before:
             self._values.fail(RADIUS_CHANGE_IN_ARC, self._path.span)
-        if d != before and wanted.mode != PERPENDICULAR:
+        if d != before and wanted.mode != APPROACH_PERPENDICULAR:
             self._values.fail(COMPENSATION_NEEDS_LINE, self._path.span)
         if not tool.arc(*ends, d, *segment.arc[2:]) and not tool.masks:
             self._values.fail(TOOL_TOO_LARGE_FOR_ARC, self._path.span, radius=abs(d))
@@ -216,7 +223,7 @@ class Compensation:
     @property
     def _is_closed_one(self) -> bool:
         """Whether the tool is beside a closed contour that begins in an inner corner (G238)."""
-        return self._state.compensation.mode == INNER_CORNER and self._distance != 0.0
+        return self._state.compensation.mode == APPROACH_INNER_CORNER and self._distance != 0.0
 
     @property
     def _waits_for_loops(self) -> bool:
@@ -241,7 +248,7 @@ class Compensation:
 
     def _leave(self, distance: float) -> Iterator[Command]:
         """The contour is left without a motion of the program, if the tool is on one."""
-        is_perpendicular = self._state.compensation.mode == PERPENDICULAR
+        is_perpendicular = self._state.compensation.mode == APPROACH_PERPENDICULAR
         if self._distance == 0.0 or (distance != 0.0 and not is_perpendicular):
             return
         if distance * self._distance > 0.0:
@@ -264,7 +271,7 @@ class Compensation:
         if tool.is_open and self._is_closed_one:
             self._enclose()
         elif tool.is_open and not tool.close(
-            self._distance != 0.0 and is_left and wanted.mode == PERPENDICULAR
+            self._distance != 0.0 and is_left and wanted.mode == APPROACH_PERPENDICULAR
         ):
             failed = self._motions.pop()
         if tool.crossed and failed is None:
@@ -330,7 +337,7 @@ class Compensation:
         wanted = self._state.compensation
         if not wanted.is_active:
             return True
-        if self._waits_for_loops or wanted.mode == INNER_CORNER:
+        if self._waits_for_loops or wanted.mode == APPROACH_INNER_CORNER:
             return False
         if wanted.side * wanted.radius != self._distance:
             return False
@@ -400,7 +407,7 @@ class Compensation:
             between=[],
         )
         self._at = (self.tool.at_x, self.tool.at_y)
-        if self._state.compensation.mode == ENDS_WITHOUT_WAY:
+        if self._state.compensation.mode == DEPART_WITHOUT_MOTION:
             self._state.compensation.end = self.tool.beside_end()
 
     def _span_of(self, source: int, file: str) -> Span:

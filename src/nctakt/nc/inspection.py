@@ -27,7 +27,7 @@ from nctakt.messages.program_structure import (
     UNKNOWN_LOCAL_SUBPROGRAM,
 )
 from nctakt.nc.check.branches import realtime_cycles
-from nctakt.nc.check.checker import PROGRAM_ENDS, SUBPROGRAM_ENDS, Checker, Role, ends
+from nctakt.nc.check.checker import Checker, Role, ends
 from nctakt.nc.fast.plain_lines import PlainScanner, shape_code
 from nctakt.nc.fast.shapes import Shape
 from nctakt.nc.outline import ProgramText, Section, labels_in
@@ -43,6 +43,7 @@ from nctakt.nc.tree import (
     SubprogramCall,
     Word,
 )
+from nctakt.nc.vocabulary.functions import ENDS, PLAIN_MOTIONS, PROGRAM_ENDS
 from nctakt.nc.vocabulary.variable_table import NameTable
 
 #: Words whose numbers mean nothing for a check.
@@ -215,7 +216,7 @@ class _Sequel:
         before = len(self._found)
         self._check(block)
         is_main = self._number == 0 and self._role == "main"
-        numbers = PROGRAM_ENDS if is_main else SUBPROGRAM_ENDS
+        numbers = PROGRAM_ENDS if is_main else ENDS
         self._ended = ends(block, numbers)
         if shape is not None and len(self._found) == before:
             self._in_order[shape] = None
@@ -293,7 +294,7 @@ def _shape(block: Block) -> PlainShape | None:
         if word.name == "F" and word.value.value <= 0.0:
             return None
         if word.name not in _FREE_WORDS:
-            if word.name != "G" or word.value.value > 1:
+            if word.name != "G" or word.value.value not in PLAIN_MOTIONS:
                 return None
             shape.append(word.value.value)
     return tuple(shape)

@@ -10,9 +10,11 @@ from types import MappingProxyType
 from nctakt.base.diagnostics import Text
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.command_forms import FORMS, forms_of
+from nctakt.nc.vocabulary.entries import Entry, Kind, Support
+from nctakt.nc.vocabulary.function_rows import GFunction
+from nctakt.nc.vocabulary.functions import G_FUNCTIONS
 from nctakt.nc.vocabulary.keywords import KEYWORDS, KeywordMeaning
 from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS, INFIX, PREFIX, Function, Operator
-from nctakt.nc.vocabulary.support_level import Answer, Entry, Kind
 from nctakt.nc.vocabulary.system_names import BY_NAME
 from nctakt.reference.article import Article, Fact, Topic, fact
 from nctakt.reference.variables import UNITS
@@ -30,13 +32,13 @@ KINDS = {
     Kind.FUNCTION: Text("function of expressions", "Funktion in Ausdrücken"),
     Kind.FORM: Text("form", "Form"),
 }
-ANSWERS = {
-    Answer.SIMULATED: Text("simulated", "simuliert"),
-    Answer.ACCEPTED: Text(
+SUPPORT = {
+    Support.SIMULATED: Text("simulated", "simuliert"),
+    Support.ACCEPTED: Text(
         "accepted: checked, changes no position here",
         "angenommen: wird geprüft, ändert hier keine Position",
     ),
-    Answer.REFUSED: Text(
+    Support.REFUSED: Text(
         "refused: an error by name before the program runs",
         "abgewiesen: ein Fehler mit Namen, bevor das Programm läuft",
     ),
@@ -155,12 +157,12 @@ def entry_article(entry: Entry) -> Article:
     facts = [*_FURTHER.get(entry.name, ()), *_of_system(entry.name)]
     if entry.name in FORMS:
         facts.append(fact("Written", "Schreibweise", forms_of(entry.name)))
-    facts.append(fact("In nctakt", "In nctakt", ANSWERS[entry.answer]))
-    if entry.group:
+    facts.append(fact("In nctakt", "In nctakt", SUPPORT[entry.support]))
+    if isinstance(entry, GFunction) and entry.group is not None:
         others = ", ".join(
             other.name
-            for other in support_level.entries()
-            if other.group == entry.group and other.name != entry.name
+            for other in G_FUNCTIONS.values()
+            if other.group is entry.group and other is not entry
         )
         facts.append(fact("Not together with", "Nicht zusammen mit", others))
     return Article(entry.name, KINDS[entry.kind], entry.meaning, tuple(facts))
@@ -252,14 +254,14 @@ def function_article(function: Function) -> Article:
         fact("Written", "Schreibweise", f"{function.name}[{letters}]"),
         fact("Values", "Werte", function.domain),
     ]
-    entry = support_level.answer_function(function.name)
+    entry = support_level.expression_function(function.name)
     assert entry is not None
     if function.decoder_only:
         place = Text("not in realtime cycles", "nicht in Echtzeit-Zyklen")
         facts.append(fact("Place", "Ort", place))
     else:
         facts.append(fact("Counts", "Zählt", _COUNTS))
-    facts.append(fact("In nctakt", "In nctakt", ANSWERS[entry.answer]))
+    facts.append(fact("In nctakt", "In nctakt", SUPPORT[entry.support]))
     return Article(function.name, KINDS[Kind.FUNCTION], function.meaning, tuple(facts))
 
 

@@ -11,13 +11,10 @@ from collections.abc import Container, Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.feed import NO_OVERRIDE, PathPace
+from nctakt.decoder.blocks.feed import PathPace
 from nctakt.decoder.blocks.fixed_stops import fixed_stop, is_fixed_stop
 from nctakt.decoder.blocks.path_motion import (
     CENTRE_WORDS,
-    CONTOURING,
-    EXACT_STOP,
-    SELECTIONS,
     PathMotion,
     PathWords,
 )
@@ -52,30 +49,29 @@ from nctakt.messages.fixed_stops import FIXED_STOP_WITHOUT_MOTION
 from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc import tree
 from nctakt.nc.check.blocks import LEAST_VALUE, MOST_VALUE
+from nctakt.nc.vocabulary.function_rows import Group
+from nctakt.nc.vocabulary.functions import (
+    ABSOLUTE,
+    ARC_RADIUS,
+    ARCS,
+    COMPENSATIONS,
+    CONTOURING_ONCE,
+    DWELL,
+    EDGE_BANDING,
+    EXACT_STOP_ONCE,
+    INCH,
+    NO_OVERRIDE,
+    NUMBERED_ZERO_OFFSET,
+    OPTIONAL_STOPS,
+    PROGRAM_ENDS,
+    PROGRAM_STOPS,
+    REFERENCE_OFFSET,
+    group_of,
+)
 from nctakt.nc.vocabulary.spindle_commands import split
 
-#: The G functions that set a reference point offset, and select a zero offset by its number.
-REFERENCE = 92
-FURTHER_ZERO = 159
-
-#: The G function whose own value is the radius of arcs, as R.
-RADIUS = 163
-
-#: The G function whose X, or whose own value, is a time.
-DWELL = 4
-
 #: G functions for one block only.
-ONE_BLOCK = frozenset((EXACT_STOP, CONTOURING, NO_OVERRIDE))
-
-#: Tool radius compensation, left and right of the contour: with the tool of its own block.
-COMPENSATIONS = frozenset((41, 42))
-
-#: Edge banding off and on.
-EDGE_BANDING = (107, 108)
-
-#: M functions that end the main program, and those that stop it until START.
-PROGRAM_ENDS = (2, 30)
-PROGRAM_STOPS = (0, 1)
+ONE_BLOCK = frozenset((EXACT_STOP_ONCE, CONTOURING_ONCE, NO_OVERRIDE))
 
 
 @dataclass(slots=True)
@@ -205,8 +201,9 @@ class Words:
                 extra = yield from self._values.evaluate(word.additional, number)
             self._word(word, known, extra, number, content)
         if numbers:
-            for function in COMPENSATIONS.intersection(numbers):
-                self.path.compensate(function, numbers[function])
+            for function in COMPENSATIONS:
+                if function in numbers:
+                    self.path.compensate(function, numbers[function])
         for command in commands:
             content.functions += yield from self._spindles.issued(command, number)
         if DWELL in numbers and content.axes:
@@ -217,9 +214,10 @@ class Words:
         """G functions: the modal ones act at once."""
         content.turns_tool = any(function in PLANES for function in numbers)
         for function, span in numbers.items():
+            self._state.note(function)
             self._modal(function, span)
             content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
-        content.is_reference = REFERENCE in numbers
+        content.is_reference = REFERENCE_OFFSET in numbers
         content.path.once = ONE_BLOCK.intersection(numbers)
 
     def _revolutions(
@@ -236,10 +234,10 @@ class Words:
     def _additional(self, word: tree.Word, value: float, content: _Content) -> None:
         """The value of a G function: the group of G159, the radius of G163, the time of G04."""
         assert isinstance(word.value, tree.Number)
-        if word.value.value == RADIUS:
+        if word.value.value == ARC_RADIUS:
             self._state.path.radius = value * self._state.length_unit_mm
             return
-        if word.value.value != FURTHER_ZERO:
+        if word.value.value != NUMBERED_ZERO_OFFSET:
             content.dwell_s = value
             return
         group = arithmetic.round_half_even(value)
@@ -266,24 +264,26 @@ class Words:
 
     def _modal(self, function: int, span: Span) -> None:
         state = self._state
-        if function in (70, 71):
-            state.inch = function == 70
-        elif function in (90, 91):
-            state.absolute = function == 90
-        elif function in EDGE_BANDING:
-            self._edge_banding(function, span)
-        elif function != DWELL:
-            if function in PLANES and state.path.compensation.is_active:
-                self.path.keep_plane(function, span)
-            elif function in SELECTIONS and state.path.compensation.is_active:
-                self.path.keep_selection(function, span)
-            self.path.modal(function)
+        match group_of(function):
+            case Group.UNIT:
+                state.inch = function == INCH
+            case Group.DIMENSION:
+                state.absolute = function == ABSOLUTE
+            case Group.EDGE_BANDING:
+                self._edge_banding(function, span)
+            case group:
+                if state.path.compensation.is_active:
+                    if group is Group.PLANE:
+                        self.path.keep_plane(function, span)
+                    elif group is Group.APPROACH:
+                        self.path.keep_selection(function, span)
+                self.path.modal(function)
 
     def _edge_banding(self, function: int, span: Span) -> None:
         """G108 lets the next block with a function of the type MNE_SNS look for an edge."""
-        if function == EDGE_BANDING[1] and self._surroundings.parameters.edge_across_blocks:
+        if function == EDGE_BANDING and self._surroundings.parameters.edge_across_blocks:
             self._values.fail(EDGE_BANDING_NOT_SIMULATED, span)
-        self._state.measures = function == EDGE_BANDING[1]
+        self._state.measures = function == EDGE_BANDING
 
     def _word(
         self,
@@ -311,7 +311,7 @@ class Words:
             content.ends_program = True
         if word.name == "M" and number in PROGRAM_STOPS:
             source = self._surroundings.place(word.span)
-            content.program_stops += (ProgramStop(source, block, number == 1),)
+            content.program_stops += (ProgramStop(source, block, number in OPTIONAL_STOPS),)
         parameters = self._surroundings.parameters
         table = parameters.m_functions if word.name == "M" else parameters.h_functions
         if number in table:
@@ -349,7 +349,7 @@ class Words:
 
     def _motion(self, content: _Content, span: Span, number: int) -> Generator[Command, Answer]:
         """The path to the programmed position; a centre without a target is a full circle."""
-        if not content.axes and not (content.path.centre and self._state.motion > 1):
+        if not content.axes and not (content.path.centre and self._state.motion in ARCS):
             return
         self.has_motion = True
         if not self._moved.is_quiet:
@@ -400,7 +400,7 @@ class Words:
     def _programmed(self, content: _Content) -> list[str]:
         """Names of the axes that the block programs; an arc moves both axes of its plane."""
         names = [word.name for word, _ in content.axes]
-        if self._state.motion > 1:
+        if self._state.motion in ARCS:
             plane = PLANES[self._state.path.plane]
             for name, place in self._surroundings.axis_numbers.items():
                 if place in plane and name not in names:

@@ -24,16 +24,15 @@ from nctakt.messages.feed import (
     INVALID_PROGRAM_OVERRIDE,
 )
 from nctakt.nc import tree
-from nctakt.nc.vocabulary.spindle_commands import STOP
-
-#: The G functions that tell what F is: the time of a block, a feed per minute, per revolution.
-FEEDS = (93, 94, 95, 194)
+from nctakt.nc.vocabulary.functions import (
+    FEED_PER_REVOLUTION,
+    FEED_SHARE,
+    INVERSE_TIME_FEED,
+    SPINDLE_STOP,
+)
 
 #: The highest F of G194.
 MOST_SHARE_PCT = 100.0
-
-#: The G function for one block without operator's and programmed override.
-NO_OVERRIDE = 166
 
 #: Bounds of programmed overrides, %, and their keywords: of feed blocks, of rapid ones.
 LEAST_PCT, MOST_PCT = 0.1, 200.0
@@ -52,18 +51,18 @@ class PathPace:
     def feed_word(self, value: float) -> None:
         """F, in inch under G70: per minute whatever P-CHAN-00108 says, or per revolution."""
         state = self._state
-        match state.pace.feed_mode:
-            case 93:
-                state.pace.time_s = value
-            case 95:
-                state.pace.per_revolution_mm = value * state.length_unit_mm
-            case 194:
-                state.pace.share_pct = value
-            case _ if state.inch:
-                state.feed_mm_s = value * state.length_unit_mm / 60.0
-            case _:
-                unit = self._surroundings.parameters.program_start.feed_unit_mm_min
-                state.feed_mm_s = value * unit / 60.0
+        mode = state.pace.feed_mode
+        if mode == INVERSE_TIME_FEED:
+            state.pace.time_s = value
+        elif mode == FEED_PER_REVOLUTION:
+            state.pace.per_revolution_mm = value * state.length_unit_mm
+        elif mode == FEED_SHARE:
+            state.pace.share_pct = value
+        elif state.inch:
+            state.feed_mm_s = value * state.length_unit_mm / 60.0
+        else:
+            unit = self._surroundings.parameters.program_start.feed_unit_mm_min
+            state.feed_mm_s = value * unit / 60.0
 
     # --- overrides ------------------------------------------------------------------------------
 
@@ -144,20 +143,19 @@ class PathPace:
     ) -> tuple[float, int, float]:
         """The feed, the spindle that it follows (-1: none), at which speed of it."""
         pace = self._state.pace
-        match pace.feed_mode:
-            case 93:
-                self._need(pace.time_s, span)
-                return self._way(start, target, arc) / pace.time_s, -1, 0.0
-            case 95:
-                self._need(pace.per_revolution_mm, span)
-                return self._per_revolution(pace, span)
-            case 194:
-                self._need(pace.share_pct, span)
-                if pace.share_pct > MOST_SHARE_PCT:
-                    self._values.fail(
-                        G194_ABOVE_MAX_FEED, span, value=pace.share_pct, most=MOST_SHARE_PCT
-                    )
-                return self._highest(start, target, arc) * pace.share_pct / 100.0, -1, 0.0
+        if pace.feed_mode == INVERSE_TIME_FEED:
+            self._need(pace.time_s, span)
+            return self._way(start, target, arc) / pace.time_s, -1, 0.0
+        if pace.feed_mode == FEED_PER_REVOLUTION:
+            self._need(pace.per_revolution_mm, span)
+            return self._per_revolution(pace, span)
+        if pace.feed_mode == FEED_SHARE:
+            self._need(pace.share_pct, span)
+            if pace.share_pct > MOST_SHARE_PCT:
+                self._values.fail(
+                    G194_ABOVE_MAX_FEED, span, value=pace.share_pct, most=MOST_SHARE_PCT
+                )
+            return self._highest(start, target, arc) * pace.share_pct / 100.0, -1, 0.0
         self._need(self._state.feed_mm_s, span)
         return self._state.feed_mm_s, -1, 0.0
 
@@ -174,7 +172,7 @@ class PathPace:
             if not spindle.is_main:
                 continue
             modal = self._spindles.modal.get(index)
-            if modal is None or modal.function == STOP or modal.speed <= 0.0:
+            if modal is None or modal.function == SPINDLE_STOP or modal.speed <= 0.0:
                 self._values.fail(FEED_PER_REVOLUTION_SPINDLE_STOPPED, span, spindle=spindle.name)
             feed = pace.per_revolution_mm * modal.speed / 60.0
             if spindle.plc_controlled:

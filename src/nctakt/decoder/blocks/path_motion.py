@@ -12,16 +12,9 @@ from dataclasses import dataclass, field
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks import segments
-from nctakt.decoder.blocks.feed import FEEDS, NO_OVERRIDE, PathPace
+from nctakt.decoder.blocks.feed import PathPace
 from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
 from nctakt.decoder.state.commands import Answer, Command, Segment
-from nctakt.decoder.state.modal_state import (
-    DIRECT,
-    ENDS_WITHOUT_WAY,
-    INDIRECT,
-    INNER_CORNER,
-    PERPENDICULAR,
-)
 from nctakt.decoder.state.offsets import ALL
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.coordinate_systems import ARC_PLANE_ASKEW, WORD_IN_ROTATED_COORDINATE_SYSTEM
@@ -40,15 +33,31 @@ from nctakt.messages.tools import (
 )
 from nctakt.nc import tree
 from nctakt.nc.check.path_commands import keywords
+from nctakt.nc.vocabulary.function_rows import Group
+from nctakt.nc.vocabulary.functions import (
+    ABSOLUTE_CENTRE,
+    APPROACH_INNER_CORNER,
+    ARC_CLOCKWISE,
+    ARCS,
+    CIRCULAR_TRANSITIONS,
+    COMPENSATION_LEFT,
+    COMPENSATION_OFF,
+    CONTOUR_FEED,
+    CONTOURING_ON,
+    CONTOURING_ONCE,
+    DEPART_WITHOUT_MOTION,
+    EXACT_STOP_ON,
+    EXACT_STOP_ONCE,
+    MASKING_ON,
+    NO_OVERRIDE,
+    group_of,
+)
 
 #: The words of a centre, one for each of the first three axes.
 CENTRE_WORDS = ("I", "J", "K")
 
 #: The type of slope with a limit of the jerk.
 JERK_LIMITED = "TRAPEZ"
-
-#: G functions for one block only.
-EXACT_STOP, CONTOURING = 60, 61
 
 
 @dataclass(slots=True)
@@ -61,10 +70,6 @@ class PathWords:
     centre: dict[str, tuple[Span, float]] = field(default_factory=dict)
     once: frozenset[int] = frozenset()
     offset_kinds: int = ALL
-
-
-#: How the tool comes to a contour (``modal_state.py``).
-SELECTIONS = (DIRECT, INDIRECT, PERPENDICULAR, INNER_CORNER, ENDS_WITHOUT_WAY)
 
 
 class PathMotion:
@@ -80,34 +85,35 @@ class PathMotion:
     def modal(self, function: int) -> None:
         """A modal G function of the path."""
         path = self._state.path
-        if function <= 3:
-            self._state.motion = function
-        elif function in PLANES:
-            path.plane = function
-        elif function in FEEDS:
-            self._state.pace.feed_mode = function
-        elif function in (161, 162):
-            path.absolute_centre = function == 161
-        elif function in (260, 261):
-            path.contouring = function == 261
-        elif function in (359, 360):
-            path.exact_stop = function == 360
-        elif function == 40:
-            self._end_compensation()
-        elif function in (25, 26):
-            path.compensation.by_arc = function == 26
-        elif function in SELECTIONS:
-            path.compensation.mode = function
-        elif function in (140, 141):
-            path.compensation.masks = function == 141
-        elif function in (10, 11):
-            path.compensation.adapts_feed = function == 11
+        match group_of(function):
+            case Group.MOTION:
+                self._state.motion = function
+            case Group.PLANE:
+                path.plane = function
+            case Group.FEED:
+                self._state.pace.feed_mode = function
+            case Group.ARC_CENTRE:
+                path.absolute_centre = function == ABSOLUTE_CENTRE
+            case Group.CONTOURING:
+                path.contouring = function == CONTOURING_ON
+            case Group.EXACT_STOP:
+                path.exact_stop = function == EXACT_STOP_ON
+            case Group.COMPENSATION if function == COMPENSATION_OFF:
+                self._end_compensation()
+            case Group.TRANSITION:
+                path.compensation.by_arc = function == CIRCULAR_TRANSITIONS
+            case Group.APPROACH:
+                path.compensation.mode = function
+            case Group.MASKING:
+                path.compensation.masks = function == MASKING_ON
+            case Group.FEED_ADAPTATION:
+                path.compensation.adapts_feed = function == CONTOUR_FEED
 
     def _end_compensation(self) -> None:
         """G40; with G239 the program goes on from where the tool is."""
         compensation = self._state.path.compensation
         compensation.side = 0
-        if compensation.is_on_way and compensation.mode == ENDS_WITHOUT_WAY:
+        if compensation.is_on_way and compensation.mode == DEPART_WITHOUT_MOTION:
             for place, value in zip(PLANES[self._state.path.plane], compensation.end, strict=True):
                 self._state.positions[place] = value
 
@@ -122,7 +128,7 @@ class PathMotion:
     def keep_selection(self, function: int, span: Span) -> None:
         """While compensation is active its way to the contour stays G238, or another one."""
         mode = self._state.path.compensation.mode
-        if function != mode and INNER_CORNER in (function, mode):
+        if function != mode and APPROACH_INNER_CORNER in (function, mode):
             self._values.fail(G238_DURING_COMPENSATION, span, word=f"G{function}")
 
     def compensate(self, function: int, span: Span) -> None:
@@ -137,7 +143,7 @@ class PathMotion:
                 WORD_IN_ROTATED_COORDINATE_SYSTEM, span, word=f"G{function}", plane=path.plane
             )
         compensation.radius = radius
-        compensation.side = 1 if function == 41 else -1
+        compensation.side = 1 if function == COMPENSATION_LEFT else -1
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
         """``#CONTOUR MODE``, ``#SLOPE``, ``#OVERRIDE``."""
@@ -171,7 +177,7 @@ class PathMotion:
         """The segment from ``start`` to ``target``, ``None`` where nothing moves."""
         state = self._state
         arc = None
-        if state.motion >= 2:
+        if state.motion in ARCS:
             arc = self._arc(start, target, words, span)
         if arc is None and start == target:
             return None
@@ -181,7 +187,7 @@ class PathMotion:
         feed, pace = self.pace.of(start, target, arc, is_exempt, span)
         exact = self._stops_exactly(words)
         self.span = span
-        rounds = state.path.contouring or CONTOURING in words.once
+        rounds = state.path.contouring or CONTOURING_ONCE in words.once
         return segments.segment(
             self._surroundings.place(span),
             number,
@@ -199,14 +205,14 @@ class PathMotion:
         state = self._state
         if state.rapid and self._surroundings.parameters.exact_stop_after_g00:
             return True
-        return state.path.exact_stop or EXACT_STOP in words.once
+        return state.path.exact_stop or EXACT_STOP_ONCE in words.once
 
     def _arc(
         self, start: list[float], target: list[float], words: PathWords, span: Span
     ) -> Arc | None:
         """The arc of the block; ``None`` where only its radius stands in it."""
         path = self._state.path
-        clockwise = self._state.motion == 2
+        clockwise = self._state.motion == ARC_CLOCKWISE
         if max(PLANES[path.plane]) >= len(start):
             self._values.fail(PLANE_AXIS_MISSING, span, plane=path.plane)
         offsets = self._surroundings.offsets

@@ -30,25 +30,25 @@ from nctakt.messages.spindles import (
     SPINDLE_SPEED_LIMITED,
 )
 from nctakt.nc import tree
-from nctakt.nc.vocabulary.spindle_commands import (
+from nctakt.nc.vocabulary.functions import (
     CLOCKWISE,
-    COUNTER_CLOCKWISE,
-    POSITION,
-    STOP,
-    SpindleCommand,
+    COUNTERCLOCKWISE,
+    SPINDLE_POSITION,
+    SPINDLE_STOP,
 )
+from nctakt.nc.vocabulary.spindle_commands import SpindleCommand
 
 #: Degrees per second of a revolution per minute.
 DEGREES_PER_S = 6.0
 
-_DIRECTIONS = {CLOCKWISE: 1, COUNTER_CLOCKWISE: -1}
+_DIRECTIONS = {CLOCKWISE: 1, COUNTERCLOCKWISE: -1}
 
 
 @dataclass(slots=True)
 class _Modal:
     """What stays of a spindle's words: the direction, the speed in revolutions per minute."""
 
-    function: int = STOP
+    function: int = SPINDLE_STOP
     speed: float = 0.0
 
 
@@ -73,20 +73,20 @@ class SpindleWords:
             position = yield from self.values.evaluate(command.position, number)
         turns = [one for one in command.functions if one in _DIRECTIONS]
         key = f"m{modal.function}"
-        if POSITION in command.functions:
-            key, modal.function = "m19", STOP
+        if SPINDLE_POSITION in command.functions:
+            key, modal.function = "m19", SPINDLE_STOP
             if modal.speed <= 0.0:
                 self.values.fail(M19_WITHOUT_SPEED, command.span)
         elif command.functions:
             modal.function = command.functions[0]
             key = f"m{modal.function}"
-        elif modal.function == STOP:
+        elif modal.function == SPINDLE_STOP:
             return []
         else:
             key = "s"
-        function = POSITION if key == "m19" else modal.function
+        function = SPINDLE_POSITION if key == "m19" else modal.function
         direction = _DIRECTIONS[turns[0]] if turns else 0
-        speed = 0.0 if function == STOP else modal.speed
+        speed = 0.0 if function == SPINDLE_STOP else modal.speed
         return self._issue(
             command, number, (index, spindle, key), (function, speed, position, direction)
         )
@@ -162,7 +162,9 @@ def cycle_statement(
 ) -> Statement:
     """The instruction of a checked command in a realtime cycle."""
     index, spindle = find(values, command.name, command.span)
-    function = next((one for one in (POSITION, STOP) if one in command.functions), 0)
+    function = next(
+        (one for one in (SPINDLE_POSITION, SPINDLE_STOP) if one in command.functions), 0
+    )
     turns = [one for one in command.functions if one in _DIRECTIONS]
     direction = _DIRECTIONS[turns[0]] if turns else 0
     function = function or turns[0]

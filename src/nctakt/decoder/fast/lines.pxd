@@ -17,6 +17,7 @@ cdef class PlainMotion:
     cdef double[::1] lows
     cdef double[::1] highs
     cdef public int motion
+    cdef readonly int rapid
     cdef public double feed_v
     cdef public double feed_factor
     cdef public bint is_absolute

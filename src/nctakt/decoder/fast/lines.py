@@ -14,6 +14,7 @@ from __future__ import annotations
 from nctakt.decoder.fast.compensated_lines import PlainBeside
 from nctakt.kernel.tick.command_queue import CommandRing
 from nctakt.nc.fast.plain_lines import PlainScanner
+from nctakt.nc.vocabulary.functions import RAPID
 
 
 class PlainMotion:
@@ -39,7 +40,8 @@ class PlainMotion:
         self.factors = memoryview(bytearray(size)).cast("d")
         self.lows = memoryview(bytearray(size)).cast("d")
         self.highs = memoryview(bytearray(size)).cast("d")
-        self.motion = 0
+        self.motion = RAPID
+        self.rapid = RAPID
         self.feed_v = 0.0
         self.feed_factor = 1.0
         self.is_absolute = True
@@ -80,8 +82,10 @@ class PlainMotion:
             index += 1
             number += 1
             if what == 2:
-                feed_v = -1.0 if self.motion == 0 else self.feed_v
-                stops = self.stops_exactly or (self.motion == 0 and self.rapid_stops_exactly)
+                feed_v = -1.0 if self.motion == self.rapid else self.feed_v
+                stops = self.stops_exactly or (
+                    self.motion == self.rapid and self.rapid_stops_exactly
+                )
                 if self.beside.is_on:
                     self.beside.come(self.source, self.scanner.number, self.target, feed_v, stops)
                     if not self.beside.put(ring, timed):
@@ -118,7 +122,9 @@ class PlainMotion:
         moves = 0
         if scanner.axes != 0:
             moves = self.aim()
-            if moves < 0 or motion > 1 or (moves == 1 and motion == 1 and feed_v <= 0.0):
+            if moves < 0 or scanner.motions[motion] == 0:
+                return 0
+            if moves == 1 and motion != self.rapid and feed_v <= 0.0:
                 return 0
             if self.beside.is_on and moves == 1 and not self.fits(motion):
                 return 0
@@ -138,7 +144,9 @@ class PlainMotion:
 
     def fits(self, motion: int) -> int:
         """Whether the tool can go beside the scanned block, with nothing to tell of it."""
-        return self.beside.fits(self.positions, self.target, self.lows, self.highs, motion != 0)
+        return self.beside.fits(
+            self.positions, self.target, self.lows, self.highs, motion != self.rapid
+        )
 
     def aim(self) -> int:
         """Put the target of the scanned block: 1 it is elsewhere, 0 it is not, -1 out of limits."""

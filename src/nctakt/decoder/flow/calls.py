@@ -22,11 +22,7 @@ from nctakt.nc import tree
 from nctakt.nc.check.calls import parameter_number
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.parse.block_head import number_label
-
-#: M functions that end a subprogram.
-RETURNS = (17, 29)
-
-_RETURN_COMMANDS = ("M17", "M29")
+from nctakt.nc.vocabulary.functions import RETURN_COMMANDS, SUBPROGRAM_ENDS, TOOL_CHANGE
 
 
 class Calls:
@@ -166,12 +162,12 @@ def _is_return(word: tree.BlockWord) -> bool:
     if isinstance(word, tree.AxisWord):
         return False
     if isinstance(word, tree.BracketCommand):
-        return word.name in _RETURN_COMMANDS
+        return word.name in RETURN_COMMANDS
     return (
         isinstance(word, tree.Word)
         and word.name == "M"
         and isinstance(word.value, tree.Number)
-        and word.value.value in RETURNS
+        and word.value.value in SUBPROGRAM_ENDS
     )
 
 
@@ -180,7 +176,7 @@ def implied_program(word: tree.BlockWord, programs: ImplicitPrograms) -> str:
     if not isinstance(word, tree.Word) or not isinstance(word.value, tree.Number):
         return ""
     number = word.value.value
-    if word.name == "M" and number == 6:
+    if word.name == "M" and number == TOOL_CHANGE:
         return programs.m6
     return programs.of_g(int(number)) if word.name == "G" else ""
 

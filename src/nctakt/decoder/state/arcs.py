@@ -14,9 +14,10 @@ from dataclasses import dataclass
 from nctakt.base.diagnostics import Message
 from nctakt.kernel.base import arithmetic
 from nctakt.messages.motion import ARC_RADIUS_TOO_SMALL, ARC_TARGET_OFF_CIRCLE, ARC_WITHOUT_CENTRE
+from nctakt.nc.vocabulary.functions import PLANE_XY, PLANE_YZ, PLANE_ZX
 
 #: G function of a plane -> its first and second axis.
-PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
+PLANES = {PLANE_XY: (0, 1), PLANE_ZX: (2, 0), PLANE_YZ: (1, 2)}
 
 #: Radians of a degree.
 RADIANS = 0.017453292519943295

@@ -11,24 +11,40 @@ from dataclasses import dataclass, field
 
 from nctakt.decoder.state.call_stack import Levels
 from nctakt.lists.declared.tools import NO_TOOL, Tool
-from nctakt.lists.machine.channel_configuration import ProgramStart
+from nctakt.lists.machine.channel_configuration import (
+    CENTRE_GROUP,
+    DIMENSION_GROUP,
+    MOTION_GROUP,
+    PLANE_GROUP,
+    UNIT_GROUP,
+    ProgramStart,
+)
+from nctakt.nc.vocabulary.function_rows import Group
+from nctakt.nc.vocabulary.functions import (
+    ABSOLUTE,
+    ABSOLUTE_CENTRE,
+    APPROACH_DIRECT,
+    APPROACH_INDIRECT,
+    APPROACH_INNER_CORNER,
+    COMPENSATION_LEFT,
+    COMPENSATION_RIGHT,
+    DEPART_WITHOUT_MOTION,
+    FEED_PER_MINUTE,
+    G_FUNCTIONS,
+    INCH,
+    INVERSE_TIME_FEED,
+    MOTIONS,
+    RAPID,
+    group_of,
+)
 
 MM_PER_INCH = 25.4
 
-#: Groups of G functions whose start value the channel list gives (P-CHAN-00063).
-MOTION_GROUP, PLANE_GROUP, UNIT_GROUP, DIMENSION_GROUP, CENTRE_GROUP = 0, 4, 12, 14, 23
-
-#: The last of the motions G00 … G03; the group has G04 as well.
-MOST_MOTION = 3
+#: Approaches without a way around a corner, to a contour and from it.
+_DIRECT_MODES = (APPROACH_DIRECT, APPROACH_INNER_CORNER, DEPART_WITHOUT_MOTION)
 
 #: The deviation of contouring where the program has set none, mm.
 DEVIATION_MM = 1.0
-
-
-#: How the tool comes to a contour and from it: by motions of the program without a way around
-#: corners, with one, by ways of their own across the contour, in an inner corner of a closed one;
-#: by a motion, and not from it.
-DIRECT, INDIRECT, PERPENDICULAR, INNER_CORNER, ENDS_WITHOUT_WAY = 138, 139, 237, 238, 239
 
 
 @dataclass(slots=True)
@@ -44,7 +60,7 @@ class CompensationState:
     side: int = 0
     radius: float = 0.0
     by_arc: bool = False
-    mode: int = INDIRECT
+    mode: int = APPROACH_INDIRECT
     masks: bool = False
     adapts_feed: bool = False
     is_on_way: bool = False
@@ -53,7 +69,7 @@ class CompensationState:
     @property
     def is_direct(self) -> bool:
         """Whether the tool comes to a contour and from it without a way around a corner."""
-        return self.mode in (DIRECT, INNER_CORNER, ENDS_WITHOUT_WAY)
+        return self.mode in _DIRECT_MODES
 
     @property
     def is_active(self) -> bool:
@@ -63,7 +79,7 @@ class CompensationState:
     @property
     def word(self) -> str:
         """G41 or G42, as the program has it."""
-        return "G41" if self.side > 0 else "G42"
+        return f"G{COMPENSATION_LEFT if self.side > 0 else COMPENSATION_RIGHT}"
 
 
 @dataclass(slots=True)
@@ -100,7 +116,7 @@ class PaceState:
     Overrides are factors of feed and rapid blocks: of the path, and by axis (its place).
     """
 
-    feed_mode: int = 94
+    feed_mode: int = FEED_PER_MINUTE
     time_s: float = 0.0
     per_revolution_mm: float = 0.0
     share_pct: float = 0.0
@@ -110,7 +126,7 @@ class PaceState:
     @property
     def block_time_s(self) -> float:
         """How long a feed block lasts, 0 where F is no time."""
-        return self.time_s if self.feed_mode == 93 else 0.0
+        return self.time_s if self.feed_mode == INVERSE_TIME_FEED else 0.0
 
 
 @dataclass(slots=True)
@@ -118,7 +134,8 @@ class ModalState:
     """``motion``: G00 … G03. ``feed_mm_s``: under G94, 0: none yet. ``parameters``: P1, P2, …
 
     ``measures``: edge banding is on (G108). ``message_file``: what #FILENAME has named for the
-    messages that are saved.
+    messages that are saved. ``not_plain``: the active G functions that plain lines do not
+    know, by group.
     """
 
     motion: int
@@ -133,22 +150,34 @@ class ModalState:
     measures: bool = False
     pace: PaceState = field(default_factory=PaceState)
     levels: Levels = field(default_factory=Levels)
+    not_plain: dict[Group, int] = field(default_factory=dict)
 
     @property
     def rapid(self) -> bool:
         """Whether G00 is active."""
-        return self.motion == 0
+        return self.motion == RAPID
 
     @property
     def is_usual(self) -> bool:
         """Whether lines and feeds mean what they mean without any further function.
 
-        Each function that changes how a line is made of its block has to be asked for here: plain
-        blocks then take the tree's way (``handover.py``).
+        Of the G functions the table tells (``GFunction.plain``); each other command that changes
+        how a line is made of its block has to be asked for here: plain blocks then take the tree's
+        way (``handover.py``).
         """
         pace = self.pace
         has_override = pace.path_override != (1.0, 1.0) or bool(pace.axis_overrides)
-        return pace.feed_mode == 94 and not has_override
+        return not self.not_plain and not has_override
+
+    def note(self, function: int) -> None:
+        """Remember whether a G function that is active from here on lets lines be plain."""
+        group = group_of(function)
+        if group is None or group is Group.MOTION:
+            return
+        if G_FUNCTIONS[function].plain:
+            self.not_plain.pop(group, None)
+        else:
+            self.not_plain[group] = function
 
     @property
     def length_unit_mm(self) -> float:
@@ -159,13 +188,18 @@ class ModalState:
 def state_at_program_start(start: ProgramStart, positions: list[float]) -> ModalState:
     """The state when a main program begins, with the axes where they are."""
     functions = start.g_functions
+    motion = functions[MOTION_GROUP]
+    if motion not in MOTIONS:
+        motion = RAPID  # G04, of the same group
     return ModalState(
-        motion=functions[MOTION_GROUP] if functions[MOTION_GROUP] <= MOST_MOTION else 0,
+        motion=motion,
         path=PathState(
-            functions[PLANE_GROUP], functions[CENTRE_GROUP] == 161, start.slope_profile > 0
+            functions[PLANE_GROUP],
+            functions[CENTRE_GROUP] == ABSOLUTE_CENTRE,
+            start.slope_profile > 0,
         ),
-        inch=functions[UNIT_GROUP] == 70,
-        absolute=functions[DIMENSION_GROUP] == 90,
+        inch=functions[UNIT_GROUP] == INCH,
+        absolute=functions[DIMENSION_GROUP] == ABSOLUTE,
         feed_mm_s=start.feed_mm_min / 60.0,
         positions=positions,
     )

@@ -17,9 +17,10 @@ from nctakt.kernel.axes import coordinates
 from nctakt.kernel.axes.coordinates import ADD_ZERO, CLAMP, PSET, TOOL, ZERO
 from nctakt.lists.declared.offsets import ClampOffsets, ZeroOffsets
 from nctakt.nc.tree import Keyword, OffsetCommand
+from nctakt.nc.vocabulary.functions import ZERO_OFFSETS
 
 #: The zero offset that each G function selects (P-ZERO-00003); G159 has its own number.
-ZERO_GROUPS = {53: 0, 54: 1, 55: 2, 56: 3, 57: 4, 58: 5, 59: 6}
+ZERO_GROUPS = {function: group for group, function in enumerate(ZERO_OFFSETS)}
 
 #: The kinds of offsets by the keywords of the language, as bits (RC-407).
 KEYWORDS = {

@@ -20,6 +20,7 @@ from nctakt.lists.declared.offsets import MOST_GROUPS
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
 from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc.tree import Expression, Variable
+from nctakt.nc.vocabulary.functions import FEED_PER_REVOLUTION, FEED_SHARE, INVERSE_TIME_FEED
 from nctakt.nc.vocabulary.resolution import path_text
 from nctakt.nc.vocabulary.system_variables import SystemVariable
 from nctakt.nc.vocabulary.variable_table import Location
@@ -93,11 +94,11 @@ class SystemValues:
                 return unit
             case "NP_DEFAULT":
                 return float(self._surroundings.offsets.default_group)
-            case "FEEDRATE" if state.pace.feed_mode == 93:
+            case "FEEDRATE" if state.pace.feed_mode == INVERSE_TIME_FEED:
                 return state.pace.time_s
-            case "FEEDRATE" if state.pace.feed_mode == 95:
+            case "FEEDRATE" if state.pace.feed_mode == FEED_PER_REVOLUTION:
                 return state.pace.per_revolution_mm / state.length_unit_mm
-            case "FEEDRATE" if state.pace.feed_mode == 194:
+            case "FEEDRATE" if state.pace.feed_mode == FEED_SHARE:
                 return state.pace.share_pct
             case "FEEDRATE":
                 per_minute = state.length_unit_mm if state.inch else unit

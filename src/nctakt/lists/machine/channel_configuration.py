@@ -31,16 +31,24 @@ from nctakt.messages.machine import (
 
 MAIN_PROGRAM_BIT, SUBPROGRAM_BIT = 1, 2
 MM_PER_MINUTE_FACTOR = 100.0
-#: The G functions that a group may start with (P-CHAN-00063), where nctakt knows the group.
+#: Groups of G functions whose start value the channel list gives (P-CHAN-00063).
+MOTION_GROUP, PLANE_GROUP, UNIT_GROUP, DIMENSION_GROUP, CENTRE_GROUP = 0, 4, 12, 14, 23
+#: The G functions that a group may start with, where nctakt knows the group.
 G_GROUPS: dict[int, tuple[int, ...]] = {
-    0: (0, 1, 2, 3, 4),
-    4: (17, 18, 19),
-    12: (70, 71),
-    14: (90, 91),
-    23: (161, 162),
+    MOTION_GROUP: (0, 1, 2, 3, 4),
+    PLANE_GROUP: (17, 18, 19),
+    UNIT_GROUP: (70, 71),
+    DIMENSION_GROUP: (90, 91),
+    CENTRE_GROUP: (161, 162),
 }
 #: What is active where the list says nothing: the program start of the controller.
-BUILT_IN_G_FUNCTIONS: dict[int, int] = {0: 0, 4: 17, 12: 71, 14: 90, 23: 162}
+BUILT_IN_G_FUNCTIONS: dict[int, int] = {
+    MOTION_GROUP: 0,
+    PLANE_GROUP: 17,
+    UNIT_GROUP: 71,
+    DIMENSION_GROUP: 90,
+    CENTRE_GROUP: 162,
+}
 #: The slopes of P-CHAN-00071 that are not simulated.
 OTHER_SLOPES = {2: "SIN2", 3: "HSC"}
 

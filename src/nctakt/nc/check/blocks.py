@@ -43,7 +43,7 @@ from nctakt.messages.program_structure import (
 from nctakt.messages.spindles import NOT_A_SPINDLE_WORD
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.motion_words import RADIUS_FUNCTION, check_arc
+from nctakt.nc.check.motion_words import check_arc
 from nctakt.nc.check.path_commands import check_path_axis
 from nctakt.nc.check.spindle_commands import SpindleChecker
 from nctakt.nc.tree import (
@@ -61,22 +61,25 @@ from nctakt.nc.tree import (
 )
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.axis_commands import is_axis_command
+from nctakt.nc.vocabulary.entries import Entry, Support
+from nctakt.nc.vocabulary.function_rows import Form, Group
+from nctakt.nc.vocabulary.functions import (
+    DWELL,
+    EXACT_STOP_ONCE,
+    MOTIONS,
+    PROGRAM_ENDS,
+    REFERENCE_OFFSET,
+    RETURN_COMMANDS,
+    SUBPROGRAM_ENDS,
+    TOOL_CHANGE,
+)
 from nctakt.nc.vocabulary.spindle_commands import split
-from nctakt.nc.vocabulary.support_level import Answer, Entry
 
-#: The G function that selects a zero offset by its number.
-_FURTHER_ZERO = 159
 #: The kinds of offsets that a command can name (RC-407).
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")
 _NUMBERED = ("G", "M", "H")
 #: What an M or H function may have as its value: 32 bits with a sign.
 LEAST_VALUE, MOST_VALUE = -(2**31), 2**31 - 1
-#: M functions that end a subprogram.
-_SUBPROGRAM_ENDS = (17, 29)
-#: Commands with options that end a subprogram.
-RETURN_COMMANDS = ("M17", "M29")
-#: M functions that end the main program.
-_PROGRAM_ENDS = (2, 30)
 
 
 #: What M17 and M30 end: the main program, a subprogram, or a file that may be any of both.
@@ -93,7 +96,7 @@ class _Block:
     role: Role
     returns: bool = False
     names: dict[str, None] = field(default_factory=dict)
-    groups: dict[str, str] = field(default_factory=dict)
+    groups: dict[Group, str] = field(default_factory=dict)
     unknown: bool = False
 
 
@@ -188,13 +191,13 @@ class WordChecker:
                 NOT_A_SPINDLE_WORD, word.span, word=written, nearest=f"{word.name}[M3 REV=1000]"
             )
             return
-        entry = support_level.answer_word(word.name)
+        entry = support_level.word(word.name)
         if entry is None:
             self._unknown(word, state)
-        elif entry.answer is Answer.REFUSED:
-            self._findings.answer(entry, word.span, self._findings.written(word.span))
+        elif entry.support is Support.REFUSED:
+            self._findings.report_support(entry, word.span, self._findings.written(word.span))
         else:
-            self._findings.answer(entry, word.span)
+            self._findings.report_support(entry, word.span)
             self._value(word, state)
 
     # --- G, M, H ---------------------------------------------------------------------------------
@@ -206,7 +209,9 @@ class WordChecker:
             self._needs_value(word)
         elif not isinstance(value, Number):
             written = self._findings.written(word.span)
-            self._findings.answer(support_level.form("M[P1], in cycles"), word.span, written)
+            self._findings.report_support(
+                support_level.form("M[P1], in cycles"), word.span, written
+            )
         elif not value.value.is_integer() or value.value < 0:
             self._findings.report(
                 INVALID_FUNCTION_NUMBER, word.span, word=f"{word.name}{value.value:g}"
@@ -225,17 +230,17 @@ class WordChecker:
             return
         if word.name == "G":
             self._g(word, number, state)
-        elif word.name == "M" and number in _SUBPROGRAM_ENDS:
+        elif word.name == "M" and number in SUBPROGRAM_ENDS:
             if state.role == "main":
                 self._findings.report(SUBPROGRAM_END_IN_MAIN_PROGRAM, word.span, word=f"M{number}")
             self._given(word)
         else:
-            if word.name == "M" and number in _PROGRAM_ENDS and state.role == "called":
+            if word.name == "M" and number in PROGRAM_ENDS and state.role == "called":
                 self._findings.report(PROGRAM_END_IN_SUBPROGRAM, word.span, word=f"M{number:02}")
             self._technology(word, number)
 
     def _g(self, word: Word, number: int, state: _Block) -> None:
-        entry = support_level.answer_g(number)
+        entry = support_level.g_function(number)
         if self._channel.implicit_programs.of_g(number):
             for argument in word.arguments:
                 self._values.any_value(argument)
@@ -243,19 +248,16 @@ class WordChecker:
         if entry is None:
             self._findings.report(INVALID_FUNCTION_NUMBER, word.span, word=f"G{number}")
             return
-        self._findings.answer(entry, word.span)
-        if entry.answer is Answer.REFUSED:
+        self._findings.report_support(entry, word.span)
+        if entry.support is Support.REFUSED:
             return
-        if number == _FURTHER_ZERO:
+        if entry.form is Form.ZERO_OFFSET:
             self._zero_offset(word)
-        elif number == RADIUS_FUNCTION:
-            if word.additional is None or word.arguments:
-                self._findings.report(G163_WITHOUT_RADIUS, word.span)
-            else:
-                self._values.value(word.additional)
+        elif entry.form is Form.RADIUS:
+            self._radius(word)
         elif word.additional is not None or word.arguments:
             self._findings.report(EXTRA_PARAMETERS, word.span, word=entry.name)
-        if entry.group:
+        if entry.group is not None:
             other = state.groups.setdefault(entry.group, entry.name)
             if other != entry.name:
                 self._findings.report(EXCLUSIVE_WORDS, word.span, word=entry.name, other=other)
@@ -267,7 +269,7 @@ class WordChecker:
             key = f"{word.name.lower()}_synch[{number}]"
             self._findings.report(FUNCTION_NOT_DEFINED, word.span, word=name, key=key)
         else:
-            self._findings.answer(entry, word.span, name)
+            self._findings.report_support(entry, word.span, name)
             self._given(word)
 
     def _given(self, word: Word) -> None:
@@ -289,10 +291,10 @@ class WordChecker:
 
     def _technology_entry(self, letter: str, number: int) -> Entry | None:
         if letter == "H":
-            return support_level.answer_h(number, self._channel.h_functions)
-        if number == 6 and self._channel.implicit_programs.m6:
-            return support_level.answer_word("L")
-        return support_level.answer_m(number, self._channel.m_functions)
+            return support_level.h_function(number, self._channel.h_functions)
+        if number == TOOL_CHANGE and self._channel.implicit_programs.m6:
+            return support_level.word("L")
+        return support_level.m_function(number, self._channel.m_functions)
 
     # --- other words -----------------------------------------------------------------------------
 
@@ -329,11 +331,11 @@ class WordChecker:
             return True
         else:
             return False
-        self._findings.answer(support_level.form(form), command.span, shown)
+        self._findings.report_support(support_level.form(form), command.span, shown)
         return True
 
     def _exact_stop(self, block: Block) -> None:
-        stop = next((word for word in block.words if _is_g(word, 60)), None)
+        stop = next((word for word in block.words if _is_g(word, EXACT_STOP_ONCE)), None)
         if stop is not None and not any(isinstance(word, AxisWord) for word in block.words):
             self._findings.report(G60_WITHOUT_MOTION, stop.span)
 
@@ -347,6 +349,13 @@ class WordChecker:
             self._values.value(word.additional)
             self._known_group(word.additional)
 
+    def _radius(self, word: Word) -> None:
+        """``G163 = r``."""
+        if word.additional is None or word.arguments:
+            self._findings.report(G163_WITHOUT_RADIUS, word.span)
+        else:
+            self._values.value(word.additional)
+
     def _known_group(self, value: Expression) -> None:
         """The group of G159, where it is a number."""
         if isinstance(value, Number):
@@ -358,13 +367,13 @@ class WordChecker:
 
     def _reference(self, block: Block) -> None:
         """G92 has axes, whose values are offsets, and no motion."""
-        reference = next((word for word in block.words if _is_g(word, 92)), None)
+        reference = next((word for word in block.words if _is_g(word, REFERENCE_OFFSET)), None)
         if reference is None:
             return
         if not any(isinstance(word, AxisWord) for word in block.words):
             self._findings.report(COMMAND_WITHOUT_AXIS, reference.span, command="G92")
         for word in block.words:
-            if any(_is_g(word, motion) for motion in (0, 1, 2, 3)):
+            if any(_is_g(word, motion) for motion in MOTIONS):
                 written = self._findings.written(word.span)
                 self._findings.report(
                     MOTION_WORD_WITH_OFFSETS, word.span, word=written, command="G92"
@@ -419,7 +428,7 @@ class WordChecker:
 def _returns(word: BlockWord) -> bool:
     if isinstance(word, BracketCommand):
         return word.name in RETURN_COMMANDS
-    return any(_is_m(word, number) for number in _SUBPROGRAM_ENDS)
+    return any(_is_m(word, number) for number in SUBPROGRAM_ENDS)
 
 
 def _return_option(item: Keyword | Expression) -> str:
@@ -457,7 +466,7 @@ def _is(word: BlockWord, name: str, number: int) -> bool:
 def _dwell(block: Block) -> Word | None:
     """The G04 of a block."""
     for word in block.words:
-        if _is_g(word, 4):
+        if _is_g(word, DWELL):
             assert isinstance(word, Word)
             return word
     return None

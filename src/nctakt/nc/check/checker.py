@@ -81,15 +81,12 @@ from nctakt.nc.tree import (
 )
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.entries import Support
 from nctakt.nc.vocabulary.message_formats import places
-from nctakt.nc.vocabulary.support_level import Answer
 from nctakt.nc.vocabulary.variable_table import NameTable
 
-__all__ = ["PROGRAM_ENDS", "SUBPROGRAM_ENDS", "Checker", "Role", "ends"]
+__all__ = ["Checker", "Role", "ends"]
 
-#: M functions that end a main program, and those that end whatever they stand in.
-PROGRAM_ENDS = (2, 30)
-SUBPROGRAM_ENDS = (*PROGRAM_ENDS, 17, 29)
 _MESSAGE_OPTIONS = ("SAVE", "EXCLUSIVE", "CONTINUE")
 #: Options of #MSG that exist and are not simulated.
 _REFUSED_OPTIONS = ("INFO", "SYN", "ACK")
@@ -305,13 +302,13 @@ class Checker:
                 self._hash(statement)
 
     def _refuse_hash(self, statement: Statement, *words: str, shown: str = "") -> None:
-        entry = support_level.answer_hash(words)
+        entry = support_level.hash_command(words)
         assert entry is not None
-        self._findings.answer(entry, statement.span, shown)
+        self._findings.report_support(entry, statement.span, shown)
 
     def _hash(self, command: HashCommand) -> None:
         words = [word.name for word in command.words]
-        entry = support_level.answer_hash(words)
+        entry = support_level.hash_command(words)
         name = "#" + " ".join(words)
         if entry is None:
             nearest = support_level.nearest_hash(words) or "–"
@@ -326,13 +323,13 @@ class Checker:
             self._own.delete(command)
         elif self._commands.command(command, words):
             pass
-        elif entry.answer is Answer.SIMULATED:
+        elif entry.support is Support.SIMULATED:
             forms = forms_of(entry.name)
             self._findings.report(
                 INVALID_COMMAND_FORM, command.span, command=entry.name, forms=forms
             )
         else:
-            self._findings.answer(entry, command.span, name)
+            self._findings.report_support(entry, command.span, name)
 
 
 def ends(statement: Statement, numbers: Sequence[int]) -> bool:

@@ -57,6 +57,7 @@ from nctakt.nc.tree import (
 )
 from nctakt.nc.vocabulary import strings, support_level
 from nctakt.nc.vocabulary.cells import leaf_cells
+from nctakt.nc.vocabulary.entries import Support
 from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS
 from nctakt.nc.vocabulary.resolution import (
     indices_of,
@@ -68,7 +69,6 @@ from nctakt.nc.vocabulary.resolution import (
     resolve_whole,
     variables_in,
 )
-from nctakt.nc.vocabulary.support_level import Answer
 from nctakt.nc.vocabulary.system_variables import system_variable
 from nctakt.nc.vocabulary.variable_table import (
     DECLARED,
@@ -161,7 +161,7 @@ class ValueChecker:
             case StringLiteral():
                 self._no_number(expression, '"…"')
             case ArrayLiteral():
-                self._findings.answer(support_level.form("[1, 2]"), expression.span)
+                self._findings.report_support(support_level.form("[1, 2]"), expression.span)
 
     def any_value(self, expression: Expression) -> None:
         """An expression whose value may be a number or a text."""
@@ -217,7 +217,7 @@ class ValueChecker:
 
     def _parameter(self, parameter: Parameter) -> None:
         if parameter.call:
-            self._findings.answer(support_level.call_parameter(), parameter.span)
+            self._findings.report_support(support_level.call_parameter(), parameter.span)
         self.value(parameter.index)
         if self._in_cycle and self._is_live(parameter.index):
             self._findings.report(ASYNCHRONOUS_INDEX, parameter.span, name="P")
@@ -303,8 +303,8 @@ class ValueChecker:
             else:
                 self._own(target)
             return
-        entry = support_level.answer_family(target.family)
-        if self._in_cycle and entry is not None and entry.answer is Answer.REFUSED:
+        entry = support_level.variable_family(target.family)
+        if self._in_cycle and entry is not None and entry.support is Support.REFUSED:
             self._asynchronous(target)
             return
         system = system_variable(target, self._axes)
@@ -376,7 +376,7 @@ class ValueChecker:
             self._own(target)
             self.list_items(value)
         else:
-            self._findings.answer(support_level.form("[1, 2]"), value.span)
+            self._findings.report_support(support_level.form("[1, 2]"), value.span)
 
     def list_items(self, value: ArrayLiteral) -> None:
         """The values of a list, lists inside it included."""
@@ -394,14 +394,14 @@ class ValueChecker:
 
     def _found(self, variable: Variable) -> Location | None:
         """The location, or the report why there is none; the indices are checked, too."""
-        entry = support_level.answer_family(variable.family)
+        entry = support_level.variable_family(variable.family)
         if entry is None:
             nearest = support_level.nearest_family(variable.family) or "–"
             name = path_text(variable)
             self._findings.report(UNKNOWN_VARIABLE, variable.span, name=name, nearest=nearest)
             return None
-        if entry.answer is not Answer.SIMULATED:
-            self._findings.answer(entry, variable.span, path_text(variable))
+        if entry.support is not Support.SIMULATED:
+            self._findings.report_support(entry, variable.span, path_text(variable))
             return None
         for index in indices_of(variable):
             self.value(index)

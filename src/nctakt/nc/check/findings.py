@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Where the checker puts what it finds: diagnostics with their source line.
 
-In: message numbers with spans. Out: diagnostics in the collector. The answers of
-``support_level.py`` become diagnostics here: an error for what is refused, one notice per program
-for what is accepted.
+In: message numbers with spans. Out: diagnostics in the collector. The levels of support
+(``entries.py``) become diagnostics here: an error for what is refused, one notice per program for
+what is accepted.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from nctakt.base.diagnostics import Message, Span
 from nctakt.messages import Collector
 from nctakt.messages.checked_blocks import ACCEPTED_WITHOUT_EFFECT, NOT_SIMULATED
 from nctakt.nc.source import Source
-from nctakt.nc.vocabulary.support_level import Answer, Entry
+from nctakt.nc.vocabulary.entries import Entry, Support
 
 
 class Findings:
@@ -35,12 +35,12 @@ class Findings:
         text = self._source.line_of(span)[span.column - 1 : span.end_column - 1]
         return " ".join(text.split())[:40]
 
-    def answer(self, entry: Entry, span: Span, name: str = "") -> None:
+    def report_support(self, entry: Entry, span: Span, name: str = "") -> None:
         """Report a refused entry, tell of an accepted one once; ``name`` as the program has it."""
         command = name or entry.name
-        if entry.answer is Answer.SIMULATED:
+        if entry.support is Support.SIMULATED:
             return
-        if entry.answer is Answer.ACCEPTED:
+        if entry.support is Support.ACCEPTED:
             if command in self._told:
                 return
             self._told[command] = None
@@ -49,7 +49,7 @@ class Findings:
             "meaning_en": entry.meaning.en,
             "meaning_de": entry.meaning.de,
         }
-        if entry.answer is Answer.ACCEPTED:
+        if entry.support is Support.ACCEPTED:
             self.report(ACCEPTED_WITHOUT_EFFECT, span, **values)
             return
         instead = entry.instead

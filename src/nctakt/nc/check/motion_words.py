@@ -12,15 +12,28 @@ from nctakt.messages.lints import FEED_NOT_POSITIVE
 from nctakt.messages.motion import ARC_WITH_CENTRE_AND_RADIUS
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import AxisWord, Block, Number, Word
+from nctakt.nc.vocabulary.function_rows import Group
+from nctakt.nc.vocabulary.functions import (
+    ARC_RADIUS,
+    ARCS,
+    CONTOURING_ONCE,
+    EXACT_STOP_ONCE,
+    FEED_PER_MINUTE,
+    members,
+)
 
 CENTRE_WORDS = ("I", "J", "K")
 RADIUS_WORD = "R"
-#: The G function that gives the radius as R does.
-RADIUS_FUNCTION = 163
 FEED_WORD = "F"
-_ARCS = (2, 3)
 #: G functions beside which axis words are targets, and which leave the kind of motion as it is.
-_BESIDE_TARGETS = (17, 18, 19, 60, 61, 90, 91, 94, 161, 162)
+_BESIDE_TARGETS = (
+    *members(Group.PLANE),
+    *members(Group.DIMENSION),
+    *members(Group.ARC_CENTRE),
+    FEED_PER_MINUTE,
+    EXACT_STOP_ONCE,
+    CONTOURING_ONCE,
+)
 
 
 def check_feed(block: Block, findings: Findings) -> None:
@@ -43,7 +56,7 @@ def lacks_centre(block: Block, *, is_modal: bool) -> bool:
     ``is_modal``: an arc is active; then a block whose axis words may mean something else is none.
     """
     functions = _functions(block)
-    is_arc = any(one in _ARCS for one in functions)
+    is_arc = any(one in ARCS for one in functions)
     if not is_arc:
         is_arc = is_modal and all(one in _BESIDE_TARGETS for one in functions)
     return (
@@ -57,7 +70,7 @@ def lacks_centre(block: Block, *, is_modal: bool) -> bool:
 def leaves_arc(block: Block, *, before: bool) -> bool:
     """Whether G02 or G03 is certainly active behind a block."""
     functions = _functions(block)
-    if any(one in _ARCS for one in functions):
+    if any(one in ARCS for one in functions):
         return True
     others = any(not isinstance(word, AxisWord | Word) for word in block.words)
     return before and not others and all(one in _BESIDE_TARGETS for one in functions)
@@ -80,7 +93,7 @@ def _radii(block: Block) -> Iterator[AxisWord | Word]:
     """``R5``, ``G163=5``."""
     yield from _words(block, RADIUS_WORD)
     for word in _words(block, "G"):
-        if isinstance(word.value, Number) and word.value.value == RADIUS_FUNCTION:
+        if isinstance(word.value, Number) and word.value.value == ARC_RADIUS:
             yield word
 
 

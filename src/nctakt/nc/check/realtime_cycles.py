@@ -38,7 +38,7 @@ from nctakt.messages.checked_cycles import (
 )
 from nctakt.messages.nc_text import UNKNOWN_CYCLE_KEYWORD
 from nctakt.nc.check.axis_commands import AxisCommandChecker
-from nctakt.nc.check.blocks import RETURN_COMMANDS, WordChecker
+from nctakt.nc.check.blocks import WordChecker
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.spindle_commands import SpindleChecker
@@ -65,12 +65,11 @@ from nctakt.nc.tree import (
 )
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.axis_commands import is_axis_command
+from nctakt.nc.vocabulary.functions import FLOW_FUNCTIONS, RETURN_COMMANDS
 from nctakt.nc.vocabulary.spindle_commands import split
 
 SCOPES = ("BLOCK", "PROG", "GLOBAL")
 END_ACTIONS = ("MOVE_ABORT", "MOVE_CONT")
-#: M functions that control programs (RC-403).
-RESERVED_M = (0, 1, 2, 17, 29, 30)
 _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
 
 #: The highest ID of a realtime cycle.
@@ -257,7 +256,7 @@ class CycleChecker:
 
     def _hash(self, command: HashCommand) -> None:
         words = [word.name for word in command.words]
-        if support_level.answer_hash(words) is not None:
+        if support_level.hash_command(words) is not None:
             self._no_meaning(command)
             return
         nearest = support_level.nearest_hash(words) or "–"
@@ -299,7 +298,7 @@ class CycleChecker:
         name, letter = f"{word.name}{number:02}", word.name.lower()
         is_m = word.name == "M"
         functions = self._channel.m_functions if is_m else self._channel.h_functions
-        if is_m and number in RESERVED_M:
+        if is_m and number in FLOW_FUNCTIONS:
             self._findings.report(PROGRAM_CONTROL_IN_CYCLE, word.span, word=name)
         elif number not in functions:
             self._findings.report(
@@ -317,7 +316,9 @@ class CycleChecker:
             )
         elif word.additional is not None or word.arguments:
             written = self._findings.written(word.span)
-            self._findings.answer(support_level.form("M110=130, in cycles"), word.span, written)
+            self._findings.report_support(
+                support_level.form("M110=130, in cycles"), word.span, written
+            )
 
 
 def _moves_an_axis(word: BlockWord) -> bool:

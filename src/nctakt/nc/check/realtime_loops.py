@@ -27,11 +27,10 @@ from nctakt.nc.tree import (
     Variable,
     Word,
 )
+from nctakt.nc.vocabulary.functions import MOTIONS
 from nctakt.nc.vocabulary.resolution import resolve, variables_in
 from nctakt.nc.vocabulary.variable_table import Location, NameTable
 
-#: G functions of a loop.
-MOTIONS = (0, 1, 2, 3)
 #: Words of a motion beside its axes: centre, radius, feed.
 _VALUES = ("I", "J", "K", "R", "F")
 

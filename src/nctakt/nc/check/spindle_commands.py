@@ -20,16 +20,17 @@ from nctakt.messages.spindles import (
 )
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.vocabulary.spindle_commands import (
+from nctakt.nc.vocabulary.functions import (
     CLOCKWISE,
-    COUNTER_CLOCKWISE,
-    POSITION,
-    STOP,
-    SpindleCommand,
+    COUNTERCLOCKWISE,
+    SPINDLE_FUNCTIONS,
+    SPINDLE_POSITION,
+    SPINDLE_STOP,
 )
+from nctakt.nc.vocabulary.spindle_commands import SpindleCommand
 
 #: What a command to a spindle may have, for a misspelt word.
-WORDS = ("M3", "M4", "M5", "M19", "S", "REV", "S.POS", "POS")
+WORDS = (*(f"M{number}" for number in SPINDLE_FUNCTIONS), "S", "REV", "S.POS", "POS")
 
 
 class SpindleChecker:
@@ -74,11 +75,11 @@ class SpindleChecker:
 
     def _fit(self, command: SpindleCommand) -> None:
         """The words of the main program have to go together."""
-        turns = [one for one in command.functions if one in (CLOCKWISE, COUNTER_CLOCKWISE)]
-        if len(turns) > 1 or (STOP in command.functions and len(command.functions) > 1):
+        turns = [one for one in command.functions if one in (CLOCKWISE, COUNTERCLOCKWISE)]
+        if len(turns) > 1 or (SPINDLE_STOP in command.functions and len(command.functions) > 1):
             words = ", ".join(f"M{one}" for one in command.functions)
             self._findings.report(EXCLUSIVE_SPINDLE_WORDS, command.span, words=words)
-        elif command.position is not None and POSITION not in command.functions:
+        elif command.position is not None and SPINDLE_POSITION not in command.functions:
             self._findings.report(SPINDLE_POSITION_WITHOUT_M19, command.position.span)
         elif not command.functions and command.speed is None:
             self._findings.report(
@@ -89,9 +90,9 @@ class SpindleChecker:
         """Whether they are a complete job: turn, go to a position, or stop."""
         functions = sorted(command.functions)
         given = (command.speed is not None, command.position is not None)
-        if functions == [STOP]:
+        if functions == [SPINDLE_STOP]:
             return given == (False, False)
         if len(functions) == 1:
-            return functions[0] != POSITION and given == (True, False)
-        turns = functions[:1] in ([CLOCKWISE], [COUNTER_CLOCKWISE])
-        return turns and functions[1:] == [POSITION] and given == (True, True)
+            return functions[0] != SPINDLE_POSITION and given == (True, False)
+        turns = functions[:1] in ([CLOCKWISE], [COUNTERCLOCKWISE])
+        return turns and functions[1:] == [SPINDLE_POSITION] and given == (True, True)

@@ -6,6 +6,7 @@ from nctakt.nc.fast.line_scanner cimport LineScanner
 cdef class PlainScanner(LineScanner):
     cdef long long[::1] places
     cdef readonly double[::1] values
+    cdef readonly unsigned char[::1] motions
     cdef readonly long long number
     cdef readonly Py_ssize_t column
     cdef readonly int motion

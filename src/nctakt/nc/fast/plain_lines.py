@@ -14,6 +14,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nctakt.nc.fast.line_scanner import LineScanner
+from nctakt.nc.vocabulary.functions import PLAIN_MOTIONS
+
+#: The highest number of a motion that a shape has room for.
+MAX_MOTION = 4
 
 #: What a line may be.
 OTHER = 0
@@ -29,7 +33,7 @@ def shape_code(shape: Sequence[str | float]) -> int:
             if len(one) > 1:
                 return 0
             code = code * 32 + ord(one) - 64
-        elif one in (0.0, 1.0):
+        elif one in PLAIN_MOTIONS:
             code = code * 32 + 27 + int(one)
         else:
             return 0
@@ -55,6 +59,10 @@ class PlainScanner(LineScanner):
             if len(name) == 1 and name in "ABCQUVWXYZ":
                 self.places[ord(name) - 64] = index
         self.values = memoryview(bytearray(8 * max(1, len(axes)))).cast("d")
+        #: 1 at the number of each motion that a plain line may have.
+        self.motions = memoryview(bytearray(MAX_MOTION + 1))
+        for number in PLAIN_MOTIONS:
+            self.motions[number] = 1
         self.number = 0
         self.column = 0
         self.motion = -1
@@ -147,8 +155,10 @@ class PlainScanner(LineScanner):
             self.axes |= 1 << place
             self.values[place] = self.value
         elif letter == 71 and self.motion < 0 and self.words < 12:
-            self.motion = 0 if self.value == 0.0 else 1
-            if self.value != self.motion:
+            if not 0.0 <= self.value <= 4.0:
+                return -1
+            self.motion = int(self.value)
+            if self.value != self.motion or self.motions[self.motion] == 0:
                 return -1
             self.shape = self.shape * 32 + 27 + self.motion
             self.words += 1

@@ -36,13 +36,11 @@ from nctakt.nc.tree import (
     While,
     Word,
 )
+from nctakt.nc.vocabulary.functions import ENDS
 from nctakt.nc.vocabulary.operators import FUNCTIONS
 
 #: Words whose number may be any that is not 0.
 VALUE_WORDS = ("F", "I", "J", "K", "R")
-
-#: M functions that end a program or a subprogram.
-_ENDS = (2, 17, 29, 30)
 
 #: What ``$BREAK`` leaves.
 _LEFT = (For, While, Do, Repeat, Switch)
@@ -126,7 +124,7 @@ def _of_word(word: BlockWord) -> Iterator[Number]:
             if word.value is not None:
                 yield from _of_value(word.value)
         case Word(name="M"):
-            if not isinstance(word.value, Number) or word.value.value in _ENDS:
+            if not isinstance(word.value, Number) or word.value.value in ENDS:
                 raise _UndecidedError
         case Word():
             if word.name in VALUE_WORDS and word.value is not None:

@@ -37,6 +37,7 @@ from nctakt.nc.tree import (
     While,
     Word,
 )
+from nctakt.nc.vocabulary.functions import COMPENSATION_OFF
 from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve, variables_in
 from nctakt.nc.vocabulary.variable_table import Location, NameTable
 
@@ -96,7 +97,7 @@ def _ends_compensation(block: Block) -> bool:
         isinstance(word, Word)
         and word.name == "G"
         and isinstance(word.value, Number)
-        and word.value.value == 40
+        and word.value.value == COMPENSATION_OFF
         for word in block.words
     )
 

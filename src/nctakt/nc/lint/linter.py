@@ -57,9 +57,8 @@ from nctakt.nc.tree import (
     While,
     Word,
 )
+from nctakt.nc.vocabulary.functions import COMPENSATION_OFF, COMPENSATIONS
 from nctakt.nc.vocabulary.variable_table import NameTable
-
-_COMPENSATION = (41, 42)
 
 
 @dataclass(frozen=True, slots=True)
@@ -315,9 +314,9 @@ class Linter:
         self._state.is_arc = leaves_arc(block, before=self._state.is_arc)
         for word in block.words:
             if isinstance(word, Word) and word.name == "G" and isinstance(word.value, Number):
-                if word.value.value in _COMPENSATION:
+                if word.value.value in COMPENSATIONS:
                     self._state.compensation = f"G{word.value.value:g}"
-                elif word.value.value == 40:
+                elif word.value.value == COMPENSATION_OFF:
                     self._state.compensation = ""
             elif isinstance(word, Word) and word.name in ("D", "T") and self._tools:
                 self._tool(word)

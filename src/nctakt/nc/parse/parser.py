@@ -34,9 +34,7 @@ from nctakt.nc.tree import (
     Subprogram,
     Word,
 )
-
-#: M functions that end a program or a subprogram.
-_ENDS = (2, 17, 29, 30)
+from nctakt.nc.vocabulary.functions import ENDS
 
 
 def parse(source: Source, collector: Collector) -> Iterator[Statement]:
@@ -157,7 +155,7 @@ def _is_program_end(statement: Statement) -> bool:
             isinstance(word, Word)
             and word.name == "M"
             and isinstance(word.value, Number)
-            and word.value.value in _ENDS
+            and word.value.value in ENDS
             for word in statement.words
         )
     )

@@ -23,6 +23,7 @@ from nctakt.messages.checked_axes import (
 from nctakt.messages.checked_blocks import WORD_VALUE_MISSING
 from nctakt.messages.checked_cycles import INVALID_KEYWORD_VALUE
 from nctakt.nc.tree import Block, BracketCommand, Expression, If, Keyword, Name, Number, Statement
+from nctakt.nc.vocabulary.functions import ABSOLUTE, G_FUNCTIONS, LINE, RAPID, RELATIVE
 
 #: OFFSET keywords, those of single kinds in the order of ``kernel/axes/coordinates.py``.
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL", "ALL")
@@ -33,7 +34,9 @@ _FLAGS = ("INDP", "ABORTING", "BUFFERED", "STOP")
 _VALUES = ("OFFSET", "FEED", "POS", "DIR")
 #: All keywords, for suggestions.
 KEYWORDS = (*_FLAGS, *_VALUES, "G90", "G91", "G00", "G01")
-_G_WORDS = MappingProxyType({90.0: "G90", 91.0: "G91", 0.0: "G00", 1.0: "G01"})
+_G_WORDS = MappingProxyType(
+    {float(number): G_FUNCTIONS[number].name for number in (ABSOLUTE, RELATIVE, RAPID, LINE)}
+)
 
 #: Why a combination is refused (50967), by number: those that only the tick knows travel as such.
 REFUSALS = MappingProxyType(

@@ -20,10 +20,7 @@ from nctakt.nc.tree import (
     Number,
     Word,
 )
-
-#: M functions of spindles.
-CLOCKWISE, COUNTER_CLOCKWISE, STOP, POSITION = 3, 4, 5, 19
-FUNCTIONS = (CLOCKWISE, COUNTER_CLOCKWISE, STOP, POSITION)
+from nctakt.nc.vocabulary.functions import SPINDLE_FUNCTIONS
 
 _SPEED = ("S", "REV")
 _POSITION = ("S.POS", "POS")
@@ -75,7 +72,7 @@ def _is_main(word: Word) -> bool:
 def _function(word: Word | Keyword) -> int | None:
     """The number of a spindle function."""
     value = word.value
-    if isinstance(value, Number) and value.value in FUNCTIONS:
+    if isinstance(value, Number) and value.value in SPINDLE_FUNCTIONS:
         return int(value.value)
     return None
 

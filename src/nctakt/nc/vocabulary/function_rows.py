@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: MIT
+"""Rows of the table of G and M functions (``functions.py``): their fields, and makers of rows."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+
+from nctakt.base.diagnostics import Text
+from nctakt.nc.vocabulary.entries import (
+    ACCEPTED,
+    NOTHING_INSTEAD,
+    REFUSED,
+    SIMULATED,
+    Entry,
+    Kind,
+)
+
+
+class Group(enum.Enum):
+    """Modal groups: one function of each is active, and one may stand in a block."""
+
+    MOTION = "motion"
+    FEED_ADAPTATION = "feed adaptation"
+    PLANE = "plane"
+    MIRROR = "mirror"
+    TRANSITION = "transition"
+    COMPENSATION = "compensation"
+    ZERO_OFFSET = "zero offset"
+    UNIT = "unit"
+    DIMENSION = "dimension"
+    FEED = "feed"
+    CUTTING = "cutting"
+    EDGE_BANDING = "edge banding"
+    APPROACH = "approach"
+    MASKING = "masking"
+    ARC_CENTRE = "arc centre"
+    CENTRE_CORRECTION = "centre correction"
+    CONTOURING = "contouring"
+    EXACT_STOP = "exact stop"
+
+
+class Form(enum.Enum):
+    """How a G function is written, by an example."""
+
+    ALONE = "G90"
+    TIME = "G04 X0.5"
+    MOTION = "G60 X10"
+    OFFSETS = "G92 X10"
+    ZERO_OFFSET = "G159=2"
+    RADIUS = "G163=5"
+
+
+class Role(enum.Enum):
+    """What an M function of the controller does to the program."""
+
+    PROGRAM_STOP = "program stop"
+    OPTIONAL_STOP = "optional stop"
+    PROGRAM_END = "program end"
+    SUBPROGRAM_END = "end of a subprogram"
+    SPINDLE = "spindle"
+
+
+@dataclass(frozen=True, slots=True)
+class GFunction(Entry):
+    """A row of a G function.
+
+    Functions of one ``group`` exclude each other in a block and are modal; those without a group
+    act in their block only. ``plain``: the fast ways know the function. Of the group ``MOTION`` it
+    may stand in a plain line (``nc/fast/plain_lines.py``); of any other group plain lines may be
+    decoded while it is active (``decoder/fast``).
+    """
+
+    number: int = -1
+    group: Group | None = None
+    form: Form = Form.ALONE
+    plain: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class MFunction(Entry):
+    """A row of an M function of the controller."""
+
+    number: int = -1
+    role: Role = Role.PROGRAM_STOP
+
+
+def simulated(
+    number: int, en: str, de: str, form: Form = Form.ALONE, *, plain: bool = False
+) -> GFunction:
+    """A row of a function that is simulated."""
+    meaning = Text(en, de)
+    row = GFunction(Kind.G_FUNCTION, f"G{number:02}", SIMULATED, meaning, number=number)
+    return replace(row, form=form, plain=plain)
+
+
+def plain(number: int, en: str, de: str, form: Form = Form.ALONE) -> GFunction:
+    """A row of a simulated function that the fast ways know."""
+    return simulated(number, en, de, form, plain=True)
+
+
+def accepted(number: int, en: str, de: str, *, plain: bool = False) -> GFunction:
+    """A row of a function that is checked and has no effect."""
+    return replace(simulated(number, en, de, plain=plain), support=ACCEPTED)
+
+
+def refused(number: int, en: str, de: str, instead: Text = NOTHING_INSTEAD) -> GFunction:
+    """A row of a refused function; ``instead``: what to use in its place."""
+    return replace(simulated(number, en, de), support=REFUSED, instead=instead)
+
+
+def group(group: Group | None, *rows: GFunction) -> Iterator[GFunction]:
+    """The rows of a modal group; ``None``: they act in their block only."""
+    return (replace(row, group=group) for row in rows)
+
+
+def refused_range(first: int, last: int, en: str, de: str) -> Iterator[GFunction]:
+    """Rows of refused functions, from ``first`` to ``last``."""
+    return (refused(number, en, de) for number in range(first, last + 1))
+
+
+def by_number(*groups: Iterator[GFunction]) -> Mapping[int, GFunction]:
+    """The rows of all groups by their numbers."""
+    return MappingProxyType({row.number: row for group in groups for row in group})
+
+
+def m_function(number: int, en: str, de: str, role: Role) -> MFunction:
+    """A row of an M function, all of which are simulated."""
+    meaning = Text(en, de)
+    return MFunction(Kind.M_FUNCTION, f"M{number:02}", SIMULATED, meaning, number=number, role=role)

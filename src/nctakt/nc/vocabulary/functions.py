@@ -1,0 +1,404 @@
+# SPDX-License-Identifier: MIT
+"""The table of the G functions and of the controller's M functions.
+
+A row says number, support, meaning in English and German, how the function is written (``Form``),
+its modal group, and whether the fast ways know it (``plain``), which they do not unless said: a new
+function takes the way of the tree. Checker, decoder and fast ways take numbers and groups from
+here; they stand in no other module of ``nc`` and ``decoder`` (``tests/test_tidy.py``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from nctakt.base.diagnostics import Text
+from nctakt.nc.vocabulary.entries import SIMULATED
+from nctakt.nc.vocabulary.function_rows import (
+    Form,
+    GFunction,
+    Group,
+    MFunction,
+    Role,
+    accepted,
+    by_number,
+    group,
+    m_function,
+    plain,
+    refused,
+    refused_range,
+    simulated,
+)
+
+# --- numbers of the functions that are simulated -------------------------------------------------
+
+RAPID, LINE, ARC_CLOCKWISE, ARC_COUNTERCLOCKWISE = 0, 1, 2, 3
+ARCS = (ARC_CLOCKWISE, ARC_COUNTERCLOCKWISE)
+DWELL = 4
+CENTRE_FEED, CONTOUR_FEED = 10, 11
+PLANE_XY, PLANE_ZX, PLANE_YZ = 17, 18, 19
+LINEAR_TRANSITIONS, CIRCULAR_TRANSITIONS = 25, 26
+COMPENSATION_OFF, COMPENSATION_LEFT, COMPENSATION_RIGHT = 40, 41, 42
+COMPENSATIONS = (COMPENSATION_LEFT, COMPENSATION_RIGHT)
+#: By the number of the zero offset that they select, G53 none (P-ZERO-00003).
+ZERO_OFFSETS = (53, 54, 55, 56, 57, 58, 59)
+NUMBERED_ZERO_OFFSET = 159
+EXACT_STOP_ONCE, CONTOURING_ONCE = 60, 61
+INCH, MILLIMETRES = 70, 71
+ABSOLUTE, RELATIVE = 90, 91
+REFERENCE_OFFSET = 92
+INVERSE_TIME_FEED, FEED_PER_MINUTE, FEED_PER_REVOLUTION, FEED_SHARE = 93, 94, 95, 194
+EDGE_BANDING_OFF, EDGE_BANDING = 107, 108
+APPROACH_DIRECT, APPROACH_INDIRECT = 138, 139
+APPROACH_PERPENDICULAR, APPROACH_INNER_CORNER, DEPART_WITHOUT_MOTION = 237, 238, 239
+MASKING_OFF, MASKING_ON = 140, 141
+ABSOLUTE_CENTRE, RELATIVE_CENTRE = 161, 162
+ARC_RADIUS = 163
+NO_OVERRIDE = 166
+CONTOURING_OFF, CONTOURING_ON = 260, 261
+EXACT_STOP_OFF, EXACT_STOP_ON = 359, 360
+
+#: M functions of spindles.
+CLOCKWISE, COUNTERCLOCKWISE, SPINDLE_STOP, SPINDLE_POSITION = 3, 4, 5, 19
+#: The M function that a program of the channel list may replace (P-CHAN-00118).
+TOOL_CHANGE = 6
+
+
+#: All G functions that are known, by number.
+G_FUNCTIONS: Mapping[int, GFunction] = by_number(
+    group(
+        Group.MOTION,
+        plain(RAPID, "rapid traverse", "Eilgang"),
+        plain(LINE, "straight line with feed", "Gerade mit Vorschub"),
+        simulated(ARC_CLOCKWISE, "arc, clockwise", "Kreis im Uhrzeigersinn"),
+        simulated(ARC_COUNTERCLOCKWISE, "arc, counter-clockwise", "Kreis gegen den Uhrzeigersinn"),
+        refused(33, "thread cutting", "Gewindeschneiden"),
+        refused(63, "tapping", "Gewindebohren"),
+        refused(303, "arc in space", "Kreis im Raum"),
+        refused(331, "tapping with pitch", "Gewindebohren mit Steigung"),
+        refused(332, "retraction from tapping", "Rückzug beim Gewindebohren"),
+    ),
+    group(
+        None,
+        simulated(DWELL, "dwell", "Verweilzeit", Form.TIME),
+        refused(8, "acceleration at the block's start", "Beschleunigen am Satzanfang"),
+        refused(9, "deceleration at the block's end", "Bremsen am Satzende"),
+        refused(12, "corner deceleration off", "Eckenverzögerung aus"),
+        refused(13, "corner deceleration on", "Eckenverzögerung ein"),
+    ),
+    group(
+        Group.FEED_ADAPTATION,
+        plain(CENTRE_FEED, "feed of the tool's centre", "Vorschub des Werkzeugmittelpunkts"),
+        plain(CONTOUR_FEED, "feed of the contour", "Vorschub an der Kontur"),
+    ),
+    group(
+        Group.PLANE,
+        plain(PLANE_XY, "plane X Y", "Ebene X Y"),
+        plain(PLANE_ZX, "plane Z X", "Ebene Z X"),
+        plain(PLANE_YZ, "plane Y Z", "Ebene Y Z"),
+    ),
+    group(
+        Group.MIRROR,
+        refused(20, "mirroring off", "Spiegeln aus"),
+        refused(21, "mirroring", "Spiegeln"),
+        refused(22, "mirroring", "Spiegeln"),
+        refused(23, "mirroring", "Spiegeln"),
+        refused(351, "mirroring of named axes", "Spiegeln genannter Achsen"),
+    ),
+    group(
+        Group.TRANSITION,
+        plain(
+            LINEAR_TRANSITIONS,
+            "linear transitions of tool radius compensation",
+            "lineare Übergänge der WRK",
+        ),
+        plain(
+            CIRCULAR_TRANSITIONS,
+            "circular transitions of tool radius compensation",
+            "Bogenübergänge der WRK",
+        ),
+    ),
+    group(
+        Group.COMPENSATION,
+        plain(COMPENSATION_OFF, "tool radius compensation off", "Werkzeugradiuskorrektur aus"),
+        plain(COMPENSATION_LEFT, "tool radius compensation left", "Werkzeugradiuskorrektur links"),
+        plain(
+            COMPENSATION_RIGHT, "tool radius compensation right", "Werkzeugradiuskorrektur rechts"
+        ),
+    ),
+    group(
+        None,
+        refused(51, "diameter programming on", "Durchmesserprogrammierung ein"),
+        refused(52, "diameter programming off", "Durchmesserprogrammierung aus"),
+    ),
+    group(
+        Group.ZERO_OFFSET,
+        plain(ZERO_OFFSETS[0], "zero offsets off", "Nullpunktverschiebungen aus"),
+        plain(ZERO_OFFSETS[1], "zero offset", "Nullpunktverschiebung"),
+        plain(ZERO_OFFSETS[2], "zero offset", "Nullpunktverschiebung"),
+        plain(ZERO_OFFSETS[3], "zero offset", "Nullpunktverschiebung"),
+        plain(ZERO_OFFSETS[4], "zero offset", "Nullpunktverschiebung"),
+        plain(ZERO_OFFSETS[5], "zero offset", "Nullpunktverschiebung"),
+        plain(ZERO_OFFSETS[6], "zero offset", "Nullpunktverschiebung"),
+        plain(
+            NUMBERED_ZERO_OFFSET,
+            "further zero offset",
+            "weitere Nullpunktverschiebung",
+            Form.ZERO_OFFSET,
+        ),
+    ),
+    group(
+        None,
+        simulated(
+            EXACT_STOP_ONCE, "exact stop for this block", "Genauhalt für diesen Satz", Form.MOTION
+        ),
+        simulated(CONTOURING_ONCE, "contouring for this block", "Überschleifen für diesen Satz"),
+        refused(66, "synchronising at the block's end", "Synchronisation am Satzende"),
+    ),
+    group(
+        Group.UNIT,
+        plain(INCH, "lengths in inch", "Längen in Zoll"),
+        plain(MILLIMETRES, "lengths in mm", "Längen in mm"),
+    ),
+    group(None, refused(74, "homing", "Referenzfahrt")),
+    refused_range(80, 89, "implicit subprogram", "implizites Unterprogramm"),
+    group(
+        Group.DIMENSION,
+        plain(ABSOLUTE, "absolute dimensions", "Absolutmaße"),
+        plain(RELATIVE, "relative dimensions", "Relativmaße"),
+    ),
+    group(
+        None,
+        simulated(
+            REFERENCE_OFFSET, "reference point offset", "Bezugspunktverschiebung", Form.OFFSETS
+        ),
+    ),
+    group(
+        Group.FEED,
+        simulated(INVERSE_TIME_FEED, "F is the time of the block", "F ist die Zeit des Satzes"),
+        plain(FEED_PER_MINUTE, "F is feed per minute", "F ist Vorschub je Minute"),
+        simulated(FEED_PER_REVOLUTION, "F is feed per revolution", "F ist Vorschub je Umdrehung"),
+        simulated(
+            FEED_SHARE, "F is a share of the highest feed", "F ist Anteil des höchsten Vorschubs"
+        ),
+    ),
+    group(
+        Group.CUTTING,
+        refused(96, "constant cutting speed", "konstante Schnittgeschwindigkeit"),
+        accepted(97, "constant spindle speed", "konstante Spindeldrehzahl", plain=True),
+    ),
+    group(
+        None,
+        refused(98, "negative software limit", "negativer Software-Endschalter"),
+        refused(99, "positive software limit", "positiver Software-Endschalter"),
+        refused(100, "measuring", "Messen"),
+        refused(101, "measuring offsets included", "Messversatz einrechnen"),
+        refused(102, "measuring offsets taken out", "Messversatz herausrechnen"),
+        refused(106, "measuring on the way to a target", "Messen auf dem Weg zum Ziel"),
+    ),
+    group(
+        Group.EDGE_BANDING,
+        plain(EDGE_BANDING_OFF, "edge banding off", "Kantenanleimen aus"),
+        plain(EDGE_BANDING, "edge banding", "Kantenanleimen"),
+    ),
+    group(
+        None,
+        refused(112, "gear change", "Getriebeschaltung"),
+        refused(115, "influence on look-ahead", "Einfluss auf Look-ahead"),
+        refused(116, "influence on look-ahead", "Einfluss auf Look-ahead"),
+        refused(117, "look-ahead on", "Look-ahead ein"),
+        refused(127, "weight of an axis' speed", "Gewichtung der Achsgeschwindigkeit"),
+        refused(128, "weight of the highest speed", "Gewichtung der Höchstgeschwindigkeit"),
+        refused(129, "weight of the rapid speed", "Gewichtung der Eilganggeschwindigkeit"),
+        refused(130, "weight of an axis' acceleration", "Gewichtung der Achsbeschleunigung"),
+        refused(131, "weight of acceleration", "Gewichtung der Beschleunigung"),
+        refused(132, "weight of an axis' ramp time", "Gewichtung der Rampenzeit einer Achse"),
+        refused(133, "weight of ramp times", "Gewichtung der Rampenzeiten"),
+        refused(134, "weight of geometrical ramp times", "Gewichtung geometr. Rampenzeiten"),
+        refused(135, "feed-forward on", "Vorsteuerung ein"),
+        refused(136, "weight of feed-forward", "Gewichtung der Vorsteuerung"),
+        refused(137, "feed-forward off", "Vorsteuerung aus"),
+    ),
+    group(
+        Group.APPROACH,
+        plain(
+            APPROACH_DIRECT, "direct begin of tool radius compensation", "direkte Anwahl der WRK"
+        ),
+        plain(
+            APPROACH_INDIRECT,
+            "indirect begin of tool radius compensation",
+            "indirekte Anwahl der WRK",
+        ),
+        refused(
+            236,
+            "begin of compensation on the path",
+            "Anwahl der WRK auf der Bahn",
+            Text(
+                "G138 leads to the contour directly, G139 around its corner, G237 across.",
+                "G138 führt direkt an die Kontur, G139 um ihre Ecke, G237 quer.",
+            ),
+        ),
+        plain(
+            APPROACH_PERPENDICULAR,
+            "perpendicular begin of compensation",
+            "senkrechte Anwahl der WRK",
+        ),
+        plain(
+            APPROACH_INNER_CORNER,
+            "begin of compensation in an inner corner",
+            "Anwahl der WRK in einer Innenecke",
+        ),
+        plain(
+            DEPART_WITHOUT_MOTION,
+            "end of compensation without motion",
+            "Abwahl der WRK ohne Bewegung",
+        ),
+        refused(
+            5,
+            "tangential begin of compensation",
+            "tangentiale Anwahl der WRK",
+            Text(
+                "For a tangential way to the contour begin it with an arc (G02, G03), and let a "
+                "line with G41 or G42 lead to that; G40 with a line behind an arc leaves it so.",
+                "Für eine tangentiale Anfahrt die Kontur mit einem Kreisbogen (G02, G03) beginnen, "
+                "an den eine Gerade mit G41 oder G42 führt; G40 mit einer Geraden hinter einem "
+                "Kreisbogen fährt so ab.",
+            ),
+        ),
+    ),
+    group(
+        Group.MASKING,
+        plain(MASKING_OFF, "contour masking off", "Konturausblendung aus"),
+        plain(MASKING_ON, "contour masking on", "Konturausblendung ein"),
+    ),
+    group(
+        None,
+        refused(150, "spline off", "Spline aus"),
+        refused(151, "spline on", "Spline ein"),
+        refused(160, "zero offset of named axes", "Nullpunktverschiebung genannter Achsen"),
+    ),
+    group(
+        Group.ARC_CENTRE,
+        plain(ABSOLUTE_CENTRE, "absolute centres of arcs", "Kreismittelpunkte absolut"),
+        plain(RELATIVE_CENTRE, "relative centres of arcs", "Kreismittelpunkte relativ"),
+    ),
+    group(
+        None,
+        simulated(ARC_RADIUS, "radius of arcs, as R", "Radius von Kreisen, wie R", Form.RADIUS),
+    ),
+    group(
+        Group.CENTRE_CORRECTION,
+        accepted(
+            164, "correction of arc centres off", "Korrektur der Kreismittelpunkte aus", plain=True
+        ),
+        accepted(
+            165, "correction of arc centres on", "Korrektur der Kreismittelpunkte ein", plain=True
+        ),
+    ),
+    group(
+        None,
+        simulated(NO_OVERRIDE, "override 100 % for this block", "Override 100 % für diesen Satz"),
+        accepted(167, "spindle override 100 %", "Spindel-Override 100 %"),
+        refused(193, "feed interpolated over the path", "Vorschub über dem Weg interpoliert"),
+        refused(196, "highest spindle speed", "höchste Spindeldrehzahl"),
+        refused(200, "manual mode", "Handbetrieb"),
+        refused(201, "manual mode beside the path", "Handbetrieb neben der Bahn"),
+        refused(202, "manual mode beside the path off", "Handbetrieb neben der Bahn aus"),
+        refused(230, "weight of an axis' acceleration, rapid", "Achsbeschleunigung im Eilgang"),
+        refused(231, "weight of acceleration, rapid", "Gewichtung der Eilgangbeschleunigung"),
+        refused(232, "weight of an axis' ramp time, rapid", "Rampenzeit einer Achse im Eilgang"),
+        refused(233, "weight of ramp times, rapid", "Gewichtung der Eilgang-Rampenzeiten"),
+        refused(293, "feed interpolated over time", "Vorschub über der Zeit interpoliert"),
+        refused(301, "chamfer", "Fase"),
+        refused(302, "rounding", "Rundung"),
+        refused(310, "interruptible block", "unterbrechbarer Satz"),
+        refused(333, "weight of an axis' ramp time", "Gewichtung der Rampenzeit einer Achse"),
+        refused(334, "weight of an axis' ramp time", "Gewichtung der Rampenzeit einer Achse"),
+        refused(338, "weight of deceleration", "Gewichtung der Verzögerung"),
+        refused(339, "weight of deceleration", "Gewichtung der Verzögerung"),
+    ),
+    group(
+        Group.CONTOURING,
+        plain(CONTOURING_OFF, "contouring off", "Überschleifen aus"),
+        plain(CONTOURING_ON, "contouring on", "Überschleifen ein"),
+    ),
+    group(
+        Group.EXACT_STOP,
+        plain(EXACT_STOP_OFF, "exact stop off", "Genauhalt aus"),
+        plain(EXACT_STOP_ON, "exact stop on", "Genauhalt ein"),
+    ),
+    refused_range(800, 819, "implicit subprogram", "implizites Unterprogramm"),
+    group(
+        None,
+        refused(900, "deceleration at the block's end", "Bremsen am Satzende"),
+        refused(901, "deceleration at the block's end", "Bremsen am Satzende"),
+    ),
+)
+
+_M_ROWS = (
+    m_function(
+        0, "programmed stop, until START", "programmierter Halt, bis START", Role.PROGRAM_STOP
+    ),
+    m_function(
+        1,
+        "optional stop, with HLI.OPTIONAL_STOP",
+        "wahlweiser Halt, mit HLI.OPTIONAL_STOP",
+        Role.OPTIONAL_STOP,
+    ),
+    m_function(2, "program end", "Programmende", Role.PROGRAM_END),
+    m_function(CLOCKWISE, "spindle clockwise", "Spindel im Uhrzeigersinn", Role.SPINDLE),
+    m_function(
+        COUNTERCLOCKWISE,
+        "spindle counter-clockwise",
+        "Spindel gegen den Uhrzeigersinn",
+        Role.SPINDLE,
+    ),
+    m_function(SPINDLE_STOP, "spindle stop", "Spindel halt", Role.SPINDLE),
+    m_function(17, "end of a subprogram", "Ende eines Unterprogramms", Role.SUBPROGRAM_END),
+    m_function(SPINDLE_POSITION, "spindle to a position", "Spindel positionieren", Role.SPINDLE),
+    m_function(29, "end of a subprogram", "Ende eines Unterprogramms", Role.SUBPROGRAM_END),
+    m_function(30, "program end", "Programmende", Role.PROGRAM_END),
+)
+
+#: M functions of the controller itself by number. All others are those of the channel list.
+M_FUNCTIONS: Mapping[int, MFunction] = MappingProxyType({row.number: row for row in _M_ROWS})
+
+
+# --- what follows from the table -----------------------------------------------------------------
+
+
+def group_of(number: int) -> Group | None:
+    """Return the modal group of a G function; ``None`` without a group, or where it is unknown."""
+    row = G_FUNCTIONS.get(number)
+    return None if row is None else row.group
+
+
+def members(of: Group) -> tuple[int, ...]:
+    """Return the numbers of the functions of a group that are simulated."""
+    rows = (row for row in G_FUNCTIONS.values() if row.group is of)
+    return tuple(row.number for row in rows if row.support is SIMULATED)
+
+
+def _of_role(*roles: Role) -> tuple[int, ...]:
+    return tuple(row.number for row in M_FUNCTIONS.values() if row.role in roles)
+
+
+#: The motions, and those that a plain line may have.
+MOTIONS = members(Group.MOTION)
+PLAIN_MOTIONS = tuple(number for number in MOTIONS if G_FUNCTIONS[number].plain)
+
+#: M functions that end the main program, a subprogram, either of them.
+PROGRAM_ENDS = _of_role(Role.PROGRAM_END)
+SUBPROGRAM_ENDS = _of_role(Role.SUBPROGRAM_END)
+ENDS = _of_role(Role.PROGRAM_END, Role.SUBPROGRAM_END)
+#: The M functions that end a subprogram as commands with options, ``M17 [MAIN]``.
+RETURN_COMMANDS = tuple(M_FUNCTIONS[number].name for number in SUBPROGRAM_ENDS)
+
+#: M functions that stop the program until START, and those that do so with HLI.OPTIONAL_STOP.
+PROGRAM_STOPS = _of_role(Role.PROGRAM_STOP, Role.OPTIONAL_STOP)
+OPTIONAL_STOPS = _of_role(Role.OPTIONAL_STOP)
+#: M functions that control programs, which realtime cycles have not (RC-403).
+FLOW_FUNCTIONS = _of_role(
+    Role.PROGRAM_STOP, Role.OPTIONAL_STOP, Role.PROGRAM_END, Role.SUBPROGRAM_END
+)
+SPINDLE_FUNCTIONS = _of_role(Role.SPINDLE)

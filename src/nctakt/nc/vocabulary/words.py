@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+"""Words of a block, and the synchronisation types of M and H functions, with their support.
+
+The G functions and the M functions of the controller: ``functions.py``.
+"""
+
+from __future__ import annotations
+
+from nctakt.nc.vocabulary.entries import ACCEPTED, REFUSED, SIMULATED, Kind, table
+
+#: M and H functions of the channel list, by their synchronisation type (P-CHAN-00041).
+TECHNOLOGY = table(
+    Kind.TECHNOLOGY,
+    ("NO_SYNCH", SIMULATED, "not output", "ohne Ausgabe"),
+    ("MOS", SIMULATED, "output without waiting", "Ausgabe ohne Warten"),
+    (
+        "MVS_SVS",
+        SIMULATED,
+        "output and waiting before the motion",
+        "Ausgabe und Warten vor der Bewegung",
+    ),
+    (
+        "MVS_SNS",
+        SIMULATED,
+        "output before, waiting behind it",
+        "Ausgabe vor, Warten nach der Bewegung",
+    ),
+    ("MNS_SNS", SIMULATED, "output and waiting behind the motion", "Ausgabe und Warten danach"),
+    ("MNE_SNS", SIMULATED, "output at a measuring event", "Ausgabe beim Messereignis"),
+    (
+        "MVS_SLM",
+        SIMULATED,
+        "late waiting, at the next motion with feed",
+        "spätes Warten, bei der nächsten Bewegung mit Vorschub",
+    ),
+    ("MVS_SLP", SIMULATED, "late waiting, at #EXPL SYN", "spätes Warten, bei #EXPL SYN"),
+    ("MOS_TS", SIMULATED, "output with a time stamp", "Ausgabe mit Zeitstempel"),
+    ("MEP_SVS", REFUSED, "output a way before the block's end", "Ausgabe mit Weg vor dem Satzende"),
+    ("MEP_MOS", REFUSED, "output a way before the block's end", "Ausgabe mit Weg vor dem Satzende"),
+    (
+        "MET_SVS",
+        REFUSED,
+        "output a time before the block's end",
+        "Ausgabe mit Zeit vor dem Satzende",
+    ),
+    (
+        "MET_MOS",
+        REFUSED,
+        "output a time before the block's end",
+        "Ausgabe mit Zeit vor dem Satzende",
+    ),
+)
+
+#: Words of a block and what stands in front of one.
+WORDS = table(
+    Kind.WORD,
+    ("%", SIMULATED, "name of a program", "Name eines Programms"),
+    (
+        "/",
+        SIMULATED,
+        "skip level; the block runs unless it is on",
+        "Ausblendebene; läuft, solange sie aus ist",
+    ),
+    ("N", SIMULATED, "number of a block", "Satznummer"),
+    ("N20:", SIMULATED, "label", "Sprungmarke"),
+    ("X", SIMULATED, "position of an axis of the channel", "Position einer Achse des Kanals"),
+    ("F", SIMULATED, "feed", "Vorschub"),
+    ("G", SIMULATED, "G function", "G-Funktion"),
+    ("M", SIMULATED, "M function of the channel list", "M-Funktion der Kanalliste"),
+    ("H", SIMULATED, "H function of the channel list", "H-Funktion der Kanalliste"),
+    ("D", SIMULATED, "tool offsets of the tool list", "Werkzeugkorrektur der Werkzeugliste"),
+    ("E", REFUSED, "feed at the block's end", "Vorschub am Satzende"),
+    ("I", SIMULATED, "centre of an arc", "Mittelpunkt eines Kreises"),
+    ("J", SIMULATED, "centre of an arc", "Mittelpunkt eines Kreises"),
+    ("K", SIMULATED, "centre of an arc", "Mittelpunkt eines Kreises"),
+    ("L", SIMULATED, "call of a subprogram in a file", "Aufruf eines Unterprogramms als Datei"),
+    ("LL", SIMULATED, "call of a local subprogram", "Aufruf eines lokalen Unterprogramms"),
+    ("R", SIMULATED, "radius of an arc", "Radius eines Kreises"),
+    ("S", SIMULATED, "speed of the main spindle", "Drehzahl der Hauptspindel"),
+    ("S.POS", SIMULATED, "position of the main spindle", "Position der Hauptspindel"),
+    ("T", ACCEPTED, "tool; D selects its offsets", "Werkzeug; D wählt seine Korrektur an"),
+)

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from nctakt.base.diagnostics import Diagnostic, Severity, Span
+from nctakt.base.diagnostics import Diagnostic, Severity, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.base.long_text import read_lines
 from nctakt.base.text import decode_text, split_lines
@@ -234,15 +234,16 @@ class _Checker:
             unknown = diagnostic(
                 LIST_KIND_NOT_RECOGNISED,
                 place,
-                meaning_en=", ".join(title.en for title in titles),
-                meaning_de=", ".join(title.de for title in titles),
+                kinds=Text(
+                    ", ".join(title.en for title in titles),
+                    ", ".join(title.de for title in titles),
+                ),
             )
             self._keep(path.as_posix(), [unknown])
             return
         self._files[path.as_posix()] = schema.kind
-        title = schema.title
         collector = Collector()
-        collector.report(LIST_CHECKED_ALONE, place, meaning_en=title.en, meaning_de=title.de)
+        collector.report(LIST_CHECKED_ALONE, place, kind=schema.title)
         check_list_alone(schema, path, data, collector, verbose=self._verbose)
         self._keep(path.as_posix(), collector.diagnostics)
 

@@ -128,8 +128,7 @@ def placement_refusals(log: RunLog) -> list[Diagnostic]:
                 CPU_NOT_ASSIGNABLE,
                 thread=task.name,
                 cpu=task.cpu,
-                reason_en=reason,
-                reason_de=reason,
+                reason=reason,
             )
         )
     return found
@@ -145,10 +144,10 @@ def _failure(plan: Plan, head: Any) -> Diagnostic:
     if head.status == layout.NO_SEMAPHORE:
         return diagnostic(SEMAPHORE_NOT_CREATED, name=name, reason=os.strerror(number))
     if head.status == layout.NO_PROCESS:
-        reason = Text(os.strerror(number), os.strerror(number))
+        reason: str | Text = os.strerror(number)
     elif head.status == layout.PROCESS_ENDED:
         ended = signal.strsignal(number) if number else "exit"
-        reason = Text(f"{name}: {ended}", f"{name}: {ended}")
+        reason = f"{name}: {ended}"
     else:
         reason = Text("the scheduler was killed", "der Scheduler wurde beendet")
-    return diagnostic(SCHEDULE_RUN_ENDED, reason_en=reason.en, reason_de=reason.de)
+    return diagnostic(SCHEDULE_RUN_ENDED, reason=reason)

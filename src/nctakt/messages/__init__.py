@@ -2,8 +2,8 @@
 """Messages: each one that nctakt can give, declared once, in English and German.
 
 A module holds the messages of one subject. The controller's own number is used where it is known;
-what the controller does not number has one of ours, from 900000 on (``scripts/docs --next`` prints
-the next free one). In: a declared message, a place, the values of its parameters. Out: the
+what the controller does not number has one of ours, from 900000 on (``scripts/next_message``
+prints the next one). In: a declared message, a place, the values of its parameters. Out: the
 ``Diagnostic``.
 """
 

@@ -48,8 +48,8 @@ INDEPENDENT_MOTION_NOT_PERMITTED = error(
 )
 INDEPENDENT_MOTION_REFUSED = error(
     50967,
-    en="{axis}[INDP …]: {reason_en}",
-    de="{axis}[INDP …]: {reason_de}",
+    en="{axis}[INDP …]: {reason}",
+    de="{axis}[INDP …]: {reason}",
     remedy_en="Write {axis}[INDP G90 G01 FEED=500 POS=100], {axis}[INDP FEED=500] or {axis}[INDP "
     "STOP].",
     remedy_de="{axis}[INDP G90 G01 FEED=500 POS=100], {axis}[INDP FEED=500] oder {axis}[INDP STOP] "
@@ -59,8 +59,7 @@ INDEPENDENT_MOTION_REFUSED = error(
     cause_de="Ein Einzelachsbefehl fährt auf eine Position, fährt endlos oder stoppt; seine "
     "Schlüsselwörter müssen eines davon sagen.",
     axis=("the axis", "die Achse"),
-    reason_en=("what does not fit, in English", "was nicht passt, auf Englisch"),
-    reason_de=("what does not fit, in German", "was nicht passt, auf Deutsch"),
+    reason=("what does not fit", "was nicht passt"),
     reaction=6,
     clearing=6,
 )

@@ -7,31 +7,25 @@ from nctakt.messages.catalogue import error, note
 
 NOT_SIMULATED = error(
     900200,
-    en="{command} ({meaning_en}) is not simulated by this version",
-    de="{command} ({meaning_de}) wird von dieser Version nicht simuliert",
-    remedy_en="Leave it out: what it does would change positions or times.{instead_en}",
-    remedy_de="Weglassen: die Wirkung würde Positionen oder Zeiten ändern.{instead_de}",
+    en="{command} ({meaning}) is not simulated by this version",
+    de="{command} ({meaning}) wird von dieser Version nicht simuliert",
+    remedy_en="Leave it out: what it does would change positions or times. {instead}",
+    remedy_de="Weglassen: die Wirkung würde Positionen oder Zeiten ändern. {instead}",
     command=("the word or command", "das Wort oder der Befehl"),
-    meaning_en=("what it does, in English", "was es tut, englisch"),
-    meaning_de=("what it does, in German", "was es tut, deutsch"),
-    instead_en=(
+    meaning=("what it does", "was es tut"),
+    instead=(
         "what to use in its place, in English, where there is something",
         "was man statt dessen verwendet, auf Englisch, wo es etwas gibt",
-    ),
-    instead_de=(
-        "what to use in its place, in German, where there is something",
-        "was man statt dessen verwendet, auf Deutsch, wo es etwas gibt",
     ),
 )
 ACCEPTED_WITHOUT_EFFECT = note(
     900201,
-    en="{command} ({meaning_en}) is accepted and has no effect here",
-    de="{command} ({meaning_de}) wird angenommen und wirkt hier nicht",
+    en="{command} ({meaning}) is accepted and has no effect here",
+    de="{command} ({meaning}) wird angenommen und wirkt hier nicht",
     remedy_en="Nothing to do; this is told once per program.",
     remedy_de="Nichts zu tun; das wird einmal je Programm gemeldet.",
     command=("the word or command", "das Wort oder der Befehl"),
-    meaning_en=("what it does, in English", "was es tut, englisch"),
-    meaning_de=("what it does, in German", "was es tut, deutsch"),
+    meaning=("what it does", "was es tut"),
 )
 UNKNOWN_COMMAND = error(
     900202,

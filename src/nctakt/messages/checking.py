@@ -34,21 +34,19 @@ FILE_ENCRYPTED = note(
 )
 LIST_CHECKED_ALONE = note(
     900583,
-    en="this list is checked alone, as {meaning_en}",
-    de="diese Liste wird allein geprüft, als {meaning_de}",
+    en="this list is checked alone, as {kind}",
+    de="diese Liste wird allein geprüft, als {kind}",
     remedy_en="Check the machine's folder for what several lists say together.",
     remedy_de="Für das, was mehrere Listen zusammen sagen, den Ordner der Maschine prüfen.",
-    meaning_en=("the kind of list", "die Art der Liste"),
-    meaning_de=("the same in German", "dasselbe auf Deutsch"),
+    kind=("the kind of list", "die Art der Liste"),
 )
 LIST_KIND_NOT_RECOGNISED = note(
     900584,
     en="no kind of list that is known has such entries; the list is not checked",
     de="keine bekannte Art von Liste hat solche Einträge; die Liste wird nicht geprüft",
-    remedy_en="Known are {meaning_en}",
-    remedy_de="Bekannt sind {meaning_de}",
-    meaning_en=("the kinds of lists", "die Arten von Listen"),
-    meaning_de=("the same in German", "dasselbe auf Deutsch"),
+    remedy_en="Known are {kinds}",
+    remedy_de="Bekannt sind {kinds}",
+    kinds=("the kinds of lists", "die Arten von Listen"),
 )
 CHECKED_FOR_DEMO_MACHINE = note(
     900585,

@@ -29,14 +29,13 @@ RECORDING_WITHOUT_TRACE = error(
 )
 WAITING_AT_RUN_LIMIT = note(
     900820,
-    en="at the limit of the run the program waits for {awaited_en}",
-    de="an der Grenze des Laufs wartet das Programm auf {awaited_de}",
+    en="at the limit of the run the program waits for {awaited}",
+    de="an der Grenze des Laufs wartet das Programm auf {awaited}",
     remedy_en="Give what it waits for at a time (--at 500ms HLI.START=1), or set another limit "
     "(--until, --ticks).",
     remedy_de="Geben, worauf es wartet (--at 500ms HLI.START=1), oder eine andere Grenze setzen "
     "(--until, --ticks).",
-    awaited_en=("what is waited for, in English", "worauf gewartet wird, englisch"),
-    awaited_de=("what is waited for, in German", "worauf gewartet wird, deutsch"),
+    awaited=("what is waited for", "worauf gewartet wird"),
 )
 RUN_ON_DEMO_MACHINE = note(
     900816,

@@ -173,8 +173,8 @@ LOG_AXIS_MOVES = note(
 )
 LOG_AXIS_MOVES_ENDLESSLY = note(
     900457,
-    en="Cycle {cycle}: axis {axis} moves endlessly in {direction_en} direction",
-    de="Zyklus {cycle}: Achse {axis} faehrt endlos in {direction_de} Richtung",
+    en="Cycle {cycle}: axis {axis} moves endlessly in {direction} direction",
+    de="Zyklus {cycle}: Achse {axis} faehrt endlos in {direction} Richtung",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
     cycle=(
@@ -182,13 +182,12 @@ LOG_AXIS_MOVES_ENDLESSLY = note(
         "die ID des Zyklus, ohne ID # und eine Nummer",
     ),
     axis=("the axis", "die Achse"),
-    direction_en=("positive or negative, in English", "positiv oder negativ, auf Englisch"),
-    direction_de=("positive or negative, in German", "positiv oder negativ, auf Deutsch"),
+    direction=("positive or negative", "positiv oder negativ"),
 )
 LOG_MOTION_STATE = note(
     900458,
-    en="Cycle {cycle}: the motion of axis {axis} {state_en}",
-    de="Zyklus {cycle}: die Bewegung der Achse {axis} {state_de}",
+    en="Cycle {cycle}: the motion of axis {axis} {state}",
+    de="Zyklus {cycle}: die Bewegung der Achse {axis} {state}",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
     cycle=(
@@ -196,6 +195,5 @@ LOG_MOTION_STATE = note(
         "die ID des Zyklus, ohne ID # und eine Nummer",
     ),
     axis=("the axis", "die Achse"),
-    state_en=("what has become of it, in English", "was daraus geworden ist, auf Englisch"),
-    state_de=("what has become of it, in German", "was daraus geworden ist, auf Deutsch"),
+    state=("what has become of it", "was daraus geworden ist"),
 )

@@ -47,15 +47,13 @@ CIRCULAR_LIST_REFERENCE = error(
 )
 WRONG_LIST_KIND = error(
     900745,
-    en="{path} is left out: it has no entry of the kind {meaning_en}, but some of {found_en}",
-    de="{path} entfällt: kein Eintrag ist von der Art {meaning_de}, einige aber von {found_de}",
+    en="{path} is left out: it has no entry of the kind {kind}, but some of {found}",
+    de="{path} entfällt: kein Eintrag ist von der Art {kind}, einige aber von {found}",
     remedy_en="Name the right file, or correct the entry's name.",
     remedy_de="Die richtige Datei nennen oder den Namen des Eintrags berichtigen.",
     path=("the path as written", "der Pfad, wie geschrieben"),
-    meaning_en=("the kind of list that belongs here", "die Art von Liste, die hierher gehört"),
-    meaning_de=("the same in German", "dasselbe auf Deutsch"),
-    found_en=("the kind of list that the file holds", "die Art von Liste, die die Datei enthält"),
-    found_de=("the same in German", "dasselbe auf Deutsch"),
+    kind=("the kind of list that belongs here", "die Art von Liste, die hierher gehört"),
+    found=("the kind of list that the file holds", "die Art von Liste, die die Datei enthält"),
 )
 UNKNOWN_CHANNEL = error(
     900749,

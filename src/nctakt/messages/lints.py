@@ -7,8 +7,8 @@ from nctakt.messages.catalogue import error, note, warning
 
 ASYNCHRONOUS_CONDITION = warning(
     900235,
-    en="{name} is asynchronous: in every tick this condition sees {meaning_en}",
-    de="{name} ist asynchron: in jedem Takt sieht diese Bedingung {meaning_de}",
+    en="{name} is asynchronous: in every tick this condition sees {seen}",
+    de="{name} ist asynchron: in jedem Takt sieht diese Bedingung {seen}",
     remedy_en="For the value of each tick: synchronisation TRUE in the variables list, or Vs. "
     "here.",
     remedy_de="Für den Wert jedes Takts: synchronisation TRUE in der Variablenliste, oder Vs. "
@@ -18,19 +18,12 @@ ASYNCHRONOUS_CONDITION = warning(
     cause_de="Der Dekoder baut den Zyklus aus seiner Definition; Asynchrones wird dabei zu einer "
     "Zahl.",
     name=("the variable", "die Variable"),
-    meaning_en=(
-        "with which value it is read, in English",
-        "mit welchem Wert sie gelesen wird, englisch",
-    ),
-    meaning_de=(
-        "with which value it is read, in German",
-        "mit welchem Wert sie gelesen wird, deutsch",
-    ),
+    seen=("with which value it is read", "mit welchem Wert sie gelesen wird"),
 )
 ASYNCHRONOUS_VALUE = note(
     900236,
-    en="{name} is read once: in every tick the realtime cycle sees {meaning_en}",
-    de="{name} wird einmal gelesen: in jedem Takt sieht der Echtzeit-Zyklus {meaning_de}",
+    en="{name} is read once: in every tick the realtime cycle sees {seen}",
+    de="{name} wird einmal gelesen: in jedem Takt sieht der Echtzeit-Zyklus {seen}",
     remedy_en="What shall change while the cycle runs belongs into a synchronous V.E or V.CH.",
     remedy_de="Was sich ändern soll, während der Zyklus läuft, gehört in ein synchrones V.E, V.CH.",
     cause_en="The decoder builds a cycle from its definition; what is asynchronous becomes a "
@@ -38,14 +31,7 @@ ASYNCHRONOUS_VALUE = note(
     cause_de="Der Dekoder baut den Zyklus aus seiner Definition; Asynchrones wird dabei zu einer "
     "Zahl.",
     name=("the variable", "die Variable"),
-    meaning_en=(
-        "with which value it is read, in English",
-        "mit welchem Wert sie gelesen wird, englisch",
-    ),
-    meaning_de=(
-        "with which value it is read, in German",
-        "mit welchem Wert sie gelesen wird, deutsch",
-    ),
+    seen=("with which value it is read", "mit welchem Wert sie gelesen wird"),
 )
 CONSTANT_CONDITION = warning(
     900237,
@@ -56,30 +42,22 @@ CONSTANT_CONDITION = warning(
 )
 CONDITION_NEVER_CHANGES = warning(
     900238,
-    en="this condition can never change: of {names} it sees {meaning_en}",
-    de="diese Bedingung kann sich nie ändern: von {names} sieht sie {meaning_de}",
+    en="this condition can never change: of {names} it sees {seen}",
+    de="diese Bedingung kann sich nie ändern: von {names} sieht sie {seen}",
     remedy_en="Ask for something synchronous; a choice made once stands around #RT CYCLE.",
     remedy_de="Nach etwas Synchronem fragen; eine einmalige Wahl steht um #RT CYCLE herum.",
     names=("the variables", "die Variablen"),
-    meaning_en=(
-        "with which value it is read, in English",
-        "mit welchem Wert sie gelesen wird, englisch",
-    ),
-    meaning_de=(
-        "with which value it is read, in German",
-        "mit welchem Wert sie gelesen wird, deutsch",
-    ),
+    seen=("with which value it is read", "mit welchem Wert sie gelesen wird"),
 )
 COMPARISON_OUTSIDE_TYPE_RANGE = warning(
     900239,
-    en="{name} is of type {type}: this comparison is {meaning_en}, whatever its value is",
-    de="{name} ist vom Typ {type}: dieser Vergleich ist {meaning_de}, welchen Wert sie auch hat",
+    en="{name} is of type {type}: this comparison is {result}, whatever its value is",
+    de="{name} ist vom Typ {type}: dieser Vergleich ist {result}, welchen Wert sie auch hat",
     remedy_en="It holds whole numbers from {low} to {high}; compare with one of them.",
     remedy_de="Sie fasst ganze Zahlen von {low} bis {high}; mit einer davon vergleichen.",
     name=("the variable", "die Variable"),
     type=("its type", "ihr Typ"),
-    meaning_en=("never true or always true", "nie wahr oder immer wahr"),
-    meaning_de=("the same in German", "dasselbe auf Deutsch"),
+    result=("never true or always true", "nie wahr oder immer wahr"),
     low=("its least value", "ihr kleinster Wert"),
     high=("its greatest value", "ihr größter Wert"),
 )

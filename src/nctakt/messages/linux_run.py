@@ -85,12 +85,11 @@ CPU_WOULD_STARVE = error(
 )
 SCHEDULE_RUN_ENDED = error(
     900689,
-    en="the run was ended from outside, or could not begin ({reason_en})",
-    de="der Lauf wurde von außen beendet oder konnte nicht beginnen ({reason_de})",
+    en="the run was ended from outside, or could not begin ({reason})",
+    de="der Lauf wurde von außen beendet oder konnte nicht beginnen ({reason})",
     remedy_en="Nothing was left behind; start it again.",
     remedy_de="Es blieb nichts zurück; neu starten.",
-    reason_en=("what happened, in English", "was geschah, englisch"),
-    reason_de=("the same in German", "dasselbe auf Deutsch"),
+    reason=("what happened", "was geschah"),
 )
 LOAD_MACHINE_IGNORED = note(
     900690,

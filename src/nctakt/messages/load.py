@@ -34,14 +34,13 @@ EXECUTION_TIME_MISSING = error(
 )
 INVALID_LOAD_VALUE = error(
     900623,
-    en="load: {key}: {value} is not {expected_en}",
-    de="Last: {key}: {value} ist nicht {expected_de}",
+    en="load: {key}: {value} is not {expected}",
+    de="Last: {key}: {value} ist nicht {expected}",
     remedy_en="Correct the entry.",
     remedy_de="Den Eintrag berichtigen.",
     key=("the entry", "der Eintrag"),
     value=("its value", "sein Wert"),
-    expected_en=("what it should be, in English", "was es sein soll, englisch"),
-    expected_de=("the same in German", "dasselbe auf Deutsch"),
+    expected=("what it should be", "was es sein soll"),
 )
 UNKNOWN_LOAD_ENTRY = error(
     900624,

@@ -7,16 +7,12 @@ from nctakt.messages.catalogue import error, note, warning
 
 INTERRUPT_SOURCE_ASSUMED = warning(
     900600,
-    en="interrupt_source {value} is taken as {meaning_en}",
-    de="interrupt_source {value} gilt als {meaning_de}",
+    en="interrupt_source {value} is taken as {meaning}",
+    de="interrupt_source {value} gilt als {meaning}",
     remedy_en="Sources disagree about 1 and 2; choose with --convention if this is not meant.",
     remedy_de="Über 1 und 2 sind die Quellen uneins; ist es anders gemeint, --convention angeben.",
     value=("the number in the list", "die Zahl in der Liste"),
-    meaning_en=(
-        "interrupt, convention and reason in English",
-        "Interrupt, Konvention und Grund, englisch",
-    ),
-    meaning_de=("the same in German", "dasselbe auf Deutsch"),
+    meaning=("interrupt, convention and reason in English", "Interrupt, Konvention und Grund"),
 )
 TIME_SLICE_NOT_SETTABLE = note(
     900601,

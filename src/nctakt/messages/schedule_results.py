@@ -17,14 +17,13 @@ CPU_MISSING = error(
 )
 CPU_NOT_ASSIGNABLE = error(
     1000181,
-    en="{thread}: it cannot be assigned to CPU {cpu}: {reason_en}",
-    de="{thread}: die Zuweisung an CPU {cpu} ist nicht möglich: {reason_de}",
+    en="{thread}: it cannot be assigned to CPU {cpu}: {reason}",
+    de="{thread}: die Zuweisung an CPU {cpu} ist nicht möglich: {reason}",
     remedy_en="Make the CPU available, or choose another one.",
     remedy_de="Die CPU verfügbar machen oder eine andere wählen.",
     thread=("the thread", "der Thread"),
     cpu=("its CPU, from 1", "seine CPU, ab 1"),
-    reason_en=("the reason in English", "der Grund, englisch"),
-    reason_de=("the same in German", "dasselbe auf Deutsch"),
+    reason=("the reason in English", "der Grund"),
 )
 THREAD_OVERFLOWED = error(
     900630,
@@ -64,15 +63,11 @@ WINDOWS_TIME_VIOLATED = warning(
 )
 WINDOWS_WITHOUT_GUARANTEE = warning(
     900633,
-    en="windows_time is 0, and {what_en}",
-    de="windows_time ist 0, und {what_de}",
+    en="windows_time is 0, and {what}",
+    de="windows_time ist 0, und {what}",
     remedy_en="Set windows_time, or make sure that all threads finish within the cycle.",
     remedy_de="windows_time setzen oder dafür sorgen, dass alle Threads im Takt fertig werden.",
-    what_en=(
-        "what shows that it is not sensible, in English",
-        "was zeigt, dass es nicht sinnvoll ist, englisch",
-    ),
-    what_de=("the same in German", "dasselbe auf Deutsch"),
+    what=("what shows that it is not sensible", "was zeigt, dass es nicht sinnvoll ist"),
 )
 LIBRARY_MISSING = error(
     900634,

@@ -262,17 +262,14 @@ def _axis_message(event: Event) -> Diagnostic:
     axis, word, *target = event.text.split(" ")
     if word in _MOTIONS:
         state = _MOTIONS[word]
-        return diagnostic(
-            LOG_MOTION_STATE, cycle=event.cycle, axis=axis, state_en=state.en, state_de=state.de
-        )
+        return diagnostic(LOG_MOTION_STATE, cycle=event.cycle, axis=axis, state=state)
     if target[0] in _DIRECTIONS:
         direction = _DIRECTIONS[target[0]]
         return diagnostic(
             LOG_AXIS_MOVES_ENDLESSLY,
             cycle=event.cycle,
             axis=axis,
-            direction_en=direction.en,
-            direction_de=direction.de,
+            direction=direction,
         )
     return diagnostic(LOG_AXIS_MOVES, cycle=event.cycle, axis=axis, position=target[0])
 

@@ -106,12 +106,7 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
         case TOO_MANY_CYCLES.id:
             values = {"count": channel.manager.capacity}
         case INDEPENDENT_MOTION_REFUSED.id:
-            reason = REFUSALS[int(b)]
-            values = {
-                "axis": machine.registry.axis(int(a)),
-                "reason_en": reason.en,
-                "reason_de": reason.de,
-            }
+            values = {"axis": machine.registry.axis(int(a)), "reason": REFUSALS[int(b)]}
         case (
             FIXED_STOP_NOT_FOUND.id
             | AXIS_NOT_AT_BLOCK_START.id

@@ -69,8 +69,7 @@ def awaited(machine: AssembledMachine, index: int) -> Diagnostic | None:
         WAITING_AT_RUN_LIMIT,
         statement_span(place, line),
         line,
-        awaited_en=text.en.format(name=name),
-        awaited_de=text.de.format(name=name),
+        awaited=Text(text.en.format(name=name), text.de.format(name=name)),
     )
 
 

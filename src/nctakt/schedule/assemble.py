@@ -127,8 +127,7 @@ class _Assembly:
             None,
             key="machine.offline",
             value=list(self._load.offline),
-            expected_en=expected.en,
-            expected_de=expected.de,
+            expected=expected,
         )
         return (1,)
 
@@ -138,8 +137,7 @@ class _Assembly:
             return cpu
         count = max((*self._cpus, *self._load.offline))
         if cpu in self._load.offline:
-            reason = {"reason_en": _OFFLINE.en, "reason_de": _OFFLINE.de}
-            self._collector.report(CPU_NOT_ASSIGNABLE, None, thread=name, cpu=cpu, **reason)
+            self._collector.report(CPU_NOT_ASSIGNABLE, None, thread=name, cpu=cpu, reason=_OFFLINE)
         else:
             self._collector.report(CPU_MISSING, None, thread=name, cpu=cpu, cpus=count)
         return ANY_CPU
@@ -161,8 +159,7 @@ class _Assembly:
                 None,
                 key="interrupt.drift",
                 value=drift / NS_PER_US,
-                expected_en=expected.en,
-                expected_de=expected.de,
+                expected=expected,
             )
             drift = 0
         # Two interrupts never change places.
@@ -247,8 +244,7 @@ class _Assembly:
             None,
             key=f"functions.{key}",
             value=[part / NS_PER_US for part in parts],
-            expected_en=expected.en,
-            expected_de=expected.de,
+            expected=expected,
         )
 
     def _external_threads(self, threads: list[Task]) -> list[Task]:

@@ -77,11 +77,11 @@ def _without_windows_time(model: Model, responses: list[int], least: int) -> Ite
                 f"{task.name} needs longer than one NC cycle",
                 f"{task.name} braucht länger als einen NC-Takt",
             )
-            yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what_en=what.en, what_de=what.de)
+            yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what=what)
             return
     if least == 0:
         what = Text("Windows gets no time in some cycles", "Windows bekommt manchmal keine Zeit")
-        yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what_en=what.en, what_de=what.de)
+        yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what=what)
 
 
 def analysis_findings(analysis: Analysis) -> Iterator[Diagnostic]:

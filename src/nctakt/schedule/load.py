@@ -176,8 +176,7 @@ class _Reader:
             None,
             key=key,
             value=value,
-            expected_en=expected.en,
-            expected_de=expected.de,
+            expected=expected,
         )
 
     def _check_names(self, table: str, found: dict[str, Any], names: tuple[str, ...]) -> None:

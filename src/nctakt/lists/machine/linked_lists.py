@@ -86,10 +86,8 @@ class LinkedLists:
             reference.span,
             reference.line,
             path=reference.path,
-            meaning_en=schema.title.en,
-            meaning_de=schema.title.de,
-            found_en=other.title.en,
-            found_de=other.title.de,
+            kind=schema.title,
+            found=other.title,
         )
         return True
 

@@ -142,14 +142,12 @@ def _interrupt_source(
     number = values.integer("interrupt_source")
     reading = read_source(number, comment_of(taken.entry), options.convention)
     if reading.source is not InterruptSource.SEMAPHORE:
-        text = reading.text
         values.report(
             collector,
             INTERRUPT_SOURCE_ASSUMED,
             key,
             value=number,
-            meaning_en=text.en,
-            meaning_de=text.de,
+            meaning=reading.text,
         )
     return reading.source
 

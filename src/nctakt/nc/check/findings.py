@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Where the checker puts what it finds: diagnostics with their source line.
 
-In: message numbers with spans. Out: diagnostics in the collector. The levels of support
+In: messages with spans. Out: diagnostics in the collector. The levels of support
 (``entries.py``) become diagnostics here: an error for what is refused, one notice per program for
 what is accepted.
 """
 
 from __future__ import annotations
 
-from nctakt.base.diagnostics import Message, Span
+from nctakt.base.diagnostics import NOTHING, Message, Span
 from nctakt.messages import Collector
 from nctakt.messages.checked_blocks import ACCEPTED_WITHOUT_EFFECT, NOT_SIMULATED
 from nctakt.nc.source import Source
@@ -44,15 +44,7 @@ class Findings:
             if command in self._told:
                 return
             self._told[command] = None
-        values = {
-            "command": command,
-            "meaning_en": entry.meaning.en,
-            "meaning_de": entry.meaning.de,
-        }
-        if entry.support is Support.ACCEPTED:
-            self.report(ACCEPTED_WITHOUT_EFFECT, span, **values)
+            self.report(ACCEPTED_WITHOUT_EFFECT, span, command=command, meaning=entry.meaning)
             return
-        instead = entry.instead
-        values["instead_en"] = f" {instead.en}" if instead.en else ""
-        values["instead_de"] = f" {instead.de}" if instead.de else ""
-        self.report(NOT_SIMULATED, span, **values)
+        instead = entry.instead if entry.instead.en else NOTHING
+        self.report(NOT_SIMULATED, span, command=command, meaning=entry.meaning, instead=instead)

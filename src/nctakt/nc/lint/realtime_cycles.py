@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from nctakt.base.diagnostics import Text
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.lints import (
     ASYNCHRONOUS_CONDITION,
@@ -64,10 +65,16 @@ from nctakt.nc.vocabulary.variable_table import Location, NameTable
 
 _MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 _DECLARED = ("E", "CH")
-_THEN_EN = "the value that it has when the cycle is defined"
-_THEN_DE = "den Wert, den sie bei der Definition des Zyklus hat"
-_THOSE_EN = "the values that they have when the cycle is defined"
-_THOSE_DE = "die Werte, die sie bei der Definition des Zyklus haben"
+_THEN = Text(
+    "the value that it has when the cycle is defined",
+    "den Wert, den sie bei der Definition des Zyklus hat",
+)
+_THOSE = Text(
+    "the values that they have when the cycle is defined",
+    "die Werte, die sie bei der Definition des Zyklus haben",
+)
+_ALWAYS_TRUE = Text("always true", "immer wahr")
+_NEVER_TRUE = Text("never true", "nie wahr")
 
 
 @dataclass(frozen=True, slots=True)
@@ -243,15 +250,12 @@ class CycleLinter:
 
     def _never_changes(self, condition: Expression, frozen: Sequence[Expression]) -> None:
         names = list(dict.fromkeys(self._name(one) for one in frozen))
-        meaning_en, meaning_de = self._value(frozen[0])
-        if len(names) > 1:
-            meaning_en, meaning_de = _THOSE_EN, _THOSE_DE
+        seen = _THOSE if len(names) > 1 else self._value(frozen[0])
         self._findings.report(
             CONDITION_NEVER_CHANGES,
             condition.span,
             names=", ".join(names),
-            meaning_en=meaning_en,
-            meaning_de=meaning_de,
+            seen=seen,
         )
 
     def _compare(self, comparison: Binary) -> None:
@@ -279,8 +283,7 @@ class CycleLinter:
             comparison.span,
             name=found.name,
             type=found.type,
-            meaning_en="always true" if truth else "never true",
-            meaning_de="immer wahr" if truth else "nie wahr",
+            result=_ALWAYS_TRUE if truth else _NEVER_TRUE,
             low=int(scalar.low),
             high=int(scalar.high),
         )
@@ -314,27 +317,24 @@ class CycleLinter:
         if name in self._told:
             return
         self._told[name] = None
-        meaning_en, meaning_de = self._value(operand)
-        number = (
+        message = (
             ASYNCHRONOUS_CONDITION
             if in_condition and isinstance(operand, Variable)
             else ASYNCHRONOUS_VALUE
         )
-        self._findings.report(
-            number, operand.span, name=name, meaning_en=meaning_en, meaning_de=meaning_de
-        )
+        self._findings.report(message, operand.span, name=name, seen=self._value(operand))
 
     def _name(self, operand: Expression) -> str:
         return " ".join(self._findings.written(operand.span).split())
 
-    def _value(self, operand: Expression) -> tuple[str, str]:
-        """With which value it is read, where that can be told, in both languages."""
+    def _value(self, operand: Expression) -> Text:
+        """Return with which value it is read, where that can be said."""
         assert isinstance(operand, Variable | Parameter)
         known = self._known.get(place_text(operand))
         if known is not None:
             value = f"{known.value:.15g}"
-            return f"{value}, set in line {known.line}", f"{value} aus Zeile {known.line}"
-        return _THEN_EN, _THEN_DE
+            return Text(f"{value}, set in line {known.line}", f"{value} aus Zeile {known.line}")
+        return _THEN
 
 
 def _inside(frequency: str, around: _Around) -> _Around:

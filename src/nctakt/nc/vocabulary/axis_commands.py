@@ -164,11 +164,10 @@ def read_axis_command(command: BracketCommand) -> tuple[AxisCommand, list[Wrong]
 
 def refusal(command: BracketCommand, number: int) -> Wrong:
     """50967 with one of ``REFUSALS``."""
-    reason = REFUSALS[number]
     return Wrong(
         INDEPENDENT_MOTION_REFUSED,
         command.span,
-        {"axis": command.name, "reason_en": reason.en, "reason_de": reason.de},
+        {"axis": command.name, "reason": REFUSALS[number]},
     )
 
 

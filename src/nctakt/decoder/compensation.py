@@ -28,12 +28,11 @@ from nctakt.decoder.contour.chain import ARC, GAP, REACH
 from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.decoder.fast.compensated_lines import PlainBeside
 from nctakt.decoder.fast.handover import PlainRun
-from nctakt.decoder.pending_motion import HeldMotion, at_tool, share_of_contour
+from nctakt.decoder.pending_motion import HeldMotion, at_tool, block_length, share_of_contour
 from nctakt.decoder.state.arcs import PLANES, SAME_PLACE_MM, Arc
 from nctakt.decoder.state.commands import Answer, Command, ProgramEnd, Segment, pack, waits
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.values.variables import Values
-from nctakt.kernel.base import arithmetic
 from nctakt.kernel.tick.command_queue import TIMED_KINDS
 from nctakt.messages import diagnostic
 from nctakt.messages.tools import (
@@ -466,7 +465,9 @@ class Compensation:
         first, second = PLANES[self._state.plane]
         segment = motion.segment
         if motion.time_s > 0.0 and segment.feed > 0.0 and pieces:
-            segment = replace(segment, feed=self._whole_way(segment, pieces) / motion.time_s)
+            lengths = [length for _, length in pieces]
+            length = block_length(segment, lengths, self._surroundings.axes, (first, second))
+            segment = replace(segment, feed=length / motion.time_s)
         for number, (piece, _) in enumerate(pieces):
             is_last = number == len(pieces) - 1
             start = list(segment.start if number == 0 else segment.target)
@@ -491,13 +492,3 @@ class Compensation:
                 arc=row,
                 goes_on=not is_last,
             )
-
-    def _whole_way(self, segment: Segment, pieces: list[tuple[_Piece, float]]) -> float:
-        """The way of a block with all its pieces; other axes move on the first of them."""
-        plane = PLANES[self._state.plane]
-        first2 = pieces[0][1] * pieces[0][1]
-        for place, axis in enumerate(self._surroundings.axes):
-            if axis.is_linear and place not in plane:
-                rise = segment.target[place] - segment.start[place]
-                first2 += rise * rise
-        return arithmetic.square_root(first2) + sum(way for _, way in pieces[1:])

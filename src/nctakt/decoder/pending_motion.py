@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from nctakt.base.diagnostics import Message, Span
 from nctakt.decoder.state.commands import Command, Segment
 from nctakt.kernel.base import arithmetic
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
 
 
 @dataclass(slots=True)
@@ -51,3 +53,21 @@ def at_tool(command: Command, plane: tuple[int, int], place: tuple[float, float]
     for axis, value in zip(plane, place, strict=True):
         start[axis] = target[axis] = value
     return replace(command, start=tuple(start), target=tuple(target))
+
+
+def block_length(
+    segment: Segment,
+    lengths: Sequence[float],
+    axes: Sequence[AxisConfiguration],
+    plane: tuple[int, int],
+) -> float:
+    """Return the length of a block with all its pieces, mm; ``lengths``: those in the plane.
+
+    Axes outside the plane move on the first piece.
+    """
+    first2 = lengths[0] * lengths[0]
+    for index, axis in enumerate(axes):
+        if axis.is_linear and index not in plane:
+            rise = segment.target[index] - segment.start[index]
+            first2 += rise * rise
+    return arithmetic.square_root(first2) + sum(lengths[1:])

@@ -41,7 +41,7 @@ class Hashes:
         if words == ("DELETE",):
             for argument in command.arguments:
                 assert isinstance(argument, tree.Variable)
-                self._values.own.delete(argument)
+                self._values.program_values.delete(argument)
         elif words[0] == "CS":
             yield from self._systems.command(command, number)
         elif words in (("FILENAME",), ("FILE", "NAME")):

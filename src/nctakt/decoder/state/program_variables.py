@@ -45,7 +45,7 @@ class VariableError(Exception):
 
 
 @dataclass(slots=True)
-class OwnVariable:
+class ProgramVariable:
     """One variable; its elements stand in ascending order, the last index running fastest.
 
     ``characters``: the most that a STRING takes. ``dimensions`` is empty for a single value.
@@ -119,7 +119,7 @@ class OwnVariable:
             self.put(place, value)
 
 
-Variables = dict[str, OwnVariable]
+Variables = dict[str, ProgramVariable]
 
 
 class Scopes:
@@ -160,14 +160,14 @@ class Scopes:
                 return self._locals[::-1]
         return self._cycles[-1:]
 
-    def find(self, family: str, path: str) -> OwnVariable | None:
+    def find(self, family: str, path: str) -> ProgramVariable | None:
         """A variable by its path without indices, ``None`` where there is none."""
         for place in self._places(family):
             if path in place:
                 return place[path]
         return None
 
-    def get(self, family: str, path: str) -> OwnVariable:
+    def get(self, family: str, path: str) -> ProgramVariable:
         """As ``find``; 900314 where there is none."""
         found = self.find(family, path)
         if found is None:
@@ -179,15 +179,15 @@ class Scopes:
 
     def for_writing(
         self, family: str, path: str, value: float | str, indices: Sequence[int]
-    ) -> OwnVariable:
+    ) -> ProgramVariable:
         """As ``get``; V.P and V.S come into being with their first value."""
         if family in _MADE_BY_WRITING and not indices and self.find(family, path) is None:
             type_ = "STRING" if isinstance(value, str) else "REAL64"
             name = f"V.{family}.{path}"
-            self.declare(family, path, OwnVariable(name, type_, LONGEST_STRING, ()))
+            self.declare(family, path, ProgramVariable(name, type_, LONGEST_STRING, ()))
         return self.get(family, path)
 
-    def declare(self, family: str, path: str, variable: OwnVariable) -> None:
+    def declare(self, family: str, path: str, variable: ProgramVariable) -> None:
         """A new variable of the innermost place; it replaces one of its name there."""
         self.changes += 1
         self._places(family)[0][path] = variable

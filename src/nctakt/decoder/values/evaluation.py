@@ -23,7 +23,7 @@ from nctakt.decoder.state.tools import ActiveTool
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.fusing import Built, constant
 from nctakt.decoder.values.plans import Leaf, Plan, Plans
-from nctakt.decoder.values.program_values import OwnValues
+from nctakt.decoder.values.program_values import ProgramValues
 from nctakt.decoder.values.system_values import SystemValues
 from nctakt.decoder.values.template_plans import TemplateEvaluator
 from nctakt.kernel.base import arithmetic
@@ -46,7 +46,7 @@ from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.operators import FUNCTIONS
 from nctakt.nc.vocabulary.resolution import (
     indices_of,
-    is_own,
+    is_program_variable,
     is_text,
     path_text,
     resolve,
@@ -79,7 +79,7 @@ class Reading:
         self._builder = ExpressionBuilder(
             self._leaf, self._compare_texts, self._ask, macro=self.no_macro
         )
-        self.own = OwnValues(state.levels, self._index, self.fail)
+        self.program_values = ProgramValues(state.levels, self._index, self.fail)
         self._plans = Plans()
         self._template_evaluator = TemplateEvaluator(
             self._plans.context, self._plans.memory, state.levels.scopes, state.parameters
@@ -157,8 +157,8 @@ class Reading:
         """Whether the value of an expression is a text now."""
         if isinstance(expression, tree.Parameter) and expression.call:
             return isinstance(self._argument(expression), str)
-        if isinstance(expression, tree.Variable) and is_own(expression):
-            return self.own.is_text(expression)
+        if isinstance(expression, tree.Variable) and is_program_variable(expression):
+            return self.program_values.is_text(expression)
         if isinstance(expression, tree.Binary) and expression.operator == "+":
             return self._is_text(expression.left) or self._is_text(expression.right)
         return is_text(expression, self.surroundings.names)
@@ -186,7 +186,7 @@ class Reading:
         values: list[float | str] = []
         for kind, argument in zip(function.arguments, call.arguments, strict=False):
             values.append(self._text(argument) if kind == "T" else self._compute(argument))
-        return self.own.function(call, values)
+        return self.program_values.function(call, values)
 
     def _exists(self, asked: tree.Expression) -> bool:
         """Whether there is a variable, an M or H function of the list, a parameter of the call."""
@@ -199,8 +199,8 @@ class Reading:
             m, h = parameters.m_functions, parameters.h_functions
             return int(asked.name[1:]) in (m if asked.name[0] == "M" else h)
         assert isinstance(asked, tree.Variable)
-        if is_own(asked):
-            return self.own.exists(asked)
+        if is_program_variable(asked):
+            return self.program_values.exists(asked)
         names = self.surroundings.names
         found = resolve(asked, names)
         if not isinstance(found, Location):
@@ -211,15 +211,17 @@ class Reading:
     def _size(self, asked: tree.Expression, dimension: int) -> int:
         """Elements of an array; a list's has one dimension."""
         assert isinstance(asked, tree.Variable)
-        if is_own(asked):
-            return self.own.size(asked, dimension)
+        if is_program_variable(asked):
+            return self.program_values.size(asked, dimension)
         found = resolve_whole(asked, self.surroundings.names)
         is_first = isinstance(found, Whole) and dimension == 1
         return found.node.array_elements if is_first and isinstance(found, Whole) else 0
 
     def declare(self, declaration: tree.Declaration, number: int) -> Generator[Command, Answer]:
         """A line of ``#VAR``."""
-        yield from self.own.declare(declaration, number, self.evaluate, self.evaluate_any)
+        yield from self.program_values.declare(
+            declaration, number, self.evaluate, self.evaluate_any
+        )
 
     def _argument(self, parameter: tree.Parameter) -> float | str:
         """What the call of the innermost cycle has handed over as @P1, @P2, …"""
@@ -332,8 +334,8 @@ class Reading:
         return arithmetic.round_half_even(self._compute(index))
 
     def _read_now(self, variable: tree.Variable) -> float | str:
-        if is_own(variable):
-            return self.own.read(variable)
+        if is_program_variable(variable):
+            return self.program_values.read(variable)
         if variable.family in SYSTEM_FAMILIES:
             return self._system(variable)
         location = self.locate(variable)

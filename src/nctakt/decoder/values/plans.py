@@ -21,7 +21,7 @@ from nctakt.nc import tree
 from nctakt.nc.fast.recipes import NumberRecipe
 from nctakt.nc.fast.templates import ExpressionTemplate
 from nctakt.nc.vocabulary.operators import FUNCTIONS
-from nctakt.nc.vocabulary.resolution import own_path, variables_in
+from nctakt.nc.vocabulary.resolution import bare_name, variables_in
 
 #: Expressions that are remembered; then all are forgotten, so that no program is too long.
 MOST_PLANS = 4096
@@ -113,7 +113,7 @@ def plan_of_template(template: ExpressionTemplate) -> TemplatePlan:
 
     def leaf(node: Leaf) -> Built:
         if isinstance(node, tree.Variable):
-            name = (node.family, own_path(node))
+            name = (node.family, bare_name(node))
             names[name] = None
             return load(len(numbers) + list(names).index(name))
         assert isinstance(node.index, tree.Number)

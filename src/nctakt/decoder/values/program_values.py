@@ -13,20 +13,20 @@ from typing import NoReturn
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.call_stack import Levels
 from nctakt.decoder.state.commands import Answer, Command
-from nctakt.decoder.state.program_variables import LONGEST_STRING, OwnVariable, VariableError
+from nctakt.decoder.state.program_variables import LONGEST_STRING, ProgramVariable, VariableError
 from nctakt.decoder.state.tools import Fail
 from nctakt.decoder.values.text_functions import compute
 from nctakt.messages.checked_values import INVALID_ELEMENT_COUNT
 from nctakt.messages.decoder import OPERATION_WITHOUT_RESULT, VALUE_LIST_FOR_ONE_ELEMENT
 from nctakt.nc import tree
 from nctakt.nc.check.program_variables import TYPES
-from nctakt.nc.vocabulary.resolution import indices_of, own_path
+from nctakt.nc.vocabulary.resolution import bare_name, indices_of
 
 Evaluate = Callable[[tree.Expression, int], Generator[Command, Answer, float]]
 EvaluateAny = Callable[[tree.Expression, int], Generator[Command, Answer, float | str]]
 
 
-class OwnValues:
+class ProgramValues:
     """The variables of one program; ``index`` gives the number of an element, ``fail`` ends it."""
 
     def __init__(
@@ -45,7 +45,7 @@ class OwnValues:
     def read(self, variable: tree.Variable) -> float | str:
         """The value now."""
         try:
-            found = self._scopes.get(variable.family, own_path(variable))
+            found = self._scopes.get(variable.family, bare_name(variable))
             return found.values[found.element(self._indices(variable))]
         except VariableError as error:
             self._wrong(error, variable.span)
@@ -53,14 +53,14 @@ class OwnValues:
     def is_text(self, variable: tree.Variable) -> bool:
         """Whether the variable holds texts."""
         try:
-            return self._scopes.get(variable.family, own_path(variable)).type == "STRING"
+            return self._scopes.get(variable.family, bare_name(variable)).type == "STRING"
         except VariableError as error:
             self._wrong(error, variable.span)
 
     def write(self, variable: tree.Variable, value: float | str) -> None:
         """Give the variable a value; V.P and V.S come into being with their first one."""
         indices = self._indices(variable)
-        path = own_path(variable)
+        path = bare_name(variable)
         try:
             found = self._scopes.for_writing(variable.family, path, value, indices)
             found.put(found.element(indices), value)
@@ -72,13 +72,13 @@ class OwnValues:
         try:
             if any(True for _ in indices_of(variable)):
                 raise VariableError(VALUE_LIST_FOR_ONE_ELEMENT)
-            self._scopes.get(variable.family, own_path(variable)).fill(values)
+            self._scopes.get(variable.family, bare_name(variable)).fill(values)
         except VariableError as error:
             self._wrong(error, variable.span)
 
     def exists(self, variable: tree.Variable) -> bool:
         """Whether there is such a variable, and the element where one is named."""
-        found = self._scopes.find(variable.family, own_path(variable))
+        found = self._scopes.find(variable.family, bare_name(variable))
         indices = self._indices(variable)
         if found is None or not indices:
             return found is not None
@@ -91,7 +91,7 @@ class OwnValues:
     def size(self, variable: tree.Variable, dimension: int) -> int:
         """Elements of an array in a dimension, counted from 1; 0 of what has none."""
         try:
-            dimensions = self._scopes.get(variable.family, own_path(variable)).dimensions
+            dimensions = self._scopes.get(variable.family, bare_name(variable)).dimensions
         except VariableError as error:
             self._wrong(error, variable.span)
         return dimensions[dimension - 1] if 1 <= dimension <= len(dimensions) else 0
@@ -129,10 +129,12 @@ class OwnValues:
         characters = float(LONGEST_STRING)
         if declaration.size is not None:
             characters = yield from evaluate(declaration.size, number)
-        path = own_path(variable)
+        path = bare_name(variable)
         name = f"V.{variable.family}.{path}"
         try:
-            made = OwnVariable(name, _type(declaration, values), int(characters), tuple(dimensions))
+            made = ProgramVariable(
+                name, _type(declaration, values), int(characters), tuple(dimensions)
+            )
             made.fill(values)
             self._scopes.declare(variable.family, path, made)
         except VariableError as error:
@@ -151,7 +153,7 @@ class OwnValues:
 
     def delete(self, variable: tree.Variable) -> None:
         """Forget a variable, or all of a family."""
-        self._scopes.delete(variable.family, own_path(variable))
+        self._scopes.delete(variable.family, bare_name(variable))
 
     def _wrong(self, error: VariableError, span: Span) -> NoReturn:
         self._fail(error.message, span, **error.values)

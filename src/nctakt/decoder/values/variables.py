@@ -31,7 +31,7 @@ from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.cells import CELL_BYTES, leaf_cells
 from nctakt.nc.vocabulary.resolution import (
     indices_of,
-    is_own,
+    is_program_variable,
     path_text,
     resolve_whole,
 )
@@ -63,8 +63,8 @@ class Values(Reading):
         value = to_tree(value)
         if isinstance(value, tree.ArrayLiteral):
             assert isinstance(statement.target, tree.Variable)
-            items = yield from self.own.items(value, number, self.evaluate_any)
-            self.own.fill(statement.target, items)
+            items = yield from self.program_values.items(value, number, self.evaluate_any)
+            self.program_values.fill(statement.target, items)
             return
         if isinstance(value, tree.Variable):
             found = resolve_whole(value, self.surroundings.names)
@@ -114,10 +114,10 @@ class Values(Reading):
                 self.fail(TEXT_INSTEAD_OF_NUMBER, target.span, name="P")
             self.state.parameters[self._parameter(target)] = value
             return
-        if is_own(target):
+        if is_program_variable(target):
             for index in indices_of(target):
                 yield from self._fetch(index, number)
-            self.own.write(target, value)
+            self.program_values.write(target, value)
             return
         if target.family in SYSTEM_FAMILIES:
             yield from self._write_system(target, value, number)

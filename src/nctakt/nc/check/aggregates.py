@@ -52,7 +52,7 @@ class AssignmentChecks(Protocol):
         """Return whether the constant indices are inside the array; report those that are not."""
 
 
-class WholeChecker:
+class AggregateChecker:
     """Beside ``values``, which checks everything else of an assignment."""
 
     def __init__(
@@ -63,7 +63,7 @@ class WholeChecker:
         self._findings = findings
         self._in_cycle = in_cycle
 
-    def names_one(self, variable: Variable) -> bool:
+    def is_aggregate(self, variable: Variable) -> bool:
         """Whether a variable names a structure or a whole array."""
         return self._find(variable) is not None
 

@@ -39,7 +39,7 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.hash_commands import CommandChecker
 from nctakt.nc.check.macros import MacroPlaces
 from nctakt.nc.check.path_commands import check_path_command
-from nctakt.nc.check.program_variables import OwnChecker
+from nctakt.nc.check.program_variables import ProgramVariableChecker
 from nctakt.nc.check.realtime_cycles import CycleChecker
 from nctakt.nc.check.realtime_loops import LoopChecker
 from nctakt.nc.check.user_errors import UserErrorChecker
@@ -109,7 +109,7 @@ class Checker:
         )
         self._realtime_loops = LoopChecker(channel, names, self._findings, self.statement)
         self._calls = CallChecker(self._words, self._values, self._findings)
-        self._own = OwnChecker(self._values, self._findings)
+        self._program_variables = ProgramVariableChecker(self._values, self._findings)
         self._commands = CommandChecker(self._values, self._findings)
         self._macros = MacroPlaces(names, self._macro)
         self._loops = 0
@@ -293,7 +293,7 @@ class Checker:
             case MacroDefinition():
                 self._findings.macros.add(statement.name)  # its text: where it is used
             case VariableDeclarations():
-                self._own.declarations(statement)
+                self._program_variables.declarations(statement)
             case Timer():
                 self._commands.timer(statement)
             case UserError():
@@ -320,7 +320,7 @@ class Checker:
         elif check_system(command, self._values, self._findings):
             return
         elif words == ["DELETE"]:
-            self._own.delete(command)
+            self._program_variables.delete(command)
         elif self._commands.command(command, words):
             pass
         elif entry.support is Support.SIMULATED:

@@ -38,7 +38,7 @@ from nctakt.messages.memory import (
     OPERATOR_WITH_TEXT,
     TEXT_INSTEAD_OF_NUMBER,
 )
-from nctakt.nc.check.aggregates import WholeChecker
+from nctakt.nc.check.aggregates import AggregateChecker
 from nctakt.nc.check.cost import is_live
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.missing_names import MissingNames
@@ -61,7 +61,7 @@ from nctakt.nc.vocabulary.entries import Support
 from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS
 from nctakt.nc.vocabulary.resolution import (
     indices_of,
-    is_own,
+    is_program_variable,
     is_text,
     may_be_text,
     path_text,
@@ -98,7 +98,7 @@ class ValueChecker:
         self._missing = MissingNames(names, axes, findings)
         self._findings = findings
         self._in_cycle = in_cycle
-        self._wholes = WholeChecker(self, names, findings, in_cycle=in_cycle)
+        self._aggregates = AggregateChecker(self, names, findings, in_cycle=in_cycle)
 
     # --- expressions -----------------------------------------------------------------------------
 
@@ -271,8 +271,8 @@ class ValueChecker:
 
     def read(self, variable: Variable, *, text: bool = False) -> None:
         """A variable whose value is needed, as a number or as a text."""
-        if is_own(variable):
-            self._own(variable)
+        if is_program_variable(variable):
+            self._program_variable(variable)
             return
         system = system_variable(variable, self._axes)
         if system is not None:
@@ -297,11 +297,11 @@ class ValueChecker:
             if self._in_cycle:
                 self._asynchronous(target)
             return
-        if is_own(target):
+        if is_program_variable(target):
             if self._in_cycle:
                 self._asynchronous(target)
             else:
-                self._own(target)
+                self._program_variable(target)
             return
         entry = support_level.variable_family(target.family)
         if self._in_cycle and entry is not None and entry.support is Support.REFUSED:
@@ -320,7 +320,7 @@ class ValueChecker:
         elif self._in_cycle and not (location.synchronous or target.synchronous):
             self._findings.report(ASYNCHRONOUS_WRITE_IN_CYCLE, target.span, name=location.name)
 
-    def _own(self, variable: Variable) -> None:
+    def _program_variable(self, variable: Variable) -> None:
         """V.P, V.S, V.L, V.CYC: whether it exists only the run shows."""
         for index in indices_of(variable):
             self.value(index)
@@ -338,8 +338,8 @@ class ValueChecker:
         self.line(target, value)
         if isinstance(value, ArrayLiteral):
             self._list_of_values(target, value)
-        elif isinstance(value, Variable) and self._wholes.names_one(value):
-            self._wholes.copy(statement, value)
+        elif isinstance(value, Variable) and self._aggregates.is_aggregate(value):
+            self._aggregates.copy(statement, value)
         elif isinstance(target, Variable) and self.is_text(target):
             self._assigned_text(statement, target)
         else:
@@ -372,8 +372,8 @@ class ValueChecker:
         if self._in_cycle:
             name = path_text(target) if isinstance(target, Variable) else "P"
             self._findings.report(VALUE_LIST_IN_CYCLE, value.span, name=name)
-        elif isinstance(target, Variable) and is_own(target):
-            self._own(target)
+        elif isinstance(target, Variable) and is_program_variable(target):
+            self._program_variable(target)
             self.list_items(value)
         else:
             self._findings.report_support(support_level.form("[1, 2]"), value.span)

@@ -27,7 +27,12 @@ from nctakt.nc.tree import (
     VariableDeclarations,
 )
 from nctakt.nc.vocabulary.command_forms import forms_of
-from nctakt.nc.vocabulary.resolution import OWN_FAMILIES, indices_of, is_own, path_text
+from nctakt.nc.vocabulary.resolution import (
+    PROGRAM_FAMILIES,
+    indices_of,
+    is_program_variable,
+    path_text,
+)
 
 #: What a declaration may say: name -> type. REAL is short for REAL64.
 TYPES = {
@@ -37,7 +42,7 @@ TYPES = {
 }
 
 
-class OwnChecker:
+class ProgramVariableChecker:
     """Checks the declarations of one program."""
 
     def __init__(self, values: ValueChecker, findings: Findings) -> None:
@@ -51,8 +56,8 @@ class OwnChecker:
 
     def _declaration(self, declaration: Declaration) -> None:
         variable = declaration.variable
-        if not is_own(variable):
-            self._no_own(variable)
+        if not is_program_variable(variable):
+            self._report_no_program_variable(variable)
             return
         self._values.write(variable)
         for index in indices_of(variable):
@@ -72,9 +77,9 @@ class OwnChecker:
         elif declaration.initial is not None:
             self._values.any_value(declaration.initial)
 
-    def _no_own(self, node: Node) -> None:
+    def _report_no_program_variable(self, node: Node) -> None:
         word = self._findings.written(node.span)
-        families = ", ".join(f"V.{family}" for family in OWN_FAMILIES)
+        families = ", ".join(f"V.{family}" for family in PROGRAM_FAMILIES)
         self._findings.report(NOT_A_PROGRAM_VARIABLE, node.span, word=word, families=families)
 
     def delete(self, command: HashCommand) -> None:
@@ -85,5 +90,5 @@ class OwnChecker:
                 INVALID_COMMAND_FORM, command.span, command="#DELETE", forms=forms
             )
         for argument in command.arguments:
-            if not isinstance(argument, Variable) or not is_own(argument):
-                self._no_own(argument)
+            if not isinstance(argument, Variable) or not is_program_variable(argument):
+                self._report_no_program_variable(argument)

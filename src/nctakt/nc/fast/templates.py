@@ -46,7 +46,7 @@ from nctakt.nc.tree import (
     Word,
 )
 from nctakt.nc.vocabulary.operators import FUNCTIONS
-from nctakt.nc.vocabulary.resolution import OWN_FAMILIES
+from nctakt.nc.vocabulary.resolution import PROGRAM_FAMILIES
 
 _Node = TypeVar("_Node", bound=Expression)
 
@@ -376,7 +376,7 @@ def _is_template_value(expression: Expression) -> bool:
             return True
         case Variable():
             is_single = not any(part.indices for part in expression.parts)
-            return expression.family in OWN_FAMILIES and is_single and bool(expression.parts)
+            return expression.family in PROGRAM_FAMILIES and is_single and bool(expression.parts)
         case Parameter():
             return not expression.call and isinstance(expression.index, Number)
         case Unary():

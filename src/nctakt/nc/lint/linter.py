@@ -31,7 +31,7 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
 from nctakt.nc.lint.channel_flush import ChannelUse
 from nctakt.nc.lint.realtime_cycles import Budget, CycleLinter, Known
-from nctakt.nc.lint.uses import element_text, place_text, whole
+from nctakt.nc.lint.uses import element_text, integer_value, place_text
 from nctakt.nc.parse.open_structures import is_false
 from nctakt.nc.source import Source
 from nctakt.nc.tree import (
@@ -301,7 +301,7 @@ class Linter:
         if isinstance(value, Parameter):
             known = self._state.known.get(place_text(value))
             return None if known is None or not isfinite(known.value) else int(known.value)
-        return whole(value)
+        return integer_value(value)
 
     # --- tool radius compensation ----------------------------------------------------------------
 

@@ -268,7 +268,7 @@ class CycleLinter:
             self._exact(left, right)
 
     def _range(self, comparison: Binary, variable: Variable, operator: str, value: float) -> None:
-        """A whole number that its type lets never, or always, fulfil the comparison."""
+        """A integer_value number that its type lets never, or always, fulfil the comparison."""
         found = resolve(variable, self._names)
         if not isinstance(found, Location) or not is_live(variable, self._names):
             return

@@ -30,8 +30,8 @@ from nctakt.nc.vocabulary.variable_table import NameTable
 COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
 
 
-def whole(expression: Expression | None) -> int | None:
-    """The value of a constant as a whole number; ``None`` for anything else."""
+def integer_value(expression: Expression | None) -> int | None:
+    """The value of a constant as a integer_value number; ``None`` for anything else."""
     if not isinstance(expression, Number) or not isfinite(expression.value):
         return None
     return int(expression.value)
@@ -52,7 +52,7 @@ def place_text(place: Variable | Parameter) -> str:
     """A variable or parameter as a key; with ``[]`` in it where an index is computed."""
     if isinstance(place, Variable):
         return element_text(place)
-    number = whole(place.index)
+    number = integer_value(place.index)
     return "P[]" if number is None else f"P[{number}]"
 
 
@@ -104,7 +104,7 @@ def comparisons_in(expression: Expression) -> Iterator[Binary]:
 
 
 def always(operator: str, value: float, low: float, high: float) -> bool | None:
-    """Whether all whole numbers from ``low`` to ``high``, or none of them, fulfil it."""
+    """Whether all integer_value numbers from ``low`` to ``high``, or none of them, fulfil it."""
     if operator in ("==", "!="):
         possible = low <= value <= high and value == int(value)
         return None if possible else operator == "!="

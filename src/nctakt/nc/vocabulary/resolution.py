@@ -36,15 +36,15 @@ def resolve_whole(variable: Variable, names: NameTable) -> Whole | NotFound:
 
 
 #: Families of variables that programs make themselves.
-OWN_FAMILIES = ("P", "S", "L", "CYC")
+PROGRAM_FAMILIES = ("P", "S", "L", "CYC")
 
 
-def is_own(expression: Expression) -> bool:
+def is_program_variable(expression: Expression) -> bool:
     """Whether it is a variable that a program makes itself: what it is only the run shows."""
-    return isinstance(expression, Variable) and expression.family in OWN_FAMILIES
+    return isinstance(expression, Variable) and expression.family in PROGRAM_FAMILIES
 
 
-def own_path(variable: Variable) -> str:
+def bare_name(variable: Variable) -> str:
     """The name of such a variable without its family and its indices."""
     return ".".join(part.name for part in variable.parts)
 
@@ -56,7 +56,7 @@ def may_be_text(expression: Expression) -> bool:
             return expression.call
         case Binary(operator="+"):
             return may_be_text(expression.left) and may_be_text(expression.right)
-    return is_own(expression)
+    return is_program_variable(expression)
 
 
 def is_text(expression: Expression, names: NameTable) -> bool:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from nctakt.nc.tree import Expression, Part, Variable
-from nctakt.nc.vocabulary.resolution import is_own
+from nctakt.nc.vocabulary.resolution import is_program_variable
 from nctakt.nc.vocabulary.system_names import BY_PATH
 
 SYSTEM_FAMILIES = ("G", "A")
@@ -116,4 +116,4 @@ def _of_tools(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
 
 def is_decoder_data(variable: Variable) -> bool:
     """Whether only the decoder knows the variable: a realtime cycle gets it as a constant."""
-    return is_own(variable) or variable.family in SYSTEM_FAMILIES
+    return is_program_variable(variable) or variable.family in SYSTEM_FAMILIES

@@ -47,7 +47,7 @@ LINES = 1_000_000
 ORDINARY_SHARE = 5
 
 #: No program takes longer, in virtual time.
-LONGEST_US = 100_000 * 1_000_000
+LONGEST = "100000 s"
 
 #: Commands that the queue holds while a program is only decoded.
 QUEUE = 200
@@ -264,7 +264,7 @@ def decode(controller: Controller, loaded: LoadedProgram) -> None:
 
 def run(path: Path) -> None:
     """Run a program to its end."""
-    found = Controller().run(path, until_us=LONGEST_US, memory_trace=False)
+    found = Controller().run(path, until=LONGEST, memory_trace=False)
     assert found.state == "ended", [one.headline() for one in found.diagnostics]
 
 

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """A cell's PLC: ``nctakt run examples/crossing.nc --plc examples/cell_plc.py``."""
 
-from nctakt.plc import Plc, after, at, on, when
+from nctakt import Plc, after, at, on, when
 
 
 class Cell(Plc):
     """Acknowledges after 20 ticks; values at times from cell_inputs.csv."""
 
-    acknowledge = after(20)
+    acknowledge = after("20 ticks")
     inputs = "cell_inputs.csv"
 
     @at("0.5s")

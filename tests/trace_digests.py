@@ -24,7 +24,6 @@ from nctakt.base import mode  # noqa: E402
 from nctakt.lists.machine.machine import load_machine  # noqa: E402
 from nctakt.plc import load_plc  # noqa: E402
 from nctakt.run.controller import Controller, NcText  # noqa: E402
-from nctakt.run.stimuli import Stimulus  # noqa: E402
 from nctakt.trace.sinks import CsvSink  # noqa: E402
 
 SEEDS = range(30)
@@ -51,9 +50,9 @@ def folder_trace(name: str, work: Path) -> bytes:
     Controller(lists or DEMO).run(
         *sorted(folder.glob("*.nc")),
         plc=None if plc is None else load_plc(folder / plc),
-        initial=given.get("set", {}),
-        stimuli=[Stimulus(*stimulus) for stimulus in given.get("at", ())],
-        after_us=given.get("after_us", 0),
+        set=given.get("set", {}),
+        at=[tuple(stimulus) for stimulus in given.get("at", ())],
+        after=given.get("after", 0),
         ticks=given.get("ticks"),
         sinks=[CsvSink(file)],
         memory_trace=False,

@@ -1,12 +1,12 @@
 """The clamp of the cell: it takes 50 ms, and says so in V.E.CONDITION."""
 
-from nctakt.plc import Plc, after, on
+from nctakt import Plc, after, on
 
 
 class Clamp(Plc):
-    """Acknowledges each function 50 ticks later."""
+    """Acknowledges each function 50 ms later."""
 
-    acknowledge = after(50)
+    acknowledge = after("50 ms")
 
     @on("M111")
     def close(self, hli, function):

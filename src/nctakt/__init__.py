@@ -1,4 +1,115 @@
 # SPDX-License-Identifier: MIT
-"""nctakt: a virtual CNC controller that runs NC programs with realtime cycles tick by tick."""
+"""nctakt: a virtual CNC controller that runs NC programs with realtime cycles tick by tick.
+
+    from nctakt import Controller, NcText
+
+    program = NcText("part.nc", '''
+    #RT CYCLE [ID=1 SCOPE=PROG]
+      $IF ONCE V.RTA.ACS.ACT_POS.X > 40
+        M100
+      $ENDIF
+    #RT CYCLE END
+    G01 X100 F6000
+    M30
+    ''')
+    controller = Controller()  # the built-in machine; Controller("folder") is that of a folder
+    run = controller.run(program, set={"V.E.VALUE": 5}, at=[("20 ms", "V.E.TRIGGER", 1)])
+    print(run.state, run.technology[0])
+
+Programs and what comes of them
+    ``Controller``         one machine: runs programs, or goes tick by tick
+    ``NcText``             a program given as text
+    ``Stimulus``           a variable that gets a value at a time of a run
+    ``Run``                the result of a run
+    ``Diagnostic``         a finding: number, place, text, remedy
+    ``Failure``            raised for what cannot be used; carries diagnostics
+
+Machines
+    ``load_machine``       the folder with the lists of a machine -> ``Machine``
+    ``Machine``            what the lists say, immutable; ``Controller(machine)`` builds it
+
+The PLC on the other side of the interface
+    ``Plc``                to derive from; methods are marked with ``at``, ``on``, ``when``
+    ``at``                 call a method at a time of the run
+    ``on``                 call a method with each of these functions: ``@on("M100")``
+    ``when``               call a method each time that a condition becomes true
+    ``after``              acknowledge functions late: ``acknowledge = after("20 ms")``
+
+Scheduling lists (rtconf.lis)
+    ``open_schedule``      a list and its load -> what gives a controller its time
+    ``simulate_schedule``  simulate it without a controller
+
+A time is a text with a unit (``"1.5 s"``, ``"20 ms"``, ``"1500us"``, ``"2 min"``, ``"1 h"``,
+``"300 ticks"``), a number of seconds or a ``datetime.timedelta``; a name that ends in ``_us``
+holds microseconds. Tests with pytest use the fixtures ``machine``, ``controller`` and ``run_nc``.
+
+These names, those of ``nctakt.plc`` (function blocks such as ``MC_MoveAbsolute``) and of
+``nctakt.hli`` (the interface byte by byte) are public. Everything else is private to the project
+and may move or change at any time.
+"""
+
+TYPE_CHECKING = False  # type checkers know better, and importing typing takes longer than this
+if TYPE_CHECKING:
+    from nctakt.base.diagnostics import Diagnostic
+    from nctakt.base.failure import Failure
+    from nctakt.lists.machine.machine import Machine, load_machine
+    from nctakt.plc.policies import after
+    from nctakt.plc.script import Plc, at, on, when
+    from nctakt.results.run import Run
+    from nctakt.run.controller import Controller
+    from nctakt.run.program_loader import NcText
+    from nctakt.run.stimuli import Stimulus
+    from nctakt.schedule.open_schedule import open_schedule, simulate_schedule
 
 __version__ = "0.1.0"
+
+__all__ = [
+    "Controller",
+    "Diagnostic",
+    "Failure",
+    "Machine",
+    "NcText",
+    "Plc",
+    "Run",
+    "Stimulus",
+    "after",
+    "at",
+    "load_machine",
+    "on",
+    "open_schedule",
+    "simulate_schedule",
+    "when",
+]
+
+#: The module of each public name; it is imported when the name is first used.
+_MODULES = {
+    "Controller": "nctakt.run.controller",
+    "Diagnostic": "nctakt.base.diagnostics",
+    "Failure": "nctakt.base.failure",
+    "Machine": "nctakt.lists.machine.machine",
+    "NcText": "nctakt.run.program_loader",
+    "Plc": "nctakt.plc.script",
+    "Run": "nctakt.results.run",
+    "Stimulus": "nctakt.run.stimuli",
+    "after": "nctakt.plc.policies",
+    "at": "nctakt.plc.script",
+    "load_machine": "nctakt.lists.machine.machine",
+    "on": "nctakt.plc.script",
+    "open_schedule": "nctakt.schedule.open_schedule",
+    "simulate_schedule": "nctakt.schedule.open_schedule",
+    "when": "nctakt.plc.script",
+}
+
+
+def __getattr__(name: str) -> object:
+    if name not in _MODULES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module  # noqa: PLC0415 - nothing is loaded before it is needed
+
+    value: object = getattr(import_module(_MODULES[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

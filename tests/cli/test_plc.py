@@ -154,16 +154,16 @@ class Plc:
 def test_what_we_refuse_the_plc_is_told_with_its_remedy(tmp_path: Path) -> None:
     """A wrong name in the PLC's file shows the user's line and our diagnostic, not our files."""
     text = """
-from nctakt.run.stimuli import parse_time
+from nctakt.lists.format.times import read_time
 class Plc:
     def cycle(self, hli):
-        parse_time("soon")
+        read_time("soon")
 """
     plc = load_plc(write(tmp_path, text))
     with pytest.raises(PlcError) as failure:
         plc.cycle(cast("Interface", Hli()))
     found, ours = failure.value.diagnostics
     assert (found.id, ours.id) == (900523, 900510)
-    assert found.text().endswith('parse_time("soon")')
-    assert "stimuli.py" not in found.text()
-    assert "'soon' is no time" in found.text()
+    assert found.text().endswith('read_time("soon")')
+    assert "times.py" not in found.text()
+    assert "'soon' is not a time" in found.text()

@@ -19,6 +19,7 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.cli import main
+from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import RUNNING_UNCOMPILED
 from nctakt.messages.files import STDIN_NAMED_TWICE
@@ -106,7 +107,7 @@ def part(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.mark.usefixtures("part")
 def test_words_become_a_request(asked: Asked, tmp_path: Path) -> None:
-    """Each option reaches the controller in its own units."""
+    """Each option reaches the controller under its own name."""
     (tmp_path / "machine").mkdir()
     words = "run part.nc part.nc --machine machine --set V.E.A=5 --set V.E.B=TRUE"
     words += " --at 1.5ms V.E.A=-1 --at 2 V.E.B=0 --ticks 7 --until 3s --after 10ms"
@@ -116,11 +117,11 @@ def test_words_become_a_request(asked: Asked, tmp_path: Path) -> None:
     assert asked.programs == (Path("part.nc"), Path("part.nc"))
     expected = {
         "plc": None,
-        "until_us": 3_000_000,
+        "until": Time(3_000_000),
         "ticks": 7,
-        "after_us": 10_000,
-        "initial": {"V.E.A": 5.0, "V.E.B": 1.0},
-        "stimuli": (Stimulus(1500, "V.E.A", -1.0), Stimulus(2_000_000, "V.E.B", 0.0)),
+        "after": Time(10_000),
+        "set": {"V.E.A": 5.0, "V.E.B": 1.0},
+        "at": (Stimulus("1.5 ms", "V.E.A", -1.0), Stimulus("2 s", "V.E.B", 0.0)),
         "signals": ("X.ACS.ACT_POS", "V.E.M[1,2]"),
         "memory_trace": False,
     }
@@ -133,7 +134,7 @@ def test_without_options_the_controller_chooses(asked: Asked) -> None:
     assert main(["run", "part.nc"]) == 0
     assert asked.machine is None
     assert asked.options["signals"] is None
-    assert asked.options["until_us"] is None
+    assert asked.options["until"] is None
     assert asked.options["ticks"] is None
     assert asked.options["sinks"] == []
 

@@ -1,60 +1,36 @@
 # SPDX-License-Identifier: MIT
-"""Times and assignments from the command line."""
+"""Values at times: from Python, and from the words of the command line."""
 
 import pytest
 
 from nctakt.base.failure import Failure
-from nctakt.run.stimuli import Stimulus, parse_assignment, parse_stimulus, parse_time
+from nctakt.lists.format.times import Time
+from nctakt.run.stimuli import Stimulus, parse_assignment, parse_stimulus, read_stimulus
+
+
+def test_a_number_alone_means_seconds() -> None:
+    """One second, whichever way it is given."""
+    assert Stimulus(1.0, "V.E.X", 5) == Stimulus("1s", "V.E.X", 5) == Stimulus(1, "V.E.X", 5)
+    assert Stimulus(1.0, "V.E.X", 5).time == Time(1_000_000)
+
+
+def test_a_tuple_is_a_stimulus() -> None:
+    """Time, name and value; a stimulus stays what it is."""
+    stimulus = read_stimulus(("1s", "V.E.X", 5))
+    assert stimulus == Stimulus("1s", "V.E.X", 5)
+    assert read_stimulus(stimulus) is stimulus
 
 
 @pytest.mark.parametrize(
-    ("text", "time_us"),
-    [
-        ("0", 0),
-        ("1500us", 1500),
-        ("1500 us", 1500),
-        ("1500µs", 1500),
-        ("1.5ms", 1500),
-        ("0.2s", 200_000),
-        ("0.2", 200_000),
-        (".2", 200_000),
-        ("3.", 3_000_000),
-        ("2min", 120_000_000),
-        ("0.0000001", 1),
-        ("0.1us", 1),
-        ("1.001ms", 1001),
-        ("999999999999s", 999_999_999_999_000_000),
-        (" 1s ", 1_000_000),
-    ],
+    "value", ["1s V.E.X=5", ("1s", "V.E.X"), ("1s", 5, "V.E.X"), {"1s": {"V.E.X": 5}}, None, 1.0]
 )
-def test_times_are_exact_and_round_up(text: str, time_us: int) -> None:
-    """A time is whole microseconds; a part of one is rounded up, as no tick begins within it."""
-    assert parse_time(text) == time_us
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "",
-        "s",
-        "-1s",
-        "1 h",
-        "1e3",
-        "nan",
-        "1,5ms",
-        "1.5.2s",
-        "1S",
-        "1ms 2us",
-        "1" * 13,
-        "1_0s",
-        "٣s",
-    ],
-)
-def test_what_is_no_time_is_a_diagnostic(text: str) -> None:
-    """Other words, signs, exponents and units are refused by number."""
+def test_what_is_no_stimulus_is_a_diagnostic(value: object) -> None:
+    """900514 with the form that is meant."""
     with pytest.raises(Failure) as failure:
-        parse_time(text)
-    assert [found.id for found in failure.value.diagnostics] == [900510]
+        read_stimulus(value)  # type: ignore[arg-type]
+    (diagnostic,) = failure.value.diagnostics
+    assert diagnostic.id == 900514
+    assert '("20 ms", "V.E.DOOR", 1)' in diagnostic.render()
 
 
 @pytest.mark.parametrize(
@@ -98,4 +74,4 @@ def test_what_is_no_assignment_is_a_diagnostic(text: str, number: int) -> None:
 
 def test_a_stimulus_has_a_time_and_an_assignment() -> None:
     """``--at 1.5ms V.E.VALUE=-1`` sets the variable at 1500 µs."""
-    assert parse_stimulus("1.5ms", "V.E.VALUE=-1") == Stimulus(1500, "V.E.VALUE", -1.0)
+    assert parse_stimulus("1.5ms", "V.E.VALUE=-1") == Stimulus("1.5 ms", "V.E.VALUE", -1.0)

@@ -52,8 +52,8 @@ def test_the_report_follows_how_the_run_ended(capsys: pytest.CaptureFixture[str]
 
 
 def test_a_value_at_a_time_changes_the_report(capsys: pytest.CaptureFixture[str]) -> None:
-    """``--when``, ``--cycle`` and ``--line``: line 6 belongs to the ``$IF`` in line 5."""
-    words = ["why", "part.nc", "--cycle", "17", "--line", "6", "--when", "0.1", "V.E.TRIGGER=1"]
+    """``--at``, ``--cycle`` and ``--line``: line 6 belongs to the ``$IF`` in line 5."""
+    words = ["why", "part.nc", "--cycle", "17", "--line", "6", "--at", "0.1", "V.E.TRIGGER=1"]
     assert main(words) == 0
     shown = capsys.readouterr().out
     assert "body ran once, in tick 100 (0.1 s)" in shown
@@ -61,8 +61,8 @@ def test_a_value_at_a_time_changes_the_report(capsys: pytest.CaptureFixture[str]
 
 
 def test_how_everything_stood_at_a_time(capsys: pytest.CaptureFixture[str]) -> None:
-    """``--at``: tick 463 holds 463.9 ms; the run goes no further, whatever ``--ticks`` says."""
-    assert main(["why", "part.nc", "--at", "463.9ms", "--ticks", "9999", "--line", "2"]) == 0
+    """``--state``: tick 463 holds 463.9 ms; the run goes no further, whatever ``--ticks`` says."""
+    assert main(["why", "part.nc", "--state", "463.9ms", "--ticks", "9999", "--line", "2"]) == 0
     assert capsys.readouterr().out == (
         "tick 463 (0.463 s)\n"
         "\n"
@@ -119,10 +119,10 @@ def test_a_program_that_cannot_run_has_no_report(capsys: pytest.CaptureFixture[s
     [
         ("part.nc --cycle 18", 900574),
         ("part.nc --line 11", 900575),
-        ("part.nc --at 2", 900576),
-        ("part.nc --at soon", 900510),
+        ("part.nc --state 2", 900576),
+        ("part.nc --state soon", 900510),
         ("missing.nc", 900500),
-        ("part.nc --when 1 V.E.TRIGER=1", 900541),
+        ("part.nc --at 1 V.E.TRIGER=1", 900541),
     ],
 )
 def test_wrong_words_are_wrong_usage(

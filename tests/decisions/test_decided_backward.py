@@ -38,11 +38,9 @@ def perform(
     text: str, *changes: tuple[int, float], machine: Path | None = None, **others: float
 ) -> Run:
     """A run with backward motion switched at these ticks, and other values of ``name=tick``."""
-    stimuli = [Stimulus(1000 * tick, "HLI.BACKWARD_MOTION", value) for tick, value in changes]
-    stimuli += [Stimulus(1000 * int(tick), f"HLI.{name}", 1.0) for name, tick in others.items()]
-    run = Controller(machine).run(
-        NcText("p.nc", text), signals=SIGNALS, stimuli=stimuli, ticks=3000
-    )
+    stimuli = [Stimulus(f"{tick} ms", "HLI.BACKWARD_MOTION", value) for tick, value in changes]
+    stimuli += [Stimulus(f"{int(tick)} ms", f"HLI.{name}", 1.0) for name, tick in others.items()]
+    run = Controller(machine).run(NcText("p.nc", text), signals=SIGNALS, at=stimuli, ticks=3000)
     assert run.trace is not None
     return run
 
@@ -186,10 +184,10 @@ def test_an_axis_that_is_taken_in_front_of_its_block_does_not_stop_the_walk_in_a
         "N10 G01 X20 Y0.02 F6000\nN20 G01 X60\nM30"
     )
     stimuli = [
-        Stimulus(500_000, "HLI.BACKWARD_MOTION", 1.0),
-        Stimulus(500_000, "V.E.VALUE", 1.0),
+        Stimulus("500 ms", "HLI.BACKWARD_MOTION", 1.0),
+        Stimulus("500 ms", "V.E.VALUE", 1.0),
     ]
-    run = Controller().run(NcText("p.nc", text), signals=SIGNALS, stimuli=stimuli, ticks=2000)
+    run = Controller().run(NcText("p.nc", text), signals=SIGNALS, at=stimuli, ticks=2000)
     assert [number for number in numbers(run) if number != 900820] == found
     assert run.trace is not None
     path = np.asarray(run.trace["X.ACS.ACT_POS"])

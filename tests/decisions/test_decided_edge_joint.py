@@ -11,7 +11,7 @@ from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller
 from nctakt.run.stimuli import Stimulus
 
-PROBE = [Stimulus(500_000, "HLI.PROBE", 1.0)]
+PROBE = [Stimulus("500 ms", "HLI.PROBE", 1.0)]
 BLOCK = "G108\nG01 X100 F6000 M116\n"
 
 
@@ -35,7 +35,7 @@ def test_a_block_that_finds_no_edge_is_an_error() -> None:
 def test_a_joint_behind_the_end_is_that_of_the_end() -> None:
     """The residual path is longer than the block: its function goes out at its end."""
     controller = machine(80.0)
-    run = perform(f"{BLOCK}G00 X110\nM30", controller, stimuli=PROBE)
+    run = perform(f"{BLOCK}G00 X110\nM30", controller, at=PROBE)
     assert run.state == "ended", run.diagnostics
     assert told(run, "output") == ["1025 output m 116"]
     assert controller.read("V.RTG.MEAS_DELTA") == 100.0 - 48.75 - 80.0
@@ -43,10 +43,10 @@ def test_a_joint_behind_the_end_is_that_of_the_end() -> None:
 
 def test_measuring_is_over_with_its_block_and_with_g107() -> None:
     """G108 counts for one block with a function of its type; G107 takes it back."""
-    run = perform(f"{BLOCK}G01 X50 M116\nM30", machine(5.0), stimuli=PROBE)
+    run = perform(f"{BLOCK}G01 X50 M116\nM30", machine(5.0), at=PROBE)
     assert run.state == "ended", run.diagnostics
     assert len(told(run, "probe")) == 1
-    run = perform("G108\nG107\nG01 X100 F6000 M116\nM30", stimuli=PROBE)
+    run = perform("G108\nG107\nG01 X100 F6000 M116\nM30", at=PROBE)
     assert run.state == "ended"
     assert told(run, "probe") == []
 
@@ -60,7 +60,7 @@ def test_the_program_reads_and_writes_the_delta() -> None:
     """V.RTG.MEAS_DELTA keeps its value until the next edge, or until the program writes it."""
     controller = machine(5.0)
     text = f"{BLOCK}V.E.VALUE = V.RTG.MEAS_DELTA\nV.RTG.MEAS_DELTA = 1.5\nM30"
-    run = perform(text, controller, stimuli=PROBE)
+    run = perform(text, controller, at=PROBE)
     assert run.state == "ended"
     assert controller.read("V.E.VALUE") == 46.25
     assert controller.read("V.RTG.MEAS_DELTA") == 1.5
@@ -69,7 +69,7 @@ def test_the_program_reads_and_writes_the_delta() -> None:
 def test_a_reset_ends_the_measuring() -> None:
     """Nothing is looked for any more."""
     controller = machine(5.0)
-    perform(f"{BLOCK}M30", controller, stimuli=[Stimulus(300_000, "HLI.RESET", 1.0)])
-    run = perform("G00 X60\nM30", controller, stimuli=PROBE)
+    perform(f"{BLOCK}M30", controller, at=[Stimulus("300 ms", "HLI.RESET", 1.0)])
+    run = perform("G00 X60\nM30", controller, at=PROBE)
     assert run.state == "ended"
     assert told(run, "probe") == []

@@ -48,7 +48,7 @@ def test_a_spindle_that_comes_to_its_position_is_waited_for() -> None:
 
 def test_after_counts_behind_an_error_too() -> None:
     """The machine goes on for ``--after`` behind the tick that the cycles have had."""
-    run = perform("#RT CYCLE HOLD [ID=9]\nM30", after_us=5000)
+    run = perform("#RT CYCLE HOLD [ID=9]\nM30", after="5 ms")
     assert (run.state, run.ticks, numbers(run)) == ("error", 7, [50858])
 
 

@@ -19,7 +19,7 @@ def test_a_definition_without_scope_lives_as_long_as_its_program() -> None:
     """RC-104: SCOPE omitted is PROG, neither one block nor forever."""
     run = perform(
         "#RT CYCLE [ID=1]\nV.E.COUNT += 1\n#RT CYCLE END\n#TIME 0.003\n#TIME 0.002\nM30",
-        after_us=5000,
+        after="5 ms",
     )
     assert told(run, "created", "ended", "end") == [
         "0 created 1 PROG",

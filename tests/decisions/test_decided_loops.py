@@ -67,7 +67,7 @@ def test_a_loop_goes_on_until_its_condition_is_taken_away() -> None:
         "#RT CYCLE [ID = 1 SCOPE = GLOBAL]\nV.RTG.LOOP.ENABLED = V.E.VALUE < 1\n#RT CYCLE END\n"
         f"#TIME 0.01\nG01 F6000\n{CIRCLE}M30"
     )
-    run = perform(text, signals=SIGNALS, stimuli=[Stimulus(5_000_000, "V.E.VALUE", 1.0)])
+    run = perform(text, signals=SIGNALS, at=[Stimulus("5 s", "V.E.VALUE", 1.0)])
     assert run.state == "ended"
     assert run.trace is not None
     assert 7 <= run.trace["LOOP.COUNT"][-1] <= 10
@@ -92,12 +92,12 @@ def test_single_block_looks_at_the_condition_behind_each_pass(
         "#RT CYCLE [ID = 1 SCOPE = GLOBAL]\nV.RTG.LOOP.ENABLED = V.E.VALUE < 1\n#RT CYCLE END\n"
         f"#TIME 0.01\n{slope}G01 F6000\n#RT WHILE\nN10 G02 I10\n#RT ENDWHILE\nM30"
     )
-    presses = [Stimulus(1_000_000 * i, "HLI.START", 1.0) for i in range(1, 8)]
+    presses = [Stimulus(i, "HLI.START", 1.0) for i in range(1, 8)]
     run = perform(
         text,
         signals=SIGNALS,
-        initial={"HLI.SINGLE_BLOCK": 1.0},
-        stimuli=[*presses, Stimulus(1000 * false_ms, "V.E.VALUE", 1.0)],
+        set={"HLI.SINGLE_BLOCK": 1.0},
+        at=[*presses, Stimulus(f"{false_ms} ms", "V.E.VALUE", 1.0)],
         ticks=8000,
     )
     assert run.state == "ended", run.diagnostics
@@ -111,10 +111,10 @@ def test_backward_motion_goes_over_the_passes() -> None:
     text = f"{COUNTED.format(count=2)}G01 F6000\n{CIRCLE}M30"
     plain = perform(text, signals=SIGNALS)
     changes = [
-        Stimulus(1_500_000, "HLI.BACKWARD_MOTION", 1.0),
-        Stimulus(2_600_000, "HLI.BACKWARD_MOTION", 0.0),
+        Stimulus("1.5 s", "HLI.BACKWARD_MOTION", 1.0),
+        Stimulus("2.6 s", "HLI.BACKWARD_MOTION", 0.0),
     ]
-    run = perform(text, signals=SIGNALS, stimuli=changes)
+    run = perform(text, signals=SIGNALS, at=changes)
     assert run.state == plain.state == "ended"
     assert run.trace is not None
     assert plain.trace is not None
@@ -166,7 +166,7 @@ def test_a_reset_leaves_the_loop() -> None:
     """Nothing of the loop is left for the next program."""
     controller = Controller()
     text = f"V.RTG.LOOP.ENABLED = TRUE\nG01 F6000\n{CIRCLE}M30"
-    perform(text, controller, stimuli=[Stimulus(900_000, "HLI.RESET", 1.0)])
+    perform(text, controller, at=[Stimulus("900 ms", "HLI.RESET", 1.0)])
     assert controller.read("HLI.INSIDE_RT_LOOP") is False
     run = perform("G00 X1\nM30", controller)
     assert run.state == "ended"

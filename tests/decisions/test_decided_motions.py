@@ -43,7 +43,7 @@ def run(program: str, **settings: object) -> Run:
 
 def _trigger(tick: int) -> Stimulus:
     """V.E.TRIGGER becomes 1 at the start of a tick."""
-    return Stimulus(tick * 1000, "V.E.TRIGGER", 1)
+    return Stimulus(f"{tick} ms", "V.E.TRIGGER", 1)
 
 
 def z(found: Run, tick: int) -> float:
@@ -99,14 +99,14 @@ def test_hold_while_the_axis_brakes_after_stop_lets_it_brake() -> None:
     """RC-111, RC-405: STOP gave the motion up in tick 200; HOLD and CONTINUE change nothing."""
     held = ("G04 0.25", "#RT CYCLE HOLD [ID=1]", "G04 0.01")
     lines = (*held, "#RT CYCLE CONTINUE [ID=1]", "G04 1")
-    found = run(sent(*lines, other="Z[INDP STOP]"), stimuli=[_trigger(200)])
+    found = run(sent(*lines, other="Z[INDP STOP]"), at=[_trigger(200)])
     assert z(found, 324) == last(found) == pytest.approx(100)
 
 
 def test_abort_action_brakes_and_the_cycle_runs_on() -> None:
     """RC-111: the target is forgotten; the cycle's second condition still is evaluated."""
     lines = ("G04 0.2", "#RT CYCLE ABORT ACTION [ID=1]", "G04 1")
-    found = run(sent(*lines, other="Z[INDP G90 POS=0]"), stimuli=[_trigger(600)])
+    found = run(sent(*lines, other="Z[INDP G90 POS=0]"), at=[_trigger(600)])
     assert z(found, 200) == pytest.approx(68.75 + 0.5 - 0.002)
     assert z(found, 599) == pytest.approx(100)
     assert z(found, 600) == pytest.approx(100 - 0.002)
@@ -197,7 +197,7 @@ def test_a_fault_aborts_the_motions_of_its_cycle_and_no_others() -> None:
 """
     program = other + sent("G04 5", end="MOVE_CONT", other="V.E.VALUE = 1 / V.E.COUNT")
     controller = Controller()
-    found = perform(program, controller, signals=SIGNALS, stimuli=[_trigger(200)])
+    found = perform(program, controller, signals=SIGNALS, at=[_trigger(200)])
     assert numbers(found) == [50879]
     assert last(found) == pytest.approx(100)
     controller.step(1000)

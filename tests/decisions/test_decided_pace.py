@@ -108,7 +108,7 @@ def test_the_limit_of_the_override_leaves_the_program_its_own() -> None:
 
     A feed with an override is as good as another feed.
     """
-    run = moved("#OVERRIDE [FEED_FACT=150]\nG01 X50 F6000", initial={"HLI.OVERRIDE": 200.0})
+    run = moved("#OVERRIDE [FEED_FACT=150]\nG01 X50 F6000", set={"HLI.OVERRIDE": 200.0})
     assert at(run, 200, "OVERRIDE.VEL.TOTAL") == 150
     assert at(run, 200, "PATH.SPEED") == pytest.approx(150.0)
 
@@ -125,7 +125,7 @@ def test_g166_leaves_the_part_of_realtime_cycles() -> None:
         "#OVERRIDE [FEED_FACT=30]\n"
         "#RT CYCLE [SCOPE=PROG]\nV.RTG.OVERRIDE.VEL.CYCLE = 50\n#RT CYCLE END\n"
         "N10 G60 G01 X10 F6000 G166\nN20 X11",
-        initial={"HLI.OVERRIDE": 20.0},
+        set={"HLI.OVERRIDE": 20.0},
     )
     assert at(run, 100, "PATH.SPEED") == 50.0
     assert at(run, 100, "OVERRIDE.VEL.TOTAL") == 50
@@ -146,7 +146,7 @@ def test_a_block_begins_with_its_own_override(
     slope: str, first: str, second: str, speed: float
 ) -> None:
     """RC-305, MO-5: the operator's 50 % before or behind G166; the path has slowed down by then."""
-    run = moved(f"{slope}G261 G01\nN10 {first}\nN20 {second}", initial={"HLI.OVERRIDE": 50.0})
+    run = moved(f"{slope}G261 G01\nN10 {first}\nN20 {second}", set={"HLI.OVERRIDE": 50.0})
     assert run.trace is not None
     begin = list(run.trace["BLOCK"]).index(20)
     assert at(run, begin, "PATH.SPEED") == pytest.approx(speed, abs=1e-9)

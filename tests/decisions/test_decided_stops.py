@@ -18,12 +18,12 @@ def test_m00_waits_behind_the_functions_of_its_block() -> None:
 
 def test_m00_stops_a_path_that_others_pass_with_speed() -> None:
     """Rounding on: the path stands at X10 exactly, and goes on from there (MO-1)."""
-    start = Stimulus(500_000, "HLI.START", 1.0)
+    start = Stimulus("500 ms", "HLI.START", 1.0)
     program = "G261\n#CONTOUR MODE [DEV PATH_DEV=1]\nG01 F6000 X10\nM01\nX10 Y10\nM30"
     controller = Controller()
     controller.hli.optional_stop = True
     assert controller.hli.optional_stop
-    run = perform(program, controller, stimuli=[start], signals=["X.ACS.ACT_POS", "Y.ACS.ACT_POS"])
+    run = perform(program, controller, at=[start], signals=["X.ACS.ACT_POS", "Y.ACS.ACT_POS"])
     assert run.state == "ended"
     assert run.trace is not None
     assert run.trace["X.ACS.ACT_POS"][499] == 10.0
@@ -33,9 +33,9 @@ def test_m00_stops_a_path_that_others_pass_with_speed() -> None:
 
 def test_a_reset_gives_up_a_program_that_m00_has_stopped() -> None:
     """RESET is taken while the program waits; a START behind it finds nothing (RC-007)."""
-    stimuli = [Stimulus(10_000, "HLI.RESET", 1.0), Stimulus(20_000, "HLI.START", 1.0)]
+    stimuli = [Stimulus("10 ms", "HLI.RESET", 1.0), Stimulus("20 ms", "HLI.START", 1.0)]
     controller = Controller()
-    run = perform("M00\nG00 X10\nM30", controller, stimuli=stimuli)
+    run = perform("M00\nG00 X10\nM30", controller, at=stimuli)
     assert told(run) == ["0 paused line 1"]
     assert controller.read("V.RTA.ACS.ACT_POS.X") == 0.0
     assert not controller.hli.is_paused
@@ -43,5 +43,5 @@ def test_a_reset_gives_up_a_program_that_m00_has_stopped() -> None:
 
 def test_m00_and_the_end_of_the_program_in_one_block() -> None:
     """The stop comes first, whatever the order of the words."""
-    run = perform("M30 M00", stimuli=[Stimulus(5000, "HLI.START", 1.0)])
+    run = perform("M30 M00", at=[Stimulus("5 ms", "HLI.START", 1.0)])
     assert told(run) == ["0 paused line 1", "5 end part.nc"]

@@ -39,10 +39,10 @@ def test_a_path_that_waits_for_its_spindle_says_so_and_goes_on() -> None:
     3166. The path reads it in tick 3167.
     """
     stimuli = [
-        Stimulus(3_000_000, "V.E.VALUE", 1.0),
-        Stimulus(5_000_000, "V.E.VALUE", 2.0),
+        Stimulus("3 s", "V.E.VALUE", 1.0),
+        Stimulus("5 s", "V.E.VALUE", 2.0),
     ]
-    run = perform(STOPPED, stimuli=stimuli, signals=["PATH.SPEED", "X.ACS.ACT_POS"])
+    run = perform(STOPPED, at=stimuli, signals=["PATH.SPEED", "X.ACS.ACT_POS"])
     assert run.state == "ended"
     assert told(run, "warning") == ["3167 warning 900819"]
     assert run.diagnostics[-1].span is not None
@@ -54,11 +54,8 @@ def test_a_path_that_waits_for_its_spindle_says_so_and_goes_on() -> None:
 
 def test_each_standing_is_told_once() -> None:
     """The spindle stops, turns and stops again: two warnings; the limit tells what is awaited."""
-    stimuli = [
-        Stimulus(time, "V.E.VALUE", value)
-        for time, value in ((1_000_000, 1.0), (2_000_000, 2.0), (3_000_000, 1.0))
-    ]
-    run = perform(STOPPED, stimuli=stimuli, ticks=5000)
+    stimuli = [Stimulus(time, "V.E.VALUE", value) for time, value in ((1, 1.0), (2, 2.0), (3, 1.0))]
+    run = perform(STOPPED, at=stimuli, ticks=5000)
     assert (run.state, numbers(run)) == ("limit", [900819, 900819, 900820])
     assert "spindle S to turn" in run.diagnostics[-1].text("en")
 
@@ -70,9 +67,9 @@ def test_a_spindle_that_begins_to_turn_with_the_block_is_no_standing() -> None:
 
 def test_hold_and_override_are_told_in_their_own_names() -> None:
     """What the operator stops is no waiting for the spindle."""
-    held = Stimulus(1_000_000, "HLI.FEED_HOLD", 1.0)
-    stopped = Stimulus(1_500_000, "V.E.VALUE", 1.0)
-    run = perform(STOPPED, stimuli=[held, stopped], ticks=3000)
+    held = Stimulus("1 s", "HLI.FEED_HOLD", 1.0)
+    stopped = Stimulus("1.5 s", "V.E.VALUE", 1.0)
+    run = perform(STOPPED, at=[held, stopped], ticks=3000)
     assert numbers(run) == [900820]
     assert "feed hold" in run.diagnostics[-1].text("en")
 
@@ -107,7 +104,7 @@ def test_at_the_limit_a_run_says_what_it_waits_for(
     program: str, initial: dict[str, float | str], line: int, words: str
 ) -> None:
     """One note (900820) names the block and what holds it up, whatever it is."""
-    run = perform(program, initial=initial, ticks=500)
+    run = perform(program, set=initial, ticks=500)
     note = run.diagnostics[-1]
     assert (run.state, note.id) == ("limit", 900820)
     assert words in note.text("en")
@@ -129,7 +126,7 @@ def test_functions_wait_for_a_plc_that_never_acknowledges() -> None:
 
 def test_a_selected_program_waits_for_start() -> None:
     """With ``--wait-for-start`` and nobody who presses it: the note has no block."""
-    run = Controller().run(NcText("part.nc", "M30"), waits_for_start=True, ticks=10)
+    run = Controller().run(NcText("part.nc", "M30"), wait_for_start=True, ticks=10)
     assert numbers(run) == [900820]
     assert "START of the selected program" in run.diagnostics[-1].text("en")
 

@@ -323,10 +323,10 @@ def test_a_compensated_contour_is_walked_back_on_its_curve(
     segments, _ = decoded(text, monkeypatch)
     signals = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS"]
     back = [
-        Stimulus(400_000, "HLI.BACKWARD_MOTION", 1),
-        Stimulus(750_000, "HLI.BACKWARD_MOTION", 0),
+        Stimulus("400 ms", "HLI.BACKWARD_MOTION", 1),
+        Stimulus("750 ms", "HLI.BACKWARD_MOTION", 0),
     ]
-    run = Controller().run(NcText("p.nc", text + "M30\n"), signals=signals, stimuli=back)
+    run = Controller().run(NcText("p.nc", text + "M30\n"), signals=signals, at=back)
     assert run.errors == ()
     assert run.trace is not None
     places = list(zip(*(run.trace[name].tolist() for name in signals), strict=True))
@@ -403,9 +403,9 @@ def test_single_block_stops_behind_the_way_around_the_corner(slope: str) -> None
     """
     text = f"{START}F3000 G26\n{slope}N10 G41 X10 Y0\nN20 X50\nN30 Y-40\nN40 G40 X20\nM30\n"
     single = [Stimulus(0, "HLI.SINGLE_BLOCK", 1)]
-    single += [Stimulus(time, "HLI.START", 1) for time in range(1_000_000, 9_000_000, 1_000_000)]
+    single += [Stimulus(time, "HLI.START", 1) for time in range(1, 9)]
     signals = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS", "HLI.PAUSED"]
-    run = Controller().run(NcText("p.nc", text), signals=signals, stimuli=single)
+    run = Controller().run(NcText("p.nc", text), signals=signals, at=single)
     assert run.errors == ()
     assert run.trace is not None
     rows = list(zip(*(run.trace[name].tolist() for name in signals), strict=True))

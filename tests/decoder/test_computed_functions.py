@@ -101,7 +101,7 @@ def test_functions_of_the_controller_go_out_where_the_list_says_so() -> None:
     parameters = replace(channel.parameters, m_functions=own)
     controller = Controller(replace(demo, channels=(replace(channel, parameters=parameters),)))
     text = "LL SUB\nM00=1\nM30=5\n%L SUB\nM17"
-    run = controller.run(NcText("p.nc", text), stimuli=[Stimulus(3000, "HLI.START", 1.0)])
+    run = controller.run(NcText("p.nc", text), at=[Stimulus("3 ms", "HLI.START", 1.0)])
     assert [f"{event.tick} {event}" for event in run.events] == [
         "0 output m 17",
         "0 output m 0 = 1",

@@ -44,7 +44,7 @@ def perform(tree: Tree, numbers: list[float], body: str) -> tuple[Controller, li
     controller = Controller(DEMO)
     run = controller.run(
         NcText("p.nc", "\n".join([*parameters, body.replace("@", text_of(tree)), "M30"])),
-        initial={f"V.E.LIST[{k}]": number for k, number in enumerate(numbers)},
+        set={f"V.E.LIST[{k}]": number for k, number in enumerate(numbers)},
         ticks=60,
         memory_trace=False,
     )

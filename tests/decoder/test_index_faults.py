@@ -18,7 +18,7 @@ UNDEFINED = f"{INFINITE} - {INFINITE}"
 def errors_of(text: str) -> list[tuple[int, int]]:
     """Number and column of the errors of a program."""
     run = Controller(DEMO).run(
-        NcText("p.nc", f"{text}\nG00 X1\nM30"), initial={"V.E.VALUE": 1e300}, memory_trace=False
+        NcText("p.nc", f"{text}\nG00 X1\nM30"), set={"V.E.VALUE": 1e300}, memory_trace=False
     )
     assert run.state == ("error" if run.errors else "ended")
     return [(found.id, found.span.column if found.span else 0) for found in run.errors]

@@ -239,7 +239,7 @@ def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch, tmp_
     content = text(2000 + seed)
     found = []
     for _ in range(2):
-        run = Controller().run(NcText("p.nc", content), ticks=3000, skip_levels=(2,))
+        run = Controller().run(NcText("p.nc", content), ticks=3000, skip=(2,))
         assert run.trace is not None
         found.append((run.state, run.ticks, run.diagnostics, list(run.trace.events), run.messages))
         by_tree(monkeypatch)

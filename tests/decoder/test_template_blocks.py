@@ -177,7 +177,7 @@ def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch) -> N
     text = content(2000 + seed)
     found = []
     for _ in range(2):
-        run = Controller().run(NcText("p.nc", text), ticks=3000, skip_levels=(2,))
+        run = Controller().run(NcText("p.nc", text), ticks=3000, skip=(2,))
         assert run.trace is not None
         found.append((run.state, run.ticks, run.diagnostics, list(run.trace.events), run.messages))
         by_parser(monkeypatch)

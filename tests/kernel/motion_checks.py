@@ -156,7 +156,7 @@ def stop_violations(
 def run_of(number: int, text: str, stimuli: list[Stimulus] | None = None) -> Run:
     """The run of a program on a machine, to its end."""
     controller = Controller(machine(number).configuration)
-    run = controller.run(NcText("p.nc", text), signals=SIGNALS, stimuli=stimuli or [])
+    run = controller.run(NcText("p.nc", text), signals=SIGNALS, at=stimuli or [])
     assert run.state == "ended", run.diagnostics
     return run
 

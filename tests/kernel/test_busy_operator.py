@@ -64,13 +64,13 @@ def hands(chance: random.Random) -> list[Stimulus]:
             value = chance.choice((0.0, 20.0, 50.0, 90.0, 100.0, 110.0))
         else:
             value = float(chance.random() < SHARES[what])
-        found.append(Stimulus(now_ms * 1000, f"HLI.{what}", value))
+        found.append(Stimulus(f"{now_ms} ms", f"HLI.{what}", value))
         if what == "SINGLE_BLOCK":
-            found.append(Stimulus((now_ms + 30) * 1000, "HLI.START", 1.0))
+            found.append(Stimulus(f"{now_ms + 30} ms", "HLI.START", 1.0))
         now_ms += 2 * chance.randint(1, longest_ms // 2)
-    found.append(Stimulus(CALM_MS * 1000, "HLI.OVERRIDE", 100.0))
-    found += [Stimulus(CALM_MS * 1000, f"HLI.{switch}", 0.0) for switch in SHARES]
-    return found + [Stimulus(second * 1_000_000, "HLI.START", 1.0) for second in (2, 4, 8, 16)]
+    found.append(Stimulus(f"{CALM_MS} ms", "HLI.OVERRIDE", 100.0))
+    found += [Stimulus(f"{CALM_MS} ms", f"HLI.{switch}", 0.0) for switch in SHARES]
+    return found + [Stimulus(second, "HLI.START", 1.0) for second in (2, 4, 8, 16)]
 
 
 @pytest.mark.parametrize("first", range(0, MANY, CHUNK))

@@ -44,23 +44,29 @@ def disturbances(seed: int) -> list[Stimulus]:
         while (time_us := time_us + chance.choice((1, 5, 40, 150, 400)) * 1000) < PLAY_US:
             if kind == "override":
                 value = chance.choice((0.0, 3.0, 50.0, 100.0, 120.0))
-                made.append(Stimulus(time_us, "HLI.OVERRIDE", value))
+                made.append(Stimulus(f"{time_us} us", "HLI.OVERRIDE", value))
             elif kind == "hold":
-                made.append(Stimulus(time_us, "HLI.FEED_HOLD", float(chance.random() < 0.2)))
+                made.append(
+                    Stimulus(f"{time_us} us", "HLI.FEED_HOLD", float(chance.random() < 0.2))
+                )
             elif kind == "single":
-                made.append(Stimulus(time_us, "HLI.SINGLE_BLOCK", float(chance.random() < 0.3)))
-                made.append(Stimulus(time_us + 30_000, "HLI.START", 1.0))
+                made.append(
+                    Stimulus(f"{time_us} us", "HLI.SINGLE_BLOCK", float(chance.random() < 0.3))
+                )
+                made.append(Stimulus(f"{time_us + 30_000} us", "HLI.START", 1.0))
             else:
-                made.append(Stimulus(time_us, "HLI.BACKWARD_MOTION", float(chance.random() < 0.4)))
+                made.append(
+                    Stimulus(f"{time_us} us", "HLI.BACKWARD_MOTION", float(chance.random() < 0.4))
+                )
     ends = (
         ("OVERRIDE", 100.0),
         ("FEED_HOLD", 0.0),
         ("SINGLE_BLOCK", 0.0),
         ("BACKWARD_MOTION", 0.0),
     )
-    made += [Stimulus(PLAY_US, f"HLI.{name}", value) for name, value in ends]
+    made += [Stimulus(f"{PLAY_US} us", f"HLI.{name}", value) for name, value in ends]
     for wait_us in (500_000, 2_000_000, 5_000_000, 10_000_000):
-        made.append(Stimulus(PLAY_US + wait_us, "HLI.START", 1.0))
+        made.append(Stimulus(f"{PLAY_US + wait_us} us", "HLI.START", 1.0))
     return made if kinds else []
 
 
@@ -72,7 +78,7 @@ def wrong_with(seed: int) -> list[str]:
         NcText("p.nc", program.text),
         signals=SIGNALS,
         ticks=MOST_TICKS,
-        stimuli=disturbances(seed),
+        at=disturbances(seed),
         record_writes=False,
     )
     ids = {error.id for error in run.errors}

@@ -72,8 +72,8 @@ def test_a_loop_over_one_block_stops_each_time() -> None:
     text = "G91\n$FOR P1 = 1, 3, 1\nX1\n$ENDFOR\nM30"
     run = Controller(DEMO).run(
         NcText("p.nc", text),
-        initial={"HLI.SINGLE_BLOCK": 1.0},
-        stimuli=[Stimulus(time, "HLI.START", 1.0) for time in (100_000, 200_000)],
+        set={"HLI.SINGLE_BLOCK": 1.0},
+        at=[Stimulus(time, "HLI.START", 1.0) for time in ("100 ms", "200 ms")],
     )
     assert [str(event) for event in run.events if event.kind == "paused"] == [
         "paused line 3",
@@ -84,7 +84,7 @@ def test_a_loop_over_one_block_stops_each_time() -> None:
 def test_a_reset_of_the_operator_ends_a_run() -> None:
     """The run says so; further programs are not begun; the path has braked (RC-007)."""
     controller = Controller(DEMO)
-    run = controller.run(MOVES, MOVES, stimuli=[Stimulus(50_000, "HLI.RESET", 1.0)])
+    run = controller.run(MOVES, MOVES, at=[Stimulus("50 ms", "HLI.RESET", 1.0)])
     assert run.state == "reset"
     assert run.errors == ()
     assert run.ticks == 100
@@ -99,8 +99,8 @@ def test_start_runs_the_selected_programs_one_after_the_other() -> None:
     run = controller.run(
         MOVES,
         NcText("q.nc", "G00 X0\nM30"),
-        waits_for_start=True,
-        stimuli=[Stimulus(time, "HLI.START", 1.0) for time in (0, 100_000, 300_000)],
+        wait_for_start=True,
+        at=[Stimulus(time, "HLI.START", 1.0) for time in (0, "100 ms", "300 ms")],
     )
     assert run.state == "ended"
     ends = [(event.tick, event.text) for event in run.events if event.kind == "end"]
@@ -110,7 +110,7 @@ def test_start_runs_the_selected_programs_one_after_the_other() -> None:
 def test_nobody_presses_start_and_nothing_begins() -> None:
     """The run ends at its limit; the channel is ready, the lamp has shown that it waits."""
     controller = Controller(DEMO)
-    run = controller.run(MOVES, waits_for_start=True, ticks=50, signals=["HLI.ARMED", "HLI.STATE"])
+    run = controller.run(MOVES, wait_for_start=True, ticks=50, signals=["HLI.ARMED", "HLI.STATE"])
     assert run.state == "limit"
     assert run.trace is not None
     assert run.trace["HLI.ARMED"].tolist() == [1.0] * 50
@@ -141,9 +141,7 @@ def test_a_plc_resets_an_error_and_starts_again() -> None:
     text += "#RT CYCLE END\nG00 X1\nM30"
     plc = Recovery()
     controller = Controller(DEMO)
-    run = controller.run(
-        NcText("p.nc", text), plc=plc, waits_for_start=True, initial={"V.E.VALUE": 1.0}
-    )
+    run = controller.run(NcText("p.nc", text), plc=plc, wait_for_start=True, set={"V.E.VALUE": 1.0})
     assert run.state == "ended"
     (error,) = run.errors
     assert plc.seen == [

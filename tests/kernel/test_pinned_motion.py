@@ -38,9 +38,9 @@ def test_a_stop_that_is_taken_back_while_the_path_brakes_for_it(switch: str) -> 
     for on in range(40, 140, 20):
         for off in range(on + 12, on + 60, 10):
             stimuli = [
-                Stimulus(on * 1000, switch, 1.0),
-                Stimulus(off * 1000, switch, 0.0),
-                Stimulus(600_000, "HLI.START", 1.0),
+                Stimulus(f"{on} ms", switch, 1.0),
+                Stimulus(f"{off} ms", switch, 0.0),
+                Stimulus("600 ms", "HLI.START", 1.0),
             ]
             assert_smooth(0, run_of(0, text, stimuli))
 
@@ -60,10 +60,10 @@ def test_single_block_that_was_taken_back_long_ago_does_not_count(feed: int, bra
     N20 X38 Y4.5
     M30"""
     stimuli = [
-        Stimulus(30_000, "HLI.SINGLE_BLOCK", 1.0),
-        Stimulus(35_000, "HLI.SINGLE_BLOCK", 0.0),
-        *(Stimulus((braking + i) * 1000, "HLI.OVERRIDE", 100.0 - i % 9) for i in range(60)),
-        Stimulus(600_000, "HLI.OVERRIDE", 100.0),
+        Stimulus("30 ms", "HLI.SINGLE_BLOCK", 1.0),
+        Stimulus("35 ms", "HLI.SINGLE_BLOCK", 0.0),
+        *(Stimulus(f"{braking + i} ms", "HLI.OVERRIDE", 100.0 - i % 9) for i in range(60)),
+        Stimulus("600 ms", "HLI.OVERRIDE", 100.0),
     ]
     assert_smooth(0, run_of(0, text, stimuli))
 
@@ -82,12 +82,12 @@ def test_a_hold_while_single_block_stops_the_path_in_front_of_a_bend(every: int)
     N20 X9 Y3
     M30"""
     for hold in range(66, 90, 4):
-        stimuli = [Stimulus(10_000, "HLI.SINGLE_BLOCK", 1.0)]
+        stimuli = [Stimulus("10 ms", "HLI.SINGLE_BLOCK", 1.0)]
         for tick in range(hold, hold + 60, 2 * every):
-            stimuli.append(Stimulus(tick * 1000, "HLI.FEED_HOLD", 1.0))
-            stimuli.append(Stimulus((tick + every) * 1000, "HLI.FEED_HOLD", 0.0))
-        stimuli.append(Stimulus(600_000, "HLI.SINGLE_BLOCK", 0.0))
-        stimuli.append(Stimulus(600_000, "HLI.START", 1.0))
+            stimuli.append(Stimulus(f"{tick} ms", "HLI.FEED_HOLD", 1.0))
+            stimuli.append(Stimulus(f"{tick + every} ms", "HLI.FEED_HOLD", 0.0))
+        stimuli.append(Stimulus("600 ms", "HLI.SINGLE_BLOCK", 0.0))
+        stimuli.append(Stimulus("600 ms", "HLI.START", 1.0))
         assert_smooth(0, run_of(0, text, stimuli))
 
 
@@ -96,8 +96,8 @@ def test_the_block_of_a_tick_is_the_one_in_which_it_ends() -> None:
     text = "N10 G01 X10 F6000\nN20 X20\nM30"
     for back in (113, 150, 170):
         stimuli = [
-            Stimulus(back * 1000, "HLI.BACKWARD_MOTION", 1.0),
-            Stimulus((back + 110) * 1000, "HLI.BACKWARD_MOTION", 0.0),
+            Stimulus(f"{back} ms", "HLI.BACKWARD_MOTION", 1.0),
+            Stimulus(f"{back + 110} ms", "HLI.BACKWARD_MOTION", 0.0),
         ]
         run = run_of(0, text, stimuli)
         x, number = positions(run)[:, 0], blocks(run)
@@ -122,13 +122,13 @@ def test_held_at_an_end_of_an_arc_the_axes_stay_there_bit_by_bit() -> None:
     N20 G01 X5
     M30"""
     stimuli = [
-        Stimulus(50_000, "HLI.BACKWARD_MOTION", 1.0),
-        Stimulus(100_000, "HLI.SINGLE_BLOCK", 1.0),
-        Stimulus(300_000, "HLI.FEED_HOLD", 1.0),
-        Stimulus(310_000, "HLI.START", 1.0),
-        Stimulus(500_000, "HLI.BACKWARD_MOTION", 0.0),
-        Stimulus(500_000, "HLI.SINGLE_BLOCK", 0.0),
-        Stimulus(500_000, "HLI.FEED_HOLD", 0.0),
+        Stimulus("50 ms", "HLI.BACKWARD_MOTION", 1.0),
+        Stimulus("100 ms", "HLI.SINGLE_BLOCK", 1.0),
+        Stimulus("300 ms", "HLI.FEED_HOLD", 1.0),
+        Stimulus("310 ms", "HLI.START", 1.0),
+        Stimulus("500 ms", "HLI.BACKWARD_MOTION", 0.0),
+        Stimulus("500 ms", "HLI.SINGLE_BLOCK", 0.0),
+        Stimulus("500 ms", "HLI.FEED_HOLD", 0.0),
     ]
     places = positions(run_of(0, text, stimuli))
     assert (places[300:499, 0] == 0.093921770).all()

@@ -56,17 +56,17 @@ def wrong_with(seed: int, kind: str) -> list[str]:
     text, name = program.text, SWITCHES.get(kind, "V.E.TRIGGER")
     if kind in ACTIONS:
         text = cycle(ACTIONS[kind]) + text
-    stimuli = [Stimulus(tick * chosen.tick_us, name, 1.0)]
+    stimuli = [Stimulus(f"{tick} ticks", name, 1.0)]
     if backward:
         before = max(tick - chance.randint(1, 300), 1)
-        stimuli.append(Stimulus(before * chosen.tick_us, "HLI.BACKWARD_MOTION", 1.0))
+        stimuli.append(Stimulus(f"{before} ticks", "HLI.BACKWARD_MOTION", 1.0))
         end = tick + BRAKING_TICKS
-        stimuli.append(Stimulus(end * chosen.tick_us, "HLI.BACKWARD_MOTION", 0.0))
+        stimuli.append(Stimulus(f"{end} ticks", "HLI.BACKWARD_MOTION", 0.0))
     run = Controller(chosen.configuration).run(
         NcText("p.nc", text),
         signals=SIGNALS,
         ticks=tick + BRAKING_TICKS,
-        stimuli=stimuli,
+        at=stimuli,
         record_writes=False,
     )
     if run.state == "ended":

@@ -290,7 +290,7 @@ def test_during_a_reset_an_axis_takes_no_command() -> None:
         later(hli, execute=hli.tick >= 80, position=1, velocity=500)
 
     plc = Cell(call, first, again, later)
-    made = Controller().run(NcText("p.nc", WAIT), plc=plc, after_us=200_000)
+    made = Controller().run(NcText("p.nc", WAIT), plc=plc, after="200 ms")
     assert plc.told[1] == [(0, ""), (55, "busy"), (56, "error 900810")]
     assert made.state == "reset"
     assert made.ticks == 76
@@ -312,7 +312,7 @@ def test_reset_leaves_error_stop() -> None:
 
     plc = Cell(call, endless, reset, back)
     text = NcText("p.nc", "G04 X30\nM30")
-    made = Controller().run(text, plc=plc, waits_for_start=True, ticks=20_200)
+    made = Controller().run(text, plc=plc, wait_for_start=True, ticks=20_200)
     (tick, shown) = plc.told[1][-1]
     assert shown == "done"
     assert plc.told[1][-2:] == [(tick - 1, "busy"), (tick, "done")]

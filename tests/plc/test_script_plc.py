@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from datetime import timedelta
 from pathlib import Path
 
 import pytest
@@ -51,9 +52,9 @@ class Observer(Plc):
     [
         (ALL, {0: 4, 1: 0}),
         (NONE, {0: 4, 1: 4, 19: 4}),
-        (after(3), {0: 4, 3: 4, 4: 0}),
+        (after("3 ticks"), {0: 4, 3: 4, 4: 0}),
         (only("M100", "h100"), {0: 4, 1: 2, 19: 2}),
-        (only("M102", then=after(2)), {1: 4, 2: 4, 3: 3}),
+        (only("M102", then=after("2 ms")), {1: 4, 2: 4, 3: 3}),
     ],
 )
 def test_policies_acknowledge_when_they_say(policy: Policy, expected: dict[int, int]) -> None:
@@ -68,10 +69,11 @@ def test_policies_acknowledge_when_they_say(policy: Policy, expected: dict[int, 
     assert {tick: counts[tick] for tick in expected} == expected
 
 
-def test_after_takes_no_negative_number() -> None:
-    """A function cannot be acknowledged before it appears."""
-    with pytest.raises(ValueError, match="-1"):
+def test_after_takes_no_negative_time() -> None:
+    """900510: a function cannot be acknowledged before it appears."""
+    with pytest.raises(Failure) as failure:
         after(-1)
+    assert [one.id for one in failure.value.diagnostics] == [900510]
 
 
 class Timed(Plc):
@@ -82,7 +84,7 @@ class Timed(Plc):
         """In force in tick 10."""
         hli.write("V.E.COUNT", 1)
 
-    @at(12_500)
+    @at(timedelta(microseconds=12_500))
     def second(self, hli: Interface) -> None:
         """No tick begins at 12.5 ms: in force in tick 13."""
         hli.write("V.E.COUNT", 2)
@@ -289,8 +291,8 @@ M30"""
     ("policy", "reached"),
     [
         (ALL, [1, 301, 601, 901]),
-        (after(3), [4, 304, 604, 904]),
-        (only("S3", then=after(20)), [21, 321, 621, 921]),
+        (after("3 ms"), [4, 304, 604, 904]),
+        (only("S3", then=after(0.02)), [21, 321, 621, 921]),
         # 1000 in 0.1 s; 1500 in 0.15 s; from -500 to 200, then to 0: 0.09 s; at rest already
         (run_up(10_000), [100, 450, 690, 901]),
     ],

@@ -17,7 +17,6 @@ from nctakt.results.coverage import BranchCounts, Coverage
 from nctakt.results.coverage_files import as_json, as_lcov, from_json
 from nctakt.results.coverage_text import CoverageText
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 from tests.results.why_runs import EDGE, NESTED, NESTED_AT, TOGGLE
 
 #: An error breaks the second condition off in tick 3: division by zero (RC-207).
@@ -60,9 +59,9 @@ def cover(
     file: str = "part.nc",
 ) -> Coverage:
     """The coverage of one run; ``at`` are stimuli in ticks."""
-    stimuli = [Stimulus(tick * 1000, name, value) for tick, name, value in at or ()]
+    stimuli = [(f"{tick} ticks", name, value) for tick, name, value in at or ()]
     run = (controller or Controller()).run(
-        NcText(file, text), stimuli=stimuli, memory_trace=False, why=True
+        NcText(file, text), at=stimuli, memory_trace=False, why=True
     )
     assert run.coverage is not None
     return run.coverage

@@ -13,7 +13,7 @@ from nctakt.run.controller import Controller, NcText
 
 def perform(text: str, **initial: float) -> Run:
     values = {name.replace("__", "."): value for name, value in initial.items()}
-    run = Controller().run(NcText("part.nc", text), initial=values)
+    run = Controller().run(NcText("part.nc", text), set=values)
     assert not run.errors, [error.render() for error in run.errors]
     return run
 

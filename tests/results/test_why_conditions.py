@@ -52,7 +52,7 @@ def test_edge_runs_at_each_rise() -> None:
 
 def test_a_latched_always_inside_a_plain_if() -> None:
     """RC-203, RC-204: the inner condition is evaluated in ticks 2 to 4 only; it stays latched."""
-    (cycle,) = why(NESTED, at=NESTED_AT, initial={"V.E.VALUE": 200}).cycles
+    (cycle,) = why(NESTED, at=NESTED_AT, set={"V.E.VALUE": 200}).cycles
     outer, inner = cycle.branches
     assert inner.outer == 0
     assert series(outer.evaluated) == [(0, 13)]
@@ -154,7 +154,7 @@ def test_start_makes_everything_new() -> None:
 #TIME 0.005
 M30
 """
-    (cycle,) = why(text, initial={"V.E.CONDITION": 1}).cycles
+    (cycle,) = why(text, set={"V.E.CONDITION": 1}).cycles
     (branch,) = cycle.branches
     assert series(cycle.runs) == [(0, 9)]
     assert series(branch.evaluated) == [(0, 0), (5, 5)]
@@ -169,7 +169,7 @@ def test_a_global_cycle_of_an_earlier_run_goes_on() -> None:
     controller = Controller()
     first = "#RT CYCLE [ID=4 SCOPE=GLOBAL]\n$IF V.E.VALUE > 5\nV.E.COUNT += 1\n$ENDIF\n"
     first += "#RT CYCLE END\n#TIME 0.01\nM30\n"
-    controller.run(NcText("first.nc", first), initial={"V.E.VALUE": 6})
+    controller.run(NcText("first.nc", first), set={"V.E.VALUE": 6})
     assert controller.tick == 11
     report = why("#TIME 0.01\nM30\n", controller=controller, at=[(4, "V.E.VALUE", 1.0)])
     (cycle,) = report.cycles

@@ -46,7 +46,7 @@ def test_never_reached_since_the_branch_around_it_was_false() -> None:
 def test_never_reached_since_an_earlier_branch_was_true() -> None:
     """RC-201: ``$ELSEIF`` and ``$ELSE`` behind a branch that is true in each tick."""
     lines = (*IF[:2], "$ELSEIF V.E.VALUE == 1", "$ELSE", "V.E.COUNT = 0", "$ENDIF")
-    report = why(body(*lines), initial={"V.E.CONDITION": 1})
+    report = why(body(*lines), set={"V.E.CONDITION": 1})
     (cycle,) = report.cycles
     assert [never(report, cycle, branch) for branch in range(3)] == [
         None,
@@ -138,7 +138,7 @@ def test_a_fault_in_the_condition_itself() -> None:
 def test_a_cycle_that_another_one_stops() -> None:
     """RC-505: after a fault no further cycle runs in that tick."""
     text = body("V.E.COUNT = 1 / V.E.VALUE").replace("#TIME", "#RT CYCLE\n#RT CYCLE END\n#TIME")
-    report = why(text, initial={"V.E.VALUE": 1}, at=[(3, "V.E.VALUE", 0.0)])
+    report = why(text, set={"V.E.VALUE": 1}, at=[(3, "V.E.VALUE", 0.0)])
     first, second = report.cycles
     assert series(first.runs) == [(0, 3)]
     assert second.runs.holds(2)
@@ -167,7 +167,7 @@ def test_an_edge_that_was_true_before() -> None:
     text = body(
         "$IF EDGE V.E.CONDITION == 1", "M100", "$ENDIF", head="#RT CYCLE [ID=1 SCOPE=GLOBAL]"
     )
-    controller.run(NcText("part.nc", text), initial={"V.E.CONDITION": 1})
+    controller.run(NcText("part.nc", text), set={"V.E.CONDITION": 1})
     report = why("#TIME 0.005\nM30\n", controller=controller)
     (cycle,) = report.cycles
     assert never(report, cycle, 0) == Reason("no rise")
@@ -195,7 +195,7 @@ def test_a_once_that_was_done_in_an_earlier_run() -> None:
     text = body(
         "$IF ONCE V.E.CONDITION == 1", "M100", "$ENDIF", head="#RT CYCLE [ID=1 SCOPE=GLOBAL]"
     )
-    controller.run(NcText("part.nc", text), initial={"V.E.CONDITION": 1})
+    controller.run(NcText("part.nc", text), set={"V.E.CONDITION": 1})
     report = why("#TIME 0.005\nM30\n", controller=controller)
     (cycle,) = report.cycles
     assert never(report, cycle, 0) == Reason("done")
@@ -214,7 +214,7 @@ def test_a_once_that_was_done_in_an_earlier_run() -> None:
 )
 def test_a_nested_always_tick_by_tick(tick: int, outer: str | None, inner: str | None) -> None:
     """RC-204: why each of the two did not run in a tick."""
-    (cycle,) = why(NESTED, at=NESTED_AT, initial={"V.E.VALUE": 200}).cycles
+    (cycle,) = why(NESTED, at=NESTED_AT, set={"V.E.VALUE": 200}).cycles
     found = [why_branch_idle(cycle, branch, tick) for branch in cycle.branches]
     assert [reason and reason.kind for reason in found] == [outer, inner]
 

@@ -84,13 +84,13 @@ def test_a_report_in_german() -> None:
 
 def test_nested_conditions_are_indented() -> None:
     """The manual's latch inside a plain ``$IF`` (RC-204)."""
-    text = why(NESTED, at=NESTED_AT, initial={"V.E.VALUE": 200}).render()
+    text = why(NESTED, at=NESTED_AT, set={"V.E.VALUE": 200}).render()
     assert text.split("\n\n", 1)[1] == ALWAYS
 
 
 def test_one_tick() -> None:
     """RC-204: how everything stood in tick 9, and why the latched body did not run."""
-    report = why(NESTED, at=NESTED_AT, initial={"V.E.VALUE": 200})
+    report = why(NESTED, at=NESTED_AT, set={"V.E.VALUE": 200})
     assert report.render_at(9) == AT_TICK_9
 
 
@@ -207,7 +207,7 @@ def test_a_tick_outside_of_the_run(tick: int) -> None:
 def test_a_frozen_value_is_told() -> None:
     """RC-302: V.E.ASYNC is 7 when the definition is decoded; that it becomes 0 changes nothing."""
     text = "V.E.ASYNC = 7\n#RT CYCLE\n$IF V.E.VALUE > V.E.ASYNC\n$ENDIF\n#RT CYCLE END\n"
-    report = why(f"{text}V.E.ASYNC = 0\n#TIME 0.01\nM30\n", initial={"V.E.VALUE": 5})
+    report = why(f"{text}V.E.ASYNC = 0\n#TIME 0.01\nM30\n", set={"V.E.VALUE": 5})
     told = "    V.E.ASYNC is 7, frozen when the definition was decoded\n"
     assert told in report.render()
     assert told in report.render_at(3)

@@ -7,7 +7,6 @@ from nctakt.results.histories import BranchHistory, CycleHistory, Reason, Times
 from nctakt.results.reasons import why_branch_never
 from nctakt.results.why import WhyReport
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 
 ONCE = """\
 #RT CYCLE [ID = 17 SCOPE = PROG]
@@ -72,15 +71,14 @@ def why(
     *,
     at: list[tuple[int, str, float]] | None = None,
     controller: Controller | None = None,
-    initial: dict[str, float] | None = None,
+    set: dict[str, float] | None = None,
     ticks: int | None = None,
 ) -> WhyReport:
     """The report of a program; ``at`` are stimuli in ticks."""
-    stimuli = [Stimulus(tick * 1000, name, value) for tick, name, value in at or ()]
     run = (controller or Controller()).run(
         NcText("part.nc", text),
-        stimuli=stimuli,
-        initial=initial,
+        at=[(f"{tick} ticks", name, value) for tick, name, value in at or ()],
+        set=set,
         ticks=ticks,
         memory_trace=False,
         why=True,

@@ -183,6 +183,6 @@ def test_nor_does_it_with_a_plc_that_commands_them(first: int) -> None:
         program = NcText(f"seed{seed}.nc", Generator(seed).program())
         plc = RandomPlc(seed)
         waits = seed % 2 == 0
-        run = Controller().run(program, ticks=3000, plc=plc, waits_for_start=waits)
+        run = Controller().run(program, ticks=3000, plc=plc, wait_for_start=waits)
         assert_within_limits(run, seed)
         assert {error.id for error in run.errors} <= EXPECTED_ERRORS | {50900}, seed

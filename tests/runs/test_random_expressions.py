@@ -193,7 +193,7 @@ def test_cycle_decoder_and_evaluator_agree(seed: int) -> None:
         text = text.replace(f"<{name}>", parameter)
     program = "\n".join([*lines, f'#MSG ["%.12g", {text}]', "M30"])
     initial = {f"V.E.{name}": number for name, number in VALUES.items()}
-    in_cycle = Controller().run(NcText("c.nc", cycle), initial=initial, signals=["V.E.VALUE1"])
+    in_cycle = Controller().run(NcText("c.nc", cycle), set=initial, signals=["V.E.VALUE1"])
     in_program = Controller().run(NcText("p.nc", program))
     if expected is None:
         assert [error.id for error in in_cycle.errors] == [50879], cycle

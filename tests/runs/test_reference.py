@@ -254,7 +254,7 @@ def agree(seed: int) -> None:
     reference.run()
     run = Controller(DEMO).run(
         *texts,
-        stimuli=[Stimulus(tick * 1000, f"V.E.{name}", value) for tick, name, value in stimuli],
+        at=[Stimulus(f"{tick} ms", f"V.E.{name}", value) for tick, name, value in stimuli],
         signals=["X.ACS.ACT_POS"],
     )
     found = [f"{event.tick} {event}" for event in run.events if event.kind != "notice"]

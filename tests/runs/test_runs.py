@@ -25,7 +25,6 @@ import nctakt
 from nctakt.plc import load_plc
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller
-from nctakt.run.stimuli import Stimulus
 from nctakt.schedule.open_schedule import RunSchedule, open_schedule
 
 HERE = Path(__file__).parent
@@ -72,14 +71,14 @@ def perform(folder: Path, names: set[str], work: Path, programs: str = "*.nc") -
         *(program for program in sorted(folder.glob(programs)) if program not in taken),
         channels=others,
         plc=None if plc is None else load_plc(folder / plc),
-        initial=given.get("set", {}),
-        stimuli=[Stimulus(*stimulus) for stimulus in given.get("at", ())],
-        after_us=given.get("after_us", 0),
+        set=given.get("set", {}),
+        at=[tuple(stimulus) for stimulus in given.get("at", ())],
+        after=given.get("after", 0),
         ticks=given.get("ticks"),
-        waits_for_start=given.get("waits_for_start", False),
+        wait_for_start=given.get("wait_for_start", False),
         record_writes=given.get("record_writes", True),
         signals=sorted(names),
-        skip_levels=given.get("skip", ()),
+        skip=given.get("skip", ()),
         blocks=given.get("blocks", False),
     )
 

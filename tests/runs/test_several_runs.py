@@ -30,5 +30,5 @@ def test_a_run_ends_with_its_motions_and_lasts_as_long_as_asked_for() -> None:
     """RC-006: the last tick is that of M30, or so many ticks behind it."""
     text = NcText("move.nc", "G00 X0.1\nM30")
     assert Controller().run(text).ticks == 11
-    assert Controller().run(text, after_us=5000).ticks == 16
-    assert Controller().run(text, after_us=4001).ticks == 16
+    assert Controller().run(text, after="5 ms").ticks == 16
+    assert Controller().run(text, after="4.001 ms").ticks == 16

@@ -68,6 +68,16 @@ def test_complete_load() -> None:
     assert load.overheads == Overheads(2000, 1000)
 
 
+def test_times_may_have_units() -> None:
+    """A text with a unit is a time wherever a number of microseconds is one."""
+    text = COMPLETE.replace("switch = 2", "switch = '0.002 ms'").replace("-0.5", "'-0.5 us'")
+    assert read(text) == read(COMPLETE)
+    load, found = read("[functions]\ntask_rnd = ['1 ms', 650.5, '0.5us']\ntask_com = '1 h'")
+    assert found == []
+    assert load.functions["task_com"] == Execution((3_600 * 10**9,))
+    assert load.functions["task_rnd"] == Execution((1_000_000, 650_500, 500))
+
+
 @pytest.mark.parametrize(
     ("text", "number"),
     [
@@ -80,6 +90,10 @@ def test_complete_load() -> None:
         ("[functions]\ntask_int = 4294967295", 900623),
         ("[functions]\ntask_int = true", 900623),
         ("[functions]\ntask_int = 'x'", 900623),
+        ("[functions]\ntask_int = '400'", 900623),
+        ("[functions]\ntask_int = '4 ticks'", 900623),
+        ("[functions]\ntask_int = '-1 us'", 900623),
+        ("[functions]\ntask_int = '2 h'", 900623),
         ("[functions]\ntask_int = []", 900623),
         ("[functions]\ntask_int = [1, -2]", 900623),
         ("[functions]\ntask_int = { uniform = [3, 2] }", 900623),

@@ -367,8 +367,8 @@ def test_reset_while_the_queue_is_empty(tmp_path: Path) -> None:
         None, schedule(tmp_path, slow, LOAD.replace("block = 1", "block = 500"))
     )
     text = NcText("one.nc", "N10 G04 X0.001\nN20 G04 X0.001\nN30 G04 X0.001\nM30\n")
-    pressed = Stimulus(3_000, "HLI.RESET", 1)
-    first = controller.run(text, stimuli=[pressed])
+    pressed = Stimulus("3 ms", "HLI.RESET", 1)
+    first = controller.run(text, at=[pressed])
     assert first.state == "reset"
     assert [found.first_tick for found in first.starved] == [1]
     second = controller.run(NcText("two.nc", "N10 G04 X0.001\nM30\n"))
@@ -385,7 +385,7 @@ def test_values_are_read_when_a_block_begins(tmp_path: Path) -> None:
     given = schedule(tmp_path, slow, LOAD.replace("block = 1", "block = 400"))
     program = 'N10 G04 X0.001\nN20 G04 X0.001\n#MSG ["%d", V.E.ASYNC]\nM30\n'
     said = [
-        events(run(given, program, stimuli=[Stimulus(time_us, "V.E.ASYNC", 1)]), "message")
+        events(run(given, program, at=[Stimulus(f"{time_us} us", "V.E.ASYNC", 1)]), "message")
         for time_us in (3_000, 5_000)
     ]
     assert said == [["6 message 1"], ["6 message 0"]]

@@ -107,7 +107,7 @@ def test_the_plugin_loads_nothing_before_a_test_asks_for_it(tmp_path: Path) -> N
     [
         ("; expect: fired", "; expect: M101"),
         ("; expect: fired 1", "; expect: m101 once"),
-        ("; expect: fired at 50ms", "; expect: M101 at tick 50"),
+        ("; expect: fired at 50ms", "; expect: M101 at 50 ticks"),
         ("; expect: fired 1 line 2 once at 0.05s", "; expect: M101 before 0.1s; X = 5 at 50ms"),
         ("; expect: fired never after 51ms", "; expect: M101 1 times after 49ms"),
         ("; expect: ended; X = 10", "; expect: X = 7.5 within 2.6 at 50ms"),
@@ -124,7 +124,7 @@ def test_what_is_given_is_there(tmp_path: Path) -> None:
     plc = "class Slow:\n    def cycle(self, hli):\n        pass\n"
     text = (
         "; given: V.E.VALUE = 4; given: V.E.TRIGGER = 1 at 30ms; given: plc slow.py\n"
-        "; given: start; HLI.START = 1 at 20ms; limit 200ms; after 10ms\n"
+        "; given: start; HLI.START = 1 at 20ms; until 200ms; after 10ms\n"
         "; expect: V.E.VALUE = 4 at 0s; V.E.TRIGGER = 0 at 30ms; V.E.TRIGGER = 1 at 31ms\n"
         "; expect: X = 0 at 21ms; X = 0.002 at 22ms; M100 at 121ms; ended\n"
     )

@@ -305,9 +305,9 @@ def test_texts_are_values_at_times() -> None:
     assert parse_assignment('V.E.TEXT="a=b"') == ("V.E.TEXT", "a=b")
     controller = Controller()
     program = NcText("p.nc", '#TIME 0.01\n#MSG ["%s", V.E.TEXT]\nM30')
-    run = controller.run(program, initial={"V.E.TEXT": "first"})
+    run = controller.run(program, set={"V.E.TEXT": "first"})
     assert messages(run) == ["first"]
-    run = controller.run(program, stimuli=[Stimulus(5000, "V.E.TEXT", "then")])
+    run = controller.run(program, at=[Stimulus("5 ms", "V.E.TEXT", "then")])
     assert messages(run) == ["then"]
 
 

@@ -10,6 +10,6 @@
     V.RTG.OVERRIDE.VEL.CYCLE = 75        ; expect: OVERRIDE.VEL.TOTAL = 75 at 0.6s
   $ENDIF
 #RT CYCLE END
-N10 G00 X500                             ; expect: X = 200.25 at tick 463; X = 500 at end
+N10 G00 X500                             ; expect: X = 200.25 at 463 ticks; X = 500 at end
 N20 #MSG ["done"]                        ; expect: message "done" after 1s
 M30                                      ; expect: V.E.COUNT = 1 at end

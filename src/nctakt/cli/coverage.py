@@ -57,7 +57,7 @@ def _percent(
 
 
 @click.command("coverage", epilog=_EPILOG, short_help="Tell which branches of cycles ran.")
-@run_options("--at", "report and diagnostics")
+@run_options("report and diagnostics")
 @click.option(
     "--format",
     "form",

@@ -39,7 +39,7 @@ listing shows the value that was frozen then. Count: elementary instructions.
 
 
 @click.command("list", epilog=_EPILOG, short_help="List realtime cycles as their instructions.")
-@run_options("--at", "listing and diagnostics")
+@run_options("listing and diagnostics")
 def command(**words: Any) -> int:
     """Run NC programs and list each realtime cycle that they define ('-': standard input)."""
     options = Options(**words)

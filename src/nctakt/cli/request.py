@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
+from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import INVALID_SKIP_OPTION, RECORDING_WITHOUT_TRACE
 from nctakt.messages.files import (
@@ -29,7 +30,7 @@ from nctakt.messages.files import (
 from nctakt.messages.folders import INVALID_CHANNEL_NUMBER, NO_PROGRAM_NAMED
 from nctakt.messages.plc import PLC_AND_HLI_OPTIONS
 from nctakt.nc.parse.block_head import SKIP_LEVELS
-from nctakt.run.stimuli import Stimulus, parse_assignment, parse_stimulus, parse_time
+from nctakt.run.stimuli import Stimulus, parse_assignment, parse_stimulus
 
 if TYPE_CHECKING:
     from nctakt.plc import AnyPlc
@@ -74,17 +75,17 @@ class Options:
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """What the controller is asked for; times in microseconds, ``signals`` ``None``: its choice.
+    """What the controller is asked for; ``signals`` ``None``: its choice.
 
     ``programs`` are those of channel 1, ``channels`` those of the others.
     """
 
     programs: tuple[Path | NcText, ...]
     channels: dict[int, tuple[Path | NcText, ...]]
-    initial: dict[str, float | str]
+    assignments: dict[str, float | str]
     stimuli: tuple[Stimulus, ...]
-    until_us: int | None
-    after_us: int
+    until: Time | None
+    after: Time
     signals: tuple[str, ...] | None
     plc: AnyPlc | None
     skip_levels: tuple[int, ...]
@@ -122,8 +123,8 @@ def read_request(options: Options) -> Request:
         reader.read(_check_machine, options.machine)
     assignments = [reader.read(parse_assignment, text) for text in options.assignments]
     stimuli = [reader.read(parse_stimulus, *pair) for pair in options.stimuli]
-    until = () if options.until is None else reader.read(parse_time, options.until)
-    after = reader.read(parse_time, options.after)
+    until = () if options.until is None else reader.read(read_time, options.until)
+    after = reader.read(read_time, options.after)
     plc = () if options.plc is None else reader.read(_load_plc, options.plc)
     skip_levels = reader.read(_skip_levels, options.skip)
     if options.plc is not None and options.hli is not None:

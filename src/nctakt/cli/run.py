@@ -43,7 +43,8 @@ _PARTNER_COMES_S = 30.0
 _PARTNER_ANSWERS_S = 10.0
 
 _EPILOG = """\b
-Times are numbers with us, ms, s or min; a number alone means seconds.
+Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a number
+alone means seconds.
 Exit codes: 0 it ran (also up to a limit), 1 an NC error or interrupted by
 Ctrl-C, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 
@@ -56,7 +57,7 @@ Ctrl-C, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 
 
 @click.command("run", epilog=_EPILOG, short_help="Run NC programs one after another.")
-@run_options("--at", "diagnostics, summary and diagnosis data")
+@run_options("diagnostics, summary and diagnosis data")
 @click.option("--trace", metavar="FILE", help="Record each tick in a .csv or .jsonl file.")
 @click.option("--signals", metavar="NAME,...", help="What to record.")
 @click.option("--plot", metavar="FILE", help="Draw the motion: .png, .svg or .html.")

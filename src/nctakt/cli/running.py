@@ -37,11 +37,10 @@ if TYPE_CHECKING:
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
 
-def run_options(stimulus: str, language_of: str) -> Callable[[_Command], _Command]:
+def run_options(language_of: str) -> Callable[[_Command], _Command]:
     """Programs, machine, values, limits, PLC, language, mode, as a decorator.
 
-    ``stimulus`` is the option that gives a variable a value at a time, ``language_of`` names what
-    the language is that of.
+    ``language_of`` names what the language is that of.
     """
     options = (
         click.argument("programs", metavar="PROGRAM...", nargs=-1),
@@ -64,7 +63,7 @@ def run_options(stimulus: str, language_of: str) -> Callable[[_Command], _Comman
             help="Give a variable a value before the first tick.",
         ),
         click.option(
-            stimulus,
+            "--at",
             "stimuli",
             metavar="TIME NAME=VALUE",
             nargs=2,
@@ -194,21 +193,21 @@ def run_programs(
             return controller.run(
                 *request.programs,
                 channels=request.channels,
-                plc=request.plc,
-                until_us=request.until_us,
+                set=request.assignments,
+                at=request.stimuli,
+                until=request.until,
                 ticks=options.ticks,
-                after_us=request.after_us,
-                initial=request.initial,
-                stimuli=request.stimuli,
-                sinks=sinks,
+                after=request.after,
+                plc=request.plc,
+                wait_for_start=options.wait_for_start,
+                skip=request.skip_levels,
                 signals=request.signals,
-                waits_for_start=options.wait_for_start,
+                sinks=sinks,
                 memory_trace=False,
                 why=why,
                 on_message=show_message,
                 on_progress=show_progress,
                 on_cycle=on_cycle,
-                skip_levels=request.skip_levels,
                 blocks=options.blocks,
             )
     except PlcError as failure:

@@ -34,7 +34,8 @@ from nctakt.cli.schedule_run import run
 from nctakt.messages import Collector
 
 _EPILOG = """\b
-Times are numbers with us, ms, s or min; a number alone means seconds.
+Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a number
+alone means seconds.
 Exit codes: 0 all well, 1 the schedule has errors (or warnings with --strict),
 2 the list has errors, or something cannot be used.
 

@@ -203,13 +203,12 @@ def make_model(read: ListRead, load: Load, words: dict[str, Any], collector: Col
 
 def wanted_cycles(model: Model, words: dict[str, Any]) -> int:
     """How many NC cycles are simulated."""
-    from nctakt.run.stimuli import parse_time  # noqa: PLC0415
-    from nctakt.schedule.model import NS_PER_US  # noqa: PLC0415
+    from nctakt.lists.format.times import read_time  # noqa: PLC0415
+    from nctakt.schedule.open_schedule import cycles_within  # noqa: PLC0415
 
     if words["cycles"] is not None:
         return int(words["cycles"])
-    duration = parse_time(words["duration"] or _DEFAULT_DURATION)
-    return max(1, duration * NS_PER_US // model.train.distance)
+    return cycles_within(model, read_time(words["duration"] or _DEFAULT_DURATION))
 
 
 def drawn_cycles(model: Model, words: dict[str, Any]) -> int:

@@ -19,7 +19,9 @@ from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
-from nctakt.run.stimuli import parse_time
+from nctakt.lists.format.times import read_time
+from nctakt.messages import diagnostic
+from nctakt.messages.inputs import STIMULUS_WITHOUT_VALUE
 
 if TYPE_CHECKING:
     from nctakt.results.run import Run
@@ -27,17 +29,18 @@ if TYPE_CHECKING:
 _EPILOG = """\b
 For each $IF: when its condition was evaluated, what it compared when it became
 true or false, when its body ran; if it never ran, why, and how near it came.
-Times are numbers with us, ms, s or min; a number alone means seconds.
+Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a number
+alone means seconds.
 
 \b
   nctakt why part.nc
-  nctakt why part.nc --cycle 17 --line 4 --when 1.5ms V.E.VALUE=-1
-  nctakt why part.nc --at 0.463
+  nctakt why part.nc --cycle 17 --line 4 --at 1.5ms V.E.VALUE=-1
+  nctakt why part.nc --state 0.463
 """
 
 
 @click.command("why", epilog=_EPILOG, short_help="Tell why reactions fired or did not.")
-@run_options("--when", "report and diagnostics")
+@run_options("report and diagnostics")
 @click.option("--cycle", metavar="ID", help="Only this realtime cycle (#1: the first without ID).")
 @click.option(
     "--line",
@@ -45,24 +48,28 @@ Times are numbers with us, ms, s or min; a number alone means seconds.
     metavar="N",
     help="Only the $IF in this line, or the one whose body has it.",
 )
-@click.option("--at", "time", metavar="TIME", help="How everything stood at this time of the run.")
-def command(cycle: str | None, line: int | None, time: str | None, **words: Any) -> int:
+@click.option("--state", metavar="TIME", help="How everything stood at this time of the run.")
+def command(cycle: str | None, line: int | None, state: str | None, **words: Any) -> int:
     """Run NC programs and tell why reactions of their realtime cycles fired or did not."""
     options = Options(**words)
     try:
-        return _why(options, cycle, line, time)
+        return _why(options, cycle, line, state)
     except Failure as failure:
         print_diagnostics(failure.diagnostics, options.language)
         return EXIT_USAGE
 
 
-def _why(options: Options, cycle: str | None, line: int | None, time: str | None) -> int:
+def _why(options: Options, cycle: str | None, line: int | None, state: str | None) -> int:
     """Run and tell; raises ``Failure`` for what cannot be used."""
     choose_mode(options)
+    for time, assignment in options.stimuli:
+        if "=" not in assignment:
+            raise Failure(diagnostic(STIMULUS_WITHOUT_VALUE, time=time))
     request = read_request(options)
-    time_us = None if time is None else parse_time(time)
+    moment = None if state is None else read_time(state)
     controller = start_controller(options)
-    tick = None if time_us is None else time_us // controller.cycle_time_us
+    length_us = controller.cycle_time_us
+    tick = None if moment is None else moment.us(length_us) // length_us
     if tick is not None:  # what comes behind that tick is of no interest
         options = replace(options, ticks=min(tick + 1, options.ticks or tick + 1))
     run = run_programs(options, request, controller, why=True)

@@ -7,13 +7,37 @@ from nctakt.messages.catalogue import error
 
 INVALID_TIME = error(
     900510,
-    en="'{text}' is no time",
-    de="'{text}' ist keine Zeit",
-    remedy_en="Write a number from 0 on with us, ms, s or min, such as 1500us or 1.5ms; a number "
-    "alone means seconds.",
-    remedy_de="Eine Zahl ab 0 mit us, ms, s oder min schreiben, etwa 1500us oder 1.5ms; eine Zahl "
-    "allein bedeutet Sekunden.",
+    en="'{text}' is not a time",
+    de="'{text}' ist keine Zeitangabe",
+    remedy_en="Write 1500us, 1.5ms, 2s, 3min, 1h or '300 ticks'; a number alone means seconds.",
+    remedy_de="1500us, 1.5ms, 2s, 3min, 1h oder '300 ticks' schreiben; eine Zahl allein bedeutet "
+    "Sekunden.",
     text=("the time as it was given", "die Zeit, wie angegeben"),
+)
+WRONG_TIME_TYPE = error(
+    900513,
+    en="{value} is of type {type} and cannot be a time",
+    de="{value} ist vom Typ {type} und kann keine Zeitangabe sein",
+    remedy_en='Give a text such as "20 ms", a number of seconds, or a datetime.timedelta.',
+    remedy_de='Einen Text wie "20 ms", eine Zahl in Sekunden oder ein datetime.timedelta angeben.',
+    value=("what was given", "was angegeben wurde"),
+    type=("its type in Python", "sein Typ in Python"),
+)
+NOT_A_STIMULUS = error(
+    900514,
+    en="{value} is not a value at a time",
+    de="{value} ist kein Wert zu einer Zeit",
+    remedy_en='Give a time, the name of a variable and its value: ("20 ms", "V.E.DOOR", 1).',
+    remedy_de='Zeit, Name der Variablen und Wert angeben: ("20 ms", "V.E.DOOR", 1).',
+    value=("what was given", "was angegeben wurde"),
+)
+STIMULUS_WITHOUT_VALUE = error(
+    900579,
+    en="--at {time} lacks the value that a variable gets at this time",
+    de="bei --at {time} fehlt der Wert, den eine Variable zu dieser Zeit bekommt",
+    remedy_en="Write --at {time} NAME=VALUE. --state {time} tells how everything stood.",
+    remedy_de="--at {time} NAME=WERT schreiben. --state {time} sagt, wie alles stand.",
+    time=("the time as it was given", "die Zeit, wie angegeben"),
 )
 NOT_AN_ASSIGNMENT = error(
     900511,
@@ -99,9 +123,9 @@ INVALID_GIVEN_INPUT = error(
     900661,
     en="'{text}' cannot be given to a run",
     de="'{text}' kann einem Lauf nicht mitgegeben werden",
-    remedy_en="Write V.E.VALUE = 5, V.E.VALUE = 5 at 20ms, plc FILE, machine FOLDER, limit TIME, "
+    remedy_en="Write V.E.VALUE = 5, V.E.VALUE = 5 at 20ms, plc FILE, machine FOLDER, until TIME, "
     "after TIME or start.",
-    remedy_de="V.E.VALUE = 5, V.E.VALUE = 5 at 20ms, plc DATEI, machine ORDNER, limit ZEIT, after "
+    remedy_de="V.E.VALUE = 5, V.E.VALUE = 5 at 20ms, plc DATEI, machine ORDNER, until ZEIT, after "
     "ZEIT oder start schreiben.",
     text=("what stands in the comment", "was im Kommentar steht"),
 )

@@ -14,14 +14,15 @@ from pathlib import Path
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.lists.format.times import read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_READABLE
 from nctakt.messages.plc import INPUT_CELL_COUNT, INPUT_HEADER_MISSING
-from nctakt.run.stimuli import Stimulus, parse_assignment, parse_time
+from nctakt.run.stimuli import Stimulus, parse_assignment
 
 
 def read_inputs(path: Path) -> tuple[Stimulus, ...]:
-    """The values of a file in the order of their times.
+    """Return the values of a file in the order of its rows.
 
     Raises one ``Failure`` with all that is wrong: the file cannot be read (900503), a row that is
     none (900654), times (900510) and values (900512) that are none.
@@ -53,7 +54,7 @@ def read_inputs(path: Path) -> tuple[Stimulus, ...]:
             found.extend(failure.diagnostics)
     if found:
         raise Failure(*found)
-    return tuple(sorted(values, key=lambda one: one.time_us))
+    return tuple(values)
 
 
 def _rows(lines: Sequence[str]) -> Iterator[tuple[int, list[str]]]:
@@ -64,7 +65,7 @@ def _rows(lines: Sequence[str]) -> Iterator[tuple[int, list[str]]]:
 
 
 def _stimuli(names: Sequence[str], row: Sequence[str]) -> Iterator[Stimulus]:
-    time_us = parse_time(row[0])
+    time = read_time(row[0])
     for name, cell in zip(names[1:], row[1:], strict=True):
         if cell.strip():
-            yield Stimulus(time_us, *parse_assignment(f"{name}={cell}"))
+            yield Stimulus(time, *parse_assignment(f"{name}={cell}"))

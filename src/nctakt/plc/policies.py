@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """When a PLC acknowledges functions, and jobs of spindles that it turns: as small objects.
 
-``ALL`` at once, ``NONE`` never, ``after(ticks)`` late, ``only("M100", "H7")`` some of them;
+``ALL`` at once, ``NONE`` never, ``after("20 ms")`` late, ``only("M100", "H7")`` some of them;
 ``run_up(rpm_per_s)`` spindles alone, when they have the speed.
 """
 
@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
+
+from nctakt.lists.format.times import Time, TimeLike, read_time
 
 if TYPE_CHECKING:
     from nctakt.run.plc_view import Interface, SpindleEntry, TechnologyEntry
@@ -48,13 +50,13 @@ NONE = Always(False)
 
 @dataclass(frozen=True, slots=True)
 class After:
-    """Acknowledges when a function has waited for so many ticks; 0: behind its own tick."""
+    """Acknowledges once a function has waited for this time; 0: behind its own tick."""
 
-    ticks: int
+    time: Time
 
     def answers(self, function: TechnologyEntry | SpindleEntry, hli: Interface) -> bool:
-        """Whether its time has come."""
-        return hli.time_us - function.time_us >= self.ticks * hli.cycle_time_us
+        """Return whether its time has come."""
+        return hli.time_us - function.time_us >= self.time.us(hli.cycle_time_us)
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,11 +90,13 @@ class RunUp:
         return over_us * self.rpm_per_s >= change * 1e6 * (1 - 1e-9)
 
 
-def after(ticks: int) -> After:
-    """Acknowledge each function ``ticks`` ticks after the one in which it appeared."""
-    if ticks < 0:
-        raise ValueError(f"{ticks} ticks are less than none")
-    return After(ticks)
+def after(time: TimeLike) -> After:
+    """Acknowledge each function this time after the tick in which it appeared.
+
+    ``after("20 ticks")``, ``after("5 ms")``; a number alone means seconds. Raises ``Failure`` for
+    what is not a time.
+    """
+    return After(read_time(time))
 
 
 def run_up(rpm_per_s: float) -> RunUp:

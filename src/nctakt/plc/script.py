@@ -2,7 +2,7 @@
 """A PLC to derive from: what it does stands as methods with a mark that says when.
 
     class Cell(Plc):
-        acknowledge = after(20)
+        acknowledge = after("20 ticks")
         inputs = "inputs.csv"
 
         @at("0.5s")
@@ -29,9 +29,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
 
+from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.plc.inputs import read_inputs
 from nctakt.plc.policies import ALL, Policy, SpindlePolicy
-from nctakt.run.stimuli import Stimulus, parse_time
+from nctakt.run.stimuli import Stimulus
 
 if TYPE_CHECKING:
     from nctakt.run.plc_view import Interface, SpindleEntry, TechnologyEntry
@@ -43,7 +44,7 @@ _MARK = "_nctakt_when"
 
 @dataclass(frozen=True, slots=True)
 class _At:
-    time_us: int
+    time: Time
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,13 +57,14 @@ class _On:
     names: frozenset[str]
 
 
-def at(time: str | int) -> Callable[[_Method], _Method]:
+def at(time: TimeLike) -> Callable[[_Method], _Method]:
     """Call the method once, so that what it writes is in force at this time of the run.
 
-    ``time``: as on the command line (``"0.5s"``, ``"20ms"``), or whole microseconds. No earlier
-    than behind the first tick.
+    ``time``: a text with a unit (``"0.5 s"``, ``"20 ms"``, ``"300 ticks"``), a number of seconds
+    or a ``datetime.timedelta``. The method is called behind the first tick at the earliest. Raises
+    ``Failure`` for what is not a time.
     """
-    return _marked(_At(parse_time(time) if isinstance(time, str) else time))
+    return _marked(_At(read_time(time)))
 
 
 def when(condition: Callable[[Interface], object]) -> Callable[[_Method], _Method]:
@@ -131,14 +133,16 @@ class Plc:
     def cycle(self, hli: Interface) -> None:
         """Behind each tick: do what is due."""
         memory = self._memory
+        tick_us = hli.cycle_time_us
         if memory.first_tick is None:
             memory.first_tick = hli.tick
-        next_us = (hli.tick + 1 - memory.first_tick) * hli.cycle_time_us
-        while memory.inputs and memory.inputs[0].time_us <= next_us:
+            memory.inputs.sort(key=lambda one: one.time.us(tick_us))
+        next_tick = hli.tick + 1 - memory.first_tick
+        while memory.inputs and memory.inputs[0].time.ticks(tick_us) <= next_tick:
             stimulus = memory.inputs.pop(0)
             hli.write(stimulus.name, stimulus.value)
         for name, index, mark in self._of(_At):
-            if mark.time_us <= next_us and (name, index) not in memory.done:
+            if mark.time.ticks(tick_us) <= next_tick and (name, index) not in memory.done:
                 memory.done.append((name, index))
                 getattr(self, name)(hli)
         for name, index, mark in self._of(_When):

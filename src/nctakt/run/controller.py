@@ -16,6 +16,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.kernel import kernel as reasons
+from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
@@ -31,7 +32,7 @@ from nctakt.run.program_loader import LoadedProgram, NcText
 from nctakt.run.recording import Recording
 from nctakt.run.scheduled_run import Pace, scheduled
 from nctakt.run.shared_image import InterfaceImage
-from nctakt.run.stimuli import Stimulus
+from nctakt.run.stimuli import Stimulus, StimulusLike, read_stimulus
 from nctakt.run.wait_reasons import awaited
 from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.trace.events import Event
@@ -238,16 +239,16 @@ class Controller:
         self,
         *programs: str | Path | NcText,
         channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
-        plc: AnyPlc | None = None,
-        until_us: int | None = None,
+        set: Mapping[str, float | str] | None = None,
+        at: Sequence[StimulusLike] = (),
+        until: TimeLike | None = None,
         ticks: int | None = None,
-        after_us: int = 0,
-        initial: Mapping[str, float | str] | None = None,
-        stimuli: Sequence[Stimulus] = (),
-        sinks: Sequence[Sink] = (),
+        after: TimeLike = 0,
+        plc: AnyPlc | None = None,
+        wait_for_start: bool = False,
+        skip: Collection[int] = (),
         signals: Sequence[str] | None = None,
-        waits_for_start: bool = False,
-        skip_levels: Collection[int] = (),
+        sinks: Sequence[Sink] = (),
         memory_trace: bool = True,
         record_writes: bool = True,
         why: bool = False,
@@ -260,27 +261,33 @@ class Controller:
 
         ``programs`` are those of channel 1, ``channels`` those of others: number -> programs. All
         channels begin together; an error stops its own channel only.
-        ``until_us`` and ``ticks`` limit the run (``DEFAULT_LIMIT_US``), ``after_us`` is how long
-        the machine goes on behind the last program. ``initial`` are values before the first tick,
-        ``stimuli`` values at times of the run. With ``waits_for_start`` each program is begun
-        by START on the HLI, again after a RESET. ``sinks`` get the trace, which ``memory_trace``
-        keeps in the result, of ``signals`` (positions of all axes, path speed, override, block
-        number, active cycles unless given); ``record_writes`` has each new value that a cycle gives
-        a variable as an event in it. ``why`` keeps what each condition of the realtime cycles saw
-        and did, and counts it (``Run.coverage``). Raises ``Failure`` for a name or value that does
-        not fit; mistakes of the programs are in the result. ``on_cycle`` is told the name and the
-        definition of each realtime cycle when it is decoded. Blocks of the ``skip_levels`` 1 … 10
-        are left out. ``blocks``: events tell of each block when it was decoded and when it is
-        carried out, and why the channel is emptied.
+        ``set`` gives variables values before the first tick, ``at`` at times of the run:
+        ``at=[("20 ms", "V.E.DOOR", 1)]``. ``until`` and ``ticks`` limit the run (10 minutes unless
+        given), ``after`` is how long the machine goes on after the last program. Times are texts
+        with a unit (us, ms, s, min, h, ticks), seconds or ``datetime.timedelta``. With
+        ``wait_for_start`` each program is begun by START on the HLI, again after a RESET. Blocks
+        of the levels ``skip``, 1 … 10, are left out. ``sinks`` get the trace, which
+        ``memory_trace`` keeps in the result, of ``signals`` (``default_signals`` unless given);
+        with ``record_writes`` each new value that a cycle gives a variable is an event in it.
+        ``why`` keeps what each condition of the realtime cycles saw and did, and counts it
+        (``Run.coverage``). ``blocks``: events tell when each block was decoded and when it is
+        carried out, and why the channel is emptied. ``on_cycle`` is called with the name and the
+        definition of each realtime cycle when it is decoded.
+
+        Raises ``Failure`` for a name, a value or a time that does not fit; mistakes of the
+        programs are in the result.
         """
+        limit = self._limit(None if until is None else read_time(until), ticks)
+        rest_ticks = read_time(after).ticks(self.cycle_time_us)
+        stimuli = [read_stimulus(one) for one in at]
         wanted = {1: programs, **(channels or {})}
         for channel in wanted:
             self._index(channel)
         for one in self._channels:
-            one.skip_levels = frozenset(skip_levels)
+            one.skip_levels = frozenset(skip)
             one.tells_blocks = blocks
         first_tick = self.tick
-        for name, value in (initial or {}).items():
+        for name, value in (set or {}).items():
             self._machine.write(name, value)
         self._machine.access.apply_writes()
         for stimulus in stimuli:
@@ -297,12 +304,11 @@ class Controller:
         for one in self._channels:
             one.channel.hli.acknowledges_itself = plc is None
         self._recording.on_message = on_message
-        self._stimuli = sorted(stimuli, key=lambda one: one.time_us)
+        self._stimuli = sorted(stimuli, key=lambda one: one.time.us(self.cycle_time_us))
         self._stimuli_from = first_tick
-        limit = self._limit(until_us, ticks)
         try:
             state = self._run_programs(
-                wanted, first_tick + limit, after_us, waits_for_start, on_progress
+                wanted, first_tick + limit, rest_ticks, wait_for_start, on_progress
             )
         except KeyboardInterrupt:
             self._recording.drain()
@@ -340,29 +346,29 @@ class Controller:
         loaded, self._loaded = self._loaded, []
         return [text for one in loaded for text in one.texts]
 
-    def _limit(self, until_us: int | None, ticks: int | None) -> int:
-        """The most ticks of a run."""
+    def _limit(self, until: Time | None, ticks: int | None) -> int:
+        """The maximum number of ticks of a run."""
         limits = [ticks] if ticks is not None else []
-        if until_us is not None:
-            limits.append(-(-until_us // self.cycle_time_us))
+        if until is not None:
+            limits.append(until.ticks(self.cycle_time_us))
         return min(limits) if limits else DEFAULT_LIMIT_US // self.cycle_time_us
 
     def _run_programs(
         self,
         programs: Mapping[int, Sequence[str | Path | NcText]],
         end: int,
-        after_us: int,
-        waits_for_start: bool,
+        rest_ticks: int,
+        wait_for_start: bool,
         on_progress: Callable[[int, int | None], None] | None,
     ) -> RunState:
         loaded = self._load(programs)
         if loaded is None:
             return "error"
         chosen = [self._channels[number - 1] for number, own in loaded.items() if own]
-        if not waits_for_start:
+        if not wait_for_start:
             self._make_ready(chosen)
         for number, own in loaded.items():
-            self._channels[number - 1].queue(own, waits_for_start=waits_for_start)
+            self._channels[number - 1].queue(own, waits_for_start=wait_for_start)
         while self._proceed(chosen):
             if self.tick >= end:
                 self._tell_awaited()
@@ -374,7 +380,7 @@ class Controller:
         state = _worst(chosen, "ended")
         if state == "reset":
             return state
-        stop = self.tick - (-after_us // self.cycle_time_us)
+        stop = self.tick + rest_ticks
         while self.tick < min(stop, end):
             self._advance(min(stop, end, self.tick + PROGRESS_TICKS))
             self._tell_progress(on_progress, min(stop, end))
@@ -457,7 +463,7 @@ class Controller:
         """Post the stimuli of the coming tick; the tick before which the next one is due."""
         while self._stimuli:
             stimulus = self._stimuli[0]
-            tick = self._stimuli_from + -(-stimulus.time_us // self.cycle_time_us)
+            tick = self._stimuli_from + stimulus.time.ticks(self.cycle_time_us)
             if tick > self.tick:
                 return tick
             self._machine.write(stimulus.name, stimulus.value)

@@ -1,27 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""Values of variables at times, from the words of a command line.
+"""Values of variables at times of a run, from Python or from the words of a command line.
 
-In: ``1.5ms``, ``V.E.VALUE=5``. Out: times in whole microseconds, ``Stimulus`` objects. A stimulus
-is latched at the start of the first tick that begins at or after its time (RC-001, RC-002), so a
-part of a microsecond is rounded up: no tick begins within it. Whether the variable exists, and
-what it can hold, the controller says.
+In: ``("1.5 ms", "V.E.VALUE", 5)`` or the words ``1.5ms V.E.VALUE=5``. Out: ``Stimulus`` objects. A
+stimulus is latched at the start of the first tick that begins at or after its time (RC-001,
+RC-002). The controller knows whether the variable exists, and what it can hold.
 """
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from decimal import ROUND_CEILING, Decimal
 
 from nctakt.base.failure import Failure
+from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import INVALID_TIME, NOT_AN_ASSIGNMENT, UNREADABLE_VALUE
+from nctakt.messages.inputs import NOT_A_STIMULUS, NOT_AN_ASSIGNMENT, UNREADABLE_VALUE
 
-#: Microseconds in a unit of time; a number without a unit means seconds.
-_UNITS = {"us": 1, "µs": 1, "μs": 1, "ms": 1_000, "s": 1_000_000, "": 1_000_000, "min": 60_000_000}
-
-#: At most 12 digits on either side: some 30 000 years, and finer than a microsecond.
-_TIME = re.compile(r"(?P<number>\d{1,12}(?:\.\d{0,12})?|\.\d{1,12}) ?(?P<unit>[a-zµμ]*)", re.ASCII)
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
 
@@ -29,29 +23,42 @@ _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
 _LARGEST = 1.7976931348623157e308
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, init=False)
 class Stimulus:
-    """``name`` gets ``value`` at ``time_us`` of the run, counted from its first tick."""
+    """A variable that gets a value at a time of the run, counted from the run's first tick.
 
-    time_us: int
+    ``Stimulus("20 ms", "V.E.DOOR", 1)``: the time is a text with a unit (us, ms, s, min, h, ticks),
+    a number of seconds or a ``datetime.timedelta``. Raises ``Failure`` for any other time.
+    """
+
+    time: Time
     name: str
     value: float | str
 
+    def __init__(self, time: TimeLike, name: str, value: float | str) -> None:
+        object.__setattr__(self, "time", read_time(time))
+        object.__setattr__(self, "name", name)
+        object.__setattr__(self, "value", value)
 
-def parse_time(text: str) -> int:
-    """A time in microseconds: ``1500us``, ``1.5ms``, ``0.2s``, ``2min``; ``0.2`` is in seconds.
 
-    Raises ``Failure`` (900510) for anything else.
+#: Whatever stands for a stimulus in the Python interface.
+StimulusLike = Stimulus | tuple[TimeLike, str, float | str]
+
+
+def read_stimulus(value: StimulusLike) -> Stimulus:
+    """Return the stimulus that ``value`` is, or that its time, name and value make.
+
+    Raises ``Failure`` for anything else (900514) and for a wrong time (900510, 900513).
     """
-    match = _TIME.fullmatch(text.strip())
-    if match is None or match["unit"] not in _UNITS:
-        raise Failure(diagnostic(INVALID_TIME, text=text))
-    time_us = Decimal(match["number"]) * _UNITS[match["unit"]]
-    return int(time_us.to_integral_value(ROUND_CEILING))
+    if isinstance(value, Stimulus):
+        return value
+    if not isinstance(value, tuple | list) or len(value) != 3 or not isinstance(value[1], str):
+        raise Failure(diagnostic(NOT_A_STIMULUS, value=repr(value)))
+    return Stimulus(*value)
 
 
 def parse_assignment(text: str) -> tuple[str, float | str]:
-    """Name and value of ``V.E.VALUE=5`` or ``V.E.TEXT="part"``; TRUE is 1 and FALSE is 0.
+    """Return name and value of ``V.E.VALUE=5`` or ``V.E.TEXT="part"``; TRUE is 1, FALSE is 0.
 
     Raises ``Failure``: no assignment (900511), no value (900512).
     """
@@ -63,9 +70,8 @@ def parse_assignment(text: str) -> tuple[str, float | str]:
 
 
 def parse_stimulus(time: str, assignment: str) -> Stimulus:
-    """The stimulus of ``--at TIME NAME=VALUE``; raises ``Failure`` as its two parts do."""
-    time_us = parse_time(time)
-    return Stimulus(time_us, *parse_assignment(assignment))
+    """Return the stimulus of ``--at TIME NAME=VALUE``; raises ``Failure`` as its parts do."""
+    return Stimulus(time, *parse_assignment(assignment))
 
 
 def _parse_value(name: str, text: str) -> float | str:

@@ -2,11 +2,12 @@
 """The load: what rtconf.lis does not say and a simulation must know.
 
 In: the text of a load file (TOML). Out: ``Load``; what is wrong with it goes to the collector.
-Times in the file are microseconds, with or without decimals::
+Times in the file are numbers of microseconds, as in rtconf.lis, with or without decimals, or texts
+with a unit (``"1.5 ms"``, ``"1 h"``)::
 
     seed = 1
     [functions]                       # execution time of one call
-    task_int = 400                    # always the same
+    task_int = 400                    # always the same; also "400 us", "0.4 ms"
     task_rnd = [600, 650, 700]        # one call after another, from the first again
     task_com = { uniform = [200, 300] }
     # of task_int also its parts, in the order of schedule:
@@ -41,6 +42,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from nctakt.base.diagnostics import Text
+from nctakt.lists.format.times import nanoseconds
 from nctakt.messages import Collector
 from nctakt.messages.load import INVALID_LOAD_FILE, INVALID_LOAD_VALUE, UNKNOWN_LOAD_ENTRY
 from nctakt.schedule.model import NO_OVERHEADS, NS_PER_US, PARTS, Execution, Overheads
@@ -50,12 +52,19 @@ LONGEST_US = 2**32 - 2
 #: The most processors: those that ``thread[i].cpu`` can name.
 MOST_CPUS = 8
 
-_TIME = Text("a time in µs, 0 or more", "eine Zeit in µs ab 0")
-_TIMES = Text(
-    "a time in µs, a list of times, { uniform = [least, greatest] } or the parts of task_int",
-    "eine Zeit in µs, eine Liste, { uniform = [kleinste, größte] } oder die Teile von task_int",
+_TIME = Text(
+    'a time in µs, 0 or more, or a text such as "1.5 ms"',
+    'eine Zeit in µs ab 0 oder ein Text wie "1.5 ms"',
 )
-_SIGNED = Text("a time in µs", "eine Zeit in µs")
+_TIMES = Text(
+    'a time in µs, a text such as "1.5 ms", a list of times, { uniform = [least, greatest] } or '
+    "the parts of task_int",
+    'eine Zeit in µs, ein Text wie "1.5 ms", eine Liste, { uniform = [kleinste, größte] } oder '
+    "die Teile von task_int",
+)
+_SIGNED = Text(
+    'a time in µs or a text such as "-1.5 ms"', 'eine Zeit in µs oder ein Text wie "-1.5 ms"'
+)
 _NUMBER = Text("an integer", "eine ganze Zahl")
 _CPU = Text(f"a number from 1 to {MOST_CPUS}", f"eine Zahl von 1 bis {MOST_CPUS}")
 _CPUS = Text(
@@ -241,7 +250,7 @@ class _Reader:
             times = [self._time(key, one) for one in found]
             known = tuple(time for time in times if time is not None)
             return Execution(known) if len(known) == len(times) else None
-        if isinstance(found, list | str):
+        if isinstance(found, list):
             self._report(key, found, _TIMES)
             return None
         time = self._time(key, found)
@@ -257,10 +266,10 @@ class _Reader:
 
     def _time(self, key: str, found: Any, *, signed: bool = False) -> int | None:
         """A time in ns."""
-        is_number = isinstance(found, int | float) and not isinstance(found, bool)
-        low = -LONGEST_US if signed else 0
-        if is_number and low <= found <= LONGEST_US:
-            return round(float(found) * NS_PER_US)
+        time_ns = _nanoseconds(found)
+        low = -LONGEST_US * NS_PER_US if signed else 0
+        if time_ns is not None and low <= time_ns <= LONGEST_US * NS_PER_US:
+            return time_ns
         self._report(key, found, _SIGNED if signed else _TIME)
         return None
 
@@ -298,6 +307,16 @@ class _Reader:
             return tuple(sorted(found))
         self._report(key, found, _CPUS)
         return None
+
+
+def _nanoseconds(found: Any) -> int | None:
+    """A number of microseconds or a text with a unit in ns; ``None`` if it is neither."""
+    if isinstance(found, str):
+        size = nanoseconds(found.removeprefix("-"))
+        return -size if size is not None and found.startswith("-") else size
+    if isinstance(found, bool) or not isinstance(found, int | float):
+        return None
+    return round(float(found) * NS_PER_US) if abs(found) <= LONGEST_US else None
 
 
 def _is_cpu(found: Any) -> bool:

@@ -15,6 +15,7 @@ from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
 from nctakt.lists.declared.rtconf import RtconfConfiguration
+from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_profile import RtconfOptions
 from nctakt.messages import Collector, diagnostic
@@ -22,7 +23,9 @@ from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE, FOLDER_INSTEA
 from nctakt.messages.schedule_results import CPU_MISSING, CPU_NOT_ASSIGNABLE
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.load import ASSUMED, Load, read_load
-from nctakt.schedule.model import Model
+from nctakt.schedule.model import NS_PER_US, Model
+from nctakt.schedule.results import Simulation
+from nctakt.schedule.simulate import simulate
 
 #: Errors of a list with a load that leave a schedule: the operating system places the thread.
 PLACED = (CPU_MISSING, CPU_NOT_ASSIGNABLE)
@@ -56,7 +59,10 @@ def read_file(path: str | Path) -> bytes:
 def open_schedule(
     rtconf: str | Path, load: str | Path | None = None, options: RtconfOptions | None = None
 ) -> RunSchedule:
-    """Read a list and a load (without one the assumed times); raises ``Failure``."""
+    """Return the schedule of a list (rtconf.lis) and a load file, by default assumed times.
+
+    Raises ``Failure`` with all that is wrong in both files.
+    """
     options = options or RtconfOptions()
     collector = Collector()
     configuration = load_rtconf(str(rtconf), read_file(rtconf), collector, options)
@@ -70,3 +76,18 @@ def open_schedule(
     if any(one.message not in PLACED for one in errors):
         raise Failure(*collector.diagnostics)
     return RunSchedule(str(rtconf), configuration, model, times, tuple(collector.diagnostics))
+
+
+def simulate_schedule(schedule: RunSchedule, until: TimeLike = "1 s") -> Simulation:
+    """Simulate a schedule for this time, at least for one NC cycle, without a controller.
+
+    ``until`` in ticks counts NC cycles. Raises ``Failure`` for what is not a time.
+    """
+    return simulate(schedule.model, cycles_within(schedule.model, read_time(until)))
+
+
+def cycles_within(model: Model, time: Time) -> int:
+    """Return how many NC cycles there are within a time, at least one."""
+    if time.is_in_ticks:
+        return max(1, time.count)
+    return max(1, time.count * NS_PER_US // model.train.distance)

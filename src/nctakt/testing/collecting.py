@@ -52,16 +52,16 @@ class NcItem(pytest.Item):
         controller = Controller(self._machine(script))
         names = [*controller.default_signals]
         names += [name for name in self._signals(script) if f"{name}.ACS.ACT_POS" not in names]
-        start = values_before(controller, dict.fromkeys(names), script.initial)
+        start = values_before(controller, dict.fromkeys(names), script.assignments)
         run = controller.run(
             NcText(self._shown(), text),
+            set=script.assignments,
+            at=script.stimuli,
+            until=script.until,
+            after=script.after,
             plc=None if script.plc is None else load_plc(folder / script.plc),
-            initial=script.initial,
-            stimuli=script.stimuli,
-            until_us=script.limit_us,
-            after_us=script.after_us,
+            wait_for_start=script.waits_for_start,
             signals=list(start),
-            waits_for_start=script.waits_for_start,
             why=session_coverage(self.config) is not None,
         )
         note_coverage(self.config, run)

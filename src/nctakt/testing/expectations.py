@@ -7,7 +7,7 @@ stand in one comment, divided by ``;``. An expectation behind a block is about i
     ; given: V.E.VALUE = 5            before the first tick
     ; given: V.E.DOOR = 1 at 20ms     at a time of the run
     ; given: plc slow_plc.py          files and folders relative to the program
-    ; given: machine ../machine       limit 2s, after 100ms, start: it waits for HLI.START
+    ; given: machine ../machine       until 2s, after 100ms, start: it waits for HLI.START
 
     ; expect: fired                   an $IF of a realtime cycle; fired 17 line 5
     ; expect: M100                    a function; H7
@@ -16,7 +16,7 @@ stand in one comment, divided by ``;``. An expectation behind a block is about i
     ; expect: error 22009             in this line; warning 900302
     ; expect: ended                   the program came to its end
 
-Behind what happens: ``at 463ms`` (``at tick 463``; several with commas), ``before TIME``,
+Behind what happens: ``at 463ms`` (``at 463 ticks``; several with commas), ``before TIME``,
 ``after TIME``, ``never``, ``once``, ``3 times``; ``never after 1s`` counts only what is behind it.
 Behind a value ``at TIME`` or ``at end``.
 """
@@ -30,9 +30,11 @@ from typing import Literal
 
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
+from nctakt.lists.format import times
+from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.inputs import INVALID_EXPECTATION, INVALID_GIVEN_INPUT
-from nctakt.run.stimuli import Stimulus, parse_assignment, parse_time
+from nctakt.run.stimuli import Stimulus, parse_assignment
 
 #: How far a value may be from the expected one unless the expectation says so.
 TOLERANCE = 1e-6
@@ -41,7 +43,7 @@ Kind = Literal["fired", "function", "message", "value", "error", "ended"]
 
 _COMMENT = re.compile(r";\s*(?P<kind>expect|given):(?P<text>.*)", re.IGNORECASE)
 _LATER = re.compile(r"\s*(?P<kind>expect|given):(?P<text>.*)", re.IGNORECASE | re.DOTALL)
-_TIME = r"(?:tick\s+\d+|[\d.]+\s*(?:us|µs|ms|s|min)?)"
+_TIME = times.PATTERN
 _WHEN = re.compile(
     rf"(?:\s+at\s+(?P<at>{_TIME}(?:\s*,\s*{_TIME})*)|\s+before\s+(?P<before>{_TIME})"
     rf"|\s+after\s+(?P<after>{_TIME})|\s+(?P<never>never)|\s+(?P<once>once)"
@@ -58,27 +60,15 @@ _VALUE = re.compile(
     re.IGNORECASE,
 )
 _FILE = re.compile(r"(?P<what>plc|machine)\s+(?P<path>\S.*)", re.IGNORECASE)
-_LIMIT = re.compile(rf"(?P<what>limit|after)\s+(?P<time>{_TIME})", re.IGNORECASE)
+_LIMIT = re.compile(rf"(?P<what>until|after)\s+(?P<time>{_TIME})", re.IGNORECASE)
 _GIVEN_AT = re.compile(rf"(?P<assignment>.*=.*?)\s+at\s+(?P<time>{_TIME})", re.IGNORECASE)
-
-
-@dataclass(frozen=True, slots=True)
-class Moment:
-    """A time of the run in microseconds, or a tick."""
-
-    value: int
-    is_tick: bool
-
-    def us(self, cycle_time_us: int) -> int:
-        """In microseconds."""
-        return self.value * cycle_time_us if self.is_tick else self.value
 
 
 @dataclass(frozen=True, slots=True)
 class Expectation:
     """One thing that has to happen. ``line`` is where it stands, ``text`` as it is written.
 
-    ``about``: the line that it is about, ``None``: any. ``at``: exactly these moments, all of
+    ``about``: the line that it is about, ``None``: any. ``at``: exactly these times, all of
     them; ``count``: how often, ``None``: at least once.
     """
 
@@ -89,9 +79,9 @@ class Expectation:
     name: str = ""
     number: float = 0.0
     within: float = 0.0
-    at: tuple[Moment, ...] = ()
-    before: Moment | None = None
-    after: Moment | None = None
+    at: tuple[Time, ...] = ()
+    before: Time | None = None
+    after: Time | None = None
     count: int | None = None
 
 
@@ -100,12 +90,12 @@ class Script:
     """What the comments of a program say."""
 
     expectations: list[Expectation] = field(default_factory=list)
-    initial: dict[str, float | str] = field(default_factory=dict)
+    assignments: dict[str, float | str] = field(default_factory=dict)
     stimuli: list[Stimulus] = field(default_factory=list)
     plc: str | None = None
     machine: str | None = None
-    limit_us: int | None = None
-    after_us: int = 0
+    until: Time | None = None
+    after: TimeLike = 0
     waits_for_start: bool = False
 
 
@@ -158,13 +148,6 @@ def _parts(text: str) -> list[str]:
     return [part for part in parts if part.strip()]
 
 
-def _moment(text: str) -> Moment:
-    text = text.strip()
-    if text.lower().startswith("tick"):
-        return Moment(int(text[4:]), True)
-    return Moment(parse_time(text), False)
-
-
 def _expectation(text: str, line: int, about: int | None) -> Expectation:
     value = _VALUE.fullmatch(text)
     if value is not None:
@@ -177,14 +160,14 @@ def _expectation(text: str, line: int, about: int | None) -> Expectation:
             value["name"],
             float(value["value"]),
             within=float(value["within"] or TOLERANCE),
-            at=() if at_end else (_moment(value["at"]),),
+            at=() if at_end else (read_time(value["at"]),),
         )
     match = _WHEN.search(text)
     head = text if match is None else text[: match.start()]
     kind, name, number, about = _subject(head.strip(), about)
     if match is None:
         return Expectation(line, text, kind, about, name, number)
-    at = tuple(_moment(one) for one in (match["at"] or "").split(",") if one.strip())
+    at = tuple(read_time(one) for one in (match["at"] or "").split(",") if one.strip())
     count = int(match["count"]) if match["count"] else 1 if match["once"] else None
     return Expectation(
         line,
@@ -194,8 +177,8 @@ def _expectation(text: str, line: int, about: int | None) -> Expectation:
         name,
         number,
         at=at,
-        before=None if match["before"] is None else _moment(match["before"]),
-        after=None if match["after"] is None else _moment(match["after"]),
+        before=None if match["before"] is None else read_time(match["before"]),
+        after=None if match["after"] is None else read_time(match["after"]),
         count=0 if match["never"] else count,
     )
 
@@ -222,12 +205,12 @@ def _give(script: Script, text: str) -> None:
     elif match := _FILE.fullmatch(text):
         setattr(script, match["what"].lower(), match["path"].strip())
     elif match := _LIMIT.fullmatch(text):
-        setattr(script, f"{match['what'].lower()}_us", parse_time(match["time"]))
+        setattr(script, match["what"].lower(), read_time(match["time"]))
     elif match := _GIVEN_AT.fullmatch(text):
         assignment = parse_assignment(match["assignment"])
-        script.stimuli.append(Stimulus(parse_time(match["time"]), *assignment))
+        script.stimuli.append(Stimulus(match["time"], *assignment))
     elif "=" in text:
         name, value = parse_assignment(text)
-        script.initial[name] = value
+        script.assignments[name] = value
     else:
         raise _NotUnderstoodError

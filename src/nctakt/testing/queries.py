@@ -13,11 +13,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.plc import AnyPlc, load_plc
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus, parse_time
+from nctakt.run.stimuli import StimulusLike
 from nctakt.trace.events import Event, number_text
 
 if TYPE_CHECKING:
@@ -40,21 +41,20 @@ def run_program(
     program: str | Path,
     folder: Path,
     *,
-    given: Mapping[str, float | str] | None = None,
-    at: Mapping[str, Mapping[str, float | str]] | None = None,
-    plc: AnyPlc | str | Path | None = None,
-    until: str | None = None,
+    set: Mapping[str, float | str] | None = None,
+    at: Sequence[StimulusLike] = (),
+    until: TimeLike | None = None,
     ticks: int | None = None,
-    after: str = "0",
+    after: TimeLike = 0,
+    plc: AnyPlc | str | Path | None = None,
+    wait_for_start: bool = False,
     signals: Iterable[str] = (),
-    waits_for_start: bool = False,
     why: bool = False,
 ) -> NcRun:
     """Run a program: a file (relative to ``folder``), or a text of several lines.
 
-    ``given``: values before the first tick; ``at``: values at times, ``{"20ms": {"V.E.DOOR": 1}}``;
     ``plc``: an object, or the file of one; ``signals`` are recorded beside positions, path speed,
-    override, block and active cycles; ``why`` as for ``Controller.run``.
+    override, block and active cycles; all else as for ``Controller.run``.
     """
     if isinstance(program, str) and "\n" in program:
         source: Path | NcText = NcText(TEXT_NAME, program)
@@ -63,32 +63,29 @@ def run_program(
     if isinstance(plc, str | Path):
         plc = load_plc(folder / plc)
     names = list(dict.fromkeys([*controller.default_signals, *signals]))
-    start = values_before(controller, names, given or {})
+    start = values_before(controller, names, set or {})
     run = controller.run(
         source,
-        plc=plc,
-        initial=given,
-        stimuli=[
-            Stimulus(parse_time(time), name, value)
-            for time, values in (at or {}).items()
-            for name, value in values.items()
-        ],
-        until_us=None if until is None else parse_time(until),
+        set=set,
+        at=at,
+        until=until,
         ticks=ticks,
-        after_us=parse_time(after),
+        after=after,
+        plc=plc,
+        wait_for_start=wait_for_start,
         signals=names,
-        waits_for_start=waits_for_start,
         why=why,
     )
     return NcRun(run, start)
 
 
 def values_before(
-    controller: Controller, names: Iterable[str], given: Mapping[str, float | str]
+    controller: Controller, names: Iterable[str], assignments: Mapping[str, float | str]
 ) -> dict[str, float]:
-    """The signals' values before the first tick, with what is given for it."""
+    """Return the signals' values before the first tick, the assigned ones among them."""
     return {
-        name: float(given[name]) if name in given else controller.signal(name) for name in names
+        name: float(assignments[name]) if name in assignments else controller.signal(name)
+        for name in names
     }
 
 
@@ -178,13 +175,13 @@ class AxisTrace:
         self._run = run
         self.name = name
 
-    def position_at(self, time_s: float) -> float:
-        """The position that a realtime cycle reads at this time."""
-        return self._run.value_at(f"{self.name}.ACS.ACT_POS", time_s)
+    def position_at(self, time: TimeLike) -> float:
+        """Return the position that a realtime cycle reads at this time."""
+        return self._run.value_at(f"{self.name}.ACS.ACT_POS", time)
 
-    def actual_position_at(self, time_s: float) -> float:
-        """The actual position at this time."""
-        return self._run.value_at(f"{self.name}.ACS.CUR_POS", time_s)
+    def actual_position_at(self, time: TimeLike) -> float:
+        """Return the actual position at this time."""
+        return self._run.value_at(f"{self.name}.ACS.CUR_POS", time)
 
     @property
     def end_position(self) -> float:
@@ -287,16 +284,17 @@ class NcRun:
         """Whether it is the name of an axis."""
         return f"{name}.ACS.ACT_POS" in self._start
 
-    def value_at(self, name: str, time_s: float) -> float:
-        """The value of a signal at a time, as a realtime cycle reads it then.
+    def value_at(self, name: str, time: TimeLike) -> float:
+        """Return the value of a signal at a time, as a realtime cycle reads it then.
 
-        What a tick has done counts from the begin of the next one on.
+        What a tick has done counts from the begin of the next one on. Raises ``Failure`` for what
+        is not a time.
         """
         trace = self.run.trace
         assert trace is not None
         if name not in self._start:
             raise KeyError(f"{name} is not recorded: name it in signals")
-        ticks = -(-round(time_s * 1e6) // self.run.cycle_time_us)
+        ticks = read_time(time).ticks(self.run.cycle_time_us)
         if ticks <= 0 or self.run.ticks == 0:
             return self._start[name]
         last = self.run.first_tick + min(ticks, self.run.ticks) - 1

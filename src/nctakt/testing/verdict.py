@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nctakt.base.diagnostics import Diagnostic, Severity
-from nctakt.testing.expectations import Expectation, Moment
+from nctakt.lists.format.times import Time
+from nctakt.testing.expectations import Expectation
 from nctakt.testing.queries import NcRun, Occurrences, seconds
 from nctakt.trace.events import number_text
 
@@ -120,6 +121,6 @@ def _told(run: NcRun, expectation: Expectation) -> str:
     return " ".join(parts)
 
 
-def _when(moment: Moment, length_us: int) -> str:
-    time_us = moment.us(length_us)
+def _when(time: Time, length_us: int) -> str:
+    time_us = time.us(length_us)
     return f"at {seconds(time_us)}, tick {-(-time_us // length_us)}"

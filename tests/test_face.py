@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""The public face: what ``import nctakt`` gives, and what it does not load."""
+
+import ast
+import json
+import pydoc
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+
+import nctakt
+from nctakt.schedule.results import Simulation
+
+SOURCE = Path(nctakt.__file__)
+EXAMPLES = Path(__file__).parent.parent / "examples"
+
+
+def test_the_bare_package_loads_nothing() -> None:
+    """``import nctakt`` imports no further module of its own, and no library."""
+    code = (
+        "import json, sys; known = set(sys.modules); import nctakt; "
+        "print(json.dumps(sorted(set(sys.modules) - known)))"
+    )
+    words = [sys.executable, "-c", code]
+    done = subprocess.run(words, check=True, capture_output=True, encoding="utf-8")
+    assert json.loads(done.stdout) == ["nctakt"]
+
+
+@pytest.mark.parametrize("name", nctakt.__all__)
+def test_each_public_name_is_there_with_a_docstring(name: str) -> None:
+    """By attribute, in ``dir``, in the package's docstring; what it is says its own docstring."""
+    assert getattr(nctakt, name).__doc__
+    assert name in dir(nctakt)
+    assert f"``{name}``" in (nctakt.__doc__ or "")
+
+
+def test_an_unknown_name_is_an_attribute_error() -> None:
+    """As with any module."""
+    with pytest.raises(AttributeError, match="'nctakt' has no attribute 'Controler'"):
+        _ = nctakt.Controler
+    with pytest.raises(ImportError):
+        exec("from nctakt import Controler")
+
+
+def test_type_checkers_see_what_is_imported() -> None:
+    """The names of ``__all__``, of the imports for type checkers and of the lazy table agree."""
+    tree = ast.parse(SOURCE.read_text("utf-8"))
+    block = next(node for node in tree.body if isinstance(node, ast.If))
+    typed = {
+        alias.name: node.module
+        for node in block.body
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+    assert typed == nctakt._MODULES
+    assert sorted(typed) == sorted(nctakt.__all__) == nctakt.__all__
+
+
+def test_help_shows_the_names_and_the_example() -> None:
+    """``help(nctakt)``."""
+    text = pydoc.render_doc(nctakt, renderer=pydoc.plaintext)
+    for name in nctakt.__all__:
+        assert f"``{name}``" in text
+    assert "run = controller.run(program" in text
+    assert "class Controller(" in text
+
+
+def test_the_example_of_the_docstring_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    """It shows a reaction."""
+    lines = (nctakt.__doc__ or "").split("\n\n", 1)[1].split("\nPrograms and what", 1)[0]
+    exec(compile(textwrap.dedent(lines), "help(nctakt)", "exec"), {})
+    assert capsys.readouterr().out.startswith("ended ")
+
+
+def test_a_schedule_is_simulated_for_a_time() -> None:
+    """Times of all kinds; at least one NC cycle, and ticks are NC cycles."""
+    schedule = nctakt.open_schedule(EXAMPLES / "schedule" / "rtconf.lis")
+    cycles = [
+        nctakt.simulate_schedule(schedule, until).cycles for until in ("10 ms", 0.01, "7 ticks", 0)
+    ]
+    assert isinstance(nctakt.simulate_schedule(schedule), Simulation)
+    assert cycles == [cycles[0], cycles[0], 7, 1]
+    assert cycles[0] == 10_000 // schedule.configuration.cycle_time_us

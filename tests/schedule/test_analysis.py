@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Response times in closed form: the worked ones, against the simulation, and the answers."""
+"""Response times in closed form: the worked ones, against the simulation, and the margins."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from dataclasses import replace
 
 import pytest
 from hypothesis import assume, given, settings
-from schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, change, load_text, make
+from schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, change, load_text, make, with_line
 from schedule_models import models
 from test_scenarios import NOMINAL
 
 from nctakt.schedule.analyse import Analysis, analyse
 from nctakt.schedule.findings import analysis_findings, simulation_findings
-from nctakt.schedule.margins import find_answers, with_cycle, with_time, with_windows
+from nctakt.schedule.margins import find_margins, with_cycle, with_time, with_windows
 from nctakt.schedule.model import Execution, Model, Rules
 from nctakt.schedule.self_check import contradictions
 from nctakt.schedule.simulate import hyperperiod, simulate
@@ -164,7 +164,7 @@ def test_analysis_is_the_simulation_where_it_says_so(model: Model) -> None:
 @given(models(load=4))
 @settings(max_examples=400, deadline=None)
 def test_analysis_is_a_bound_everywhere(model: Model) -> None:
-    """B4: a task that cannot overflow by the analysis never does, nor answers later."""
+    """B4: a task that cannot overflow by the analysis never does, nor margins later."""
     analysis = analyse(model)
     assume(not analysis.can_overflow)
     run = simulate(model, 60)
@@ -196,20 +196,26 @@ def test_longest_execution_times_are_the_last_that_fit(model: Model) -> None:
             for task in model.tasks
         ),
     )
-    for one in find_answers(thousand).functions:
-        if one.longest is not None:
-            assert not analyse(with_time(thousand, one.function, one.longest)).can_overflow
-            more = with_time(thousand, one.function, one.longest + US)
-            assert analyse(more).can_overflow
+    for i, one in enumerate(find_margins(thousand).functions):
+        cpu = thousand.tasks[i].cpu
+        if one.limit is not None:
+            assert not overflows_on(with_time(thousand, one.function, one.limit), cpu)
+            assert overflows_on(with_time(thousand, one.function, one.limit + US), cpu)
         else:
-            assert analyse(with_time(thousand, one.function, 0)).can_overflow
+            assert overflows_on(with_time(thousand, one.function, 0), cpu)
 
 
-def test_answers_of_the_example() -> None:
+def overflows_on(model: Model, cpu: int) -> bool:
+    """Whether anything can overflow on a processor."""
+    tasks = zip(model.tasks, analyse(model).tasks, strict=True)
+    return any(found.can_overflow for task, found in tasks if task.cpu == cpu)
+
+
+def test_margins_of_the_example() -> None:
     """The limits of S0a, each confirmed by the simulation."""
     model, _ = make(EXAMPLE_1, load_text(NOMINAL))
-    answers = find_answers(model)
-    limits = {one.function: one.longest for one in answers.functions}
+    margins = find_margins(model)
+    limits = {one.function: one.limit for one in margins.functions}
     assert limits["task_rnd"] == 850 * US
 
     def overflows(changed: Model) -> int:
@@ -219,21 +225,52 @@ def test_answers_of_the_example() -> None:
         assert longest is not None
         assert overflows(with_time(model, function, longest)) == 0
         assert overflows(with_time(model, function, longest + US)) > 0
-    assert answers.windows_time == 500 * US
+    assert margins.windows_time == 500 * US
     assert overflows(with_windows(model, 500 * US)) == 0
     assert overflows(with_windows(model, 1000 * US)) > 0
-    assert answers.cycle_time == 2000 * US
+    assert margins.cycle_time == 2000 * US
     assert overflows(with_cycle(model, 1500 * US)) > 0
 
 
 def test_no_answer_where_everything_overflows() -> None:
     """An overloaded realtime thread overflows with any windows_time."""
     model, _ = make(EXAMPLE_1, load_text(TIGHT | {"task_int": 2100}))
-    answers = find_answers(model)
-    assert answers.windows_time is None
-    assert answers.cycle_time is not None and answers.cycle_time > 2000 * US
-    other = next(one for one in answers.functions if one.function == "task_com")
-    assert other.longest is None
+    margins = find_margins(model)
+    assert margins.windows_time is None
+    assert margins.cycle_time is not None and margins.cycle_time > 2000 * US
+    other = next(one for one in margins.functions if one.function == "task_com")
+    assert other.limit is None
+
+
+def test_limits_belong_to_a_processor() -> None:
+    """A function's limit does not depend on what overflows on another processor."""
+    text = with_line(EXAMPLE_1, "thread[1].cpu 2", "thread[2].cpu 2", "thread[3].cpu 2")
+    model, _ = make(text, load_text(TIGHT | {"task_int": 2100}))
+    margins = find_margins(model)
+    changes = {one.function: one.change for one in margins.functions}
+    assert changes["task_com"] == 1050 * US
+    assert changes["task_int"] == -300 * US
+    assert changes["external_sps"] is None
+    assert [(one.cpu, one.factor) for one in margins.factors] == [(1, 0.869)]
+
+
+def test_how_much_less_would_do() -> None:
+    """Where something overflows a limit lies below the present time."""
+    margins = find_margins(make(EXAMPLE_1, load_text(TIGHT))[0])
+    changes = {one.function: one.change for one in margins.functions}
+    assert changes["task_com"] == -150 * US
+    assert [(one.cpu, one.factor) for one in margins.factors] == [(1, 0.952)]
+    assert margins.windows_time == 0
+
+
+def test_list_of_times_counts_with_its_worst_neighbours() -> None:
+    """100, 200, 300 in turn: two jobs take 500 at most, not 600."""
+    load = load_text(NOMINAL).replace("task_rnd = 600", "task_rnd = [300, 500, 900]")
+    analysis = analyse(make(EXAMPLE_1, load)[0])
+    assert analysis.cpus[0].demand == pytest.approx(
+        (300 + 1700 / 3 + 200 / 3 + 200 / 2 + 150) / 2000
+    )
+    assert responses(analysis)[3] == 2 * (300 + 150) + 500 + 900 + 200 + 200 + 500
 
 
 def test_windows_off_and_late_threads() -> None:

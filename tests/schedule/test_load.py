@@ -125,10 +125,22 @@ def test_bad_loads(text: str, number: int) -> None:
 
 
 def test_missing_times() -> None:
-    """Functions and external threads of the list without a time are errors, once each."""
-    found = make(EXAMPLE_1, "[functions]\ntask_int = 1\n")[1]
+    """Functions and external threads without a time have the assumed ones, a note tells each."""
+    model, found = make(EXAMPLE_1, "[functions]\ntask_int = 1\n")
     assert found == [900622] * 4
+    assert [task.longest // 1000 for task in model.tasks] == [1, 600, 200, 200, 150]
     assert make(EXAMPLE_1, "[external.external_sps]\npriority = 1\n")[1] == [900622] * 5
+
+
+def test_times_with_units() -> None:
+    """A text with a unit is a time as everywhere else."""
+    load, found = read("[functions]\na = '1.5ms'\nb = ['2us', 3]\nc = '1h'\n")
+    assert found == []
+    assert load.functions == {
+        "a": Execution((1_500_000,)),
+        "b": Execution((2000, 3000)),
+        "c": Execution((3_600_000_000_000,)),
+    }
 
 
 def test_names_that_the_list_does_not_have() -> None:

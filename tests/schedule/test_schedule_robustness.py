@@ -18,7 +18,7 @@ from nctakt.schedule.figure import svg
 from nctakt.schedule.findings import analysis_findings, simulation_findings
 from nctakt.schedule.gantt import gantt
 from nctakt.schedule.load import ASSUMED, read_load
-from nctakt.schedule.margins import find_answers
+from nctakt.schedule.margins import find_margins
 from nctakt.schedule.model import Rules
 from nctakt.schedule.report import analysis_report, simulation_report
 from nctakt.schedule.simulate import simulate
@@ -87,5 +87,5 @@ def test_nothing_fails(
         assert found.render("en") and found.render("de")
     assert simulation_report(run, simulate_worst_phases(run), "de")
     if configuration.threads:
-        assert analysis_report(analysis, find_answers(model), run, "en")
+        assert analysis_report(analysis, find_margins(model), run, "en")
     assert svg(gantt(run, "de")).endswith("</svg>\n")

@@ -113,7 +113,7 @@ def _simulate(words: dict[str, Any]) -> int:
 def _analyse(words: dict[str, Any]) -> int:
     from nctakt.schedule.analyse import analyse as analyse_model  # noqa: PLC0415
     from nctakt.schedule.findings import analysis_findings  # noqa: PLC0415
-    from nctakt.schedule.margins import find_answers  # noqa: PLC0415
+    from nctakt.schedule.margins import find_margins  # noqa: PLC0415
     from nctakt.schedule.report import analysis_report  # noqa: PLC0415
     from nctakt.schedule.self_check import check_bounds  # noqa: PLC0415
     from nctakt.schedule.simulate import simulate as run_model  # noqa: PLC0415
@@ -127,6 +127,6 @@ def _analyse(words: dict[str, Any]) -> int:
     check_bounds(analysis, done)
     found = [*collector.diagnostics, *analysis_findings(analysis)]
     tell([*read.found, *found], words)
-    text = analysis_report(analysis, find_answers(model), done, words["language"])
+    text = analysis_report(analysis, find_margins(model), done, words["language"])
     click.echo(text, nl=False)
     return exit_code(read.found, found, words)

@@ -19,6 +19,7 @@ from nctakt.schedule.report import (
     dead_time_report,
     numbers_report,
     responses,
+    rounded_mean,
     table,
 )
 from nctakt.schedule.results import Simulation
@@ -120,7 +121,7 @@ def _punctuality(measurement: Measurement, plan: Plan, language: Language) -> li
 
 
 def _mean(times: tuple[int, ...]) -> int:
-    return sum(times) // len(times)
+    return rounded_mean(sum(times), len(times))
 
 
 def _within(times: tuple[int, ...], low: int, high: int | None) -> int:

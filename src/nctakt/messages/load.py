@@ -23,13 +23,14 @@ LOAD_OF_UNUSED_FUNCTION = warning(
     name=("the name in the load", "der Name in der Last"),
     names=("the names of the list", "die Namen der Liste"),
 )
-EXECUTION_TIME_MISSING = error(
+EXECUTION_TIME_MISSING = note(
     900622,
-    en="load: the execution time of {name} is missing",
-    de="Last: die Ausführungszeit von {name} fehlt",
+    en="the load has no time for '{name}'; {time} µs are assumed",
+    de="die Last hat keine Zeit für '{name}'; angenommen sind {time} µs",
     remedy_en="Write '{entry} = ' with a time in µs.",
     remedy_de="'{entry} = ' mit einer Zeit in µs schreiben.",
     name=("the function or external thread", "die Funktion oder der externe Thread"),
+    time=("the assumed execution time, in µs", "die angenommene Ausführungszeit in µs"),
     entry=("how the load names it", "wie die Last es nennt"),
 )
 INVALID_LOAD_VALUE = error(

@@ -27,7 +27,7 @@ from nctakt.messages.load import (
     LOAD_OF_UNUSED_FUNCTION,
 )
 from nctakt.messages.schedule_results import CPU_MISSING, CPU_NOT_ASSIGNABLE
-from nctakt.schedule.load import ASSUMED_EXTERNAL, ASSUMED_FUNCTION, Load
+from nctakt.schedule.load import ASSUMED, ASSUMED_EXTERNAL, ASSUMED_FUNCTION, Load
 from nctakt.schedule.model import (
     ANY_CPU,
     NS_PER_US,
@@ -226,13 +226,16 @@ class _Assembly:
                 if found.parts and function.name != REALTIME_FUNCTION:
                     self._refuse_parts(key, found.parts)
                 return found
-        if self._load.is_assumed:
-            return ASSUMED_FUNCTION
-        entry = f'functions."{function.name}"'
-        if function.name not in self._missing:
+        assumed = ASSUMED.functions.get(function.name, ASSUMED_FUNCTION)
+        if not self._load.is_assumed and function.name not in self._missing:
             self._missing.append(function.name)
-            self._collector.report(EXECUTION_TIME_MISSING, None, name=function.name, entry=entry)
-        return Execution((0,))
+            self._report_assumed(function.name, f'functions."{function.name}"', assumed)
+        return assumed
+
+    def _report_assumed(self, name: str, entry: str, execution: Execution) -> None:
+        """Report a time that the load does not have."""
+        time = execution.longest // NS_PER_US
+        self._collector.report(EXECUTION_TIME_MISSING, None, name=name, time=time, entry=entry)
 
     def _refuse_parts(self, key: str, parts: tuple[int, ...]) -> None:
         """Only the interpolation has parts."""
@@ -253,14 +256,11 @@ class _Assembly:
         for thread in self._configuration.external_threads:
             name = thread.semaphore_name
             load = self._load.external.get(name)
-            execution = ASSUMED_EXTERNAL if self._load.is_assumed else None
-            if load is not None:
-                execution = load.execution
+            execution = None if load is None else load.execution
             if execution is None:
-                self._collector.report(
-                    EXECUTION_TIME_MISSING, None, name=name, entry=f'external."{name}".time'
-                )
-                execution = Execution((0,))
+                execution = ASSUMED_EXTERNAL
+                if not self._load.is_assumed:
+                    self._report_assumed(name, f'external."{name}".time', execution)
             urgency = min(realtime, default=0) - 1
             if load is not None and load.priority is not None:
                 urgency = self._urgency(load.priority)

@@ -1,57 +1,86 @@
 # SPDX-License-Identifier: MIT
-"""How far a schedule is from overflowing, found by search on the analysis.
+"""How far a schedule is from overflowing, or how much less would do, by search on the analysis.
 
-In: ``Model``. Out: ``Answers``: the longest execution time of each function alone, the longest
-windows_time, the shortest cycle_time with which nothing overflows, all else unchanged. Where the
-analysis is a bound, so are the answers, on the safe side. Times in ns.
+In: ``Model``. Out: ``Margins``. A function's limit is that of its own processors: what overflows on
+another one does not count. Where the analysis is a bound, so are the margins, on the safe side.
+Times in ns.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from dataclasses import dataclass, replace
 
 from nctakt.schedule.analyse import analyse
-from nctakt.schedule.model import NS_PER_US, Execution, Model, Task
+from nctakt.schedule.model import ANY_CPU, NS_PER_US, Execution, Model, Task
 
 #: A cycle_time this many times the present one is searched, not more.
-_MOST_CYCLES = 64
+_MAX_CYCLES = 64
+#: Factors are searched in steps of a thousandth.
+_STEPS = 1000
+#: So many values of windows_time are tried at first.
+_MAX_TRIALS = 200
 
 
 @dataclass(frozen=True, slots=True)
-class Longest:
-    """The longest execution time of one call of a function; ``None``: none is short enough."""
+class FunctionLimit:
+    """The longest execution time of one call of a function, all else unchanged.
+
+    ``limit`` ``None``: even without it something overflows on its processors.
+    """
 
     function: str
     present: int
-    longest: int | None
+    limit: int | None
+
+    @property
+    def change(self) -> int | None:
+        """How much longer it may be; negative: how much shorter it must be."""
+        return None if self.limit is None else self.limit - self.present
 
 
 @dataclass(frozen=True, slots=True)
-class Answers:
+class CpuFactor:
+    """A processor on which something overflows; with all times of execution there multiplied by
+    ``factor`` nothing does. ``None``: not even without any work."""
+
+    cpu: int
+    factor: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Margins:
     """``None``: whatever it is, something overflows."""
 
-    functions: tuple[Longest, ...]
+    functions: tuple[FunctionLimit, ...]
+    factors: tuple[CpuFactor, ...]
     windows_time: int | None
     cycle_time: int | None
 
 
-def find_answers(model: Model) -> Answers:
-    """Search all answers; execution times to the microsecond."""
+def find_margins(model: Model) -> Margins:
+    """Search all margins; execution times to the microsecond."""
     names = dict.fromkeys(call.function for task in model.tasks for call in task.calls)
-    return Answers(
-        tuple(_longest(model, name) for name in names),
+    return Margins(
+        tuple(_function_limit(model, name) for name in names),
+        tuple(_factors(model)),
         _windows_time(model),
         _cycle_time(model),
     )
 
 
-def _fits(model: Model) -> bool:
-    return not analyse(model).can_overflow
+def _fits(model: Model, cpus: Container[int] | None = None) -> bool:
+    """Return whether nothing overflows, on some processors or on all."""
+    analysis = analyse(model)
+    return not any(
+        found.can_overflow
+        for task, found in zip(model.tasks, analysis.tasks, strict=True)
+        if cpus is None or task.cpu in cpus
+    )
 
 
 def _greatest(fits: Callable[[int], bool], high: int) -> int | None:
-    """The greatest number from 0 to ``high`` that fits, where all smaller ones fit, too."""
+    """Return the greatest number from 0 to ``high`` that fits, where all smaller ones fit, too."""
     if not fits(0):
         return None
     low = 0
@@ -64,43 +93,113 @@ def _greatest(fits: Callable[[int], bool], high: int) -> int | None:
     return low
 
 
-def with_time(model: Model, function: str, time: int) -> Model:
-    """The model with another execution time of all calls of a function."""
-    execution = Execution((time,))
-
-    def changed(task: Task) -> Task:
-        calls = tuple(
-            replace(call, execution=execution) if call.function == function else call
-            for call in task.calls
+def _with_executions(model: Model, change: Callable[[Task, str, Execution], Execution]) -> Model:
+    """Return the model with other execution times."""
+    tasks = tuple(
+        replace(
+            task,
+            calls=tuple(
+                replace(call, execution=change(task, call.function, call.execution))
+                for call in task.calls
+            ),
         )
-        return replace(task, calls=calls)
+        for task in model.tasks
+    )
+    return replace(model, tasks=tasks)
 
-    return replace(model, tasks=tuple(changed(task) for task in model.tasks))
 
-
-def _longest(model: Model, function: str) -> Longest:
+def longest_time(model: Model, function: str) -> int:
+    """Return the longest execution time of a function."""
     calls = [call for task in model.tasks for call in task.calls if call.function == function]
-    present = max(call.execution.longest for call in calls)
-    most = max(task.every for task in model.tasks) * model.train.distance // NS_PER_US
-    found = _greatest(lambda us: _fits(with_time(model, function, us * NS_PER_US)), most)
-    return Longest(function, present, None if found is None else found * NS_PER_US)
+    return max(call.execution.longest for call in calls)
+
+
+def with_time(model: Model, function: str, time: int) -> Model:
+    """Return the model in which the longest execution time of a function is ``time``.
+
+    Of several times all become as much longer or shorter, none below 0.
+    """
+    change = time - longest_time(model, function)
+
+    def changed(_: Task, name: str, execution: Execution) -> Execution:
+        if name != function:
+            return execution
+        values = tuple(max(0, value + change) for value in execution.values)
+        return replace(execution, values=values, parts=None)
+
+    return _with_executions(model, changed)
+
+
+def _function_limit(model: Model, function: str) -> FunctionLimit:
+    present = longest_time(model, function)
+    cpus = {
+        task.cpu for task in model.tasks if any(call.function == function for call in task.calls)
+    }
+    is_free = ANY_CPU in {task.cpu for task in model.tasks}
+    longest = max(task.every for task in model.tasks) * model.train.distance // NS_PER_US
+    limit = _greatest(
+        lambda us: _fits(with_time(model, function, us * NS_PER_US), None if is_free else cpus),
+        longest,
+    )
+    return FunctionLimit(function, present, None if limit is None else limit * NS_PER_US)
+
+
+def with_factor(model: Model, cpu: int, factor: float) -> Model:
+    """Return the model with shorter execution times on a processor."""
+
+    def changed(task: Task, _: str, execution: Execution) -> Execution:
+        if task.cpu not in (cpu, ANY_CPU):
+            return execution
+        values = tuple(int(value * factor) for value in execution.values)
+        return replace(execution, values=values, parts=None)
+
+    return _with_executions(model, changed)
+
+
+def _factors(model: Model) -> list[CpuFactor]:
+    """Return a factor for each processor on which something overflows."""
+    factors: list[CpuFactor] = []
+    for cpu in model.cpus:
+        if _fits(model, (cpu, ANY_CPU)):
+            continue
+        steps = _greatest(
+            lambda steps, cpu=cpu: _fits(  # type: ignore[misc]
+                with_factor(model, cpu, steps / _STEPS), (cpu, ANY_CPU)
+            ),
+            _STEPS - 1,
+        )
+        factors.append(CpuFactor(cpu, None if steps is None else steps / _STEPS))
+    return factors
 
 
 def with_windows(model: Model, windows: int) -> Model:
-    """The model with another windows_time."""
+    """Return the model with another windows_time."""
     return replace(model, windows=windows)
 
 
 def _windows_time(model: Model) -> int | None:
-    slice_ = model.slice
-    found = _greatest(
-        lambda slices: _fits(with_windows(model, slices * slice_)), model.cycle // slice_
-    )
-    return None if found is None else found * slice_
+    """Return the largest windows_time.
+
+    More of it leaves suspendable threads less, and external ones behind them more: so it is tried
+    from above, in steps of several slices where there are many, and halved only within a step.
+    """
+    slices = model.cycle // model.slice
+    step = -(-slices // _MAX_TRIALS)
+
+    def fits(slices: int) -> bool:
+        return _fits(with_windows(model, slices * model.slice))
+
+    for first in (*range(slices, 0, -step), 0):
+        more = _greatest(
+            lambda more, first=first: fits(first + more), min(step - 1, slices - first)
+        )  # type: ignore[misc]
+        if more is not None:
+            return (first + more) * model.slice
+    return None
 
 
 def with_cycle(model: Model, cycle: int) -> Model:
-    """The model with another cycle_time; each task stays due in every n-th cycle."""
+    """Return the model with another cycle_time; each task stays due in every n-th cycle."""
     train = model.train
     if train.period == model.cycle:
         train = replace(train, period=cycle)
@@ -108,7 +207,8 @@ def with_cycle(model: Model, cycle: int) -> Model:
 
 
 def _cycle_time(model: Model) -> int | None:
-    slice_ = model.slice
-    least, most = 1, _MOST_CYCLES * model.cycle // slice_
-    found = _greatest(lambda less: _fits(with_cycle(model, (most - less) * slice_)), most - least)
-    return None if found is None else (most - found) * slice_
+    least, most = 1, _MAX_CYCLES * model.cycle // model.slice
+    less = _greatest(
+        lambda less: _fits(with_cycle(model, (most - less) * model.slice)), most - least
+    )
+    return None if less is None else (most - less) * model.slice

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Simulation and analysis as tables of text.
 
-In: ``Simulation``, ``Analysis``, ``Answers``, rows of the effective list. Out: text in the user's
+In: ``Simulation``, ``Analysis``, ``Margins``, rows of the effective list. Out: text in the user's
 language, times in µs. Every report names the rules that were chosen.
 """
 
@@ -14,7 +14,7 @@ from nctakt.schedule.analyse import Analysis, TaskAnalysis
 from nctakt.schedule.effective_table import EffectiveRow
 from nctakt.schedule.findings import culprits, us
 from nctakt.schedule.interpolation_steps import dead_times
-from nctakt.schedule.margins import Answers
+from nctakt.schedule.margins import Margins
 from nctakt.schedule.model import ANY_CPU, Model, TaskClass
 from nctakt.schedule.results import Simulation, TaskNumbers
 
@@ -195,11 +195,16 @@ def _task_row(run: Simulation, i: int, language: Language) -> list[str]:
     ]
 
 
+def rounded_mean(total: int, count: int) -> int:
+    """Return the mean, rounded half up."""
+    return (2 * total + count) // (2 * count)
+
+
 def responses(numbers: TaskNumbers) -> list[str]:
     """Least, mean and longest response in µs."""
     if numbers.response_min is None or numbers.response_max is None:
         return [NONE] * 3
-    mean = numbers.response_sum // numbers.completed
+    mean = rounded_mean(numbers.response_sum, numbers.completed)
     return [us(numbers.response_min), us(mean), us(numbers.response_max)]
 
 
@@ -214,7 +219,7 @@ def _windows_table(run: Simulation, language: Language) -> list[str]:
             f"CPU {one.cpu}" if one.cpu else Text("sum", "Summe").get(language),
             f"{100 * one.total / run.duration:.2f}",
             us(one.least),
-            us(one.total // run.cycles),
+            us(rounded_mean(one.total, run.cycles)),
             us(one.most),
             str(one.violated) if run.model.windows else NONE,
             culprits(run.model, one) or NONE,
@@ -225,7 +230,7 @@ def _windows_table(run: Simulation, language: Language) -> list[str]:
 
 
 def analysis_report(
-    analysis: Analysis, answers: Answers, run: Simulation, language: Language
+    analysis: Analysis, margins: Margins, run: Simulation, language: Language
 ) -> str:
     """Response times beside those of a simulation, load against supply, and the answers."""
     lines = chosen_report(analysis.model, language)
@@ -250,7 +255,7 @@ def analysis_report(
         )
     lines += ["", *table(heads.get(language).split("|"), rows), ""]
     lines += [_meaning_of_bounds(analysis).get(language), *_phases(analysis, language), ""]
-    return "\n".join([*lines, *_cpus(analysis, language), "", *_answers(answers, language)]) + "\n"
+    return "\n".join([*lines, *_cpus(analysis, language), "", *_margins(margins, language)]) + "\n"
 
 
 def _bound(task: TaskAnalysis) -> str:
@@ -308,21 +313,41 @@ def _cpus(analysis: Analysis, language: Language) -> list[str]:
     return table(heads.get(language).split("|"), rows)
 
 
-def _answers(answers: Answers, language: Language) -> list[str]:
+def _margins(margins: Margins, language: Language) -> list[str]:
     heads = Text(
-        "Nothing overflows up to (each alone)|Present|Limit",
-        "Nichts läuft über bis (jedes für sich)|Jetzt|Grenze",
+        "Nothing on its CPU overflows up to (each alone)|Present|Limit|Change",
+        "Nichts auf ihrer CPU läuft über bis (jedes für sich)|Jetzt|Grenze|Änderung",
     )
     rows = [
-        [one.function, us(one.present), NONE if one.longest is None else us(one.longest)]
-        for one in answers.functions
+        [
+            one.function,
+            us(one.present),
+            NONE if one.limit is None else us(one.limit),
+            NONE if one.change is None else _signed(one.change),
+        ]
+        for one in margins.functions
     ]
     lines = table(heads.get(language).split("|"), rows)
+    factor = Text(
+        "CPU {cpu}: nothing overflows with all execution times × {factor}",
+        "CPU {cpu}: mit allen Ausführungszeiten × {factor} läuft nichts über",
+    )
+    hopeless = Text(
+        "CPU {cpu}: something overflows with any execution times",
+        "CPU {cpu}: mit allen Ausführungszeiten läuft etwas über",
+    )
+    for cpu in margins.factors:
+        text = hopeless if cpu.factor is None else factor
+        lines.append(text.get(language).format(cpu=cpu.cpu, factor=cpu.factor))
     never = Text("none: something overflows with each", "keine: bei jeder läuft etwas über")
     for text, value in (
-        (Text("largest windows_time", "größte windows_time"), answers.windows_time),
-        (Text("smallest cycle_time", "kleinste cycle_time"), answers.cycle_time),
+        (Text("largest windows_time", "größte windows_time"), margins.windows_time),
+        (Text("smallest cycle_time", "kleinste cycle_time"), margins.cycle_time),
     ):
         shown = never.get(language) if value is None else f"{us(value)} µs"
         lines.append(f"{text.get(language)}: {shown}")
     return lines
+
+
+def _signed(time: int) -> str:
+    return f"+{us(time)}" if time > 0 else f"−{us(-time)}" if time < 0 else "0"

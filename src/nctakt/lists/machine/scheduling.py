@@ -253,7 +253,7 @@ def _windows_time(
         values.report(collector, WINDOWS_TIME_IGNORED, key, value=rounded)
         return 0
     _check_windows_time(values, rounded, slice_, cycle, collector, options)
-    return rounded
+    return min(rounded, cycle)
 
 
 def _check_windows_time(

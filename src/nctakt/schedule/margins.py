@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container
 from dataclasses import dataclass, replace
+from functools import partial
 
 from nctakt.schedule.analyse import analyse
 from nctakt.schedule.model import ANY_CPU, NS_PER_US, Execution, Model, Task
@@ -158,17 +159,15 @@ def with_factor(model: Model, cpu: int, factor: float) -> Model:
 
 def _factors(model: Model) -> list[CpuFactor]:
     """Return a factor for each processor on which something overflows."""
+
+    def fits(cpu: int, steps: int) -> bool:
+        return _fits(with_factor(model, cpu, steps / _STEPS), (cpu, ANY_CPU))
+
     factors: list[CpuFactor] = []
     for cpu in model.cpus:
-        if _fits(model, (cpu, ANY_CPU)):
-            continue
-        steps = _greatest(
-            lambda steps, cpu=cpu: _fits(  # type: ignore[misc]
-                with_factor(model, cpu, steps / _STEPS), (cpu, ANY_CPU)
-            ),
-            _STEPS - 1,
-        )
-        factors.append(CpuFactor(cpu, None if steps is None else steps / _STEPS))
+        if not fits(cpu, _STEPS):
+            steps = _greatest(partial(fits, cpu), _STEPS - 1)
+            factors.append(CpuFactor(cpu, None if steps is None else steps / _STEPS))
     return factors
 
 
@@ -186,15 +185,14 @@ def _windows_time(model: Model) -> int | None:
     slices = model.cycle // model.slice
     step = -(-slices // _MAX_TRIALS)
 
-    def fits(slices: int) -> bool:
-        return _fits(with_windows(model, slices * model.slice))
+    def fits(first: int, more: int) -> bool:
+        return _fits(with_windows(model, (first + more) * model.slice))
 
     for first in (*range(slices, 0, -step), 0):
-        more = _greatest(
-            lambda more, first=first: fits(first + more), min(step - 1, slices - first)
-        )  # type: ignore[misc]
+        more = _greatest(partial(fits, first), min(step - 1, slices - first))
         if more is not None:
-            return (first + more) * model.slice
+            windows: int = (first + more) * model.slice
+            return windows
     return None
 
 

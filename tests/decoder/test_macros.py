@@ -91,12 +91,12 @@ def test_what_is_wrong_in_a_macro_is_named() -> None:
     assert found.source_line == '"A" Y1'
 
 
-def nested(levels: int, glue: str) -> str:
-    """Macros that have the one before twice in their texts: 2 ** ``levels`` times the first."""
+def nested(call_stack: int, glue: str) -> str:
+    """Macros that have the one before twice in their texts: 2 ** ``call_stack`` times the first."""
     lines = ['"M0" = "1"']
-    for level in range(1, levels + 1):
-        inner = f'\\"M{level - 1}\\"'
-        lines.append(f'"M{level}" = "{inner}{glue}{inner}"')
+    for frame in range(1, call_stack + 1):
+        inner = f'\\"M{frame - 1}\\"'
+        lines.append(f'"M{frame}" = "{inner}{glue}{inner}"')
     return "\n".join(lines)
 
 

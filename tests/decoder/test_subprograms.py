@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import nctakt
-from nctakt.decoder.state.call_stack import MOST_LEVELS
+from nctakt.decoder.state.call_stack import MAX_CALL_DEPTH
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 
@@ -104,7 +104,7 @@ def test_a_recursion_without_end_is_told(tmp_path: Path) -> None:
     assert error.id == 900307
     assert error.span is not None
     assert (Path(error.span.file).name, error.span.line) == ("again.nc", 3)
-    assert controller.read("V.E.COUNT") == MOST_LEVELS
+    assert controller.read("V.E.COUNT") == MAX_CALL_DEPTH
 
 
 def test_structures_and_calls_inside_each_other_are_bounded() -> None:

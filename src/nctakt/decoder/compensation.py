@@ -29,7 +29,7 @@ from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.decoder.fast.compensated_lines import PlainBeside
 from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.pending_motion import HeldMotion, at_tool, block_length, share_of_contour
-from nctakt.decoder.state.arcs import PLANES, SAME_PLACE_MM, Arc
+from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM, Arc
 from nctakt.decoder.state.commands import Answer, Command, ProgramEnd, Segment, pack, waits
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.values.variables import Values
@@ -76,7 +76,7 @@ class Compensation:
         self, values: Values, path: PathMotion, took_time: Callable[[Command], None]
     ) -> None:
         self._values = values
-        self._surroundings = values.surroundings
+        self._environment = values.environment
         self._path = path
         self._state = values.state.path
         self._took_time = took_time
@@ -125,7 +125,7 @@ class Compensation:
         first, second = PLANES[self._state.plane]
         x, y = segment.start[first], segment.start[second]
         x_2, y_2 = segment.target[first], segment.target[second]
-        if segment.arc is None and max(abs(x - x_2), abs(y - y_2)) <= SAME_PLACE_MM:
+        if segment.arc is None and max(abs(x - x_2), abs(y - y_2)) <= SAME_POINT_MM:
             yield from self._beside_plane(segment)
             return
         wanted = self._state.compensation
@@ -227,7 +227,7 @@ class Compensation:
     @property
     def _waits_for_loops(self) -> bool:
         """Whether motions are held as far as a loop of the way may reach."""
-        return self._state.compensation.masks or self._surroundings.parameters.looks_for_damage
+        return self._state.compensation.masks or self._environment.parameters.looks_for_damage
 
     def _hold(self, command: Command) -> None:
         if self._between >= MOST_BETWEEN:
@@ -286,7 +286,7 @@ class Compensation:
             tool.close(False)
             return
         if any(
-            abs(first.target[place] - last.segment.target[place]) > SAME_PLACE_MM
+            abs(first.target[place] - last.segment.target[place]) > SAME_POINT_MM
             for place in PLANES[self._state.plane]
         ):
             self._values.fail(CONTOUR_NOT_CLOSED, last.span)
@@ -313,7 +313,7 @@ class Compensation:
         begins_there = tool.closes_contour()
         crossed, tool.crossed = tool.crossed, 0
         line = spans[crossed].line
-        if self._surroundings.parameters.looks_for_damage:
+        if self._environment.parameters.looks_for_damage:
             while self._motions and self._motions[-1].number >= crossed:
                 self._motions.pop()
             tool.give_up()
@@ -322,9 +322,9 @@ class Compensation:
                 span,
                 line=line,
             )
-        text = self._surroundings.line(span)
+        text = self._environment.line_text(span)
         warning = TOOL_CUTS_INNER_CORNER if begins_there else TOOL_CUTS_CONTOUR
-        self._surroundings.notice(diagnostic(warning, span, text, line=line))
+        self._environment.warn(diagnostic(warning, span, text, line=line))
 
     # --- plain blocks ----------------------------------------------------------------------------
 
@@ -414,7 +414,7 @@ class Compensation:
         if source == NO_SOURCE:
             return Span(file, 1, 1, 2)
         _, line, column = unpack(source)
-        text = self._surroundings.line(Span(file, line, column, column + 1))
+        text = self._environment.line_text(Span(file, line, column, column + 1))
         return Span(file, line, column, len(_COMMENT.sub("", text).rstrip()) + 1)
 
     # --- commands out ----------------------------------------------------------------------------
@@ -466,7 +466,7 @@ class Compensation:
         segment = motion.segment
         if motion.time_s > 0.0 and segment.feed > 0.0 and pieces:
             lengths = [length for _, length in pieces]
-            length = block_length(segment, lengths, self._surroundings.axes, (first, second))
+            length = block_length(segment, lengths, self._environment.axes, (first, second))
             segment = replace(segment, feed=length / motion.time_s)
         for number, (piece, _) in enumerate(pieces):
             is_last = number == len(pieces) - 1

@@ -22,7 +22,7 @@ from nctakt.decoder.flow.hash_commands import Hashes
 from nctakt.decoder.flow.macros import Macros
 from nctakt.decoder.flow.modal_calls import ModalCalls
 from nctakt.decoder.flow.realtime_loops import RealtimeLoops
-from nctakt.decoder.state.call_stack import MOST_LEVELS, MOST_NESTED, Level
+from nctakt.decoder.state.call_stack import MAX_CALL_DEPTH, MAX_NESTING, CallFrame
 from nctakt.decoder.state.commands import (
     CONTROL_ACTIONS,
     Answer,
@@ -37,7 +37,7 @@ from nctakt.decoder.state.commands import (
     UserMessage,
     is_block,
 )
-from nctakt.decoder.state.environment import Surroundings
+from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.offsets import ALL, left_over
 from nctakt.decoder.state.uncertain_axes import MovedAxes
@@ -80,26 +80,26 @@ class ProgramDecoder:
 
     def __init__(
         self,
-        surroundings: Surroundings,
+        environment: DecoderEnvironment,
         state: ModalState,
         next_cycle: Callable[[], tuple[int, int]],
         keep_cycle: Callable[[CycleDefinition], None],
         *,
         takes_runs: bool,
     ) -> None:
-        self._surroundings = surroundings
+        self._environment = environment
         self._state = state
-        self._values = Values(surroundings, state)
-        self._moved = MovedAxes(surroundings.living_cycles, surroundings.moving_axes())
+        self._values = Values(environment, state)
+        self._moved = MovedAxes(environment.living_cycles, environment.moving_axes())
         self._words = Words(self._values, self._moved)
         self._compensation = Compensation(self._values, self._words.path, self._took_time)
         self._calls = Calls(self._values)
-        self._macros = Macros(surroundings, self._values.fail)
+        self._macros = Macros(environment, self._values.fail)
         self._hashes = Hashes(self._values)
         self._loops = RealtimeLoops(self._values, self._words, self._statements)
         self._flow = Flow(self._values, self._statements, self._round)
-        self._levels = state.levels
-        self._modal = ModalCalls(state.levels)
+        self._call_stack = state.call_stack
+        self._modal = ModalCalls(state.call_stack)
         self._next_cycle = next_cycle
         self._keep_cycle = keep_cycle
         self._plain = PlainBlocks(
@@ -123,16 +123,16 @@ class ProgramDecoder:
         return self._compensation.through(self._run(program))
 
     def _run(self, program: ProgramText) -> Generator[Command, Answer]:
-        yield from self._surroundings.offsets.begin_program()
-        implicit = self._surroundings.parameters.implicit_programs
-        level = Level(program, program.main)
-        self._levels.enter(level)
+        yield from self._environment.offsets.begin_program()
+        implicit = self._environment.parameters.implicit_programs
+        frame = CallFrame(program, program.main)
+        self._call_stack.enter(frame)
         signal: Signal = ""
         if implicit.program_start:
             start = self._calls.implicit(implicit.program_start, program.main.span)
             signal = yield from self._call(start, program.main.span)
         if not signal:
-            yield from self._level(level)
+            yield from self._run_frame(frame)
         if implicit.program_end:
             end = self._calls.implicit(implicit.program_end, program.main.span)
             yield from self._call(end, program.main.span)
@@ -156,31 +156,31 @@ class ProgramDecoder:
 
     # --- programs -------------------------------------------------------------------------------
 
-    def _level(self, level: Level) -> Decoded:
+    def _run_frame(self, frame: CallFrame) -> Decoded:
         """A program from its start to its end; jumps begin it again at their label."""
         label: str | None = None
         while True:
-            statements = level.text.statements(level.section, label)
+            statements = frame.text.statements(frame.section, label)
             signal = yield from self._statements(statements, label)
             if not isinstance(signal, Jump):
                 return signal
             label = signal.label
             self._round(signal.span)
-            if label not in level.section.labels or label in level.section.doubled:
+            if label not in frame.section.labels or label in frame.section.doubled:
                 self._values.fail(
-                    RETURN_LABEL_NOT_UNIQUE, signal.span, label=label, name=level.section.name
+                    RETURN_LABEL_NOT_UNIQUE, signal.span, label=label, name=frame.section.name
                 )
 
-    def _call(self, level: Level, span: Span) -> Decoded:
+    def _call(self, frame: CallFrame, span: Span) -> Decoded:
         """A subprogram; what is said to the caller behind it."""
-        if len(self._levels.stack) >= MOST_LEVELS:
-            self._values.fail(PROGRAMS_NESTED_TOO_DEEP, span, limit=MOST_LEVELS)
-        self._levels.enter(level)
-        signal = yield from self._level(level)
-        self._levels.leave()
+        if len(self._call_stack.frames) >= MAX_CALL_DEPTH:
+            self._values.fail(PROGRAMS_NESTED_TOO_DEEP, span, limit=MAX_CALL_DEPTH)
+        self._call_stack.enter(frame)
+        signal = yield from self._run_frame(frame)
+        self._call_stack.leave()
         if not isinstance(signal, Return):
             return signal
-        calls = len(self._levels.stack) if signal.calls is None else signal.calls
+        calls = len(self._call_stack.frames) if signal.calls is None else signal.calls
         if calls > 1:
             return Return(calls - 1, signal.label, signal.span)
         return "" if signal.label is None else Jump(signal.label, signal.span)
@@ -203,7 +203,7 @@ class ProgramDecoder:
         if self._takes_runs and isinstance(statements, SectionReader):
             reader = statements
         for statement in statements:
-            if self._levels.modal_count:
+            if self._call_stack.modal_count:
                 signal = yield from self._repeated(statement.span.line)
                 if signal:
                     self._nested -= 1
@@ -222,12 +222,12 @@ class ProgramDecoder:
             if signal:
                 self._nested -= 1
                 return signal
-            if self._levels.modal_count:
+            if self._call_stack.modal_count:
                 self._modal.behind(statement)
             elif reader is not None and label is None:
                 self._blocks = yield from self._plain.decode(reader, self._blocks)
         self._nested -= 1
-        if self._levels.modal_count and not is_part:
+        if self._call_stack.modal_count and not is_part:
             return (yield from self._repeated())
         return ""
 
@@ -236,8 +236,8 @@ class ProgramDecoder:
         due = self._modal.due(line)
         if due is None:
             return ""
-        level, modal = due
-        return (yield from self._call(level, modal.span))
+        frame, modal = due
+        return (yield from self._call(frame, modal.span))
 
     def _round(self, span: Span) -> None:
         """A pass of the loop at this place, or a jump from it; the outermost one comes first."""
@@ -253,12 +253,12 @@ class ProgramDecoder:
             self._values.fail(
                 TOO_MANY_BLOCKS_WITHOUT_TIME, next(loops, span), count=MOST_BLOCKS_WITHOUT_TIME
             )
-        if self._nested > MOST_NESTED:
-            self._values.fail(STRUCTURES_AND_CALLS_TOO_DEEP, span, limit=MOST_NESTED)
+        if self._nested > MAX_NESTING:
+            self._values.fail(STRUCTURES_AND_CALLS_TOO_DEEP, span, limit=MAX_NESTING)
 
     def _statement(self, statement: tree.Statement) -> Decoded:
         self._count(statement.span)
-        if statement.head.skip in self._surroundings.skip_levels:
+        if statement.head.skip in self._environment.skip_levels:
             return ""
         if self._macros.are_defined:
             statement = self._macros.meant(statement)
@@ -268,8 +268,8 @@ class ProgramDecoder:
             if value is None:
                 value = yield from self._values.evaluate(statement.head.number, 0)
             number = int(arithmetic.round_half_even(value))
-        if self._surroundings.tells_blocks:
-            yield BlockMark(self._surroundings.place(statement.span), number)
+        if self._environment.marks_blocks:
+            yield BlockMark(self._environment.source_id(statement.span), number)
         match statement:
             case tree.Block():
                 return (yield from self._block(statement, number))
@@ -294,9 +294,9 @@ class ProgramDecoder:
                     signal = yield from self._block(words, number)
                     if signal:
                         return signal
-                level = yield from self._calls.call(statement, number)
-                self._modal.begin(statement, level)
-                return (yield from self._call(level, statement.span))
+                frame = yield from self._calls.call(statement, number)
+                self._modal.begin(statement, frame)
+                return (yield from self._call(frame, statement.span))
             case tree.If() | tree.For() | tree.While() | tree.Do() | tree.Repeat() | tree.Switch():
                 return (yield from self._flow.structure(statement, number))
             case tree.Unreadable():
@@ -329,14 +329,14 @@ class ProgramDecoder:
             return "end"
         if returning is not None:
             return returning
-        if self._levels.modal_count and called is None:
+        if self._call_stack.modal_count and called is None:
             self._modal.behind_words(block.span.line, self._words.has_motion)
         return ""
 
     # --- commands -------------------------------------------------------------------------------
 
     def _command(self, statement: tree.Statement, number: int) -> Generator[Command, Answer]:
-        source = self._surroundings.place(statement.span)
+        source = self._environment.source_id(statement.span)
         match statement:
             case tree.RealtimeCycle():
                 yield from self._define(statement, source, number)
@@ -397,7 +397,7 @@ class ProgramDecoder:
         moves_on = end_action is not None and _word(end_action) == "MOVE_CONT"
         yield LoadCycle(source, number, built.cycle, built.identity, scope, not starts, moves_on)
         for one in built.frozen:
-            place = self._surroundings.place(one.span)
+            place = self._environment.source_id(one.span)
             yield Freeze(place, number, serial, one.name, one.value)
 
     def _control(
@@ -415,7 +415,7 @@ class ProgramDecoder:
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._state.positions = list(answer)
-            self._moved.deleted(identity, self._surroundings.moving_axes())
+            self._moved.deleted(identity, self._environment.moving_axes())
 
     def _identity(
         self, statement: tree.RealtimeCycle | tree.CycleControl, number: int

@@ -14,8 +14,8 @@ from nctakt.base.source_ids import SourceFiles
 from nctakt.base.text import nearest
 from nctakt.decoder.axis_limits import history_blocks, look_ahead, single_axes
 from nctakt.decoder.blocks.spindles import names_of
-from nctakt.decoder.state.controller_data import system_data
-from nctakt.decoder.state.environment import Surroundings
+from nctakt.decoder.state.controller_data import controller_data
+from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.offsets import ActiveOffsets
 from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values
 from nctakt.kernel.axes.axes import Axes
@@ -167,7 +167,9 @@ class AssembledMachine:
         self.files = SourceFiles()
         spindles = all_names(configuration)
         self.registry = Registry(self.files, self._name_of_cell, self._axis_names(), spindles)
-        self.system = system_data(configuration, self.channels, lambda: self.kernel.tick)
+        self.controller_data = controller_data(
+            configuration, self.channels, lambda: self.kernel.tick
+        )
         self.access = VariableAccess(
             layout.tables, [one.panel for one in self.assembled], self.memory, self.kernel
         )
@@ -256,18 +258,18 @@ class AssembledMachine:
         ending += self.single_axes.ending_count()
         return ending == 0 and all(self.path_stands(one.index) for one in self.assembled)
 
-    def surroundings(
+    def environment(
         self,
         subprogram: Callable[[str, str, Span], ProgramText],
         notice: Callable[[Diagnostic], None],
         skip_levels: frozenset[int],
         channel: int,
-        tells_blocks: bool,
-    ) -> Surroundings:
+        marks_blocks: bool,
+    ) -> DecoderEnvironment:
         """What the decoder of a program of this channel works with."""
         own = self.assembled[channel]
         axes = tuple(self.configuration.axes[i] for i in own.members)
-        return Surroundings(
+        return DecoderEnvironment(
             own.names,
             own.parameters,
             {axis.name: place for place, axis in enumerate(own.configuration.axes)},
@@ -284,8 +286,8 @@ class AssembledMachine:
             notice,
             subprogram,
             skip_levels,
-            tells_blocks,
-            self.system[channel],
+            marks_blocks,
+            self.controller_data[channel],
             self.registry.left_in(self.channels[channel].manager),
             lambda: self._moving_axes(channel),
             self.channels[channel].path.history_size,

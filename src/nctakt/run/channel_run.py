@@ -26,7 +26,7 @@ from nctakt.run.queue_feeder import Feed
 class ChannelRun:
     """What runs in a channel; ``index`` counts from 0, ``report`` takes what stops a program.
 
-    Blocks of ``skip_levels`` are left out; ``tells_blocks``: events tell of each block.
+    Blocks of ``skip_levels`` are left out; ``marks_blocks``: events tell of each block.
     ``result``: how the queued programs came to their end, ``None`` while they have not.
     ``budget``: the decoder's time, where a schedule gives it.
     """
@@ -45,7 +45,7 @@ class ChannelRun:
         self.channel = machine.channels[index]
         self.feed: Feed | None = None
         self.skip_levels: frozenset[int] = frozenset()
-        self.tells_blocks = False
+        self.marks_blocks = False
         self.budget: Budget | None = None
         self.result: RunState | None = "ended"
 
@@ -125,7 +125,7 @@ class ChannelRun:
             program,
             self._report,
             self.skip_levels,
-            self.tells_blocks,
+            self.marks_blocks,
             self.budget,
         )
         self.channel.panel.begin_program()

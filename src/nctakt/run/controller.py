@@ -285,7 +285,7 @@ class Controller:
             self._index(channel)
         for one in self._channels:
             one.skip_levels = frozenset(skip)
-            one.tells_blocks = blocks
+            one.marks_blocks = blocks
         first_tick = self.tick
         for name, value in (set or {}).items():
             self._machine.write(name, value)

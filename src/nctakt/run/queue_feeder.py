@@ -31,7 +31,7 @@ HIGH_WATER = 64
 class Feed:
     """One program on its way into its channel; ``report`` takes what stops it.
 
-    Blocks of ``skip_levels`` are left out; ``tells_blocks``: events tell of each block when it was
+    Blocks of ``skip_levels`` are left out; ``marks_blocks``: events tell of each block when it was
     decoded and when it is carried out, and why the channel is emptied.
     """
 
@@ -41,7 +41,7 @@ class Feed:
         program: LoadedProgram,
         report: Callable[[Diagnostic], None],
         skip_levels: frozenset[int] = frozenset(),
-        tells_blocks: bool = False,
+        marks_blocks: bool = False,
         budget: Budget | None = None,
     ) -> None:
         self._machine = machine
@@ -49,16 +49,16 @@ class Feed:
         self._channel = machine.channels[program.channel]
         self._report = report
         self._number = machine.registry.add_program(program.text.source.file)
-        self._surroundings = machine.surroundings(
-            program.subprogram, report, skip_levels, program.channel, tells_blocks
+        self._environment = machine.environment(
+            program.subprogram, report, skip_levels, program.channel, marks_blocks
         )
-        self._surroundings.offsets.adopt(machine.axes.offsets)
+        self._environment.offsets.adopt(machine.axes.offsets)
         start = program.parameters.program_start
         state = state_at_program_start(start, machine.positions(program.channel))
-        state.levels.scopes = Scopes(machine.system[program.channel].kept)
+        state.call_stack.scopes = Scopes(machine.controller_data[program.channel].kept)
         registry = machine.registry
         self._decoder = ProgramDecoder(
-            self._surroundings,
+            self._environment,
             state,
             registry.next_cycle,
             partial(registry.keep, channel=machine.number_in_names(program.channel)),
@@ -154,7 +154,7 @@ class Feed:
         """A mistake that only values show: the channel stops behind what was prepared."""
         self.given_up = found
         self._report(found)
-        source = 0 if found.span is None else self._surroundings.place(found.span)
+        source = 0 if found.span is None else self._environment.source_id(found.span)
         self._put(commands.GiveUp(source, 0, found.id), 0)
         self._channel.decoder_open = False
 
@@ -165,7 +165,7 @@ class Feed:
         if isinstance(command, commands.LoadCycle):
             self._load(command)
             return
-        if self._surroundings.tells_blocks:
+        if self._environment.marks_blocks:
             mark = commands.wait_mark(command)
             if mark is not None:
                 self._put(mark, 0)

@@ -20,7 +20,7 @@ from nctakt.decoder.blocks.path_motion import (
 )
 from nctakt.decoder.blocks.spindles import SpindleWords, names_of
 from nctakt.decoder.blocks.technology_output import Issued, TechnologyOutputs, process_ticks
-from nctakt.decoder.state.arcs import PLANES
+from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM
 from nctakt.decoder.state.commands import (
     Answer,
     AwaitAcknowledge,
@@ -35,7 +35,7 @@ from nctakt.decoder.state.commands import (
     Segment,
     TechnologyOutput,
 )
-from nctakt.decoder.state.coordinate_systems import MAIN_AXES, SAME_PLACE_MM
+from nctakt.decoder.state.coordinate_systems import MAIN_AXES
 from nctakt.decoder.state.offsets import ALL, ZERO_GROUPS
 from nctakt.decoder.state.uncertain_axes import MovedAxes
 from nctakt.decoder.values.variables import Values
@@ -96,25 +96,25 @@ class Words:
     def __init__(self, values: Values, moved: MovedAxes) -> None:
         self._moved = moved
         self._values = values
-        self._surroundings = values.surroundings
+        self._environment = values.environment
         self._state = values.state
-        self._is_linear = [axis.is_linear for axis in self._surroundings.axes]
+        self._is_linear = [axis.is_linear for axis in self._environment.axes]
         self._spindles = SpindleWords(values)
         self.path = PathMotion(values, PathPace(values, self._spindles))
         self.technology = TechnologyOutputs()
         self.has_motion = False
-        self._spindle_names = names_of(self._surroundings.parameters.spindles)
+        self._spindle_names = names_of(self._environment.parameters.spindles)
 
     def presets(self, command: tree.OffsetCommand, number: int) -> Generator[Command, Answer]:
         """``#PSET``, ``#PRESET``."""
-        offsets = self._surroundings.offsets
-        source = self._surroundings.place(command.span)
+        offsets = self._environment.offsets
+        source = self._environment.source_id(command.span)
         for axis in range(len(self._state.positions)) if not command.words else ():
             yield from offsets.release(axis, source, number)
         for word in command.words:
             assert isinstance(word, tree.AxisWord)
             assert word.value is not None
-            axis = self._surroundings.axis_numbers[word.name]
+            axis = self._environment.axis_numbers[word.name]
             if command.name == "PRESET":
                 yield from offsets.release(axis, source, number)
                 continue
@@ -135,7 +135,7 @@ class Words:
         content = yield from self._sort(block, number)
         content.path.offset_kinds = kinds
         if content.zero_group is not None or content.is_reference:
-            yield from self._offsets(content, self._surroundings.place(block.span), number)
+            yield from self._offsets(content, self._environment.source_id(block.span), number)
         if content.turns_tool:
             yield from self._values.tool.offsets(block.span, number)
         if content.functions:
@@ -179,7 +179,7 @@ class Words:
                     content.axes.append((word, known))
                 continue
             if isinstance(word, tree.BracketCommand):
-                axis = self._surroundings.axis_numbers[word.name]
+                axis = self._environment.axis_numbers[word.name]
                 if is_fixed_stop(word):
                     stop = yield from fixed_stop(self._values, word, axis, number)
                     content.stops += ((word, stop),)
@@ -247,12 +247,12 @@ class Words:
 
     def _offsets(self, content: _Content, source: int, number: int) -> Iterator[Command]:
         """Zero offsets, and G92, whose axis words are offsets and no motion (MO-8)."""
-        offsets = self._surroundings.offsets
+        offsets = self._environment.offsets
         if content.zero_group is not None:
             yield from offsets.select_group(content.zero_group, source, number)
         if content.is_reference:
             for word, value in content.axes:
-                axis = self._surroundings.axis_numbers[word.name]
+                axis = self._environment.axis_numbers[word.name]
                 shift = self._in_axis_unit(axis, value)
                 relative = not self._state.absolute
                 yield from offsets.add_zero(axis, shift, relative, source, number)
@@ -281,7 +281,7 @@ class Words:
 
     def _edge_banding(self, function: int, span: Span) -> None:
         """G108 lets the next block with a function of the type MNE_SNS look for an edge."""
-        if function == EDGE_BANDING and self._surroundings.parameters.edge_across_blocks:
+        if function == EDGE_BANDING and self._environment.parameters.edge_across_blocks:
             self._values.fail(EDGE_BANDING_NOT_SIMULATED, span)
         self._state.measures = function == EDGE_BANDING
 
@@ -310,9 +310,9 @@ class Words:
         if word.name == "M" and number in PROGRAM_ENDS:
             content.ends_program = True
         if word.name == "M" and number in PROGRAM_STOPS:
-            source = self._surroundings.place(word.span)
+            source = self._environment.source_id(word.span)
             content.program_stops += (ProgramStop(source, block, number in OPTIONAL_STOPS),)
-        parameters = self._surroundings.parameters
+        parameters = self._environment.parameters
         table = parameters.m_functions if word.name == "M" else parameters.h_functions
         if number in table:
             given = None if extra is None else self._given(word, number, extra)
@@ -341,9 +341,9 @@ class Words:
         given: int | None,
         block: int,
     ) -> Issued:
-        source = self._surroundings.place(word.span)
+        source = self._environment.source_id(word.span)
         code = number if word.name == "M" else -number - 1
-        ticks = process_ticks(function, self._surroundings.cycle_time_us)
+        ticks = process_ticks(function, self._environment.cycle_time_us)
         output = TechnologyOutput(source, block, code, ticks, given)
         return Issued(function.synchronisation, output, AwaitAcknowledge(source, block, code))
 
@@ -369,10 +369,10 @@ class Words:
     ) -> Generator[Command, Answer]:
         """A motion on whose way the edge of the strip is found (G108, V.RTG.MEAS_DELTA)."""
         self._state.measures = False
-        source = self._surroundings.place(span)
+        source = self._environment.source_id(span)
         output = measured.output
         assert isinstance(output, TechnologyOutput)
-        residual = self._surroundings.parameters.residual_path_mm
+        residual = self._environment.parameters.residual_path_mm
         function, ticks, value = output.function, output.ticks, output.value
         yield Measure(source, number, function, ticks, residual, value)
         yield from self._motion(content, span, number)
@@ -391,7 +391,7 @@ class Words:
             yield stop
         yield from self._motion(content, span, number)
         if monitored:
-            source = self._surroundings.place(span)
+            source = self._environment.source_id(span)
             yield FixedStopEnd(source, number)
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
@@ -402,11 +402,11 @@ class Words:
         names = [word.name for word, _ in content.axes]
         if self._state.motion in ARCS:
             plane = PLANES[self._state.path.plane]
-            for name, place in self._surroundings.axis_numbers.items():
+            for name, place in self._environment.axis_numbers.items():
                 if place in plane and name not in names:
                     names.append(name)
-        if self._surroundings.offsets.systems.is_active:
-            main = list(self._surroundings.axis_numbers)[:MAIN_AXES]
+        if self._environment.offsets.systems.is_active:
+            main = list(self._environment.axis_numbers)[:MAIN_AXES]
             names += [name for name in main if name not in names]
         return names
 
@@ -416,9 +416,9 @@ class Words:
         if not doubtful:
             return
         self._values.empties_channel(", ".join(doubtful), span)
-        source = self._surroundings.place(span)
-        places = [self._surroundings.axis_numbers[name] for name in doubtful]
-        numbers = (self._surroundings.names.axis(name) for name in doubtful)
+        source = self._environment.source_id(span)
+        places = [self._environment.axis_numbers[name] for name in doubtful]
+        numbers = (self._environment.names.axis(name) for name in doubtful)
         answer = yield PositionRequest(
             source, number, tuple(axis.number for axis in numbers if axis is not None)
         )
@@ -434,17 +434,17 @@ class Words:
         plane = () if command.arc is None else command.arc[:2]
         return [
             name
-            for name, place in self._surroundings.axis_numbers.items()
+            for name, place in self._environment.axis_numbers.items()
             if command.start[place] != command.target[place] or place in plane
         ]
 
     def _target(self, content: _Content, span: Span) -> list[float]:
         """Where the block ends: positions of the axes."""
-        offsets, kinds = self._surroundings.offsets, content.path.offset_kinds
+        offsets, kinds = self._environment.offsets, content.path.offset_kinds
         target = offsets.inside(self._state.positions, kinds)
         spans = {}
         for word, value in content.axes:
-            index = self._surroundings.axis_numbers[word.name]
+            index = self._environment.axis_numbers[word.name]
             begin = offsets.total(index, kinds) if self._state.absolute else target[index]
             target[index] = begin + self._in_axis_unit(index, value)
             spans[index] = word.span
@@ -462,11 +462,11 @@ class Words:
         What rounding alone would move stays.
         """
         start = self._state.positions
-        found = self._surroundings.offsets.outside(target, kinds)
+        found = self._environment.offsets.outside(target, kinds)
         turns = any(axis in programmed for axis in range(MAIN_AXES))
         for index, before in enumerate(start):
             moves = turns if index < MAIN_AXES else index in programmed
-            if not moves or abs(found[index] - before) < SAME_PLACE_MM:
+            if not moves or abs(found[index] - before) < SAME_POINT_MM:
                 found[index] = before
         return found
 
@@ -474,10 +474,10 @@ class Words:
         """Standing still; ``ceil(d / T)`` ticks (RC-005)."""
         if seconds < 0.0:
             self._values.fail(INVALID_DWELL_TIME, span, seconds=seconds)
-        ticks = seconds * 1e6 / self._surroundings.cycle_time_us
+        ticks = seconds * 1e6 / self._environment.cycle_time_us
         count = int(arithmetic.ceiling(ticks - 1e-6))
         if count > 0:
-            yield Dwell(self._surroundings.place(span), number, count)
+            yield Dwell(self._environment.source_id(span), number, count)
 
 
 def _is_revolutions(word: tree.BlockWord) -> bool:

@@ -37,7 +37,7 @@ class SystemCommands:
 
     def __init__(self, values: Values) -> None:
         self._values = values
-        self._surroundings = values.surroundings
+        self._environment = values.environment
         self._stored: dict[int, tuple[float, ...]] = {}
         self._latest = 0
         self._stack: dict[str, tuple[float, ...]] = {}
@@ -47,8 +47,8 @@ class SystemCommands:
         """One command."""
         command = system_command(statement)
         assert command is not None
-        source = self._surroundings.place(statement.span)
-        offsets = self._surroundings.offsets
+        source = self._environment.source_id(statement.span)
+        offsets = self._environment.offsets
         compensation = self._values.state.path.compensation
         if compensation.is_active:
             self._values.fail(
@@ -77,7 +77,7 @@ class SystemCommands:
 
     def _leave(self, count: int, source: int, number: int) -> Generator[Command, Answer]:
         """So many systems are off, the innermost first; a selected stack as a whole."""
-        offsets = self._surroundings.offsets
+        offsets = self._environment.offsets
         for _ in range(count):
             yield from offsets.leave_system(source, number)
         self._selected = min(self._selected, offsets.systems.count)
@@ -94,13 +94,13 @@ class SystemCommands:
 
     def _select(self, name: str, span: Span, number: int) -> Generator[Command, Answer]:
         """``#CS SELECT``: the systems of the stack from its bottom up to this one are active."""
-        offsets = self._surroundings.offsets
+        offsets = self._environment.offsets
         if name not in self._stack:
             known = ", ".join(self._stack) or "–"
             self._values.fail(UNKNOWN_COORDINATE_SYSTEM_NAME, span, name=name, known=known)
         if offsets.systems.count > self._selected:
             self._values.fail(CS_SELECT_DURING_CS_ON, span)
-        source = self._surroundings.place(span)
+        source = self._environment.source_id(span)
         yield from self._leave(self._selected, source, number)
         for other, components in self._stack.items():
             yield from offsets.enter_system(components, source, number)
@@ -119,7 +119,7 @@ class SystemCommands:
         return tuple(found)
 
     def _check_axes(self, span: Span) -> None:
-        axes = self._surroundings.axes
+        axes = self._environment.axes
         if len(axes) < MAIN_AXES or not all(axis.is_linear for axis in axes[:MAIN_AXES]):
             self._values.fail(LINEAR_AXES_MISSING, span)
 

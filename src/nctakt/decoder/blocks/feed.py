@@ -44,7 +44,7 @@ class PathPace:
 
     def __init__(self, values: Values, spindles: SpindleWords) -> None:
         self._values = values
-        self._surroundings = values.surroundings
+        self._environment = values.environment
         self._state = values.state
         self._spindles = spindles
 
@@ -61,7 +61,7 @@ class PathPace:
         elif state.inch:
             state.feed_mm_s = value * state.length_unit_mm / 60.0
         else:
-            unit = self._surroundings.parameters.program_start.feed_unit_mm_min
+            unit = self._environment.parameters.program_start.feed_unit_mm_min
             state.feed_mm_s = value * unit / 60.0
 
     # --- overrides ------------------------------------------------------------------------------
@@ -168,7 +168,7 @@ class PathPace:
 
     def _per_revolution(self, pace: PaceState, span: Span) -> tuple[float, int, float]:
         """Under G95; of a spindle of the PLC only what is programmed is known."""
-        for index, spindle in enumerate(self._surroundings.parameters.spindles):
+        for index, spindle in enumerate(self._environment.parameters.spindles):
             if not spindle.is_main:
                 continue
             modal = self._spindles.modal.get(index)
@@ -187,7 +187,7 @@ class PathPace:
         """
         way = self._way(start, target, arc)
         highest = []
-        for index, axis in enumerate(self._surroundings.axes):
+        for index, axis in enumerate(self._environment.axes):
             part = abs(target[index] - start[index])
             if arc is not None and index in (arc.first, arc.second):
                 part = arc.length(start)
@@ -198,7 +198,7 @@ class PathPace:
     def _way(self, start: Sequence[float], target: Sequence[float], arc: Arc | None) -> float:
         """The way of a block: of the linear axes, else of the rotary ones (``measure`` has it)."""
         linear2 = rotary2 = 0.0
-        for index, axis in enumerate(self._surroundings.axes):
+        for index, axis in enumerate(self._environment.axes):
             if arc is not None and index in (arc.first, arc.second):
                 continue
             rise = target[index] - start[index]

@@ -35,10 +35,10 @@ def fixed_stop(
     if not 0.0 <= begin < end <= 100.0:
         values.fail(INVALID_FIXED_STOP_RANGE, command.span, start=begin, end=end)
     limit = found.get("POS_LAG_LIMIT", DEFAULT_LIMIT)
-    if "POS_LAG_LIMIT" in found and values.surroundings.axes[axis].is_linear:
+    if "POS_LAG_LIMIT" in found and values.environment.axes[axis].is_linear:
         limit *= values.state.length_unit_mm
     return FixedStop(
-        values.surroundings.place(command.span),
+        values.environment.source_id(command.span),
         number,
         axis,
         not any(isinstance(item, tree.Keyword) and item.name == "OFF" for item in command.items),

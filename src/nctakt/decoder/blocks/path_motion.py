@@ -78,7 +78,7 @@ class PathMotion:
     def __init__(self, values: Values, pace: PathPace) -> None:
         self._values = values
         self.pace = pace
-        self._surroundings = values.surroundings
+        self._environment = values.environment
         self._state = values.state
         self.span: Span
 
@@ -138,7 +138,7 @@ class PathMotion:
         if radius == 0.0:
             self._values.fail(NO_RADIUS_TO_COMPENSATE, span, word=f"G{function}")
         path = self._state.path
-        if not self._surroundings.offsets.systems.keeps_plane(path.plane):
+        if not self._environment.offsets.systems.keeps_plane(path.plane):
             self._values.fail(
                 WORD_IN_ROTATED_COORDINATE_SYSTEM, span, word=f"G{function}", plane=path.plane
             )
@@ -169,7 +169,7 @@ class PathMotion:
         for keyword in items:
             assert isinstance(keyword.value, tree.Name)
             return keyword.value.name == JERK_LIMITED
-        return self._surroundings.parameters.program_start.slope_profile > 0
+        return self._environment.parameters.program_start.slope_profile > 0
 
     def segment(
         self, start: list[float], target: list[float], words: PathWords, span: Span, number: int
@@ -189,7 +189,7 @@ class PathMotion:
         self.span = span
         rounds = state.path.contouring or CONTOURING_ONCE in words.once
         return segments.segment(
-            self._surroundings.place(span),
+            self._environment.source_id(span),
             number,
             start,
             target,
@@ -203,7 +203,7 @@ class PathMotion:
 
     def _stops_exactly(self, words: PathWords) -> bool:
         state = self._state
-        if state.rapid and self._surroundings.parameters.exact_stop_after_g00:
+        if state.rapid and self._environment.parameters.exact_stop_after_g00:
             return True
         return state.path.exact_stop or EXACT_STOP_ONCE in words.once
 
@@ -215,7 +215,7 @@ class PathMotion:
         clockwise = self._state.motion == ARC_CLOCKWISE
         if max(PLANES[path.plane]) >= len(start):
             self._values.fail(PLANE_AXIS_MISSING, span, plane=path.plane)
-        offsets = self._surroundings.offsets
+        offsets = self._environment.offsets
         begin = offsets.inside(start, words.offset_kinds)
         end = offsets.inside(target, words.offset_kinds)
         try:
@@ -250,14 +250,14 @@ class PathMotion:
             _, value = words.centre.get(CENTRE_WORDS[axis], (None, 0.0))
             begin = start[axis]
             if self._state.path.absolute_centre:
-                begin = self._surroundings.offsets.total(axis, words.offset_kinds)
+                begin = self._environment.offsets.total(axis, words.offset_kinds)
             place.append(begin + value * self._state.length_unit_mm)
         return (place[0], place[1])
 
     def check_extremes(self, arc: Arc, start: Sequence[float], span: Span) -> None:
         """The arc may leave the software limits between two ends that are within them."""
         for index, position in extremes(arc, start):
-            axis = self._surroundings.axes[index]
+            axis = self._environment.axes[index]
             low, high = axis.software_limit_low, axis.software_limit_high
             if not axis.is_modulo and not low <= position <= high:
                 self._values.fail(
@@ -271,7 +271,7 @@ class PathMotion:
 
     def check_limit(self, place: int, position: float, span: Span) -> None:
         """The target of an axis has to be within its software limits."""
-        axis = self._surroundings.axes[place]
+        axis = self._environment.axes[place]
         low, high = axis.software_limit_low, axis.software_limit_high
         if not low <= position <= high and not axis.is_modulo:
             self._values.fail(

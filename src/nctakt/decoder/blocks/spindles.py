@@ -93,7 +93,7 @@ class SpindleWords:
 
     def revolutions_s(self, count: float, span: Span) -> float:
         """Seconds that the main spindle takes for so many revolutions, as it was programmed."""
-        for index, spindle in enumerate(self.values.surroundings.parameters.spindles):
+        for index, spindle in enumerate(self.values.environment.parameters.spindles):
             modal = self.modal.get(index)
             if spindle.is_main and modal is not None and modal.function in _DIRECTIONS:
                 if modal.speed > 0.0:
@@ -113,8 +113,8 @@ class SpindleWords:
         if spindle.plc_controlled and way.synchronisation == "NO_SYNCH":
             return []
         synchronisation = "MOS" if way.synchronisation == "NO_SYNCH" else way.synchronisation
-        ticks = process_ticks(way, self.values.surroundings.cycle_time_us)
-        source = self.values.surroundings.place(command.span)
+        ticks = process_ticks(way, self.values.environment.cycle_time_us)
+        source = self.values.environment.source_id(command.span)
         speed_v = DEGREES_PER_S * speed
         output = SpindleJob(source, number, index, function, speed_v, position, direction, ticks)
         return [Issued(synchronisation, output, AwaitSpindle(source, number, index))]
@@ -131,9 +131,9 @@ class SpindleWords:
 
 def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
     """The spindle with this name, the main one for an empty name, and its place in the channel."""
-    for index, spindle in enumerate(values.surroundings.parameters.spindles):
+    for index, spindle in enumerate(values.environment.parameters.spindles):
         if spindle.name == name or (spindle.is_main and not name):
-            if not spindle.plc_controlled and index not in values.surroundings.turning:
+            if not spindle.plc_controlled and index not in values.environment.max_spindle_speeds:
                 values.fail(
                     SPINDLE_AXIS_LIST_MISSING,
                     span,
@@ -146,15 +146,15 @@ def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
 
 def warn_of_speed(values: Values, index: int, speed: float, span: Span) -> None:
     """Tell where the spindle is slower (P-AXIS-00212) than the speed that is asked for in 1/min."""
-    limit = values.surroundings.turning.get(index)
+    limit = values.environment.max_spindle_speeds.get(index)
     if limit is None or speed * DEGREES_PER_S <= limit * (1.0 + 1e-9):
         return
-    name = values.surroundings.parameters.spindles[index].name
-    line = values.surroundings.line(span)
+    name = values.environment.parameters.spindles[index].name
+    line = values.environment.line_text(span)
     told = diagnostic(
         SPINDLE_SPEED_LIMITED, span, line, spindle=name, limit=limit / DEGREES_PER_S, speed=speed
     )
-    values.surroundings.notice(told)
+    values.environment.warn(told)
 
 
 def cycle_statement(
@@ -168,12 +168,12 @@ def cycle_statement(
     turns = [one for one in command.functions if one in _DIRECTIONS]
     direction = _DIRECTIONS[turns[0]] if turns else 0
     function = function or turns[0]
-    ticks = process_ticks(spindle.functions[f"m{function}"], values.surroundings.cycle_time_us)
+    ticks = process_ticks(spindle.functions[f"m{function}"], values.environment.cycle_time_us)
     speed = _built(builder, command.speed)
     if command.speed is not None and speed.constant is not None:
         warn_of_speed(values, index, speed.constant, command.speed.span)
     position = _built(builder, command.position)
-    source = values.surroundings.place(command.span)
+    source = values.environment.source_id(command.span)
     return CommandSpindle(
         index, function, speed.node, position.node, direction, ticks, source, cost
     )

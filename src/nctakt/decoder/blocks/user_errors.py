@@ -69,11 +69,11 @@ def user_error(
     told: list[tuple[int, float | str]] = []
     for code, expression in given.values:
         told.append((code, (yield from values.evaluate_any(expression, number))))
-    source = values.surroundings.place(statement.span)
+    source = values.environment.source_id(statement.span)
     yield UserErrorTold(source, number, identity, reaction)
     for code, value in told:
         is_text = isinstance(value, str)
-        content = values.surroundings.text_number(value) if isinstance(value, str) else value
+        content = values.environment.text_id(value) if isinstance(value, str) else value
         yield UserErrorValue(source, number, code, content, is_text)
     if reaction > 0:
         yield UserErrorStop(source, number, reaction)

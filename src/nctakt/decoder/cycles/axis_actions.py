@@ -26,7 +26,7 @@ class ActionBuilder:
     """Builds the single-axis commands of one cycle; ``axes`` are those that it names."""
 
     def __init__(self, values: Values, expressions: ExpressionBuilder) -> None:
-        self._surroundings = values.surroundings
+        self._environment = values.environment
         self._state = values.state
         self._expressions = expressions
         self._feeds: dict[str, actions.FeedMemory] = {}
@@ -37,9 +37,9 @@ class ActionBuilder:
         command, wrong = read_axis_command(bracket)
         assert not wrong, wrong
         self.axes[command.axis] = None
-        source = self._surroundings.place(bracket.span)
-        cost = word_steps(bracket, self._surroundings.names)
-        nature = self._surroundings.names.axis(command.axis)
+        source = self._environment.source_id(bracket.span)
+        cost = word_steps(bracket, self._environment.names)
+        nature = self._environment.names.axis(command.axis)
         assert nature is not None
         if command.stops:
             return actions.StopAxis(nature.number, source, cost)
@@ -72,7 +72,7 @@ class ActionBuilder:
             return 1.0 / 60.0
         if self._state.inch:
             return self._state.length_unit_mm / 60.0
-        return self._surroundings.parameters.program_start.feed_unit_mm_min / 60.0
+        return self._environment.parameters.program_start.feed_unit_mm_min / 60.0
 
     def _direction(self, command: AxisCommand) -> tuple[Expression, bool]:
         direction = command.direction
@@ -83,4 +83,4 @@ class ActionBuilder:
         return self._expressions.build(direction).node, True
 
     def _axis(self, name: str) -> AxisConfiguration:
-        return self._surroundings.axes[self._surroundings.axis_numbers[name]]
+        return self._environment.axes[self._environment.axis_numbers[name]]

@@ -105,8 +105,8 @@ class CycleBuilder:
 
     def __init__(self, values: Values, first_probe: int) -> None:
         self._values = values
-        self._place = values.surroundings.place
-        self._names = values.surroundings.names
+        self._place = values.environment.source_id
+        self._names = values.environment.names
         self._builder = ExpressionBuilder(self._leaf, macro=values.no_macro)
         self._actions = ActionBuilder(values, self._builder)
         self._conditions = 0
@@ -121,7 +121,7 @@ class CycleBuilder:
         """The cycle of a definition."""
         body = self._sequence(statement.body)
         events = self._statements + _OWN_EVENTS
-        places = self._values.surroundings.parameters.realtime_cycles.buffers
+        places = self._values.environment.parameters.realtime_cycles.buffers
         size = memory_bytes(statement, places)
         probes = 1 + _PROBES_OF_A_CONDITION * self._conditions
         cycle = RealtimeCycle(body, serial, events, probes, size)
@@ -172,9 +172,9 @@ class CycleBuilder:
 
     def _technology(self, block: tree.Block) -> list[Statement]:
         """The M and H functions and single-axis commands of a block, in their order (RC-403)."""
-        surroundings = self._values.surroundings
+        environment = self._values.environment
         built: list[Statement] = []
-        commands, words = split(block.words, names_of(surroundings.parameters.spindles))
+        commands, words = split(block.words, names_of(environment.parameters.spindles))
         for command in commands:
             cost = command_steps(command, self._names)
             built.append(cycle_statement(self._values, self._builder, command, cost))
@@ -188,9 +188,9 @@ class CycleBuilder:
             number = int(word.value.value)
             is_m = word.name == "M"
             table = (
-                surroundings.parameters.m_functions if is_m else surroundings.parameters.h_functions
+                environment.parameters.m_functions if is_m else environment.parameters.h_functions
             )
-            ticks = process_ticks(table[number], surroundings.cycle_time_us)
+            ticks = process_ticks(table[number], environment.cycle_time_us)
             function = number if is_m else -number - 1
             built.append(instructions.IssueTechnology(function, ticks, self._place(word.span), 1))
         self._statements += len(built)
@@ -216,7 +216,7 @@ class CycleBuilder:
         values = user_errors.UserValue()
         for code, value in reversed(given.values):
             if isinstance(value, tree.StringLiteral):
-                text = self._values.surroundings.text_number(value.value)
+                text = self._values.environment.text_id(value.value)
                 values = user_errors.TextValue(code, text, values)
             else:
                 values = user_errors.NumberValue(code, self._builder.build(value).node, values)

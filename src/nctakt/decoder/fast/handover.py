@@ -56,14 +56,14 @@ class PlainBlocks:
         contour: HeldContour,
         most: int,
     ) -> None:
-        self._surroundings = values.surroundings
+        self._environment = values.environment
         self._state = values.state
         self._moved = moved
         self._technology = technology
-        parameters = self._surroundings.parameters
+        parameters = self._environment.parameters
         self._scanner = plain_scanner(parameters)
         self._contour = contour
-        count = len(self._surroundings.axes)
+        count = len(self._environment.axes)
         self._beside = PlainBeside(contour.tool, count)
         self._motion = PlainMotion(self._scanner, count, self._beside)
         self._motion.most_blocks = most
@@ -101,8 +101,8 @@ class PlainBlocks:
         """Whether nothing is active that plain blocks do not know."""
         return (
             self._state.is_usual
-            and not self._surroundings.offsets.systems.is_active
-            and not self._surroundings.tells_blocks
+            and not self._environment.offsets.systems.is_active
+            and not self._environment.marks_blocks
             and self._moved.is_quiet
             and self._contour.can_hand_over()
             and not self._technology.awaits_feed
@@ -110,18 +110,18 @@ class PlainBlocks:
 
     def _hand_over(self, file: str) -> None:
         motion, state = self._motion, self._state
-        surroundings = self._surroundings
+        environment = self._environment
         self._file = file
-        for index, axis in enumerate(surroundings.axes):
+        for index, axis in enumerate(environment.axes):
             motion.set_axis(
                 index,
                 state.positions[index],
-                surroundings.offsets.total(index),
+                environment.offsets.total(index),
                 state.length_unit_mm if axis.is_linear else 1.0,
                 -math.inf if axis.is_modulo else axis.software_limit_low,
                 math.inf if axis.is_modulo else axis.software_limit_high,
             )
-        feed_unit = surroundings.parameters.program_start.feed_unit_mm_min
+        feed_unit = environment.parameters.program_start.feed_unit_mm_min
         motion.motion = state.motion
         motion.feed_v = state.feed_mm_s
         motion.feed_factor = state.length_unit_mm if state.inch else feed_unit
@@ -130,7 +130,7 @@ class PlainBlocks:
         motion.deviation = state.path.deviation if state.path.contouring else 0.0
         motion.limits_jerk = state.path.limits_jerk
         self._contour.hand_over(self._beside)
-        place = surroundings.place(Span(file, 1, 1, 2))
+        place = environment.source_id(Span(file, 1, 1, 2))
         motion.place = -1 if place == NO_SOURCE else place - pack(0, 1, 1)
 
     def _take_back(self) -> None:

@@ -2,7 +2,7 @@
 """Calls of subprograms and the ends of them: what is called, with what, and where it goes on.
 
 In: calls in the tree, M17 with its options, M6 and G80 … G819 with programs of the channel list.
-Out: ``Level`` and ``Return`` for ``program.py``, which runs them.
+Out: ``CallFrame`` and ``Return`` for ``program.py``, which runs them.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.flow.flow import Return
-from nctakt.decoder.state.call_stack import Level
+from nctakt.decoder.state.call_stack import CallFrame
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.values.variables import Values
 from nctakt.lists.machine.channel_configuration import ImplicitPrograms
@@ -26,21 +26,21 @@ from nctakt.nc.vocabulary.functions import RETURN_COMMANDS, SUBPROGRAM_ENDS, TOO
 
 
 class Calls:
-    """Makes levels of calls; the texts come from ``Surroundings.subprogram``.
+    """Makes call_stack of calls; the texts come from ``DecoderEnvironment.subprogram``.
 
     ``may_imply``: some words of blocks call programs.
     """
 
     def __init__(self, values: Values) -> None:
         self._values = values
-        self._surroundings = values.surroundings
-        programs = self._surroundings.parameters.implicit_programs
+        self._environment = values.environment
+        programs = self._environment.parameters.implicit_programs
         self.may_imply = bool(programs.m6 or programs.g800)
 
     # --- what is called -------------------------------------------------------------------------
 
-    def call(self, call: tree.SubprogramCall, number: int) -> Generator[Command, Answer, Level]:
-        """The level of a call with the values that it hands over."""
+    def call(self, call: tree.SubprogramCall, number: int) -> Generator[Command, Answer, CallFrame]:
+        """The frame of a call with the values that it hands over."""
         name = yield from self._values.evaluate_any(call.name, number)
         assert isinstance(name, str)
         arguments: dict[int, float | str] | None = None
@@ -53,42 +53,42 @@ class Calls:
                     continue  # MODAL_MOVE, MODAL_BLOCK
                 assert keyword.value is not None
                 arguments[index] = yield from self._values.evaluate_any(keyword.value, number)
-        text = self._values.state.levels.top.text
+        text = self._values.state.call_stack.top.text
         if not call.local:
             called = self._file(name, call.span)
-            return Level(called, called.main, arguments)
+            return CallFrame(called, called.main, arguments)
         section = text.subprograms.get(name)
         if section is None:
             self._values.fail(UNKNOWN_LOCAL_SUBPROGRAM, call.span, name=name, nearest=_names(text))
-        return Level(text, section, arguments)
+        return CallFrame(text, section, arguments)
 
     def _file(self, name: str, span: Span) -> ProgramText:
-        caller = self._values.state.levels.top.text.source.file
-        return self._surroundings.subprogram(name, caller, span)
+        caller = self._values.state.call_stack.top.text.source.file
+        return self._environment.subprogram(name, caller, span)
 
-    def implicit(self, name: str, span: Span) -> Level:
-        """The level of a program that the channel list names."""
+    def implicit(self, name: str, span: Span) -> CallFrame:
+        """The frame of a program that the channel list names."""
         text = self._file(name, span)
-        return Level(text, text.main)
+        return CallFrame(text, text.main)
 
     def implied(
         self, block: tree.Block, number: int
-    ) -> Generator[Command, Answer, tuple[tree.Block, Level | None]]:
+    ) -> Generator[Command, Answer, tuple[tree.Block, CallFrame | None]]:
         """The block without M6 or G80 … that call a program of the list, and that program."""
-        programs = self._surroundings.parameters.implicit_programs
+        programs = self._environment.parameters.implicit_programs
         for word in block.words:
             name = implied_program(word, programs)
             if not name:
                 continue
             assert isinstance(word, tree.Word)
-            level = self.implicit(name, word.span)
+            frame = self.implicit(name, word.span)
             if word.arguments:
-                level.arguments = {}
+                frame.arguments = {}
             for index, argument in enumerate(word.arguments, start=1):
-                assert level.arguments is not None
-                level.arguments[index] = yield from self._values.evaluate_any(argument, number)
+                assert frame.arguments is not None
+                frame.arguments[index] = yield from self._values.evaluate_any(argument, number)
             others = tuple(other for other in block.words if other is not word)
-            return replace(block, words=others), level
+            return replace(block, words=others), frame
         return block, None
 
     # --- ends -----------------------------------------------------------------------------------
@@ -115,7 +115,7 @@ class Calls:
         """Whether M17 or M29 stands in the channel list (P-CHAN-00041): then the PLC gets it."""
         assert isinstance(word, tree.Word)
         assert isinstance(word.value, tree.Number)
-        return int(word.value.value) in self._surroundings.parameters.m_functions
+        return int(word.value.value) in self._environment.parameters.m_functions
 
     def _options(
         self, command: tree.BracketCommand, number: int
@@ -129,8 +129,8 @@ class Calls:
             elif isinstance(item, tree.Keyword) and item.name == "JUMPS":
                 assert item.value is not None
                 value = yield from self._values.evaluate(item.value, number)
-                if not 1 <= value <= len(self._values.state.levels.stack) - 1:
-                    most = len(self._values.state.levels.stack) - 1
+                if not 1 <= value <= len(self._values.state.call_stack.frames) - 1:
+                    most = len(self._values.state.call_stack.frames) - 1
                     self._values.fail(TOO_FEW_OPEN_CALLS, item.span, count=value, most=most)
                 calls = int(value)
             else:

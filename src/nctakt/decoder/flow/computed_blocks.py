@@ -14,7 +14,7 @@ from typing import overload
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.commands import Answer, Command
-from nctakt.decoder.state.environment import Surroundings
+from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.tools import Fail
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
@@ -42,7 +42,7 @@ def is_as_written(block: tree.Block) -> bool:
 
 
 def check(
-    surroundings: Surroundings,
+    environment: DecoderEnvironment,
     fail: Fail,
     statements: Sequence[tree.Statement],
     span: Span,
@@ -55,7 +55,7 @@ def check(
     """
     collector = Collector()
     source = Source(span.file, _OneLine(span.line, line))
-    checker = Checker(source, surroundings.names, surroundings.parameters, collector)
+    checker = Checker(source, environment.names, environment.parameters, collector)
     checker.begin(role)
     for statement in statements:
         checker.statement(statement)
@@ -79,11 +79,11 @@ def with_numbers(
         else:
             words.append(word)
     meant = replace(block, words=tuple(words))
-    is_main = len(values.state.levels.stack) == 1
+    is_main = len(values.state.call_stack.frames) == 1
     role: Role = "main" if is_main else "either"
-    surroundings = values.surroundings
-    line = partial(surroundings.line, block.span)
-    check(surroundings, values.fail, [meant], block.span, line, role)
+    environment = values.environment
+    line = partial(environment.line_text, block.span)
+    check(environment, values.fail, [meant], block.span, line, role)
     return meant
 
 

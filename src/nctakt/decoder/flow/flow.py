@@ -135,8 +135,8 @@ class Flow:
         end = yield from values.evaluate(loop.end, number)
         step = yield from values.evaluate(loop.step, number)
         if step == 0.0:
-            line = values.surroundings.line(loop.step.span)
-            values.surroundings.notice(diagnostic(FOR_STEP_ZERO, loop.step.span, line))
+            line = values.environment.line_text(loop.step.span)
+            values.environment.warn(diagnostic(FOR_STEP_ZERO, loop.step.span, line))
         while True:
             value = yield from values.evaluate(loop.variable, number)
             if (value > end) if step >= 0.0 else (value < end):

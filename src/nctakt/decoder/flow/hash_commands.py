@@ -29,7 +29,7 @@ class Hashes:
 
     def __init__(self, values: Values) -> None:
         self._values = values
-        self._surroundings = values.surroundings
+        self._environment = values.environment
         self._systems = SystemCommands(values)
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
@@ -47,9 +47,9 @@ class Hashes:
         elif words in (("FILENAME",), ("FILE", "NAME")):
             yield from self._file(command, number)
         elif words == ("BACKWARD", "STORAGE", "CLEAR"):
-            yield ClearHistory(self._surroundings.place(command.span), number)
+            yield ClearHistory(self._environment.source_id(command.span), number)
         elif words == ("CHANNEL", "INIT"):
-            source = self._surroundings.place(command.span)
+            source = self._environment.source_id(command.span)
             self._values.empties_channel("#CHANNEL INIT", command.span)
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
@@ -79,11 +79,11 @@ class Hashes:
                 most = TIMERS - 1
                 self._values.fail(UNKNOWN_TIMER, keyword.value.span, id=f"{identity:g}", most=most)
         index = int(identity)
-        timers = self._surroundings.system.timers
+        timers = self._environment.controller_data.timers
         if not timer.options:
             timers.command(timer.action, index)
             return
-        source = self._surroundings.place(timer.span)
+        source = self._environment.source_id(timer.span)
         yield ProgramTimer(source, number, index, TIMER_ACTIONS[timer.action])
         if timer.action == "READ":
             self._values.empties_channel("#TIMER READ SYN", timer.span)

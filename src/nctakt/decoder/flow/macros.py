@@ -15,7 +15,7 @@ from functools import partial
 from nctakt.base.diagnostics import Span
 from nctakt.base.text import nearest
 from nctakt.decoder.flow.computed_blocks import check
-from nctakt.decoder.state.environment import Surroundings
+from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.tools import Fail
 from nctakt.messages.decoder import MACRO_TEXT_TOO_LONG, MACROS_NESTED_TOO_DEEP, UNKNOWN_MACRO
 from nctakt.nc import tree
@@ -38,11 +38,11 @@ MOST_REMEMBERED = 4096
 class Macros:
     """The macros of one run of a program; ``fail`` gives it up."""
 
-    def __init__(self, surroundings: Surroundings, fail: Fail) -> None:
-        self._surroundings = surroundings
+    def __init__(self, environment: DecoderEnvironment, fail: Fail) -> None:
+        self._environment = environment
         self._fail = fail
         self._texts: dict[str, str] = {}
-        self._places = MacroPlaces(surroundings.names, self._meaning)
+        self._places = MacroPlaces(environment.names, self._meaning)
         self._meant: dict[int, tuple[tree.Statement, tree.Statement]] = {}
         self._depth = 0
         self._characters = 0
@@ -65,8 +65,8 @@ class Macros:
             self._characters = 0
             changed = self._places.statement(statement)
             if changed is not statement:
-                line = partial(self._surroundings.line, statement.span)
-                check(self._surroundings, self._fail, [changed], statement.span, line)
+                line = partial(self._environment.line_text, statement.span)
+                check(self._environment, self._fail, [changed], statement.span, line)
             if len(self._meant) == MOST_REMEMBERED:
                 self._meant.clear()
             known = self._meant[id(statement)] = (statement, changed)
@@ -123,7 +123,7 @@ class Macros:
             statements = parse_content(text, replace(block.head, skip=None, label=None))
         except BlockError as error:
             self._fail(error.message, macro.span, **error.values)
-        check(self._surroundings, self._fail, statements, macro.span, lambda: content)
+        check(self._environment, self._fail, statements, macro.span, lambda: content)
         for statement in statements:
             if isinstance(statement, tree.Block) and _first_macro(statement) is not None:
                 yield from self._expanded(statement, macro)

@@ -9,7 +9,7 @@ that are called. The values that it hands over are those of the moment in which 
 
 from __future__ import annotations
 
-from nctakt.decoder.state.call_stack import Level, Levels, ModalCall
+from nctakt.decoder.state.call_stack import CallFrame, CallStack, ModalCall
 from nctakt.nc import tree
 from nctakt.nc.check.calls import MODAL_BLOCK, MODAL_MOVE
 
@@ -43,47 +43,47 @@ def modal_word(call: tree.SubprogramCall) -> str:
 class ModalCalls:
     """The modal calls of one run of a program."""
 
-    def __init__(self, levels: Levels) -> None:
-        self._levels = levels
+    def __init__(self, call_stack: CallStack) -> None:
+        self._call_stack = call_stack
 
-    def begin(self, call: tree.SubprogramCall, level: Level) -> None:
+    def begin(self, call: tree.SubprogramCall, frame: CallFrame) -> None:
         """A call has begun; where it is modal, further ones follow."""
         word = modal_word(call)
         if word:
-            self._levels.set_modal(ModalCall(_copy(level), call.span, word == MODAL_BLOCK))
-        elif self._levels.top.modal is not None:
-            self._levels.top.modal.is_due = False
+            self._call_stack.set_modal(ModalCall(_copy(frame), call.span, word == MODAL_BLOCK))
+        elif self._call_stack.top.modal is not None:
+            self._call_stack.top.modal.is_due = False
 
     def end(self) -> None:
         """``#DISABLE MODAL CYCLE``."""
-        self._levels.set_modal(None)
+        self._call_stack.set_modal(None)
 
     def behind_words(self, line: int, has_motion: bool) -> None:
         """The words of a block that calls nothing and ends nothing are decoded."""
-        modal = self._levels.top.modal
-        if modal is not None and (modal.behind_each or has_motion):
+        modal = self._call_stack.top.modal
+        if modal is not None and (modal.after_each_block or has_motion):
             modal.is_due = True
             modal.line = line
 
     def behind(self, statement: tree.Statement) -> None:
         """A statement that is no block of words is decoded."""
-        modal = self._levels.top.modal
-        if modal is None or not modal.behind_each:
+        modal = self._call_stack.top.modal
+        if modal is None or not modal.after_each_block:
             return
         if not isinstance(statement, (tree.Block, *_WITHOUT_CALL)):
             modal.is_due = True
             modal.line = statement.span.line
 
-    def due(self, line: int | None = None) -> tuple[Level, ModalCall] | None:
+    def due(self, line: int | None = None) -> tuple[CallFrame, ModalCall] | None:
         """The call that comes before the block in this line, or ``None`` for the next block."""
-        modal = self._levels.top.modal
+        modal = self._call_stack.top.modal
         if modal is None or not modal.is_due or modal.line == line:
             return None
         modal.is_due = False
-        return _copy(modal.level), modal
+        return _copy(modal.frame), modal
 
 
-def _copy(level: Level) -> Level:
-    """The level of another run: its own parameters may be changed."""
-    arguments = None if level.arguments is None else dict(level.arguments)
-    return Level(level.text, level.section, arguments)
+def _copy(frame: CallFrame) -> CallFrame:
+    """The frame of another run: its own parameters may be changed."""
+    arguments = None if frame.arguments is None else dict(frame.arguments)
+    return CallFrame(frame.text, frame.section, arguments)

@@ -46,20 +46,20 @@ class RealtimeLoops:
         run: Callable[[Iterable[tree.Statement], str | None], Decoded],
     ) -> None:
         self._values = values
-        self._surroundings = values.surroundings
+        self._environment = values.environment
         self._state = values.state
         self._words = words
         self._run = run
 
     def loop(self, loop: tree.RealtimeLoop, number: int) -> Generator[Command, Answer]:
         """The commands of a loop; the decoder goes on when the realtime part has left it."""
-        size = self._surroundings.history_size
+        size = self._environment.history_size
         if self._state.path.compensation.is_active:
             self._values.fail(RT_WHILE_DURING_COMPENSATION, loop.span)
         if size == 0:
             self._values.fail(RT_WHILE_WITHOUT_HISTORY, loop.span)
-        source = self._surroundings.place(loop.span)
-        yield from self._words.request(tuple(self._surroundings.axis_numbers), loop.span, number)
+        source = self._environment.source_id(loop.span)
+        yield from self._words.request(tuple(self._environment.axis_numbers), loop.span, number)
         yield from self._words.technology.before_feed()
         begin = tuple(self._state.positions)
         body = self._body(loop)
@@ -69,7 +69,7 @@ class RealtimeLoops:
         if motions > size:
             self._values.fail(RT_WHILE_TOO_LONG, loop.span, count=motions, size=size)
         for axis, before, behind in zip(
-            self._surroundings.axis_numbers, begin, self._state.positions, strict=True
+            self._environment.axis_numbers, begin, self._state.positions, strict=True
         ):
             if abs(behind - before) > CLOSE_ENOUGH:
                 off = abs(behind - before)

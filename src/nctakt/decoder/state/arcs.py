@@ -27,7 +27,7 @@ TOLERANCE_MM = 0.01
 TOLERANCE_SHARE = 0.001
 
 #: Ends of a circle not farther apart than this are one place: sums of G91 are rounded.
-SAME_PLACE_MM = 1e-9
+SAME_POINT_MM = 1e-9
 
 #: How far the centre may be moved, as a share of the radius.
 MOST_SHIFT_SHARE = 0.1
@@ -89,7 +89,7 @@ def arc_about(
     if off > max(TOLERANCE_MM, TOLERANCE_SHARE * radius):
         raise ArcError(ARC_TARGET_OFF_CIRCLE, off=off, radius=radius)
     chord = _length(u - x, v - y)
-    if chord <= SAME_PLACE_MM:
+    if chord <= SAME_POINT_MM:
         return Arc(first, second, *centre, -360.0 if clockwise else 360.0)
     # The centre goes along the chord to the middle between both.
     along = ((x + u) * (u - x) + (y + v) * (v - y)) / (2.0 * chord * chord)

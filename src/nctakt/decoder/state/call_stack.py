@@ -2,8 +2,8 @@
 """The programs at work: the main program and the subprograms that it has called.
 
 In: calls and ends. Out: the innermost program with its text, its local variables and what its call
-has handed over. Each call is a level; how many there may be is bounded, so that a program that
-calls itself without end is told (``MOST_LEVELS``, a choice).
+has handed over. Each call is a frame; how many there may be is bounded, so that a program that
+calls itself without end is told (``MAX_CALL_DEPTH``, a choice).
 """
 
 from __future__ import annotations
@@ -15,28 +15,28 @@ from nctakt.decoder.state.program_variables import Scopes
 from nctakt.nc.outline import ProgramText, Section
 
 #: Programs inside each other, the main program included.
-MOST_LEVELS = 20
+MAX_CALL_DEPTH = 20
 
-#: Structures and calls inside each other, over all levels.
-MOST_NESTED = 120
+#: Structures and calls inside each other, over all call_stack.
+MAX_NESTING = 120
 
 
 @dataclass(slots=True)
 class ModalCall:
-    """A call that is repeated behind blocks: ``behind_each``, or behind those with a motion.
+    """A call that is repeated behind blocks: ``after_each_block``, or behind those with a motion.
 
-    ``level`` is what it calls, ``span`` where it stands. ``is_due``: a block has come, in ``line``.
+    ``frame`` is what it calls, ``span`` where it stands. ``is_due``: a block has come, in ``line``.
     """
 
-    level: Level
+    frame: CallFrame
     span: Span
-    behind_each: bool
+    after_each_block: bool
     is_due: bool = False
     line: int = 0
 
 
 @dataclass(slots=True)
-class Level:
+class CallFrame:
     """One program at work; ``arguments``: @P1, @P2, … of its cycle, ``None`` without a cycle.
 
     A subprogram that a cycle calls sees the cycle's own.
@@ -49,26 +49,26 @@ class Level:
 
 
 @dataclass(slots=True)
-class Levels:
-    """The levels from the main program on; ``scopes``: their variables.
+class CallStack:
+    """The call_stack from the main program on; ``scopes``: their variables.
 
     ``modal_count``: how many of them have a modal call.
     """
 
-    stack: list[Level] = field(default_factory=list)
+    frames: list[CallFrame] = field(default_factory=list)
     modal_count: int = 0
     scopes: Scopes = field(default_factory=lambda: Scopes({}))
 
-    def enter(self, level: Level) -> None:
+    def enter(self, frame: CallFrame) -> None:
         """A program begins: variables of its own, as a cycle also V.CYC."""
-        self.scopes.enter(is_cycle=level.arguments is not None or not self.stack)
-        self.stack.append(level)
+        self.scopes.enter(is_cycle=frame.arguments is not None or not self.frames)
+        self.frames.append(frame)
 
     def leave(self) -> None:
         """The innermost program has ended."""
         self.set_modal(None)
-        level = self.stack.pop()
-        self.scopes.leave(is_cycle=level.arguments is not None)
+        frame = self.frames.pop()
+        self.scopes.leave(is_cycle=frame.arguments is not None)
 
     def set_modal(self, call: ModalCall | None) -> None:
         """The modal call of the program that decodes is this one from now on."""
@@ -76,14 +76,14 @@ class Levels:
         self.top.modal = call
 
     @property
-    def top(self) -> Level:
+    def top(self) -> CallFrame:
         """The program that decodes."""
-        return self.stack[-1]
+        return self.frames[-1]
 
     @property
     def arguments(self) -> dict[int, float | str]:
         """What the call of the innermost cycle has handed over."""
-        for level in reversed(self.stack):
-            if level.arguments is not None:
-                return level.arguments
+        for frame in reversed(self.frames):
+            if frame.arguments is not None:
+                return frame.arguments
         return {}

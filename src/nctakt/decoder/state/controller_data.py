@@ -59,7 +59,7 @@ class ProgramTimers:
         return self._values[timer]
 
 
-class SystemData:
+class ControllerData:
     """What programs of one channel read.
 
     ``kept``: V.S, what its programs keep until the next start-up.
@@ -70,9 +70,9 @@ class SystemData:
         self.kept: Variables = {}
 
 
-def system_data(
+def controller_data(
     configuration: Machine, channels: Sequence[Channel], tick: Callable[[], int]
-) -> list[SystemData]:
+) -> list[ControllerData]:
     """The controller's data channel by channel; all have the same timers."""
     latched = bytearray(TIMER_BYTES)
     counting = Timers(latched, 0, configuration.cycle_time_us)
@@ -80,5 +80,5 @@ def system_data(
     made = []
     for channel in channels:
         channel.program_timers = counting
-        made.append(SystemData(timers))
+        made.append(ControllerData(timers))
     return made

@@ -30,19 +30,16 @@ MAIN_AXES = 3
 #: How far the direction of a plane may be off that of an axis for its arcs to be arcs of the axes.
 ASKEW = 1e-12
 
-#: Positions that only rounding keeps apart, mm.
-SAME_PLACE_MM = 1e-9
-
-Kept = tuple[tuple[float, ...], ...]
+SavedOffsets = tuple[tuple[float, ...], ...]
 
 
 @dataclass(frozen=True, slots=True)
-class _Level:
+class _OuterSystem:
     """What was active outside of a system."""
 
     origin: tuple[float, ...]
     matrix: Matrix
-    offsets: Kept
+    offsets: SavedOffsets
 
 
 class CoordinateSystems:
@@ -52,18 +49,18 @@ class CoordinateSystems:
         self._axes = tuple(axes)
         self._origin = (0.0,) * len(axes)
         self._matrix = IDENTITY
-        self._levels: list[_Level] = []
-        self._was_used = False
+        self._outer: list[_OuterSystem] = []
+        self._has_been_active = False
 
     @property
     def is_active(self) -> bool:
         """Whether a system is on."""
-        return bool(self._levels)
+        return bool(self._outer)
 
     @property
     def count(self) -> int:
         """How many are on, one inside the other."""
-        return len(self._levels)
+        return len(self._outer)
 
     # --- positions ------------------------------------------------------------------------------
 
@@ -116,16 +113,16 @@ class CoordinateSystems:
 
     def begin_program(self) -> Iterator[Command]:
         """No system: those of the program before it are gone, whatever was taken of them."""
-        self._levels.clear()
-        if self._was_used:
-            yield from self._tell((0.0,) * len(self._axes), IDENTITY, 0, 0)
-        self._was_used = False
+        self._outer.clear()
+        if self._has_been_active:
+            yield from self._activate((0.0,) * len(self._axes), IDENTITY, 0, 0)
+        self._has_been_active = False
 
     def enter(
         self,
         components: Sequence[float],
         shift: Sequence[float],
-        kept: Kept,
+        kept: SavedOffsets,
         source: int,
         number: int,
     ) -> Iterator[Command]:
@@ -136,18 +133,18 @@ class CoordinateSystems:
             begin[axis] += six[axis]
         begin[:3] = _turned(self._matrix, begin[:3])
         origin = tuple(a + b for a, b in zip(self._origin, begin, strict=True))
-        self._levels.append(_Level(self._origin, self._matrix, kept))
-        self._was_used = True
+        self._outer.append(_OuterSystem(self._origin, self._matrix, kept))
+        self._has_been_active = True
         matrix = _product(self._matrix, rotation(six[3], six[4], six[5]))
-        yield from self._tell(origin, matrix, source, number)
+        yield from self._activate(origin, matrix, source, number)
 
-    def leave(self, source: int, number: int) -> Generator[Command, None, Kept]:
+    def leave(self, source: int, number: int) -> Generator[Command, None, SavedOffsets]:
         """Back to what was active outside; the offsets of then are the answer."""
-        level = self._levels.pop()
-        yield from self._tell(level.origin, level.matrix, source, number)
-        return level.offsets
+        outer = self._outer.pop()
+        yield from self._activate(outer.origin, outer.matrix, source, number)
+        return outer.offsets
 
-    def _tell(
+    def _activate(
         self, origin: tuple[float, ...], matrix: Matrix, source: int, number: int
     ) -> Iterator[Command]:
         self._origin, self._matrix = origin, matrix

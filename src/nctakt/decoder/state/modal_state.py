@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from nctakt.decoder.state.call_stack import Levels
+from nctakt.decoder.state.call_stack import CallStack
 from nctakt.lists.declared.tools import NO_TOOL, Tool
 from nctakt.lists.machine.channel_configuration import (
     CENTRE_GROUP,
@@ -149,7 +149,7 @@ class ModalState:
     message_file: str = ""
     measures: bool = False
     pace: PaceState = field(default_factory=PaceState)
-    levels: Levels = field(default_factory=Levels)
+    call_stack: CallStack = field(default_factory=CallStack)
     not_plain: dict[Group, int] = field(default_factory=dict)
 
     @property

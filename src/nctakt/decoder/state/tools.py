@@ -16,7 +16,7 @@ from typing import NoReturn, Protocol
 from nctakt.base.diagnostics import Message, Span
 from nctakt.decoder.state.arcs import PLANES
 from nctakt.decoder.state.commands import SetOffset
-from nctakt.decoder.state.environment import Surroundings
+from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.tools import MOST_PARAMETERS, NO_TOOL, Tool
@@ -44,8 +44,8 @@ class Fail(Protocol):
 class ActiveTool:
     """The tool of one program."""
 
-    def __init__(self, surroundings: Surroundings, state: ModalState, fail: Fail) -> None:
-        self._surroundings = surroundings
+    def __init__(self, environment: DecoderEnvironment, state: ModalState, fail: Fail) -> None:
+        self._environment = environment
         self._state = state
         self._fail = fail
 
@@ -58,7 +58,7 @@ class ActiveTool:
         if word.name == "T":
             state.number = number
             return
-        tool = NO_TOOL if number == 0 else self._surroundings.tools.get(number)
+        tool = NO_TOOL if number == 0 else self._environment.tools.get(number)
         if tool is None:
             self._fail(UNKNOWN_TOOL, word.span, tool=number)
         if tool is not NO_TOOL and not tool.valid:
@@ -82,11 +82,11 @@ class ActiveTool:
         offsets = dict(tool.axis_offsets)
         if tool.length:
             normal = _MAIN_AXES - sum(PLANES[plane])
-            if normal >= len(self._surroundings.axes):
+            if normal >= len(self._environment.axes):
                 self._fail(TOOL_LENGTH_WITHOUT_AXIS, span, length=tool.length, plane=plane)
             offsets[normal] = offsets.get(normal, 0.0) + tool.length
-        source = self._surroundings.place(span)
-        yield from self._surroundings.offsets.set_tool(offsets, source, number)
+        source = self._environment.source_id(span)
+        yield from self._environment.offsets.set_tool(offsets, source, number)
 
     # --- V.G -------------------------------------------------------------------------------------
 
@@ -103,7 +103,7 @@ class ActiveTool:
         tool = state.tool
         if found.number is not None:
             number = int(index(found.number))
-            listed = NO_TOOL if number == 0 else self._surroundings.tools.get(number)
+            listed = NO_TOOL if number == 0 else self._environment.tools.get(number)
             if listed is None:
                 self._fail(UNKNOWN_TOOL, found.number.span, tool=number)
             tool = listed
@@ -133,11 +133,11 @@ class ActiveTool:
         index: Callable[[Expression], float],
     ) -> float:
         if found.element is None:
-            place = self._surroundings.axis_numbers[found.axis]
+            place = self._environment.axis_numbers[found.axis]
         else:
-            place = self._element(variable, found, len(self._surroundings.axes), index)
+            place = self._element(variable, found, len(self._environment.axes), index)
         offset = tool.axis_offsets.get(place, 0.0)
-        is_linear = self._surroundings.axes[place].is_linear
+        is_linear = self._environment.axes[place].is_linear
         return offset / self._state.length_unit_mm if is_linear else offset
 
     def _element(

@@ -17,7 +17,7 @@ from nctakt.decoder.state.commands import (
     Command,
     ReadRealtime,
 )
-from nctakt.decoder.state.environment import DecodeError, Surroundings
+from nctakt.decoder.state.environment import DecodeError, DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.tools import ActiveTool
 from nctakt.decoder.values.expressions import ExpressionBuilder
@@ -72,20 +72,20 @@ _FUNCTIONS = frozenset(
 class Reading:
     """Evaluates expressions of one program."""
 
-    def __init__(self, surroundings: Surroundings, state: ModalState) -> None:
-        self.surroundings = surroundings
+    def __init__(self, environment: DecoderEnvironment, state: ModalState) -> None:
+        self.environment = environment
         self.state = state
         self._fetched: dict[int, float | str] = {}
         self._builder = ExpressionBuilder(
             self._leaf, self._compare_texts, self._ask, macro=self.no_macro
         )
-        self.program_values = ProgramValues(state.levels, self._index, self.fail)
+        self.program_values = ProgramValues(state.call_stack, self._index, self.fail)
         self._plans = Plans()
         self._template_evaluator = TemplateEvaluator(
-            self._plans.context, self._plans.memory, state.levels.scopes, state.parameters
+            self._plans.context, self._plans.memory, state.call_stack.scopes, state.parameters
         )
-        self.tool = ActiveTool(surroundings, state, self.fail)
-        self.system = SystemValues(surroundings, state, self.fail, self._index)
+        self.tool = ActiveTool(environment, state, self.fail)
+        self.system = SystemValues(environment, state, self.fail, self._index)
 
     @cached_property
     def _context(self) -> Context:
@@ -161,7 +161,7 @@ class Reading:
             return self.program_values.is_text(expression)
         if isinstance(expression, tree.Binary) and expression.operator == "+":
             return self._is_text(expression.left) or self._is_text(expression.right)
-        return is_text(expression, self.surroundings.names)
+        return is_text(expression, self.environment.names)
 
     def _ask(self, call: tree.Call) -> Built | None:
         """The number that a function of names or texts gives."""
@@ -193,15 +193,15 @@ class Reading:
         if isinstance(asked, tree.Parameter):
             if not asked.call:
                 return self._parameter(asked) in self.state.parameters
-            return self._parameter(asked) in self.state.levels.arguments
+            return self._parameter(asked) in self.state.call_stack.arguments
         if isinstance(asked, tree.Name):
-            parameters = self.surroundings.parameters
+            parameters = self.environment.parameters
             m, h = parameters.m_functions, parameters.h_functions
             return int(asked.name[1:]) in (m if asked.name[0] == "M" else h)
         assert isinstance(asked, tree.Variable)
         if is_program_variable(asked):
             return self.program_values.exists(asked)
-        names = self.surroundings.names
+        names = self.environment.names
         found = resolve(asked, names)
         if not isinstance(found, Location):
             return isinstance(resolve_whole(asked, names), Whole)
@@ -213,7 +213,7 @@ class Reading:
         assert isinstance(asked, tree.Variable)
         if is_program_variable(asked):
             return self.program_values.size(asked, dimension)
-        found = resolve_whole(asked, self.surroundings.names)
+        found = resolve_whole(asked, self.environment.names)
         is_first = isinstance(found, Whole) and dimension == 1
         return found.node.array_elements if is_first and isinstance(found, Whole) else 0
 
@@ -226,7 +226,7 @@ class Reading:
     def _argument(self, parameter: tree.Parameter) -> float | str:
         """What the call of the innermost cycle has handed over as @P1, @P2, …"""
         number = self._parameter(parameter)
-        value = self.state.levels.arguments.get(number)
+        value = self.state.call_stack.arguments.get(number)
         if value is None:
             self.fail(CALL_PARAMETER_MISSING, parameter.span, name=f"@P{number}")
         return value
@@ -301,7 +301,7 @@ class Reading:
                 continue
             cell = self.cell(variable, location)
             self.empties_channel(path_text(variable), variable.span)
-            source = self.surroundings.place(variable.span)
+            source = self.environment.source_id(variable.span)
             answer = yield ReadRealtime(source, number, cell)
             assert isinstance(answer, float)
             # the answer is of the tick that ran last, so the memory still holds what it was
@@ -343,8 +343,8 @@ class Reading:
 
     def _system(self, variable: tree.Variable) -> float:
         """V.G and V.A."""
-        surroundings = self.surroundings
-        found = system_variable(variable, tuple(surroundings.axis_numbers))
+        environment = self.environment
+        found = system_variable(variable, tuple(environment.axis_numbers))
         assert found is not None
         if found.kind == "timer":
             assert found.number is not None
@@ -357,31 +357,31 @@ class Reading:
                     index=int(number),
                     count=TIMERS,
                 )
-            return surroundings.system.timers.read(int(number))
+            return environment.controller_data.timers.read(int(number))
         if found.kind == "tool":
             return self.tool.read(variable, found, self._index)
         return self.system.read(variable, found)
 
     def _stand(self, variable: tree.Variable, number: int) -> Generator[Command, Answer]:
         """Empty the channel in front of a variable that shows where an axis is."""
-        found = system_variable(variable, tuple(self.surroundings.axis_numbers))
+        found = system_variable(variable, tuple(self.environment.axis_numbers))
         if found is not None and found.waits:
             cell = self.system.cell(variable, found)
             self.empties_channel(path_text(variable), variable.span)
-            yield ReadRealtime(self.surroundings.place(variable.span), number, cell)
+            yield ReadRealtime(self.environment.source_id(variable.span), number, cell)
 
     def _value_in(self, cell: int, location: Location) -> float | str:
         """What the memory holds in this moment."""
         if not location.is_numeric:
-            return strings.read(self.surroundings.memory, cell, location.size_bytes)
-        return self._in_unit(self.surroundings.cells[cell], location)
+            return strings.read(self.environment.memory, cell, location.size_bytes)
+        return self._in_unit(self.environment.cells[cell], location)
 
     def _in_unit(self, value: float, location: Location) -> float:
         return value / self.state.length_unit_mm if location.is_length else value
 
     def locate(self, variable: tree.Variable) -> Location:
         """Where a variable lives; the checker has seen that it exists."""
-        found = resolve(variable, self.surroundings.names)
+        found = resolve(variable, self.environment.names)
         assert isinstance(found, Location), variable
         return found
 
@@ -409,4 +409,4 @@ class Reading:
 
     def fail(self, message: Message, span: Span, **values: object) -> NoReturn:
         """Give the program up."""
-        raise DecodeError(diagnostic(message, span, self.surroundings.line(span), **values))
+        raise DecodeError(diagnostic(message, span, self.environment.line_text(span), **values))

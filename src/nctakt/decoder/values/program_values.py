@@ -11,7 +11,7 @@ from collections.abc import Callable, Generator, Sequence
 from typing import NoReturn
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.state.call_stack import Levels
+from nctakt.decoder.state.call_stack import CallStack
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.program_variables import LONGEST_STRING, ProgramVariable, VariableError
 from nctakt.decoder.state.tools import Fail
@@ -31,11 +31,11 @@ class ProgramValues:
 
     def __init__(
         self,
-        levels: Levels,
+        call_stack: CallStack,
         index: Callable[[tree.Expression], float],
         fail: Fail,
     ) -> None:
-        self._scopes = levels.scopes
+        self._scopes = call_stack.scopes
         self._index = index
         self._fail = fail
 

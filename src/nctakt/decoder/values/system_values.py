@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from nctakt.decoder.state.commands import SetOffset
-from nctakt.decoder.state.environment import Surroundings
+from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.tools import Fail
 from nctakt.kernel.axes.coordinates import ADD_ZERO, CLAMP, ZERO
@@ -32,9 +32,9 @@ class SystemValues:
     """Those of one program; ``index`` gives the number of an element."""
 
     def __init__(
-        self, surroundings: Surroundings, state: ModalState, fail: Fail, index: Index
+        self, environment: DecoderEnvironment, state: ModalState, fail: Fail, index: Index
     ) -> None:
-        self._surroundings = surroundings
+        self._environment = environment
         self._state = state
         self._fail = fail
         self._index = index
@@ -47,7 +47,7 @@ class SystemValues:
             return self._of_channel(found.subject)
         place = self._place(variable, found)
         value = self._of_axis(variable, found, place)
-        is_linear = self._surroundings.axes[place].is_linear
+        is_linear = self._environment.axes[place].is_linear
         return value / self._state.length_unit_mm if is_linear else value
 
     def cell(self, variable: Variable, found: SystemVariable) -> int:
@@ -56,15 +56,15 @@ class SystemValues:
 
     def _of_axis(self, variable: Variable, found: SystemVariable, place: int) -> float:
         """In mm or degrees."""
-        axis = self._surroundings.axes[place]
-        offsets = self._surroundings.offsets
+        axis = self._environment.axes[place]
+        offsets = self._environment.offsets
         match found.subject:
             case "ABS":
                 return offsets.inside(self._state.positions)[place]
             case "PROG" | "MENT":
                 return offsets.inside(self._state.positions)[place] - offsets.total(place)
             case "ACT_POS":
-                measured = [self._measured(one) for one in range(len(self._surroundings.axes))]
+                measured = [self._measured(one) for one in range(len(self._environment.axes))]
                 return offsets.inside(measured)[place] - offsets.total(place)
             case "ACS.ABS":
                 return self._measured(place)
@@ -84,7 +84,7 @@ class SystemValues:
 
     def _of_channel(self, subject: str) -> float:
         state = self._state
-        unit = self._surroundings.parameters.program_start.feed_unit_mm_min
+        unit = self._environment.parameters.program_start.feed_unit_mm_min
         match subject:
             case "MASS_MM":
                 return float(state.inch)
@@ -93,7 +93,7 @@ class SystemValues:
             case "FEEDRATE_SCALE":
                 return unit
             case "NP_DEFAULT":
-                return float(self._surroundings.offsets.default_group)
+                return float(self._environment.offsets.default_group)
             case "FEEDRATE" if state.pace.feed_mode == INVERSE_TIME_FEED:
                 return state.pace.time_s
             case "FEEDRATE" if state.pace.feed_mode == FEED_PER_REVOLUTION:
@@ -107,19 +107,19 @@ class SystemValues:
 
     def _measured(self, place: int) -> float:
         """What an axis shows of itself in this moment, in mm or degrees."""
-        return self._surroundings.cells[self._cell(place)]
+        return self._environment.cells[self._cell(place)]
 
     def _cell(self, place: int) -> int:
-        name = list(self._surroundings.axis_numbers)[place]
-        location = self._surroundings.names.resolve("RTA", [("ACS", 0), ("CUR_POS", 0), (name, 0)])
+        name = list(self._environment.axis_numbers)[place]
+        location = self._environment.names.resolve("RTA", [("ACS", 0), ("CUR_POS", 0), (name, 0)])
         assert isinstance(location, Location)
         return location.cell
 
     def _place(self, variable: Variable, found: SystemVariable) -> int:
         """The place of the axis in the channel, by its name or its number."""
         if found.element is None:
-            return self._surroundings.axis_numbers[found.axis]
-        return self._element(variable, found.element, len(self._surroundings.axes))
+            return self._environment.axis_numbers[found.axis]
+        return self._element(variable, found.element, len(self._environment.axes))
 
     def _group(self, variable: Variable, found: SystemVariable) -> int:
         assert found.number is not None
@@ -138,7 +138,7 @@ class SystemValues:
         self, variable: Variable, found: SystemVariable, value: float, source: int, number: int
     ) -> Iterator[SetOffset]:
         """A zero offset, active or in the list, or the one that programs begin with."""
-        offsets = self._surroundings.offsets
+        offsets = self._environment.offsets
         if found.kind == "channel":
             group = arithmetic.round_half_even(value)
             if not 0 <= group < MOST_GROUPS:
@@ -146,7 +146,7 @@ class SystemValues:
             offsets.default_group = int(group)
             return
         place = self._place(variable, found)
-        if self._surroundings.axes[place].is_linear:
+        if self._environment.axes[place].is_linear:
             value *= self._state.length_unit_mm
         if found.subject == "NP_AKT.V":
             yield from offsets.set_zero(place, value, source, number)

@@ -67,7 +67,7 @@ class Values(Reading):
             self.program_values.fill(statement.target, items)
             return
         if isinstance(value, tree.Variable):
-            found = resolve_whole(value, self.surroundings.names)
+            found = resolve_whole(value, self.environment.names)
             if isinstance(found, Whole):
                 yield from self._copy(statement.target, value, found, number)
                 return
@@ -108,7 +108,7 @@ class Values(Reading):
             yield from self._fetch(target.index, number)
             if target.call:
                 self._argument(target)
-                self.state.levels.arguments[self._parameter(target)] = value
+                self.state.call_stack.arguments[self._parameter(target)] = value
                 return
             if isinstance(value, str):
                 self.fail(TEXT_INSTEAD_OF_NUMBER, target.span, name="P")
@@ -125,7 +125,7 @@ class Values(Reading):
         location = self.locate(target)
         cell = yield from self._place(target, location, number)
         stored = self.convert(value, location, target.span)
-        source = self.surroundings.place(target.span)
+        source = self.environment.source_id(target.span)
         is_realtime = location.family in ("RTG", "RTA")
         if is_realtime:
             self.empties_channel(path_text(target), target.span)
@@ -145,7 +145,7 @@ class Values(Reading):
         self, target: tree.Variable, value: float | str, number: int
     ) -> Generator[Command, Answer]:
         """V.G: the active tool, zero offsets."""
-        found = system_variable(target, tuple(self.surroundings.axis_numbers))
+        found = system_variable(target, tuple(self.environment.axis_numbers))
         assert found is not None
         if isinstance(value, str):
             self.fail(TEXT_INSTEAD_OF_NUMBER, target.span, name=path_text(target))
@@ -154,7 +154,7 @@ class Values(Reading):
         if found.kind == "tool":
             yield from self.tool.write(found, value, target.span, number)
             return
-        source = self.surroundings.place(target.span)
+        source = self.environment.source_id(target.span)
         yield from self.system.write(target, found, value, source, number)
 
     def _place(
@@ -170,7 +170,7 @@ class Values(Reading):
     ) -> Generator[Command, Answer]:
         """A value on its way through the queue."""
         if isinstance(value, bytes):
-            axis_count = len(self.surroundings.axes)
+            axis_count = len(self.environment.axes)
             yield from write_text(source, number, cell, value, axis_count)
         else:
             yield WriteVariable(source, number, cell, value, is_told)
@@ -178,9 +178,9 @@ class Values(Reading):
     def _put(self, cell: int, value: float | bytes) -> None:
         """A value that is there at once."""
         if isinstance(value, bytes):
-            strings.write(self.surroundings.memory, cell, value)
+            strings.write(self.environment.memory, cell, value)
         else:
-            self.surroundings.cells[cell] = value
+            self.environment.cells[cell] = value
 
     def _copy(
         self,
@@ -194,19 +194,19 @@ class Values(Reading):
         All members are those of one moment: a synchronous one empties the channel, once.
         """
         assert isinstance(target, tree.Variable)
-        wanted = resolve_whole(target, self.surroundings.names)
+        wanted = resolve_whole(target, self.environment.names)
         assert isinstance(wanted, Whole), target
         first = yield from self._place(source, found, number)
         place = yield from self._place(target, wanted, number)
         from_ = list(leaf_cells(found.node, found.name, first))
         if source.synchronous or any(leaf.synchronous for _, leaf, _ in from_):
             self.empties_channel(path_text(source), source.span)
-            yield ReadRealtime(self.surroundings.place(source.span), number, first)
+            yield ReadRealtime(self.environment.source_id(source.span), number, first)
         values = [self._raw(cell, leaf) for _, leaf, cell in from_]
         to = leaf_cells(wanted.node, wanted.name, place)
         for value, (_, leaf, cell) in zip(values, to, strict=True):
             if leaf.synchronous or target.synchronous:
-                at = self.surroundings.place(target.span)
+                at = self.environment.source_id(target.span)
                 yield from self._send(cell, value, at, number, False)
             else:
                 self._put(cell, value)
@@ -214,9 +214,9 @@ class Values(Reading):
     def _raw(self, cell: int, leaf: Node) -> float | bytes:
         """A member's value as the memory holds it."""
         if SCALARS[leaf.type].is_numeric:
-            return self.surroundings.cells[cell]
+            return self.environment.cells[cell]
         first = cell * CELL_BYTES
-        return bytes(self.surroundings.memory[first : first + leaf.size_bytes])
+        return bytes(self.environment.memory[first : first + leaf.size_bytes])
 
     def convert(self, value: float | str, location: Location, span: Span) -> float | bytes:
         """The value as the variable's type takes it (RC-307)."""

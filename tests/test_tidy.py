@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import ast
 import re
-import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -39,16 +38,6 @@ LONG_FILES = {
 
 #: The only remainders outside ``arithmetic``: places in rings, of numbers that are never negative.
 RING_SIZES = ("self.capacity", "self.ring_size")
-
-DIRECTIVES = (
-    "language_level=3",
-    "boundscheck=False",
-    "wraparound=False",
-    "cdivision=True",
-    "initializedcheck=False",
-    "nonecheck=False",
-    "annotation_typing=False",
-)
 
 NOT_DETERMINISTIC = ("time", "datetime", "random", "threading", "secrets", "uuid")
 
@@ -267,39 +256,10 @@ def test_delicate_arithmetic_stands_in_one_module(module: str) -> None:
     assert found == []
 
 
-@pytest.mark.parametrize("module", MODULES)
-def test_the_compilers_directives_are_those_of_all(module: str) -> None:
-    """Each realtime module carries the same directives behind its licence."""
-    directives = directives_of(module)
-    assert directives == directives_of("base/arithmetic")
-    assert set(DIRECTIVES) <= set(directives)
-
-
-def directives_of(module: str) -> list[str]:
-    """The compiler's directives in a module's second and third line."""
-    lines = (KERNEL / f"{module}.py").read_text("utf-8").splitlines()[1:3]
-    assert all(line.startswith("# cython: ") for line in lines), lines
-    return [one for line in lines for one in line.removeprefix("# cython: ").split(", ")]
-
-
-def test_exactly_the_realtime_modules_are_built() -> None:
-    """pyproject.toml builds each module that has a .pxd, and the part that runs schedules."""
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
-    built = project["tool"]["setuptools"]["ext-modules"]
-    names = {one["name"]: one for one in built}
-    assert list(names) == sorted(names)
-    runner = names.pop("nctakt.linux.processes")
-    written = sorted(path.relative_to(ROOT).as_posix() for path in PACKAGE.glob("linux/*.c"))
-    assert (runner["sources"], runner["optional"]) == (written, True)
-    # A .pxd of C functions alone stands in for its module wherever it is cimported.
-    with_code = [path for path in PXD if "cdef extern" not in path.read_text("utf-8")]
-    typed = sorted(path.relative_to(PACKAGE.parent).with_suffix("") for path in with_code)
-    assert list(names) == [".".join(path.parts) for path in typed]
-    for name, one in names.items():
-        assert one["sources"] == [f"src/{name.replace('.', '/')}.py"]
-        assert one["optional"] is True
-        if name.startswith("nctakt.kernel."):
-            assert "-ffp-contract=off" in one["extra-compile-args"]
+def test_the_compilers_directives_stand_in_one_place() -> None:
+    """Only ``setup.py`` says how modules are translated, but for those that hold Python objects."""
+    saying = {path.parent.name for path in SOURCES if "\n# cython:" in path.read_text("utf-8")}
+    assert saying == {"schedule"}
 
 
 @pytest.mark.parametrize(

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Compiled or plain: which form of the realtime part is imported.
 
-The modules of ``nctakt.kernel``, and some of the decoder and of ``nctakt.schedule``, are Python
-files that are compiled at installation where there is a C compiler. ``use_plain``, called before
-the first of them is imported, makes Python import the files themselves: slower, for debuggers and
-coverage, with the same results. The environment variable ``NCTAKT_PLAIN=1`` does the same.
+Modules with types in a ``.pxd`` beside them, all of ``nctakt.kernel`` and some of other packages,
+are Python files that are compiled at installation where there is a C compiler. ``use_plain``,
+called before the first of them is imported, makes Python import the files themselves: slower, for
+debuggers and coverage, with the same results. The environment variable ``NCTAKT_PLAIN=1`` does the
+same.
 """
 
 from __future__ import annotations
@@ -17,9 +18,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from types import ModuleType
 
-_PACKAGE = "nctakt.kernel."
-#: The packages with compiled modules.
-_PACKAGES = (_PACKAGE, "nctakt.decoder.", "nctakt.nc.", "nctakt.schedule.")
+_PACKAGE = "nctakt."
 
 
 class _PlainFinder:
@@ -29,8 +28,8 @@ class _PlainFinder:
     def find_spec(
         name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> importlib.machinery.ModuleSpec | None:
-        """The file's spec for a module of these packages, nothing for any other."""
-        if not name.startswith(_PACKAGES) or path is None:
+        """Return the file's spec for a module of this package, nothing for any other."""
+        if not name.startswith(_PACKAGE) or path is None:
             return None
         file = Path(next(iter(path))) / f"{name.rpartition('.')[2]}.py"
         if not file.exists():
@@ -43,7 +42,9 @@ def use_plain() -> None:
     loaded = [
         name
         for name, module in sys.modules.items()
-        if name.startswith(_PACKAGES) and str(module.__file__).endswith((".so", ".pyd"))
+        if name.startswith(_PACKAGE)
+        and str(module.__file__).endswith((".so", ".pyd"))
+        and Path(str(module.__file__)).with_name(f"{name.rpartition('.')[2]}.py").exists()
     ]
     assert not loaded, loaded
     if not any(finder is _PlainFinder for finder in sys.meta_path):
@@ -51,10 +52,10 @@ def use_plain() -> None:
 
 
 def is_compiled() -> bool:
-    """Whether the realtime part runs compiled."""
+    """Return whether the realtime part runs compiled."""
     if any(finder is _PlainFinder for finder in sys.meta_path):
         return False
-    spec = importlib.util.find_spec(f"{_PACKAGE}kernel")
+    spec = importlib.util.find_spec(f"{_PACKAGE}kernel.kernel")
     assert spec is not None
     return isinstance(spec.loader, importlib.machinery.ExtensionFileLoader)
 

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """All channels and axes in lockstep: ``run(n)`` (RC-001, RC-002).
 
 ``run`` goes on without Python objects until n ticks are done or something of Python's is due; where

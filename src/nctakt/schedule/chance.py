@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, annotation_typing=False, auto_pickle=False
+# cython: boundscheck=True, cdivision=False, initializedcheck=True, wraparound=True
 """Random numbers: those of ``random.Random`` with the same seed, drawn in blocks.
 
 In: a seed. Out: whole numbers, evenly spread. The generator's words come from numpy, which has the

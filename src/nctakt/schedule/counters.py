@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, annotation_typing=False, auto_pickle=False
+# cython: boundscheck=True, cdivision=False, initializedcheck=True, wraparound=True
 """The numbers of a simulation while it runs.
 
 In: what happens to tasks and in cycles. Out: ``TaskNumbers`` and ``WindowsNumbers``. What only

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, annotation_typing=False, auto_pickle=False
+# cython: boundscheck=True, cdivision=False, initializedcheck=True, wraparound=True
 """A model -> its schedule in virtual time.
 
 In: ``Model``, the number of NC cycles. Out: ``Simulation``. Everything is released at NC

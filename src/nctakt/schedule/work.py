@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, annotation_typing=False, auto_pickle=False
+# cython: boundscheck=True, cdivision=False, initializedcheck=True, wraparound=True
 """Draws the execution times of a task's jobs.
 
 In: ``Task``, a seeded generator. Out: the work of one job after another, in ns. A list of times

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """A ``Segment`` of an ordinary block, filled slot by slot.
 
 The constructor of a frozen dataclass takes as long as finding out all that it is given.

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The pieces of the tool's way one behind the other, and where it crosses itself (MO-9).
 
 Each new piece is compared with those of the last motions, and a crossing is told; or (``masks``)

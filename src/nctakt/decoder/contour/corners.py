@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Two motions of a contour, and how the ways beside them are joined at their corner (MO-9).
 
 The tool's centre goes at a signed distance to the left of a motion. At an inner corner the ways

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Lines and arcs in a plane as rows of float64, and where two of them cross (MO-9).
 
 Lengths in mm, angles in degrees. A row:

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The way of the tool's centre beside a contour, motion by motion (MO-9).
 
 In: motions of a plane in their order, each with the distance of the tool. Out: the pieces of each

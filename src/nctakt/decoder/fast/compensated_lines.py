@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Plain blocks beside which the tool goes -> its ways in the channel's queue, without objects.
 
 In: the lines of plain blocks while a contour is compensated, one motion behind (``tool_path.py``).

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Plain blocks -> lines in the channel's queue, without objects in between.
 
 In: lines, and the modal state in numbers (``handover.py`` hands it over and takes it back).

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Expressions by their template: computed with the numbers of an occurrence, without a tree.
 
 In: a ``TemplateExpression`` of ``nc/fast/templates.py``. Out: its value, or that it has none here;

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The machine's axes: command, actual and target position, and what cycles read of them.
 
 Arrays over the axes, since the tick walks over all of them. Each axis has a row of cells in the

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """What each axis does on its own, and its tick (MO-11): the motions behind ``single_axes.py``.
 
 Each axis has at most one present motion and one that waits behind it. ``begin`` only notes what is

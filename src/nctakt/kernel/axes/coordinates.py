@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The coordinate systems: what lies between ACS, MCS and PCS for each axis (MO-8).
 
 A position in PCS is the position in ACS less all active offsets of the axis, in mm or degrees. In a

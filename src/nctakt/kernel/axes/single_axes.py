@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Independent motion: axes that cycles or the PLC move beside the path (MO-11, MO-13).
 
 Commands and questions; what the axes then do in each tick is in ``axis_motions.py``. An owner is a

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The spindles of one channel: endless, to a position, to a stand; those that the PLC turns.
 
 A job is taken in the command or cycle phase and acts in the same tick: the speed changes from what

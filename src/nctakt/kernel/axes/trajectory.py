@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """One axis on its own: state, target and limits -> a time-optimal motion in closed form (MO-11).
 
 A plan begins in any state (distance 0, a speed, an acceleration) and ends at rest after a distance,

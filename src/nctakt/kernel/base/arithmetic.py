@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Arithmetic of decoder and realtime part: RC-206, RC-207, RC-307; angles in degrees.
 
 The only place for division, remainders, powers, rounding and trigonometry. Compiled and plain

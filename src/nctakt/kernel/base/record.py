@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """What the realtime part records: rows of signals, events, probes of conditions.
 
 Each of the three is a block of typed memory that the tick appends to and Python empties between two

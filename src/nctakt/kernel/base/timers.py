@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The timers of realtime cycles: a bank apart from the decoder's (RC-401).
 
 The time is the tick's. Timers survive program end and reset. What READ latches is in the channel's

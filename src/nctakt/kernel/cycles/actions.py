@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Statements of realtime cycles that move a single axis (RC-405 … RC-408).
 
 A statement computes feed, position and direction, looks for an action place (P-CHAN-00480), and

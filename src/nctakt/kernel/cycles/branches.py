@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """``$IF`` of realtime cycles: what runs under a condition (RC-201 … RC-203, RC-208)."""
 
 from __future__ import annotations

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Conditions of ``$IF`` in realtime cycles, each with its probe (RC-202).
 
 A condition keeps its last truth and records a probe row (``record.py``) when its truth changes, and

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """What a running realtime cycle sees: the memory, the tick, its budget, its fault.
 
 Every numeric variable of the machine is one float64 cell of one block of memory. The ``Context`` of

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The cycle manager: loaded realtime cycles, their life, and their run-through in each tick.
 
 RC-102 … RC-114, RC-505. Python fills a slot ahead of time (``load``); the command queue names

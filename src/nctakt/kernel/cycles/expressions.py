@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Expressions of realtime cycles: trees of small objects, each of which computes its value.
 
 RC-206, RC-207. ``value(context)`` answers a float64. An operation that is not defined for its

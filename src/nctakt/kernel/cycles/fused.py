@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Fused nodes of expressions: each does the work of several in one call.
 
 RC-501: they count as the nodes that they stand for. Results are the same to the bit: the operations

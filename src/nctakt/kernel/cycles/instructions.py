@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Statements of realtime cycles: trees of small objects, each of which runs itself.
 
 RC-207, RC-307, RC-403, RC-501; ``$IF`` stands in ``branches.py``. ``run(context)`` answers 0 when

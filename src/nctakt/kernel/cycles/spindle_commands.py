@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """A spindle's job in a realtime cycle: complete, in this tick, without waiting (RC-404, RC-408)."""
 
 from __future__ import annotations

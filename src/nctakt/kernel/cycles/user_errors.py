@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """``#ERROR`` in a realtime cycle: an error of the user's own (RC-402).
 
 A warning (RC 0) is told and no more. With RC from 1 on the channel is in error state and the path

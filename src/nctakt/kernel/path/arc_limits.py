@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """What the axes allow on an arc, by its angle: speeds, speeding up, braking (MO-1, MO-2).
 
 On an arc the direction q' of the path and its curvature q'' turn with the angle, so the same speed

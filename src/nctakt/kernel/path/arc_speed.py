@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The speed along an arc whose limits turn with its angle: one plan for each piece (MO-1, MO-5).
 
 ``survey`` settles how fast the path may be at each border of the pieces, from the arc's end

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Backward motion on the path: over the segments that the path has kept, and forward again (MO-7).
 
 Backward is commanded: the path brakes to a stand, then walks back on the same curve, with the

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Rounded corners with a limit of the jerk: a bend between two lines, within the deviation (MO-3).
 
 An arc or a parabola has a curvature from its first point on, which would be a step in acceleration.

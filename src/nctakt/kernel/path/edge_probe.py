@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Measuring the edge joint within a block (G108): where a strip begins, and where it is cut.
 
 The block is armed. The probe of the HLI tells that it has found the edge: from there the path goes

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Moving to a fixed stop: axes of the path that run into an obstacle and notice it (MO-12).
 
 An axis is monitored from ``arm`` to ``disarm``. It is at its stop when its command is farther from

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The geometry of a segment: where the axes are after a way, and which stages the way has.
 
 A segment is a row of float64 over ``count`` axes, in the channel's queue and in the path's ring:

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The segments that the path has kept, as the walk over them sees them (MO-7).
 
 A segment is known by its running number, its *place*. With a limit of the jerk the walk goes over

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Look-ahead with a limit of the jerk: speeds at corners, what the path brakes for (MO-1, MO-3).
 
 A corner where an axis changes its speed in a step, or its acceleration because the curvature

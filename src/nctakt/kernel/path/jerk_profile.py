@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The speed along the path with a limit of the jerk: state, limits, what is ahead -> a plan (MO-1).
 
 The plan leads from the present speed and acceleration to the goal of the segment

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Contour preparation in the queue: limits, speeds at corners, look-ahead (MO-1, MO-3).
 
 Runs when a segment is put into the queue, before the tick that takes it; compiled like the tick,

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The override of the path: what the prepared speed of a segment is multiplied with (RC-305).
 
 The programmed part is in the prepared speed already; P-CHAN-00056 bounds the others, as contour

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The path: a ring of prepared segments -> command positions, one increment a tick (MO-1 … MO-6).
 
 A segment is a row of the command queue; ``geometry.py`` says what is in it and where the

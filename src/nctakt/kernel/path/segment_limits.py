@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The limits of one segment: its way, and what keeps every axis on it within its own (MO-1, MO-4).
 
 ``geometry.py`` says what is in a segment's row. Lines: of each axis its part of the way.

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """One coordinate's way: state, target and limits -> a profile in closed form (MO-2, MO-5, MO-14).
 
 A ``Profile`` is planned from a distance, a start and an end speed, a speed limit and one

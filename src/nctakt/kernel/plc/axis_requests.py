@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """What the PLC wants of single axes: posted between two ticks, latched by the next one.
 
 Each request has an owner number of its own, from ``PLC_OWNER`` on, so that the PLC can follow what

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """What waits for a PLC in the image of the HLI: M and H functions, jobs of its spindles.
 
 A unit takes 40 bytes (``UNIT`` in ``hli/layout.py``). Its serial says which function it holds, 0

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The image of the HLI that a PLC sees, kept equal to the cells of the memory (RC-301).
 
 A table says which variable stands at which byte (``hli/places.py``, and for the packed V.E

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The operator's side of one channel: what is commanded, latched at the start of a tick (MO-6).
 
 Each value has a cell from ``first_cell`` on, in the order of ``hli/layout.py`` (``PANEL`` with the

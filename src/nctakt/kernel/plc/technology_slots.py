@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The interface image between CNC and PLC: technology functions and their acknowledgement.
 
 The realtime section (POS_RT) takes what realtime cycles command, in order, in the same tick, and

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """One channel: the phases of its tick (RC-002 … RC-007).
 
 ``command_queue.py`` is the queue, ``command_execution.py`` what its commands do. While the decoder

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """What the commands of a channel's queue do when they are taken (RC-003, RC-004).
 
 ``Commands.take_commands`` is the first phase of a channel's tick; ``channel.py`` has the others.

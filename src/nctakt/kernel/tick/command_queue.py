@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The commands that wait for a channel: a ring of rows of float64.
 
 A command (``decoder/state/commands.py`` packs it) is a row: kind, source ID, block number, then

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """The body of a realtime loop: the rows of the queue between its two ends, to be put in again.
 
 Rows are kept as they were before their preparation, with what that needs: so each pass is prepared

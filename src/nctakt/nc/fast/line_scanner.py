@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """What the scanners of plain lines and of shapes have in common: decimals and comments.
 
 In: a line, a place in it, its end. Out: the place behind what stands there, -1 for what no scanner

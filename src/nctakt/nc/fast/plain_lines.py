@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Plain blocks, read without a tree: a number, G00 or G01, axis words, F above 0, comments.
 
 In: lines. Out: what a line says, in numbers, where it is plain. Programs of CAM systems consist of

@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """How the tree of a statement is made anew for another occurrence of its shape.
 
 In: an ``Occurrence``: what differs between two statements of one shape, their numbers and places.

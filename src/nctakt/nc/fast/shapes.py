@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
-# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-# cython: initializedcheck=False, nonecheck=False, annotation_typing=False, auto_pickle=False
 """Shapes of statements: their text without its numbers and comments.
 
 In: lines. Out: the ``Shape`` of the statement that begins there, and what it leaves out: numbers,

@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import sys
+from dataclasses import dataclass
 from importlib.metadata import entry_points
 from pathlib import Path
 
@@ -31,6 +32,9 @@ G00 X10
 M30
 """
 
+#: Words of each call: no files left behind, warnings are errors.
+WORDS = ("-p", "no:cacheprovider", "-q", "-W", "error")
+
 
 def plugin_words() -> list[str]:
     """How pytest finds the plugin: by its entry point, by ``-p`` where that is not installed."""
@@ -39,11 +43,11 @@ def plugin_words() -> list[str]:
 
 
 def run_pytest(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    """Run pytest in a folder of its own."""
-    command = [sys.executable, "-m", "pytest", *plugin_words(), "-p", "no:cacheprovider", "-q"]
+    """Run pytest in a folder in a process of its own."""
+    command = [sys.executable, "-m", "pytest", *plugin_words(), *WORDS]
     path = os.pathsep.join(filter(None, [str(SOURCES), os.environ.get("PYTHONPATH", "")]))
     return subprocess.run(
-        [*command, "-W", "error", *words],
+        [*command, *words],
         cwd=folder,
         check=False,
         capture_output=True,
@@ -52,6 +56,29 @@ def run_pytest(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
         env={**os.environ, "PYTHONPATH": path, "PYTHONIOENCODING": "utf-8"},
         timeout=300,
     )
+
+
+@dataclass
+class Sessions:
+    """Sessions of pytest in this process and in one folder: most tests need no other process."""
+
+    folder: Path
+    capsys: pytest.CaptureFixture[str]
+
+    def run(self, *words: str) -> tuple[int, str]:
+        """Run pytest; return its exit code and what it prints."""
+        here = ("-p", "no:faulthandler", "--import-mode=importlib")
+        code = pytest.main([*plugin_words(), *WORDS, *here, *words])
+        return code, "".join(self.capsys.readouterr())
+
+
+@pytest.fixture
+def sessions(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Sessions:
+    """Sessions in the test's folder."""
+    monkeypatch.chdir(tmp_path)
+    return Sessions(tmp_path, capsys)
 
 
 def project(folder: Path, **files: str) -> Path:
@@ -63,18 +90,20 @@ def project(folder: Path, **files: str) -> Path:
     return folder
 
 
-def failure(tmp_path: Path, text: str, **files: str) -> str:
+def failure(sessions: Sessions, text: str, **files: str) -> str:
     """What pytest shows of a program whose expectations are not met."""
-    done = run_pytest(project(tmp_path, part_nc=text, **files))
-    assert done.returncode == 1, done.stdout + done.stderr
-    return done.stdout
+    project(sessions.folder, part_nc=text, **files)
+    code, shown = sessions.run()
+    assert code == 1, shown
+    return shown
 
 
-def passes(tmp_path: Path, text: str, **files: str) -> None:
+def passes(sessions: Sessions, text: str, **files: str) -> None:
     """The expectations of a program are met."""
-    done = run_pytest(project(tmp_path, part_nc=text, **files))
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert "1 passed" in done.stdout
+    project(sessions.folder, part_nc=text, **files)
+    code, shown = sessions.run()
+    assert code == 0, shown
+    assert "1 passed" in shown
 
 
 # --- the example project ------------------------------------------------------------------------
@@ -114,12 +143,12 @@ def test_the_plugin_loads_nothing_before_a_test_asks_for_it(tmp_path: Path) -> N
         ("; expect: PATH.SPEED = 200 at 50ms", "; expect: V.E.COUNT = 0 at end"),
     ],
 )
-def test_expectations_that_are_met(tmp_path: Path, first: str, second: str) -> None:
+def test_expectations_that_are_met(sessions: Sessions, first: str, second: str) -> None:
     """After 50 ticks X reads 5 (MO-14): the cycle fires in tick 50, M101 goes out in it."""
-    passes(tmp_path, CYCLE.format(first=first, second=second))
+    passes(sessions, CYCLE.format(first=first, second=second))
 
 
-def test_what_is_given_is_there(tmp_path: Path) -> None:
+def test_what_is_given_is_there(sessions: Sessions) -> None:
     """Values before and at times, a PLC, a limit, START, time behind the end."""
     plc = "class Slow:\n    def cycle(self, hli):\n        pass\n"
     text = (
@@ -128,87 +157,87 @@ def test_what_is_given_is_there(tmp_path: Path) -> None:
         "; expect: V.E.VALUE = 4 at 0s; V.E.TRIGGER = 0 at 30ms; V.E.TRIGGER = 1 at 31ms\n"
         "; expect: X = 0 at 21ms; X = 0.002 at 22ms; M100 at 121ms; ended\n"
     )
-    passes(tmp_path, text + MOTION, slow_py=plc)
+    passes(sessions, text + MOTION, slow_py=plc)
 
 
-def test_a_program_without_expectations_is_no_test(tmp_path: Path) -> None:
+def test_a_program_without_expectations_is_no_test(sessions: Sessions) -> None:
     """Comments that only sound like one are passed over."""
     text = "; what to expect from it: nothing\n; given the time\n" + MOTION
-    assert run_pytest(project(tmp_path, part_nc=text)).returncode == 5
+    project(sessions.folder, part_nc=text)
+    assert sessions.run()[0] == pytest.ExitCode.NO_TESTS_COLLECTED
 
 
-def test_the_configuration_names_machine_and_files(tmp_path: Path) -> None:
+def test_the_configuration_names_machine_and_files(sessions: Sessions) -> None:
     """``nctakt_machine`` is a folder under the root, ``nctakt_files`` are patterns."""
     machine = Path(nctakt.__file__).parent / "machines" / "demo"
-    project(tmp_path, part_nc="M100 ; expect: M100\nM30\n", other_nc="M9 ; expect: M9\n")
+    project(sessions.folder, part_nc="M100 ; expect: M100\nM30\n", other_nc="M9 ; expect: M9\n")
     ini = f"[pytest]\nnctakt_machine = {machine}\nnctakt_files = p*.nc\n"
-    (tmp_path / "pytest.ini").write_text(ini, "utf-8")
-    done = run_pytest(tmp_path)
-    assert "1 passed" in done.stdout
+    (sessions.folder / "pytest.ini").write_text(ini, "utf-8")
+    assert "1 passed" in sessions.run()[1]
 
 
 # --- expectations that are not met --------------------------------------------------------------
 
 
-def test_a_wrong_time_shows_both(tmp_path: Path) -> None:
+def test_a_wrong_time_shows_both(sessions: Sessions) -> None:
     """Place of the comment, what was expected, what has happened and where."""
-    shown = failure(tmp_path, CYCLE.format(first="", second="; expect: M101 at 49ms"))
+    shown = failure(sessions, CYCLE.format(first="", second="; expect: M101 at 49ms"))
     assert "part.nc:3: expect: M101 at 49ms" in shown
     assert "- M101 at 0.049 s, tick 49 (line 3)" in shown
     assert "+ M101 at 0.05 s, tick 50 (line 3)" in shown
     assert "Traceback" not in shown
 
 
-def test_a_wrong_value_shows_both(tmp_path: Path) -> None:
+def test_a_wrong_value_shows_both(sessions: Sessions) -> None:
     """The value at that time."""
-    shown = failure(tmp_path, "; expect: X = 5.1 at 50ms\n" + MOTION)
+    shown = failure(sessions, "; expect: X = 5.1 at 50ms\n" + MOTION)
     assert "- X = 5.1 at 0.05 s" in shown
     assert "+ X = 5" in shown
 
 
-def test_what_never_happens_shows_what_did(tmp_path: Path) -> None:
+def test_what_never_happens_shows_what_did(sessions: Sessions) -> None:
     """The functions that went out instead."""
-    shown = failure(tmp_path, "; expect: M102\n" + MOTION)
+    shown = failure(sessions, "; expect: M102\n" + MOTION)
     assert "- M102\n" in shown
     assert "+ M102: never; but M100 at 0.1 s, tick 100 (line 3)" in shown
 
 
-def test_what_must_not_happen(tmp_path: Path) -> None:
+def test_what_must_not_happen(sessions: Sessions) -> None:
     """``never`` in front of a function that went out."""
-    shown = failure(tmp_path, MOTION.replace("M100", "M100 ; expect: M100 never"))
+    shown = failure(sessions, MOTION.replace("M100", "M100 ; expect: M100 never"))
     assert "- M100 never (line 2)" in shown
     assert "+ M100 at 0.1 s, tick 100 (line 2)" in shown
 
 
-def test_all_that_is_wrong_is_told_at_once(tmp_path: Path) -> None:
+def test_all_that_is_wrong_is_told_at_once(sessions: Sessions) -> None:
     """Three expectations that are not met, in their order."""
-    shown = failure(tmp_path, '; expect: M102; M103; message "a; b"\n' + MOTION)
+    shown = failure(sessions, '; expect: M102; M103; message "a; b"\n' + MOTION)
     found = re.findall(r"part\.nc:1: expect: (.*)", shown)
     assert found[:3] == ["M102", "M103", 'message "a; b"']
 
 
-def test_an_error_that_nobody_expects_fails(tmp_path: Path) -> None:
+def test_an_error_that_nobody_expects_fails(sessions: Sessions) -> None:
     """With its place and its remedy; the other expectations are looked at all the same."""
-    shown = failure(tmp_path, "; expect: ended\nG01 X10 F0\nM30\n")
+    shown = failure(sessions, "; expect: ended\nG01 X10 F0\nM30\n")
     assert "error 20008" in shown
     assert "nobody expects this error" in shown
     assert "+ error after 0" in shown
 
 
-def test_an_expected_error_in_another_line(tmp_path: Path) -> None:
+def test_an_expected_error_in_another_line(sessions: Sessions) -> None:
     """The line counts where the expectation stands behind a block."""
-    shown = failure(tmp_path, "M100 ; expect: error 20008\nG01 X10 F0\nM30\n")
+    shown = failure(sessions, "M100 ; expect: error 20008\nG01 X10 F0\nM30\n")
     assert "- 20008 (line 1)" in shown
     assert "+ line 2: 20008" in shown
 
 
-def test_comments_that_are_not_understood_are_all_told(tmp_path: Path) -> None:
+def test_comments_that_are_not_understood_are_all_told(sessions: Sessions) -> None:
     """900660 and 900661 with place and remedy; times and values by their own numbers."""
     text = "; expect: M100 soon\n; given: tea\n; expect: fired at 1parsec\nM30\n"
     with pytest.raises(Failure) as caught:
         read_script(Path("p.nc"), text)
     assert [found.id for found in caught.value.diagnostics] == [900660, 900661, 900660]
-    assert "part.nc:1:1: error 900660" in failure(tmp_path, text)
+    assert "part.nc:1:1: error 900660" in failure(sessions, text)
 
 
 @pytest.mark.parametrize(
@@ -221,9 +250,9 @@ def test_comments_that_are_not_understood_are_all_told(tmp_path: Path) -> None:
         ("; given: V.E.VALUE = part; expect: ended\n", "900512"),
     ],
 )
-def test_what_cannot_be_had_is_a_diagnostic(tmp_path: Path, text: str, words: str) -> None:
+def test_what_cannot_be_had_is_a_diagnostic(sessions: Sessions, text: str, words: str) -> None:
     """Not a traceback through our code."""
-    shown = failure(tmp_path, text + MOTION)
+    shown = failure(sessions, text + MOTION)
     assert words in shown
     assert "Traceback" not in shown
 
@@ -280,13 +309,14 @@ def test_two_runs_on_one_controller(run_nc, controller, machine):
 '''
 
 
-def test_the_fixtures_answer_in_the_words_of_the_shop_floor(tmp_path: Path) -> None:
+def test_the_fixtures_answer_in_the_words_of_the_shop_floor(sessions: Sessions) -> None:
     """What fails shows what has happened instead."""
-    done = run_pytest(project(tmp_path, test_shop_py=FIXTURES))
-    assert "2 failed, 2 passed" in done.stdout, done.stdout
-    assert "<M102: never; but M101 at 0.05 s, tick 50 (line 4)" in done.stdout
-    assert "<error after 0" in done.stdout
-    assert "error 20008" in done.stdout
+    project(sessions.folder, test_shop_py=FIXTURES)
+    _, shown = sessions.run()
+    assert "2 failed, 2 passed" in shown
+    assert "<M102: never; but M101 at 0.05 s, tick 50 (line 4)" in shown
+    assert "<error after 0" in shown
+    assert "error 20008" in shown
 
 
 # --- coverage -----------------------------------------------------------------------------------
@@ -326,18 +356,16 @@ def test_coverage_of_a_session(tmp_path: Path, workers: int) -> None:
     assert "$ENDIF" in (folder / "all.txt").read_text("utf-8")
 
 
-def test_coverage_that_cannot_be_written_is_told(tmp_path: Path) -> None:
+def test_coverage_that_cannot_be_written_is_told(sessions: Sessions) -> None:
     """A suffix that says nothing before the tests, a folder that is not there behind them."""
-    folder = project(tmp_path, part_nc=COVERED)
-    done = run_pytest(folder, "--nctakt-coverage-file", "all.xml")
-    assert done.returncode == pytest.ExitCode.USAGE_ERROR
-    assert "900804" in done.stderr + done.stdout
-    done = run_pytest(folder, "--nctakt-coverage-file", "none/all.json")
-    assert done.returncode == pytest.ExitCode.USAGE_ERROR
-    assert "900507" in done.stdout
+    project(sessions.folder, part_nc=COVERED)
+    for file, number in (("all.xml", "900804"), ("none/all.json", "900507")):
+        code, shown = sessions.run("--nctakt-coverage-file", file)
+        assert code == pytest.ExitCode.USAGE_ERROR
+        assert number in shown
 
 
-def test_without_the_option_nothing_is_told(tmp_path: Path) -> None:
+def test_without_the_option_nothing_is_told(sessions: Sessions) -> None:
     """And runs do not count."""
-    done = run_pytest(project(tmp_path, part_nc=COVERED))
-    assert "branches of realtime cycles" not in done.stdout
+    project(sessions.folder, part_nc=COVERED)
+    assert "branches of realtime cycles" not in sessions.run()[1]

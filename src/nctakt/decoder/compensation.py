@@ -26,9 +26,9 @@ from nctakt.base.source_ids import NO_SOURCE, unpack
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.contour.chain import ARC, GAP, REACH
 from nctakt.decoder.contour.tool_path import ToolPath
-from nctakt.decoder.fast.compensated_lines import PlainBeside
+from nctakt.decoder.fast.compensated_lines import CompensatedLines
 from nctakt.decoder.fast.handover import PlainRun
-from nctakt.decoder.pending_motion import HeldMotion, at_tool, block_length, share_of_contour
+from nctakt.decoder.pending_motion import PendingMotion, at_tool, block_length, share_of_contour
 from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM, Arc
 from nctakt.decoder.state.commands import Answer, Command, ProgramEnd, Segment, pack, waits
 from nctakt.decoder.state.environment import DecodeError
@@ -81,7 +81,7 @@ class Compensation:
         self._state = values.state.path
         self._took_time = took_time
         self.tool = ToolPath()
-        self._motions: deque[HeldMotion] = deque()
+        self._motions: deque[PendingMotion] = deque()
         self._spans: deque[tuple[int, Span]] = deque(maxlen=2 * REACH + 2)
         self._between = 0
         self._distance = 0.0
@@ -207,7 +207,7 @@ class Compensation:
         misfit = LINE_REVERSED_BY_RADIUS if segment.arc is None else ARC_REVERSED_BY_RADIUS
         if segment.arc is not None and not self.tool.latest_fits():
             misfit = TOOL_TOO_LARGE_FOR_ARC
-        motion = HeldMotion(
+        motion = PendingMotion(
             number,
             segment,
             self._path.span,
@@ -302,7 +302,7 @@ class Compensation:
             self.tool.give_up()
         yield from self._finish()
 
-    def _fail(self, motion: HeldMotion) -> NoReturn:
+    def _fail(self, motion: PendingMotion) -> NoReturn:
         """The contour cannot be passed with this tool (90019, 90038, 900871)."""
         self._values.fail(motion.misfit, motion.span, radius=abs(motion.radius))
 
@@ -328,7 +328,7 @@ class Compensation:
 
     # --- plain blocks ----------------------------------------------------------------------------
 
-    def can_hand_over(self) -> bool:
+    def can_export(self) -> bool:
         """Whether plain blocks may go on with the contour (``compensated_lines.py``).
 
         Then one line is held and nothing behind it, and only what comes next can end it.
@@ -357,45 +357,45 @@ class Compensation:
         """How far the path may pass the end of a line as it comes."""
         return self._state.deviation if self._state.contouring else 0.0
 
-    def hand_over(self, beside: PlainBeside) -> None:
+    def export_to(self, lines: CompensatedLines) -> None:
         """The line that is held goes on in plain blocks, if there is a contour."""
         wanted = self._state.compensation
-        beside.is_on = wanted.is_active
-        if not beside.is_on:
+        lines.is_on = wanted.is_active
+        if not lines.is_on:
             return
         held = self._motions[0].segment
-        beside.first, beside.second = PLANES[self._state.plane]
-        beside.distance = self._distance
-        beside.source, beside.number = held.source, held.number
+        lines.first, lines.second = PLANES[self._state.plane]
+        lines.distance = self._distance
+        lines.source, lines.number = held.source, held.number
         for place, (start, target) in enumerate(zip(held.start, held.target, strict=True)):
-            beside.set_way(place, start, target)
-        beside.feed_v = held.feed
-        beside.stops = held.exact_stop
-        beside.deviation = self._deviation
-        beside.limits_jerk = self._state.limits_jerk
+            lines.set_motion(place, start, target)
+        lines.feed_v = held.feed
+        lines.stops = held.exact_stop
+        lines.deviation = self._deviation
+        lines.limits_jerk = self._state.limits_jerk
         self.tool.side = 1.0 if self._distance > 0.0 else -1.0
         self.tool.set_corners(wanted.by_arc, wanted.is_direct)
 
-    def take_back(self, beside: PlainBeside, file: str) -> None:
+    def import_from(self, lines: CompensatedLines, file: str) -> None:
         """Another line of the text ``file`` is held by now."""
         before, number = self._motions[0], self.tool.number
         if number == before.number:
             return
         for one in range(max(before.number + 1, number - REACH), number):
-            self._spans.append((one, self._span_of(beside.source_of(one), file)))
-        ways = [beside.way_of(place) for place in range(beside.count)]
+            self._spans.append((one, self._span_of(lines.source_of(one), file)))
+        ways = [lines.motion_of(place) for place in range(lines.count)]
         segment = replace(
             before.segment,
-            source=beside.source,
-            number=beside.number,
+            source=lines.source,
+            number=lines.number,
             start=tuple(start for start, _ in ways),
             target=tuple(target for _, target in ways),
-            feed=beside.feed_v,
-            exact_stop=beside.stops,
-            deviation=0.0 if beside.stops else beside.deviation,
-            limits_jerk=beside.limits_jerk,
+            feed=lines.feed_v,
+            exact_stop=lines.stops,
+            deviation=0.0 if lines.stops else lines.deviation,
+            limits_jerk=lines.limits_jerk,
         )
-        span = self._span_of(beside.source, file)
+        span = self._span_of(lines.source, file)
         self._spans.append((number, span))
         self._motions[0] = replace(
             before,
@@ -437,14 +437,14 @@ class Compensation:
             yield from commands
             self.releases = False
 
-    def _commands(self, motion: HeldMotion) -> list[Command]:
+    def _commands(self, motion: PendingMotion) -> list[Command]:
         """The pieces of a motion, and what comes behind it."""
         commands: list[Command] = list(self._segments(motion, self._pieces(motion)))
         plane = PLANES[self._state.plane]
         commands += [at_tool(one, plane, self._at) for one in motion.between]
         return commands
 
-    def _pieces(self, motion: HeldMotion) -> list[tuple[_Piece, float]]:
+    def _pieces(self, motion: PendingMotion) -> list[tuple[_Piece, float]]:
         """The pieces of a motion with their ways; none where it is swallowed."""
         found = []
         while kind := self.tool.take(motion.number):
@@ -459,7 +459,7 @@ class Compensation:
         return found
 
     def _segments(
-        self, motion: HeldMotion, pieces: list[tuple[_Piece, float]]
+        self, motion: PendingMotion, pieces: list[tuple[_Piece, float]]
     ) -> Iterator[Segment]:
         """The pieces of a motion; only the last one stops exactly."""
         first, second = PLANES[self._state.plane]

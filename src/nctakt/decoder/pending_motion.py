@@ -13,7 +13,7 @@ from nctakt.lists.machine.axis_configuration import AxisConfiguration
 
 
 @dataclass(slots=True)
-class HeldMotion:
+class PendingMotion:
     """A motion in the plane, and what comes behind it.
 
     ``radius``: of the tool; ``misfit``: the message where there is no room for it. ``time_s``: how

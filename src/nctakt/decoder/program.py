@@ -40,7 +40,7 @@ from nctakt.decoder.state.commands import (
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.offsets import ALL, left_over
-from nctakt.decoder.state.uncertain_axes import MovedAxes
+from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.texts import FormatError, format_text
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
@@ -90,8 +90,8 @@ class ProgramDecoder:
         self._environment = environment
         self._state = state
         self._values = Values(environment, state)
-        self._moved = MovedAxes(environment.living_cycles, environment.moving_axes())
-        self._words = Words(self._values, self._moved)
+        self._uncertain_axes = UncertainAxes(environment.living_cycles, environment.moving_axes())
+        self._words = Words(self._values, self._uncertain_axes)
         self._compensation = Compensation(self._values, self._words.path, self._took_time)
         self._calls = Calls(self._values)
         self._macros = Macros(environment, self._values.fail)
@@ -104,7 +104,7 @@ class ProgramDecoder:
         self._keep_cycle = keep_cycle
         self._plain = PlainBlocks(
             self._values,
-            self._moved,
+            self._uncertain_axes,
             self._words.technology,
             self._compensation,
             MOST_BLOCKS_WITHOUT_TIME,
@@ -151,8 +151,10 @@ class ProgramDecoder:
     def _took_time(self, command: Command) -> None:
         self._blocks = 0
         self._rounds.clear()
-        if not self._moved.is_quiet:
-            self._moved.took_time(self._words.moved_by(command), is_block=is_block(command))
+        if not self._uncertain_axes.is_empty:
+            self._uncertain_axes.pass_time(
+                self._words.axes_moved_by(command), is_block=is_block(command)
+            )
 
     # --- programs -------------------------------------------------------------------------------
 
@@ -392,7 +394,9 @@ class ProgramDecoder:
         built = builder.build(statement, serial, identity or 0, _SCOPE_NAMES[scope])
         self._keep_cycle(built)
         starts = not statement.definition_only
-        self._moved.defined(built.identity, built.axes, is_block=scope == BLOCK, starts=starts)
+        self._uncertain_axes.define_cycle(
+            built.identity, built.axes, is_block=scope == BLOCK, starts=starts
+        )
         end_action = _keyword(statement.keywords, "END_ACTION")
         moves_on = end_action is not None and _word(end_action) == "MOVE_CONT"
         yield LoadCycle(source, number, built.cycle, built.identity, scope, not starts, moves_on)
@@ -409,13 +413,13 @@ class ProgramDecoder:
             self._values.fail(INVALID_CYCLE_ID, statement.span, id=identity)
         yield CycleControl(source, number, CONTROL_ACTIONS[statement.action], identity)
         if statement.action == "START":
-            self._moved.started(identity)
+            self._uncertain_axes.start_cycle(identity)
         if statement.action == "DELETE":
             self._values.empties_channel("#RT CYCLE DELETE", statement.span)
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._state.positions = list(answer)
-            self._moved.deleted(identity, self._environment.moving_axes())
+            self._uncertain_axes.delete_cycle(identity, self._environment.moving_axes())
 
     def _identity(
         self, statement: tree.RealtimeCycle | tree.CycleControl, number: int

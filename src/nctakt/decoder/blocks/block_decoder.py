@@ -37,7 +37,7 @@ from nctakt.decoder.state.commands import (
 )
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
 from nctakt.decoder.state.offsets import ALL, ZERO_GROUPS
-from nctakt.decoder.state.uncertain_axes import MovedAxes
+from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.offsets import MOST_GROUPS
@@ -93,8 +93,8 @@ class _Content:
 class Words:
     """Decodes the blocks of one program; ``has_motion``: the latest one had a motion command."""
 
-    def __init__(self, values: Values, moved: MovedAxes) -> None:
-        self._moved = moved
+    def __init__(self, values: Values, uncertain_axes: UncertainAxes) -> None:
+        self._uncertain_axes = uncertain_axes
         self._values = values
         self._environment = values.environment
         self._state = values.state
@@ -352,7 +352,7 @@ class Words:
         if not content.axes and not (content.path.centre and self._state.motion in ARCS):
             return
         self.has_motion = True
-        if not self._moved.is_quiet:
+        if not self._uncertain_axes.is_empty:
             yield from self.request(self._programmed(content), span, number)
         start = self._state.positions
         target = self._target(content, span)
@@ -412,22 +412,22 @@ class Words:
 
     def request(self, axes: Sequence[str], span: Span, number: int) -> Generator[Command, Answer]:
         """Ask for the positions of those of these axes that cycles may have moved (RC-409)."""
-        doubtful = self._moved.doubtful(axes)
-        if not doubtful:
+        uncertain = self._uncertain_axes.uncertain(axes)
+        if not uncertain:
             return
-        self._values.empties_channel(", ".join(doubtful), span)
+        self._values.empties_channel(", ".join(uncertain), span)
         source = self._environment.source_id(span)
-        places = [self._environment.axis_numbers[name] for name in doubtful]
-        numbers = (self._environment.names.axis(name) for name in doubtful)
+        places = [self._environment.axis_numbers[name] for name in uncertain]
+        numbers = (self._environment.names.axis(name) for name in uncertain)
         answer = yield PositionRequest(
             source, number, tuple(axis.number for axis in numbers if axis is not None)
         )
         assert isinstance(answer, tuple)
         for place in places:
             self._state.positions[place] = answer[place]
-        self._moved.told(doubtful)
+        self._uncertain_axes.confirm(uncertain)
 
-    def moved_by(self, command: Command) -> list[str]:
+    def axes_moved_by(self, command: Command) -> list[str]:
         """Names of the axes that a command moves with the path."""
         if not isinstance(command, Segment):
             return []

@@ -21,7 +21,7 @@ cdef class Chain:
 
     cdef void count_motion(self) noexcept
     cdef void separate(self) noexcept
-    cdef void take_back(self, Py_ssize_t count, Py_ssize_t barrier) noexcept
+    cdef void import_from(self, Py_ssize_t count, Py_ssize_t barrier) noexcept
     cdef void put_line(self, int kind, double x, double y, double x_2, double y_2, int is_contour) noexcept
     @cython.locals(base=Py_ssize_t, is_gap=bint)
     cdef void put(self, int is_contour) noexcept

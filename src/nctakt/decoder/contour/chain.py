@@ -54,7 +54,7 @@ class Chain:
         self.left = 0
         self.hidden_count = 0
 
-    def take_back(self, count: int, barrier: int) -> None:
+    def import_from(self, count: int, barrier: int) -> None:
         """Let all be as it was with so many pieces, where nothing was crossed."""
         self.count = count
         self.barrier = barrier

@@ -139,7 +139,7 @@ class ToolPath(Chain):
             self.corners.motions[at + 16] = self.at_y
             self.open(at)
             return True
-        self.take_back(count, barrier)
+        self.import_from(count, barrier)
         self.at_x = x
         self.at_y = y
         self.is_open = True

@@ -4,7 +4,7 @@ cimport cython
 from nctakt.decoder.contour.tool_path cimport ToolPath
 from nctakt.kernel.tick.command_queue cimport CommandRing
 
-cdef class PlainBeside:
+cdef class CompensatedLines:
     cdef readonly ToolPath tool
     cdef readonly Py_ssize_t count
     cdef public bint is_on
@@ -23,8 +23,8 @@ cdef class PlainBeside:
     cdef public bint stops
     cdef public double deviation
     cdef public bint limits_jerk
-    cdef bint is_begun
-    cdef readonly bint waits
+    cdef bint has_first_piece
+    cdef readonly bint has_next
     cdef double[::1] next_target
     cdef long long next_source
     cdef long long next_number
@@ -32,12 +32,12 @@ cdef class PlainBeside:
     cdef bint next_stops
 
     @cython.locals(x=double, y=double, x_2=double, y_2=double)
-    cdef int fits(self, double[::1] start, double[::1] target, double[::1] lows, double[::1] highs, bint is_contour) noexcept
+    cdef int try_join(self, double[::1] start, double[::1] target, double[::1] lows, double[::1] highs, bint is_contour) noexcept
     @cython.locals(before=cython.longlong, kind=int)
-    cdef int put(self, CommandRing ring, Py_ssize_t timed) noexcept
+    cdef int emit(self, CommandRing ring, Py_ssize_t timed) noexcept
     @cython.locals(i=Py_ssize_t)
-    cdef void follow(self, long long before) noexcept
+    cdef void advance(self, long long before) noexcept
     @cython.locals(place=Py_ssize_t, i=Py_ssize_t, goes_on=bint, stops=bint, deviation=double)
-    cdef void put_piece(self, CommandRing ring, int kind, long long before) noexcept
+    cdef void emit_piece(self, CommandRing ring, int kind, long long before) noexcept
     @cython.locals(i=Py_ssize_t)
-    cdef void come(self, long long source, long long number, double[::1] target, double feed_v, int stops) noexcept
+    cdef void set_next(self, long long source, long long number, double[::1] target, double feed_v, int stops) noexcept

@@ -12,14 +12,14 @@ from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.kernel.tick.command_queue import CommandRing
 
 
-class PlainBeside:
+class CompensatedLines:
     """The contour of one channel with so many axes.
 
     ``is_on``: plain blocks are compensated. ``first``, ``second``: the axes of the plane, at the
     ``distance`` to the left of whose lines the tool goes. What is held: the motion that is known
-    but for its end, ``source`` … ``stops``, from ``start`` to ``target``; ``is_begun``: its first
-    piece is in the queue. ``deviation``, ``limits_jerk``: as of all lines. ``waits``: a line has
-    come behind it, the next one, and it is not yet in the queue as a whole.
+    but for its end, ``source`` … ``stops``, from ``start`` to ``target``; ``has_first_piece``: its
+    first piece is in the queue. ``deviation``, ``limits_jerk``: as of all lines. ``has_next``: a
+    line has come behind it, the next one, and it is not yet in the queue as a whole.
     """
 
     def __init__(self, tool: ToolPath, count: int) -> None:
@@ -43,28 +43,28 @@ class PlainBeside:
         self.stops = False
         self.deviation = 0.0
         self.limits_jerk = False
-        self.is_begun = False
-        self.waits = False
+        self.has_first_piece = False
+        self.has_next = False
         self.next_target = memoryview(bytearray(size)).cast("d")
         self.next_source = 0
         self.next_number = 0
         self.next_feed_v = 0.0
         self.next_stops = False
 
-    def set_way(self, axis: int, start: float, target: float) -> None:
+    def set_motion(self, axis: int, start: float, target: float) -> None:
         """The way of an axis in the motion that is held."""
         self.start[axis] = start
         self.target[axis] = target
 
-    def way_of(self, axis: int) -> tuple[float, float]:
-        """As ``set_way``."""
+    def motion_of(self, axis: int) -> tuple[float, float]:
+        """As ``set_motion``."""
         return (self.start[axis], self.target[axis])
 
     def source_of(self, number: int) -> int:
         """The place of one of the latest motions."""
         return int(self.sources[number & 63])
 
-    def fits(
+    def try_join(
         self,
         start: memoryview[float],
         target: memoryview[float],
@@ -88,7 +88,7 @@ class PlainBeside:
             else 0
         )
 
-    def put(self, ring: CommandRing, timed: int) -> int:
+    def emit(self, ring: CommandRing, timed: int) -> int:
         """The pieces of the motion that is held into the queue, up to so many commands in it.
 
         0: not all of them fit. Behind the last one the line that came then is held.
@@ -97,17 +97,17 @@ class PlainBeside:
         while ring.timed_count < timed:
             kind = self.tool.take(before)
             if kind != 0:
-                self.put_piece(ring, kind, before)
+                self.emit_piece(ring, kind, before)
             if not self.tool.goes_on(before):
-                self.follow(before)
+                self.advance(before)
                 return 1
         return 0
 
-    def follow(self, before: int) -> None:
+    def advance(self, before: int) -> None:
         """The line that came is held; the one that was is over."""
         self.sources[before & 63] = self.source
-        self.waits = False
-        self.is_begun = False
+        self.has_next = False
+        self.has_first_piece = False
         self.source = self.next_source
         self.number = self.next_number
         self.feed_v = self.next_feed_v
@@ -116,13 +116,13 @@ class PlainBeside:
             self.start[i] = self.target[i]
             self.target[i] = self.next_target[i]
 
-    def put_piece(self, ring: CommandRing, kind: int, before: int) -> None:
+    def emit_piece(self, ring: CommandRing, kind: int, before: int) -> None:
         """One piece; other axes move on the first one, and only the last one stops exactly."""
         place = self.tool.taken_place()
         for i in range(self.count):
-            self.begin[i] = self.target[i] if self.is_begun else self.start[i]
+            self.begin[i] = self.target[i] if self.has_first_piece else self.start[i]
             self.end[i] = self.target[i]
-        self.is_begun = True
+        self.has_first_piece = True
         self.begin[self.first] = self.tool.rows[place]
         self.begin[self.second] = self.tool.rows[place + 1]
         self.end[self.first] = self.tool.rows[place + 2]
@@ -160,11 +160,11 @@ class PlainBeside:
         if goes_on:
             ring.block_goes_on()
 
-    def come(
+    def set_next(
         self, source: int, number: int, target: memoryview[float], feed_v: float, stops: int
     ) -> None:
         """A line has come, to be held when the one before it is in the queue."""
-        self.waits = True
+        self.has_next = True
         self.next_source = source
         self.next_number = number
         self.next_feed_v = feed_v

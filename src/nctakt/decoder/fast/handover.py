@@ -18,10 +18,10 @@ from nctakt.base.diagnostics import Span
 from nctakt.base.source_ids import NO_SOURCE, pack
 from nctakt.decoder.blocks.technology_output import TechnologyOutputs
 from nctakt.decoder.contour.tool_path import ToolPath
-from nctakt.decoder.fast.compensated_lines import PlainBeside
-from nctakt.decoder.fast.lines import PlainMotion
+from nctakt.decoder.fast.compensated_lines import CompensatedLines
+from nctakt.decoder.fast.lines import PlainLines
 from nctakt.decoder.state.commands import Answer, Command
-from nctakt.decoder.state.uncertain_axes import MovedAxes
+from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.tick.command_queue import CommandRing
 from nctakt.nc.fast.plain_lines import EMPTY, PLAIN
@@ -30,44 +30,44 @@ from nctakt.nc.outline import SectionReader
 from nctakt.nc.source import LineReader
 
 
-class HeldContour(Protocol):
+class PendingContour(Protocol):
     """A contour that the tool is beside, or may be (``compensation.py``)."""
 
     tool: ToolPath
 
-    def can_hand_over(self) -> bool:
+    def can_export(self) -> bool:
         """Whether plain blocks may go on with it; true without a contour."""
 
-    def hand_over(self, beside: PlainBeside) -> None:
+    def export_to(self, lines: CompensatedLines) -> None:
         """What is held goes there."""
 
-    def take_back(self, beside: PlainBeside, file: str) -> None:
+    def import_from(self, lines: CompensatedLines, file: str) -> None:
         """And comes back, of this file."""
 
 
 class PlainBlocks:
-    """The plain blocks of one program; not more than ``most`` in a row may take no time."""
+    """The plain blocks of one program; not more than ``max_blocks`` in a row may take no time."""
 
     def __init__(
         self,
         values: Values,
-        moved: MovedAxes,
+        uncertain_axes: UncertainAxes,
         technology: TechnologyOutputs,
-        contour: HeldContour,
-        most: int,
+        contour: PendingContour,
+        max_blocks: int,
     ) -> None:
         self._environment = values.environment
         self._state = values.state
-        self._moved = moved
+        self._uncertain_axes = uncertain_axes
         self._technology = technology
         parameters = self._environment.parameters
         self._scanner = plain_scanner(parameters)
         self._contour = contour
         count = len(self._environment.axes)
-        self._beside = PlainBeside(contour.tool, count)
-        self._motion = PlainMotion(self._scanner, count, self._beside)
-        self._motion.most_blocks = most
-        self._motion.rapid_stops_exactly = parameters.exact_stop_after_g00
+        self._compensated = CompensatedLines(contour.tool, count)
+        self._plain_lines = PlainLines(self._scanner, count, self._compensated)
+        self._plain_lines.max_blocks = max_blocks
+        self._plain_lines.rapid_stops_exactly = parameters.exact_stop_after_g00
         self._lines: LineReader | None = None
         self._file = ""
         self._run = PlainRun(0, 0, self)
@@ -78,17 +78,17 @@ class PlainBlocks:
         ``blocks``: how many were decoded since the last one that takes time, before and behind.
         """
         lines = reader.lines
-        if lines is None or not self._comes(lines) or not self._is_usual():
+        if lines is None or not self._is_next_plain(lines) or not self._is_allowed():
             return blocks
-        self._hand_over(reader.source.file)
-        self._motion.blocks = blocks
+        self._export_state(reader.source.file)
+        self._plain_lines.blocks = blocks
         self._lines = lines
         while self._lines is not None:
             yield self._run
-        self._take_back()
-        return self._motion.blocks
+        self._import_state()
+        return self._plain_lines.blocks
 
-    def _comes(self, lines: LineReader) -> bool:
+    def _is_next_plain(self, lines: LineReader) -> bool:
         """Whether the next line that says anything is plain; empty ones are taken."""
         while lines.more():
             what = self._scanner.read(lines.group[lines.index])
@@ -97,23 +97,23 @@ class PlainBlocks:
             lines.index += 1
         return False
 
-    def _is_usual(self) -> bool:
+    def _is_allowed(self) -> bool:
         """Whether nothing is active that plain blocks do not know."""
         return (
-            self._state.is_usual
+            self._state.allows_plain_lines
             and not self._environment.offsets.systems.is_active
             and not self._environment.marks_blocks
-            and self._moved.is_quiet
-            and self._contour.can_hand_over()
+            and self._uncertain_axes.is_empty
+            and self._contour.can_export()
             and not self._technology.awaits_feed
         )
 
-    def _hand_over(self, file: str) -> None:
-        motion, state = self._motion, self._state
+    def _export_state(self, file: str) -> None:
+        plain, state = self._plain_lines, self._state
         environment = self._environment
         self._file = file
         for index, axis in enumerate(environment.axes):
-            motion.set_axis(
+            plain.set_axis(
                 index,
                 state.positions[index],
                 environment.offsets.total(index),
@@ -122,24 +122,24 @@ class PlainBlocks:
                 math.inf if axis.is_modulo else axis.software_limit_high,
             )
         feed_unit = environment.parameters.program_start.feed_unit_mm_min
-        motion.motion = state.motion
-        motion.feed_v = state.feed_mm_s
-        motion.feed_factor = state.length_unit_mm if state.inch else feed_unit
-        motion.is_absolute = state.absolute
-        motion.stops_exactly = state.path.exact_stop
-        motion.deviation = state.path.deviation if state.path.contouring else 0.0
-        motion.limits_jerk = state.path.limits_jerk
-        self._contour.hand_over(self._beside)
+        plain.motion = state.motion
+        plain.feed_v = state.feed_mm_s
+        plain.feed_factor = state.length_unit_mm if state.inch else feed_unit
+        plain.is_absolute = state.absolute
+        plain.stops_exactly = state.path.exact_stop
+        plain.deviation = state.path.deviation if state.path.contouring else 0.0
+        plain.limits_jerk = state.path.limits_jerk
+        self._contour.export_to(self._compensated)
         place = environment.source_id(Span(file, 1, 1, 2))
-        motion.place = -1 if place == NO_SOURCE else place - pack(0, 1, 1)
+        plain.source_base = -1 if place == NO_SOURCE else place - pack(0, 1, 1)
 
-    def _take_back(self) -> None:
-        motion, state = self._motion, self._state
-        state.positions = motion.places()
-        state.motion = motion.motion
-        state.feed_mm_s = motion.feed_v
-        if self._beside.is_on:
-            self._contour.take_back(self._beside, self._file)
+    def _import_state(self) -> None:
+        plain, state = self._plain_lines, self._state
+        state.positions = plain.axis_positions()
+        state.motion = plain.motion
+        state.feed_mm_s = plain.feed_v
+        if self._compensated.is_on:
+            self._contour.import_from(self._compensated, self._file)
 
     def fill(self, ring: CommandRing, timed: int) -> None:
         """Fill the queue up to so many commands that take time, or up to a block that is not plain.
@@ -149,13 +149,15 @@ class PlainBlocks:
         lines = self._lines
         assert lines is not None
         ring.reserve(timed)
-        if not self._motion.resume(ring, timed):
+        if not self._plain_lines.resume(ring, timed):
             return
         while ring.timed_count < timed:
             if not lines.more():
                 self._lines = None
                 return
-            lines.index = self._motion.fill(ring, timed, lines.group, lines.index, lines.number)
+            lines.index = self._plain_lines.fill(
+                ring, timed, lines.group, lines.index, lines.number
+            )
             if lines.index < len(lines.group) and ring.timed_count < timed:
                 self._lines = None
                 return

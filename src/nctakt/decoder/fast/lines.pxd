@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 # C types of lines.py.
 cimport cython
-from nctakt.decoder.fast.compensated_lines cimport PlainBeside
+from nctakt.decoder.fast.compensated_lines cimport CompensatedLines
 from nctakt.kernel.tick.command_queue cimport CommandRing
 from nctakt.nc.fast.plain_lines cimport PlainScanner
 
-cdef class PlainMotion:
+cdef class PlainLines:
     cdef readonly PlainScanner scanner
-    cdef readonly PlainBeside beside
+    cdef readonly CompensatedLines compensated
     cdef readonly Py_ssize_t count
     cdef double[::1] positions
     cdef double[::1] start
@@ -25,16 +25,16 @@ cdef class PlainMotion:
     cdef public bint rapid_stops_exactly
     cdef public double deviation
     cdef public bint limits_jerk
-    cdef public long long place
+    cdef public long long source_base
     cdef public Py_ssize_t blocks
-    cdef public Py_ssize_t most_blocks
+    cdef public Py_ssize_t max_blocks
     cdef readonly long long source
 
     @cython.locals(end=Py_ssize_t, what=int, feed_v=double, stops=bint)
     cpdef Py_ssize_t fill(self, CommandRing ring, Py_ssize_t timed, list lines, Py_ssize_t index, long long number) except -1
     cpdef bint resume(self, CommandRing ring, Py_ssize_t timed)
     @cython.locals(scanner=PlainScanner, what=int, motion=int, feed_v=double, moves=int, i=Py_ssize_t)
-    cpdef int take(self, str line, long long number) except -1
-    cdef int fits(self, int motion)
+    cpdef int decode(self, str line, long long number) except -1
+    cdef int try_join(self, int motion)
     @cython.locals(scanner=PlainScanner, moves=int, i=Py_ssize_t, position=double, begin=double, place=double)
-    cdef int aim(self)
+    cdef int set_target(self)

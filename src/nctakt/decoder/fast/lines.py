@@ -9,24 +9,24 @@ taken.
 
 from __future__ import annotations
 
-from nctakt.decoder.fast.compensated_lines import PlainBeside
+from nctakt.decoder.fast.compensated_lines import CompensatedLines
 from nctakt.kernel.tick.command_queue import CommandRing
 from nctakt.nc.fast.plain_lines import PlainScanner
 from nctakt.nc.vocabulary.functions import RAPID
 
 
-class PlainMotion:
+class PlainLines:
     """Takes plain blocks of one channel.
 
-    Modal state: ``motion`` 0 … 3, ``feed_v`` mm/s, 0 none yet, ``is_absolute``; ``feed_factor``:
-    F -> mm per minute; how blocks end. ``place``: the number of the text's line 0, column 0, -1 for
-    a text whose places have none. ``blocks``: how many were decoded since the last one that takes
-    time, ``most_blocks`` how many may be.
+    Modal state: ``motion`` 0 … 3, ``feed_v`` mm/s, 0 none yet, ``is_absolute``; ``feed_factor``: F
+    -> mm per minute; how blocks end. ``source_base``: the number of the text's line 0, column 0, -1
+    for a text whose places have none. ``blocks``: how many were decoded since the last one
+    that takes time, ``max_blocks`` how many may be.
     """
 
-    def __init__(self, scanner: PlainScanner, count: int, beside: PlainBeside) -> None:
+    def __init__(self, scanner: PlainScanner, count: int, compensated: CompensatedLines) -> None:
         self.scanner = scanner
-        self.beside = beside
+        self.compensated = compensated
         self.count = count
         size = 8 * max(1, count)
         #: Where the axes are; where the latest block begins and ends: mm or degrees.
@@ -47,9 +47,9 @@ class PlainMotion:
         self.rapid_stops_exactly = False
         self.deviation = 0.0
         self.limits_jerk = False
-        self.place = 0
+        self.source_base = 0
         self.blocks = 0
-        self.most_blocks = 0
+        self.max_blocks = 0
         self.source = 0
 
     def set_axis(
@@ -62,7 +62,7 @@ class PlainMotion:
         self.lows[axis] = low
         self.highs[axis] = high
 
-    def places(self) -> list[float]:
+    def axis_positions(self) -> list[float]:
         """Where the axes are."""
         return [self.positions[i] for i in range(self.count)]
 
@@ -74,7 +74,7 @@ class PlainMotion:
         """
         end = len(lines)
         while index < end and ring.timed_count < timed:
-            what = self.take(lines[index], number)
+            what = self.decode(lines[index], number)
             if what == 0:
                 return index
             index += 1
@@ -84,9 +84,11 @@ class PlainMotion:
                 stops = self.stops_exactly or (
                     self.motion == self.rapid and self.rapid_stops_exactly
                 )
-                if self.beside.is_on:
-                    self.beside.come(self.source, self.scanner.number, self.target, feed_v, stops)
-                    if not self.beside.put(ring, timed):
+                if self.compensated.is_on:
+                    self.compensated.set_next(
+                        self.source, self.scanner.number, self.target, feed_v, stops
+                    )
+                    if not self.compensated.emit(ring, timed):
                         return index
                 else:
                     ring.put_line(
@@ -103,15 +105,15 @@ class PlainMotion:
 
     def resume(self, ring: CommandRing, timed: int) -> bool:
         """Go on with the pieces of a line that the queue had no room for: true when it has."""
-        return not self.beside.waits or self.beside.put(ring, timed) != 0
+        return not self.compensated.has_next or self.compensated.emit(ring, timed) != 0
 
-    def take(self, line: str, number: int) -> int:
+    def decode(self, line: str, number: int) -> int:
         """Decode the line of this number: 0 not taken, 1 nothing moves, 2 a line is due."""
         scanner = self.scanner
         what = scanner.read(line)
         if what != 2:
             return what
-        if self.blocks >= self.most_blocks:
+        if self.blocks >= self.max_blocks:
             return 0
         motion = self.motion if scanner.motion < 0 else scanner.motion
         feed_v = self.feed_v
@@ -119,12 +121,12 @@ class PlainMotion:
             feed_v = scanner.feed * self.feed_factor / 60.0
         moves = 0
         if scanner.axes != 0:
-            moves = self.aim()
+            moves = self.set_target()
             if moves < 0 or scanner.motions[motion] == 0:
                 return 0
             if moves == 1 and motion != self.rapid and feed_v <= 0.0:
                 return 0
-            if self.beside.is_on and moves == 1 and not self.fits(motion):
+            if self.compensated.is_on and moves == 1 and not self.try_join(motion):
                 return 0
             for i in range(self.count):
                 self.start[i] = self.positions[i]
@@ -136,17 +138,17 @@ class PlainMotion:
             return 1
         self.blocks = 0
         self.source = 0
-        if self.place >= 0:
-            self.source = self.place + min(number, 16777215) * 1048576 + scanner.column
+        if self.source_base >= 0:
+            self.source = self.source_base + min(number, 16777215) * 1048576 + scanner.column
         return 2
 
-    def fits(self, motion: int) -> int:
+    def try_join(self, motion: int) -> int:
         """Whether the tool can go beside the scanned block, with nothing to tell of it."""
-        return self.beside.fits(
+        return self.compensated.try_join(
             self.positions, self.target, self.lows, self.highs, motion != self.rapid
         )
 
-    def aim(self) -> int:
+    def set_target(self) -> int:
         """Put the target of the scanned block: 1 it is elsewhere, 0 it is not, -1 out of limits."""
         scanner = self.scanner
         moves = 0

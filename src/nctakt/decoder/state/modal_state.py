@@ -158,7 +158,7 @@ class ModalState:
         return self.motion == RAPID
 
     @property
-    def is_usual(self) -> bool:
+    def allows_plain_lines(self) -> bool:
         """Whether lines and feeds mean what they mean without any further function.
 
         Of the G functions the table tells (``GFunction.plain``); each other command that changes

@@ -2,10 +2,10 @@
 """Which axes realtime cycles may have moved since the decoder last knew where they are (RC-409).
 
 The decoder prepares blocks ahead with the positions that it has computed; an axis that a cycle
-names in a single-axis command may stand elsewhere by then. It is *doubtful* from the moment on from
-which the cycle may move it, until its position has been requested: with SCOPE=BLOCK from the end of
-the cycle's block on; with PROG and GLOBAL from the start of the cycle on, and, while that lives,
-again after each block or wait in which the path does not move the axis.
+names in a single-axis command may stand elsewhere by then. It is *uncertain* from the moment on
+from which the cycle may move it, until its position has been requested: with SCOPE=BLOCK from the
+end of the cycle's block on; with PROG and GLOBAL from the start of the cycle on, and, while that
+lives, again after each block or wait in which the path does not move the axis.
 """
 
 from __future__ import annotations
@@ -24,88 +24,88 @@ class LivingCycle:
 
 
 @dataclass(frozen=True, slots=True)
-class _Known:
+class _CycleAxes:
     """A cycle with single-axis commands."""
 
     axes: tuple[str, ...]
     is_block: bool
 
 
-class MovedAxes:
+class UncertainAxes:
     """Follows the commands of one program; ``moving`` are axes on their way when it begins."""
 
     def __init__(self, living: Sequence[LivingCycle], moving: Sequence[str]) -> None:
-        self._by_identity = {one.identity: _Known(one.axes, False) for one in living}
+        self._by_identity = {one.identity: _CycleAxes(one.axes, False) for one in living}
         self._running: dict[int, tuple[str, ...]] = {}
-        self._nameless: list[tuple[str, ...]] = []
+        self._without_id: list[tuple[str, ...]] = []
         self._armed: dict[str, None] = {}
-        self._doubtful: dict[str, None] = dict.fromkeys(moving)
+        self._uncertain: dict[str, None] = dict.fromkeys(moving)
         for one in living:
             if one.is_started:
-                self.started(one.identity)
+                self.start_cycle(one.identity)
 
-    def defined(
+    def define_cycle(
         self, identity: int, axes: tuple[str, ...], *, is_block: bool, starts: bool
     ) -> None:
         """A definition; ``identity`` is 0 without an ID."""
-        known = _Known(axes, is_block)
+        cycle = _CycleAxes(axes, is_block)
         if identity:
-            self._by_identity[identity] = known
+            self._by_identity[identity] = cycle
         if starts:
-            self._start(identity, known)
+            self._start(identity, cycle)
 
-    def started(self, identity: int) -> None:
+    def start_cycle(self, identity: int) -> None:
         """START, also of a cycle that runs; an ID that none has names no axis."""
-        known = self._by_identity.get(identity)
-        if known is not None:
-            self._start(identity, known)
+        cycle = self._by_identity.get(identity)
+        if cycle is not None:
+            self._start(identity, cycle)
 
-    def _start(self, identity: int, known: _Known) -> None:
-        if not known.axes:
+    def _start(self, identity: int, cycle: _CycleAxes) -> None:
+        if not cycle.axes:
             return
-        if known.is_block:
-            self._armed.update(dict.fromkeys(known.axes))
+        if cycle.is_block:
+            self._armed.update(dict.fromkeys(cycle.axes))
             return
         if identity:
-            self._running[identity] = known.axes
+            self._running[identity] = cycle.axes
         else:
-            self._nameless.append(known.axes)
-        self._doubtful.update(dict.fromkeys(known.axes))
+            self._without_id.append(cycle.axes)
+        self._uncertain.update(dict.fromkeys(cycle.axes))
 
-    def deleted(self, identity: int, moving: Iterable[str]) -> None:
-        """DELETE, whose request told the positions; ``moving`` are axes that still move then."""
-        known = self._by_identity.pop(identity, None)
+    def delete_cycle(self, identity: int, moving: Iterable[str]) -> None:
+        """DELETE, whose request confirm the positions; ``moving`` are axes that still move then."""
+        cycle = self._by_identity.pop(identity, None)
         self._running.pop(identity, None)
         moving = tuple(moving)
-        for axis in (*self._doubtful, *(known.axes if known is not None else ())):
+        for axis in (*self._uncertain, *(cycle.axes if cycle is not None else ())):
             if axis in moving:
-                self._doubtful[axis] = None
+                self._uncertain[axis] = None
             else:
-                self._doubtful.pop(axis, None)
+                self._uncertain.pop(axis, None)
 
-    def took_time(self, moved: Iterable[str] = (), *, is_block: bool = True) -> None:
+    def pass_time(self, moved: Iterable[str] = (), *, is_block: bool = True) -> None:
         """A command that takes time went down; ``moved``: axes that the path moves in it.
 
         ``is_block``: a motion or dwell, which BLOCK cycles wait for.
         """
         if is_block:
-            self._doubtful.update(self._armed)
+            self._uncertain.update(self._armed)
             self._armed.clear()
-        if self._running or self._nameless:
+        if self._running or self._without_id:
             moved = tuple(moved)
-            for axes in (*self._running.values(), *self._nameless):
-                self._doubtful.update(dict.fromkeys(axis for axis in axes if axis not in moved))
+            for axes in (*self._running.values(), *self._without_id):
+                self._uncertain.update(dict.fromkeys(axis for axis in axes if axis not in moved))
 
     @property
-    def is_quiet(self) -> bool:
-        """Whether no axis is or will become doubtful by what is known."""
-        return not (self._doubtful or self._armed or self._running or self._nameless)
+    def is_empty(self) -> bool:
+        """Whether no axis is or will become uncertain by what is cycle."""
+        return not (self._uncertain or self._armed or self._running or self._without_id)
 
-    def doubtful(self, axes: Iterable[str]) -> tuple[str, ...]:
+    def uncertain(self, axes: Iterable[str]) -> tuple[str, ...]:
         """Those of these axes whose positions have to be requested before the path moves them."""
-        return tuple(axis for axis in axes if axis in self._doubtful) if self._doubtful else ()
+        return tuple(axis for axis in axes if axis in self._uncertain) if self._uncertain else ()
 
-    def told(self, axes: Iterable[str]) -> None:
-        """The positions of these axes are known again."""
+    def confirm(self, axes: Iterable[str]) -> None:
+        """The positions of these axes are cycle again."""
         for axis in axes:
-            self._doubtful.pop(axis, None)
+            self._uncertain.pop(axis, None)

@@ -10,8 +10,9 @@ import pytest
 from nctakt.lists.declared.axis import AXIS
 from nctakt.lists.declared.channel import CHANNEL
 from nctakt.lists.declared.startup import STARTUP, StartupConfiguration, startup_configuration
-from nctakt.lists.format.parameter import Schema
-from nctakt.lists.format.schema import Values, load_list
+from nctakt.lists.format.list_check import load_list
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.values import Values
 from nctakt.lists.machine.axis_configuration import AxisConfiguration, AxisType, axis_configuration
 from nctakt.lists.machine.channel_configuration import ChannelParameters, channel_parameters
 from nctakt.messages import Collector
@@ -64,19 +65,17 @@ def test_axis_defaults() -> None:
         0,
         False,
     )
-    assert found.dynamics.emergency_deceleration == 1000
 
 
 def test_axis_units() -> None:
     """0.1 µm, µm/s and 0.01/s become mm, mm/s and 1/s; 1e-4° and 1e-3°/s become degrees."""
     text = (
         "kenngr.swe_neg -12345\nkenngr.swe_pos 5\ngetriebe[0].dynamik.vb_max 1500\n"
-        "getriebe[0].vb_eilgang 1250\ngetriebe[0].kv 4050\ngetriebe[0].window 500\n"
+        "getriebe[0].vb_eilgang 1250\ngetriebe[0].kv 4050\n"
     )
     found, _ = axis(text)
     assert (found.software_limit_low, found.software_limit_high) == (-1.2345, 0.0005)
     assert (found.max_speed, found.rapid_speed, found.kv) == (1.5, 1.25, 40.5)
-    assert found.dynamics.exact_stop_window == 0.05
 
 
 def test_rapid_speed_is_never_above_the_highest_speed() -> None:
@@ -184,7 +183,7 @@ def test_channel_defaults() -> None:
     start = found.program_start
     assert start.g_functions == {0: 0, 4: 17, 12: 71, 14: 90, 23: 162}
     assert (start.feed_mm_min, start.feed_unit_mm_min, start.slope_profile) == (0, 1, 0)
-    assert (found.exact_stop_after_g00, found.max_override_pct, found.inch) == (False, 100, False)
+    assert (found.exact_stop_after_g00, found.max_override_pct) == (False, 100)
     limits = found.realtime_cycles
     assert (limits.enable, limits.memory_bytes, limits.buffers) == (False, 48_000, 5)
     assert (limits.max_duration_pct, limits.cont_steps, limits.max_steps) == (75, 100, 2**32 - 2)
@@ -303,10 +302,10 @@ def test_program_paths_come_in_order_of_priority() -> None:
     """P-CHAN-00401 … 00404."""
     text = (
         "path[0].dir late\npath[0].priority 2\npath[0].type 0x02\n"
-        "path[1].dir early\npath[1].priority 1\npath[1].type 3\npath[1].id 7\npath[2].priority 0\n"
+        "path[1].dir early\npath[1].priority 1\npath[1].type 3\npath[2].priority 0\n"
     )
     early, late = channel(text)[0].program_paths
-    assert (early.folder, early.id, late.folder) == ("early", 7, "late")
+    assert (early.folder, late.folder) == ("early", "late")
     assert (early.holds_main_programs, early.holds_subprograms) == (True, True)
     assert (late.holds_main_programs, late.holds_subprograms) == (False, True)
 
@@ -387,7 +386,7 @@ def test_startup_defaults() -> None:
     assert (len(found.channels), found.axes, found.rtconf) == (1, (), None)
     assert found.channels[0].look_ahead_blocks == 120
     assert found.channels[0].backward_memory_bytes == 0
-    assert (found.diagnosis_file, found.member_alignment) == ("diag_data.txt", 0)
+    assert found.member_alignment == 0
 
 
 def test_number_of_axes_may_be_missing() -> None:

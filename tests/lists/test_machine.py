@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.base.failure import Failure
-from nctakt.lists.machine.machine import Machine, load_machine
+from nctakt.lists.format.without_effect import Detail
+from nctakt.lists.machine.machine import Failure, Machine, load_machine
 
 STARTUP = """\
 kanal_anzahl 1
@@ -48,9 +48,9 @@ def write(folder: Path, files: dict[str, str]) -> Path:
     return folder
 
 
-def load(folder: Path, *, verbose: bool = False) -> tuple[Machine, list[int]]:
+def load(folder: Path, *, detail: Detail = "summary") -> tuple[Machine, list[int]]:
     """The machine of ``folder``, and what was found."""
-    machine = load_machine(folder, verbose=verbose)
+    machine = load_machine(folder, detail=detail)
     for found in machine.diagnostics:
         assert found.render("en") and found.render("de")
     return machine, [found.id for found in machine.diagnostics]
@@ -339,11 +339,11 @@ def test_tools_and_offsets_belong_to_their_channel(tmp_path: Path) -> None:
     assert channel.clamp_offsets.groups == {}
 
 
-def test_verbose_names_each_unknown_entry(tmp_path: Path) -> None:
-    """Unknown entries are one note per file, with verbose one warning each."""
+def test_each_unknown_entry_is_named(tmp_path: Path) -> None:
+    """One warning each, at its line."""
     folder = write(tmp_path, {"x.lis": "kopf.achs_nr 1\nbogus.one 1\nbogus.two 2\n"})
-    assert load(folder)[1] == [900010]
-    assert load(folder, verbose=True)[1] == [900008, 900008]
+    assert load(folder)[1] == [900008, 900008]
+    assert load(folder, detail="all")[1] == [900008, 900008]
 
 
 def test_loading_twice_gives_the_same(tmp_path: Path) -> None:

@@ -11,8 +11,8 @@ from nctakt.lists.declared.axis import AXIS
 from nctakt.lists.declared.channel import CHANNEL
 from nctakt.lists.declared.startup import STARTUP, startup_configuration
 from nctakt.lists.declared.variables import VARIABLES
-from nctakt.lists.format.parameter import Schema
-from nctakt.lists.format.schema import load_list
+from nctakt.lists.format.list_check import load_list
+from nctakt.lists.format.schema import Schema
 from nctakt.lists.machine.axis_configuration import axis_configuration
 from nctakt.lists.machine.channel_configuration import channel_parameters
 from nctakt.lists.machine.scheduling import load_rtconf
@@ -34,7 +34,7 @@ def lines(schema: Schema) -> st.SearchStrategy[str]:
 def load_all(data: bytes) -> None:
     """Read ``data`` as each kind of list, and render what is found."""
     collector = Collector()
-    axis_configuration(load_list(AXIS, "a", data, collector, verbose=True), collector)
+    axis_configuration(load_list(AXIS, "a", data, collector, detail="all"), collector)
     channel_parameters(load_list(CHANNEL, "c", data, collector), collector)
     startup_configuration(load_list(STARTUP, "s", data, collector), collector)
     variables = variables_configuration(load_list(VARIABLES, "v", data, collector), collector)

@@ -6,8 +6,9 @@ from __future__ import annotations
 import pytest
 
 from nctakt.lists.declared.rtconf import RTCONF
+from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.parameter import with_indices
-from nctakt.lists.format.schema import Values, load_list
+from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 
 HASH_BLANK, HASH_INDENT, END_CASE, AFTER_END, NO_END = 900001, 900002, 900003, 900004, 900005
@@ -109,7 +110,7 @@ def load(data: bytes) -> tuple[Values, list[int], Collector]:
 
 def taken(values: Values) -> dict[str, object]:
     """What the list gave, by name."""
-    return {with_indices(*key): item.value for key, item in values.taken.items()}
+    return {with_indices(*key): item.value for key, item in values.entry_values.items()}
 
 
 @pytest.mark.parametrize(("line", "expected", "numbers"), LINES)
@@ -206,7 +207,7 @@ def test_control_z_ends_the_file() -> None:
 
 def test_unknown_name_suggests_the_nearest() -> None:
     """The remedy of an unknown entry names the known one with the same index."""
-    _, _, collector = load(b"thread[3].prioritaet 5\nEnd\n")
+    _, _, collector = load(b"thread[3].priorty 5\nEnd\n")
     assert "thread[3].priority" in collector.diagnostics[0].remedy("de")
 
 

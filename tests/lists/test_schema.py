@@ -11,19 +11,23 @@ from nctakt.base.diagnostics import Text
 from nctakt.lists.all_parameters import SCHEMAS, find_parameters
 from nctakt.lists.declared.axis import AXIS
 from nctakt.lists.declared.channel import CHANNEL
+from nctakt.lists.declared.rtconf import RTCONF
 from nctakt.lists.declared.variables import VARIABLES
-from nctakt.lists.format.parameter import Effect, Parameter, Schema, ValueType, shown
+from nctakt.lists.format.list_check import load_list
+from nctakt.lists.format.parameter import Parameter, ValueType, shown
 from nctakt.lists.format.reader import ListDialect
-from nctakt.lists.format.schema import Values, load_list
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.values import Values
+from nctakt.lists.format.without_effect import Detail
 from nctakt.messages import Collector
 
 
 def load(
-    schema: Schema, text: str, *, base: Values | None = None, verbose: bool = False
+    schema: Schema, text: str, *, base: Values | None = None, detail: Detail = "summary"
 ) -> tuple[Values, list[int]]:
     """The values of a list and the numbers of what was found."""
     collector = Collector()
-    values = load_list(schema, "x.lis", text.encode(), collector, base=base, verbose=verbose)
+    values = load_list(schema, "x.lis", text.encode(), collector, base=base, detail=detail)
     for found in collector.diagnostics:
         assert found.render("en") and found.render("de")
     return values, [found.id for found in collector.diagnostics]
@@ -98,9 +102,11 @@ def test_truth_values_in_a_variables_list(text: str, value: bool, numbers: list[
     assert (values.flag("var[].synchronisation", 0), found) == (value, numbers)
 
 
-def test_truth_words_are_refused_elsewhere() -> None:
-    """Other lists have 0 and 1 only."""
-    assert load(CHANNEL, "exact_stop_after_g00 TRUE\n")[1] == [900014]
+def test_truth_words_are_refused_in_rtconf() -> None:
+    """rtconf.lis has 0 and 1 only (its manual), the other lists TRUE and FALSE as well."""
+    assert load(RTCONF, "thread[0].error_on_overflow TRUE\nEnd\n")[1] == [900014]
+    values, numbers = load(CHANNEL, "exact_stop_after_g00 TRUE\n")
+    assert (values.flag("exact_stop_after_g00"), numbers) == (True, [])
 
 
 @pytest.mark.parametrize(
@@ -161,19 +167,82 @@ def test_old_names(old: str, new: str, numbers: list[int]) -> None:
     assert (values.get(new), found) == (1, numbers)
 
 
-def test_unknown_entries_are_counted_in_one_note() -> None:
-    """One note per file counts the unknown entries; with verbose each is a warning."""
-    text = "feed_to_weakest_axis 1\nmesstyp 2\nmax_vb_override 1000\n"
-    assert load(CHANNEL, text)[1] == [900010]
-    found = load(CHANNEL, text, verbose=True)[1]
-    assert len(found) == 2 and set(found) <= {900008, 900009}
+def test_each_unknown_entry_is_a_warning_at_its_line() -> None:
+    """Up to 20 of a file; one more finding counts the others, or names them if all are wanted."""
+    text = "".join(f"vendor.own_{number} 1\n" for number in range(23))
+    assert load(CHANNEL, text)[1] == [900008] * 20 + [900010]
+    assert load(CHANNEL, text, detail="all")[1] == [900008] * 23
 
 
-def test_accepted_entries_are_silent_and_unchecked() -> None:
-    """A parameter without effect is accepted whatever its value; verbose says so."""
-    text = "gruppe[0].bezeichnung IPO 1 # x\n"
-    assert load(CHANNEL, text)[1] == []
-    assert load(CHANNEL, text, verbose=True)[1] == [900026]
+@pytest.mark.parametrize(
+    ("entry", "number"),
+    [
+        ("max_vb_overide 1000", 900009),
+        ("max_vb_override_x 1000", 900009),
+        ("max_bv_override 1000", 900009),
+        ("MAX_VB_OVERRIDE 1000", 900009),
+        ("einrechnen_mit_d 1", 900009),
+        ("max_vb_overrides_of_ours 1000", 900008),
+        ("a 1", 900008),
+        ("override 1", 900008),
+    ],
+)
+def test_a_misspelt_entry_names_the_one_that_is_meant(entry: str, number: int) -> None:
+    """One or two letters too many, too few, wrong or swapped; a name that is farther is unknown."""
+    assert load(CHANNEL, entry + "\n")[1] == [number]
+
+
+def test_entries_without_effect_are_silent_at_their_default() -> None:
+    """A parameter without effect is checked; with all details it is told."""
+    text = "gruppe[0].bezeichnung IPO 1 # x\nmesstyp 1\n"
+    assert load(CHANNEL, text)[1] == [900018]
+    assert load(CHANNEL, text, detail="all")[1] == [900018, 900026, 900026]
+
+
+def test_what_would_change_a_run_is_told_once_for_the_file() -> None:
+    """One finding names the entries; with "effects" each has one of its own."""
+    text = (
+        "messtyp 2\nfeed_to_weakest_axis 1\nmesstyp 3\ndebug.prg_trace 1\n"
+        "p_param_haltend 1\nversch_im_durchm 0\n"
+    )
+    assert sorted(load(CHANNEL, text)[1]) == [900023, 900028, 900029]
+    assert sorted(load(CHANNEL, text, detail="effects")[1]) == [900023, 900970, 900970, 900971]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("getriebe[0].dynamik.vb_max 90000\ngetriebe[0].vb_eilgang 100000\n", 90_000),
+        ("getriebe[0].vb_eilgang 300000\n", 200_000),
+        ("getriebe[0].vb_eilgang 0\n", 166_666),
+    ],
+)
+def test_a_rapid_speed_above_the_highest_speed(text: str, value: int) -> None:
+    """P-AXIS-00209 ≤ P-AXIS-00212: the bound takes its place; 0 is out of range."""
+    values, numbers = load(AXIS, text)
+    assert values.integer("getriebe[].vb_eilgang", 0) == value
+    assert numbers == ([900027] if value != 166_666 else [900019])
+
+
+def test_bounds_of_other_parameters() -> None:
+    """Accelerations ≤ a_max, ramp times ≥ tr_min, speeds ≤ vb_max, also without effect here."""
+    text = (
+        "getriebe[0].dynamik.a_max 500\ngetriebe[0].slope_profil.a_beschl 600\n"
+        "getriebe[0].dynamik.tr_min 20000\ngetriebe[0].slope_profil.tr_grenz 10000\n"
+        "getriebe[0].dynamik.a_emergency 1001\nkenngr.vb_messen 300000\n"
+    )
+    values, numbers = load(AXIS, text)
+    assert numbers.count(900027) == 4
+    assert values.integer("getriebe[].slope_profil.a_beschl", 0) == 500
+    assert values.integer("getriebe[].slope_profil.tr_grenz", 0) == 20_000
+
+
+def test_a_list_that_lowers_a_bound_of_its_defaults_list() -> None:
+    """The entry of the defaults list keeps the bound; the finding stands in the list itself."""
+    base, _ = load(AXIS, "getriebe[0].slope_profil.a_beschl 900\n")
+    values, numbers = load(AXIS, "getriebe[0].dynamik.a_max 400\n", base=base)
+    assert numbers == [900027]
+    assert values.integer("getriebe[].slope_profil.a_beschl", 0) == 400
 
 
 def test_specific_list_goes_over_the_defaults_list() -> None:
@@ -233,9 +302,9 @@ def test_scope_that_does_not_exist_is_the_controllers_own_number() -> None:
 
 def test_values_given_by_a_list_have_a_place() -> None:
     """Where an entry stands can be told later; without one it is the start of the file."""
-    values, _ = load(CHANNEL, "\n  mass_einh 1\n")
-    span, line = values.place("mass_einh")
-    assert (span.line, span.column, line) == (2, 3, "  mass_einh 1")
+    values, _ = load(CHANNEL, "\n  exact_stop_after_g00 1\n")
+    span, line = values.place("exact_stop_after_g00")
+    assert (span.line, span.column, line) == (2, 3, "  exact_stop_after_g00 1")
     assert values.place("max_vb_override")[0].line == 1
 
 
@@ -259,13 +328,8 @@ def _check_default(parameter: Parameter) -> None:
         assert isinstance(default, bool)
     elif parameter.type is ValueType.STRING:
         assert isinstance(default, str)
-    elif (
-        default is not None
-        and parameter.id != "P-RTCF-00001"
-        and parameter.effect is not Effect.ACCEPTED
-    ):
-        low, high = parameter.bounds
-        assert isinstance(default, int | float) and low <= default <= high
+    elif default is not None and parameter.id != "P-RTCF-00001":
+        assert isinstance(default, int | float) and parameter.allows(default)
 
 
 def test_parameters_are_found_by_id_and_by_name() -> None:

@@ -12,8 +12,9 @@ from nctakt.lists.declared.offsets import (
     zero_offsets_configuration,
 )
 from nctakt.lists.declared.tools import TOOLS, Tool, tools_configuration
-from nctakt.lists.format.parameter import Schema
-from nctakt.lists.format.schema import Values, load_list
+from nctakt.lists.format.list_check import load_list
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 
 
@@ -70,9 +71,9 @@ def test_lengths_of_an_inch_tool() -> None:
 
 def test_a_tool_is_not_valid_unless_it_says_so() -> None:
     """P-TOOL-00005: default 0; the other defaults of an entry that gives little."""
-    found, _ = tools("wz[2].param[5] 1.5\nwz[3].gueltig 1\nwz[3].typ 1\n", True)
-    assert (found[2].valid, found[2].type, found[2].parameters) == (False, "MILLING", {5: 1.5})
-    assert (found[3].valid, found[3].type, found[3].length) == (True, "TURNING", 0.0)
+    found, _ = tools("wz[2].param[5] 1.5\nwz[3].gueltig 1\n", True)
+    assert (found[2].valid, found[2].parameters) == (False, {5: 1.5})
+    assert (found[3].valid, found[3].length) == (True, 0.0)
 
 
 def test_tool_0_has_no_dimensions() -> None:

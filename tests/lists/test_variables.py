@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from nctakt.lists.declared.variables import SCALARS, VARIABLES
-from nctakt.lists.format.schema import load_list
+from nctakt.lists.format.list_check import load_list
 from nctakt.lists.machine.variables import (
     MANAGEMENT_BYTES,
     MOST_LEAVES,
@@ -257,11 +257,11 @@ def test_deepest_nesting(depth: int, numbers: list[int]) -> None:
     assert load("\n".join(lines))[1] == numbers
 
 
-def test_accepted_entries() -> None:
-    """Names for the operating panel, old places and the like are accepted."""
+def test_entries_without_effect() -> None:
+    """Names for the operating panel, old places and the like are known; one may change a run."""
     text = (
         "name_rd_global_array cnc_ve_%s_[%d]_r\nname_wr_channel mc_ve_%s_w\n"
         "var[0].name A\nvar[0].index 0\nvar[0].create_hmi_interface 0\n"
         "check_overlapping_variables 1\nauto_memory_mode 0\ninit 1"
     )
-    assert load(text)[1] == []
+    assert load(text)[1] == [900029]

@@ -20,6 +20,7 @@ from nctakt.checking.inputs import Found, gather
 from nctakt.checking.program import check_program
 from nctakt.checking.targets import Target, Targets
 from nctakt.lists.all_parameters import SCHEMAS
+from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import find_file, startup_list_around
 from nctakt.lists.machine.list_kinds import check_list_alone, kind_of, references
 from nctakt.lists.machine.machine import load_machine
@@ -81,16 +82,16 @@ def check_files(
     inputs: Sequence[str | Path | NcText],
     machine: AssembledMachine,
     *,
-    verbose: bool = False,
+    detail: Detail = "summary",
     for_all: bool = True,
 ) -> CheckResult:
     """Check files, folders with all that is in them, texts, and the files that programs call.
 
-    ``verbose``: name each entry of a list that nctakt does not know or accepts without effect.
-    ``for_all``: all programs are for ``machine``, even those in the folder of another one. What
-    cannot be read is a diagnostic as well; no file checked at all leaves ``files`` empty.
+    ``detail``: how much is reported of list entries without effect. ``for_all``: all programs are
+    for ``machine``, even those in the folder of another one. What cannot be read is a diagnostic as
+    well; no file checked at all leaves ``files`` empty.
     """
-    return _Checker(machine, verbose, for_all).check(inputs)
+    return _Checker(machine, detail, for_all).check(inputs)
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,9 +106,9 @@ class _Waiting:
 class _Checker:
     """Gathers files and diagnostics of one call."""
 
-    def __init__(self, machine: AssembledMachine, verbose: bool, for_all: bool) -> None:
+    def __init__(self, machine: AssembledMachine, detail: Detail, for_all: bool) -> None:
         self._targets = Targets(machine, for_all)
-        self._verbose = verbose
+        self._detail = detail
         self._for_all = for_all
         self._files: dict[str, str] = {}
         self._found: list[Found] = []
@@ -195,7 +196,7 @@ class _Checker:
         self._covered[startup.resolve()] = None
         self._files[startup.as_posix()] = "startup"
         try:
-            machine = load_machine(startup, verbose=self._verbose)
+            machine = load_machine(startup, detail=self._detail)
         except Failure as error:
             self._keep(startup.as_posix(), error.diagnostics)
             return
@@ -244,7 +245,7 @@ class _Checker:
         self._files[path.as_posix()] = schema.kind
         collector = Collector()
         collector.report(LIST_CHECKED_ALONE, place, kind=schema.title)
-        check_list_alone(schema, path, data, collector, verbose=self._verbose)
+        check_list_alone(schema, path, data, collector, detail=self._detail)
         self._keep(path.as_posix(), collector.diagnostics)
 
     # --- programs --------------------------------------------------------------------------------

@@ -24,6 +24,7 @@ from nctakt.cli.formats import as_github, as_json, as_text, closing_line
 from nctakt.cli.sarif import as_sarif
 from nctakt.cli.selection import Selection, read_selection
 from nctakt.cli.terminal import OutputFile, print_diagnostics, show_at_the_end
+from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages import diagnostic
 from nctakt.messages.checking import CHECKED_FOR_DEMO_MACHINE, CHECKED_FOR_MACHINE_OF_FILE
@@ -57,6 +58,7 @@ class Options:
     select: tuple[str, ...]
     ignore: tuple[str, ...]
     strict: bool
+    effects: bool
     verbose: bool
     quiet: bool
     output: str | None
@@ -83,6 +85,11 @@ class Options:
 @click.option("--select", metavar="ID,...", multiple=True, help="Only these messages.")
 @click.option("--ignore", metavar="ID,...", multiple=True, help="Not these messages.")
 @click.option("--strict", is_flag=True, help="Warnings count like errors.")
+@click.option(
+    "--effects",
+    is_flag=True,
+    help="List each entry without effect that would change a run.",
+)
 @click.option("--verbose", is_flag=True, help="Name each list entry that has no effect.")
 @click.option("--quiet", is_flag=True, help="No notes and no closing line.")
 @click.option("--output", metavar="FILE", help="Write the findings to a file.")
@@ -105,7 +112,7 @@ def _check(options: Options) -> int:
     output = None if options.output is None else OutputFile(options.output)
     inputs = [_standard_input() if path == _STANDARD_INPUT else path for path in options.paths]
     is_named = options.machine is not None
-    checked = check_files(inputs, machine, verbose=options.verbose, for_all=is_named)
+    checked = check_files(inputs, machine, detail=_detail(options), for_all=is_named)
     lowest = Severity.WARNING if options.quiet else Severity.NOTE
     result = _selected(checked, selection, lowest)
     told = _told(result, options)
@@ -117,6 +124,12 @@ def _check(options: Options) -> int:
         output.close()
         _show(closing)
     return _exit_code(result, strict=options.strict)
+
+
+def _detail(options: Options) -> Detail:
+    if options.verbose:
+        return "all"
+    return "effects" if options.effects else "summary"
 
 
 def _machine(options: Options) -> AssembledMachine:

@@ -13,11 +13,20 @@ from dataclasses import dataclass
 from nctakt.lists.declared.axis import AXIS
 from nctakt.lists.declared.channel import CHANNEL
 from nctakt.lists.declared.offsets import CLAMP_OFFSETS, ZERO_OFFSETS
+from nctakt.lists.declared.other_kinds import (
+    AXIS_COMPENSATION,
+    HARDWARE,
+    LIST_DESCRIPTION,
+    MANUAL_MODE,
+    SCENE,
+    VOLUMETRIC_COMPENSATION,
+)
 from nctakt.lists.declared.rtconf import RTCONF
 from nctakt.lists.declared.startup import STARTUP
 from nctakt.lists.declared.tools import TOOLS
 from nctakt.lists.declared.variables import VARIABLES
-from nctakt.lists.format.parameter import Parameter, Schema
+from nctakt.lists.format.parameter import Parameter
+from nctakt.lists.format.schema import Schema
 
 #: Every kind of list, in the order in which a controller reads them.
 SCHEMAS: tuple[Schema, ...] = (
@@ -29,7 +38,15 @@ SCHEMAS: tuple[Schema, ...] = (
     ZERO_OFFSETS,
     CLAMP_OFFSETS,
     RTCONF,
+    AXIS_COMPENSATION,
+    MANUAL_MODE,
+    VOLUMETRIC_COMPENSATION,
+    SCENE,
+    HARDWARE,
+    LIST_DESCRIPTION,
 )
+
+SCHEMA_BY_KIND: dict[str, Schema] = {schema.kind: schema for schema in SCHEMAS}
 
 _INDEX = re.compile(r"\[[^]]*\]")
 _ID = re.compile(r"(?:P-)?([A-Z]{4})-([0-9]{1,5})")
@@ -47,13 +64,14 @@ class DeclaredParameter:
 def find_parameters(name: str) -> tuple[DeclaredParameter, ...]:
     """The parameters of that ID or name; indices are ignored, letter case in an ID too."""
     pattern = _INDEX.sub("[]", name)
-    found: list[DeclaredParameter] = []
+    parameters: list[DeclaredParameter] = []
     for schema in SCHEMAS:
         by_name = schema.find(pattern)
         if by_name is not None:
-            found.append(DeclaredParameter(schema, by_name[0]))
-        found += [DeclaredParameter(schema, one) for one in schema.by_id(name.upper())]
-    return tuple(found)
+            parameters.append(DeclaredParameter(schema, by_name[0]))
+        by_id = schema.by_id(name.upper())
+        parameters += [DeclaredParameter(schema, parameter) for parameter in by_id]
+    return tuple(parameters)
 
 
 def similar_parameters(name: str) -> tuple[DeclaredParameter, ...]:
@@ -61,18 +79,23 @@ def similar_parameters(name: str) -> tuple[DeclaredParameter, ...]:
 
     Indices and letter case do not matter, and parts in front may be missing.
     """
-    wanted, ids = _plain(name), _ids(name.upper())
+    end, ids = _plain(name), _ids(name.upper())
     return tuple(
-        DeclaredParameter(schema, one)
+        DeclaredParameter(schema, parameter)
         for schema in SCHEMAS
-        for one in schema.parameters
-        if one.id in ids or any(_ends_with(known, wanted) for known in _names_of(one))
+        for parameter in schema.parameters
+        if parameter.id in ids or any(_ends_with(known, end) for known in _names_of(parameter))
     )
 
 
 def _ids(word: str) -> tuple[str, ...]:
     if _NUMBER.fullmatch(word):
-        kinds = {one.id[:7] for schema in SCHEMAS for one in schema.parameters if one.id}
+        kinds = {
+            parameter.id[:7]
+            for schema in SCHEMAS
+            for parameter in schema.parameters
+            if parameter.id
+        }
         return tuple(f"{kind}{word}" for kind in sorted(kinds))
     written = _ID.fullmatch(word)
     return () if written is None else (f"P-{written[1]}-{written[2]:0>5}",)
@@ -88,5 +111,5 @@ def _plain(name: str) -> str:
     return _INDEX.sub("", name).lower()
 
 
-def _ends_with(known: str, wanted: str) -> bool:
-    return bool(wanted) and f".{known}".endswith(f".{wanted}")
+def _ends_with(known: str, end: str) -> bool:
+    return bool(end) and f".{known}".endswith(f".{end}")

@@ -13,7 +13,8 @@ from pathlib import Path
 from types import MappingProxyType
 
 from nctakt.base.diagnostics import Language
-from nctakt.lists.format.parameter import Parameter, Schema
+from nctakt.lists.format.parameter import Parameter
+from nctakt.lists.format.schema import Schema
 from nctakt.lists.machine.list_kinds import kind_of
 
 DEMO = Path(__file__).parent / "demo"

@@ -68,8 +68,9 @@ UNKNOWN_PARAMETER = warning(
     900008,
     en="{key} is no parameter of this list; the entry is left out",
     de="{key} ist kein Parameter dieser Liste; der Eintrag wird ausgelassen",
-    remedy_en="Correct the name or delete the line.",
-    remedy_de="Den Namen berichtigen oder die Zeile löschen.",
+    remedy_en="nctakt knows the published parameters; one of a vendor's own has no effect here.",
+    remedy_de="nctakt kennt die veröffentlichten Parameter; ein herstellereigener bleibt hier ohne "
+    "Wirkung.",
     key=("the name as it stands in the list", "der Name, wie er in der Liste steht"),
 )
 MISSPELLED_PARAMETER = warning(
@@ -83,11 +84,14 @@ MISSPELLED_PARAMETER = warning(
 )
 UNKNOWN_ENTRIES = note(
     900010,
-    en="entries left out because nctakt does not know their names: {count}",
-    de="Einträge, deren Namen nctakt nicht kennt und deshalb auslässt: {count}",
+    en="{count} more unknown entries are left out, from this line on",
+    de="{count} weitere unbekannte Einträge werden ausgelassen, ab dieser Zeile",
     remedy_en="With --verbose each of them is named.",
     remedy_de="Mit --verbose wird jeder davon genannt.",
-    count=("how many entries of the file", "wie viele Einträge der Datei"),
+    count=(
+        "the number of the other unknown entries",
+        "die Anzahl der übrigen unbekannten Einträge",
+    ),
 )
 PARAMETER_INDEX_OUT_OF_RANGE = warning(
     900011,
@@ -240,12 +244,73 @@ INVALID_PARAMETER_REFERENCE = warning(
 )
 PARAMETER_WITHOUT_EFFECT = note(
     900026,
-    en="{key} ({id}) is accepted and has no effect here",
-    de="{key} ({id}) wird angenommen und bleibt hier ohne Wirkung",
-    remedy_en="nctakt does not simulate what this parameter sets.",
-    remedy_de="nctakt simuliert nicht, was dieser Parameter einstellt.",
+    en="{key} ({id}) is {value}, default {default}, and has no effect here: {meaning}",
+    de="{key} ({id}) ist {value}, Standardwert {default}, und bleibt hier ohne Wirkung: {meaning}",
+    remedy_en="Nothing to do: no run depends on it.",
+    remedy_de="Nichts zu tun: kein Lauf hängt davon ab.",
     key=("the entry's name", "der Name des Eintrags"),
     id=("the parameter's ID", "die ID des Parameters"),
+    value=("the value that the list gives", "der Wert aus der Liste"),
+    default=("the parameter's default", "der Standardwert des Parameters"),
+    meaning=("what the parameter means", "die Bedeutung des Parameters"),
+)
+PARAMETER_WOULD_CHANGE_RUN = warning(
+    900970,
+    en="{key} ({id}) is {value} instead of {default}; this would change a run and has no effect "
+    "here: {meaning}",
+    de="{key} ({id}) ist {value} statt {default}; das würde einen Lauf ändern und bleibt hier ohne "
+    "Wirkung: {meaning}",
+    remedy_en="Expect other positions, times or outputs on the machine.",
+    remedy_de="An der Maschine mit anderen Positionen, Zeiten oder Ausgaben rechnen.",
+    key=("the entry's name", "der Name des Eintrags"),
+    id=("the parameter's ID", "die ID des Parameters"),
+    value=("the value that the list gives", "der Wert aus der Liste"),
+    default=("the parameter's default", "der Standardwert des Parameters"),
+    meaning=("what the parameter means", "die Bedeutung des Parameters"),
+)
+PARAMETER_MAY_CHANGE_RUN = note(
+    900971,
+    en="{key} ({id}) is {value} instead of {default}; this may change a run and has no effect "
+    "here: {meaning}",
+    de="{key} ({id}) ist {value} statt {default}; das kann einen Lauf ändern und bleibt hier ohne "
+    "Wirkung: {meaning}",
+    remedy_en="Expect other positions, times or outputs on the machine.",
+    remedy_de="An der Maschine mit anderen Positionen, Zeiten oder Ausgaben rechnen.",
+    key=("the entry's name", "der Name des Eintrags"),
+    id=("the parameter's ID", "die ID des Parameters"),
+    value=("the value that the list gives", "der Wert aus der Liste"),
+    default=("the parameter's default", "der Standardwert des Parameters"),
+    meaning=("what the parameter means", "die Bedeutung des Parameters"),
+)
+WITHOUT_EFFECT_WOULD_CHANGE_RUN = warning(
+    900028,
+    en="entries without effect here that would change a run: {count} ({names})",
+    de="Einträge ohne Wirkung hier, die einen Lauf ändern würden: {count} ({names})",
+    remedy_en="nctakt check --effects lists all of them with their meaning.",
+    remedy_de="nctakt check --effects nennt alle mit ihrer Bedeutung.",
+    count=("the number of these entries", "die Anzahl dieser Einträge"),
+    names=("the first of them", "die ersten davon"),
+)
+WITHOUT_EFFECT_MAY_CHANGE_RUN = note(
+    900029,
+    en="entries without effect here that may change a run: {count} ({names})",
+    de="Einträge ohne Wirkung hier, die einen Lauf ändern können: {count} ({names})",
+    remedy_en="nctakt check --effects lists all of them with their meaning.",
+    remedy_de="nctakt check --effects nennt alle mit ihrer Bedeutung.",
+    count=("the number of these entries", "die Anzahl dieser Einträge"),
+    names=("the first of them", "die ersten davon"),
+)
+BEYOND_OTHER_PARAMETER = warning(
+    900027,
+    en="{key}: {value} is beyond {other} ({id}); {limit} is used",
+    de="{key}: {value} überschreitet die Grenze {other} ({id}); es gilt {limit}",
+    remedy_en="Change one of the two values.",
+    remedy_de="Einen der beiden Werte ändern.",
+    key=("the entry's name", "der Name des Eintrags"),
+    value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
+    other=("the entry that sets the bound", "der Eintrag, der die Grenze setzt"),
+    id=("the ID of that parameter", "die ID jenes Parameters"),
+    limit=("the nearest value that is allowed", "der nächste erlaubte Wert"),
 )
 INVALID_SYNCHRONISATION_TYPE = warning(
     20965,

@@ -12,22 +12,43 @@ from nctakt.lists.all_parameters import (
     find_parameters,
     similar_parameters,
 )
-from nctakt.lists.format.parameter import Effect, Parameter, Schema, ValueType, shown
+from nctakt.lists.format.parameter import Effect, Parameter, Relevance, ValueType, range_text, shown
+from nctakt.lists.format.schema import Schema
 from nctakt.reference.article import Article, Fact, Topic, fact
 
-_NUMBERS = frozenset(
-    (
-        ValueType.SGN08,
-        ValueType.UNS08,
-        ValueType.SGN16,
-        ValueType.UNS16,
-        ValueType.SGN32,
-        ValueType.UNS32,
-        ValueType.REAL64,
-    )
-)
 #: Names of a value of which no more are told.
 _MANY_NAMES = 20
+
+
+#: What a parameter is about: the words of the tables.
+CONCERNS: dict[str, Text] = {
+    "compensation": Text("compensations", "Kompensationen"),
+    "control": Text("position control", "die Lageregelung"),
+    "coupling": Text("couplings of axes", "Achskopplungen"),
+    "diagnosis": Text("diagnosis", "die Diagnose"),
+    "display": Text("displays", "Anzeigen"),
+    "drive": Text("the drive", "den Antrieb"),
+    "dynamics": Text("dynamics", "die Dynamik"),
+    "files": Text("files", "Dateien"),
+    "filter": Text("filters", "Filter"),
+    "homing": Text("homing", "die Referenzpunktfahrt"),
+    "limits": Text("limits", "Grenzen"),
+    "manual": Text("manual mode", "den Handbetrieb"),
+    "measuring": Text("measuring", "das Messen"),
+    "memory": Text("memory", "den Speicher"),
+    "motion": Text("motion", "die Bewegung"),
+    "offset": Text("offsets", "Verschiebungen"),
+    "other": Text("other matters", "Sonstiges"),
+    "plc": Text("the PLC", "die SPS"),
+    "program": Text("NC programs", "NC-Programme"),
+    "safety": Text("safety", "die Sicherheit"),
+    "schedule": Text("scheduling", "das Scheduling"),
+    "spindle": Text("spindles", "Spindeln"),
+    "technology": Text("technology functions", "Technologiefunktionen"),
+    "tool": Text("tools", "Werkzeuge"),
+    "transformation": Text("transformations", "Transformationen"),
+    "variables": Text("variables", "Variablen"),
+}
 
 
 def article(schema: Schema, parameter: Parameter) -> Article:
@@ -43,16 +64,16 @@ def kind_of(schema: Schema) -> Text:
 
 def _facts(parameter: Parameter) -> Iterator[Fact]:
     yield fact("Type", "Typ", parameter.type.value)
-    allowed = range_of(parameter)
+    allowed = range_text(parameter)
     if allowed:
         yield fact("Range", "Bereich", allowed)
     if parameter.names:
         names = list(_values_of(parameter))
-        more = " …" if len(names) > _MANY_NAMES else ""
+        more = " …" if len(names) > _MANY_NAMES or parameter.has_more_names else ""
         yield fact("Values", "Werte", ", ".join(names[:_MANY_NAMES]) + more)
     if parameter.unit:
         yield fact("Unit", "Einheit", parameter.unit)
-    yield fact("Default", "Standardwert", shown(parameter.default))
+    yield fact("Default", "Standardwert", default_text(parameter))
     if parameter.restart:
         yield fact(
             "Change",
@@ -60,8 +81,17 @@ def _facts(parameter: Parameter) -> Iterator[Fact]:
             Text("counts from the next start on", "gilt ab dem nächsten Start"),
         )
     for alias in parameter.aliases:
-        yield fact("Old name", "Alter Name", alias.path)
+        yield fact("Old name", "Alter Name", f"{alias.id} {alias.path}".strip())
+    if parameter.concern:
+        yield fact("Concerns", "Betrifft", CONCERNS[parameter.concern])
     yield fact("In nctakt", "In nctakt", effect(parameter))
+    if parameter.page:
+        yield fact("Help page", "Hilfeseite", parameter.page)
+
+
+def default_text(parameter: Parameter) -> str:
+    """Return the default as a list writes it: a value, or the ID of the parameter that has it."""
+    return parameter.default_id or shown(parameter.default)
 
 
 def _values_of(parameter: Parameter) -> Iterator[str]:
@@ -71,34 +101,22 @@ def _values_of(parameter: Parameter) -> Iterator[str]:
         yield f"{name} ({number})" if is_number else name
 
 
-def range_of(parameter: Parameter) -> str:
-    """``1 … 65534``; for a text its greatest length; empty where there is none to tell."""
-    if parameter.type is ValueType.STRING:
-        return "" if parameter.high is None else f"≤ {parameter.high}"
-    if parameter.type not in _NUMBERS:
-        return ""
-    low, high = parameter.bounds
-    infinite = float("inf")
-    if (low, high) == (-infinite, infinite):
-        return ""
-    return f"{_bound(low)} … {_bound(high)}"
-
-
-def _bound(value: int | float) -> str:
-    if value in (float("inf"), float("-inf")):
-        return "∞" if value > 0 else "−∞"
-    return str(value)
-
-
 def effect(parameter: Parameter) -> Text:
-    """Whether nctakt does what it says."""
-    match parameter.effect:
-        case Effect.TAKEN:
-            return Text("takes effect", "wirkt")
-        case Effect.CHECKED:
-            return Text("read and checked, changes nothing", "gelesen und geprüft, ändert nichts")
-        case Effect.ACCEPTED:
-            return Text("accepted, has no effect", "wird angenommen, wirkt nicht")
+    """Return what becomes of a parameter."""
+    if parameter.effect is Effect.USED:
+        return Text("takes effect", "wirkt")
+    match parameter.relevance:
+        case Relevance.YES:
+            return Text(
+                "checked, no effect; would change a run",
+                "geprüft, ohne Wirkung; änderte einen Lauf",
+            )
+        case Relevance.MAYBE:
+            return Text(
+                "checked, no effect; may change a run",
+                "geprüft, ohne Wirkung; kann einen Lauf ändern",
+            )
+    return Text("checked, no effect", "geprüft, ohne Wirkung")
 
 
 def _all() -> Iterator[Article]:

@@ -9,10 +9,12 @@ angles of rotary axes share their parameters. Gear steps: ``getriebe[i]``.
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
-from nctakt.lists.format.parameter import Effect, Parameter, Schema, Value, ValueType
+from nctakt.lists.format.parameter import Limit, Parameter, Value, ValueType
 from nctakt.lists.format.reader import ListDialect
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.table import ParameterTable
 
-GEAR_STEPS = 10
+GEAR_STEPS = 6
 MOST_OVERRIDE = 2000
 _MAX_SGN32 = 2**31 - 1
 _FASTEST = 2_000_000_000
@@ -20,6 +22,10 @@ _STEEPEST = 100_000_000
 _SPEED = "µm/s, 1e-3°/s"
 _ACCELERATION = "mm/s², °/s²"
 _POSITION = "0.1 µm, 1e-4°"
+
+_MAX_SPEED = Limit("P-AXIS-00212")
+_MAX_ACCELERATION = Limit("P-AXIS-00008")
+_SHORTEST_RAMP = Limit("P-AXIS-00201")
 
 LINEAR_TYPE, ROTARY_TYPE, SPINDLE_TYPE = "ACHSTYP_TRANSLATOR", "ACHSTYP_ROTATOR", "ACHSTYP_SPINDEL"
 
@@ -35,10 +41,20 @@ def _axis(
     low: int | None = None,
     high: int | None = None,
     unit: str = "",
-    effect: Effect = Effect.TAKEN,
+    at_least: Limit | None = None,
+    at_most: Limit | None = None,
 ) -> Parameter:
     return Parameter(
-        id_, path, type_, default, Text(en, de), low=low, high=high, unit=unit, effect=effect
+        id_,
+        path,
+        type_,
+        default,
+        Text(en, de),
+        low=low,
+        high=high,
+        unit=unit,
+        at_least=at_least,
+        at_most=at_most,
     )
 
 
@@ -52,45 +68,42 @@ def _gear(
     low: int = 0,
     high: int | None = None,
     unit: str,
-    effect: Effect = Effect.TAKEN,
+    at_least: Limit | None = None,
+    at_most: Limit | None = None,
 ) -> Parameter:
-    path = f"getriebe[0..{GEAR_STEPS - 1}].{path}"
-    type_ = ValueType.UNS32
-    return _axis(id_, path, type_, default, en, de, low=low, high=high, unit=unit, effect=effect)
-
-
-def _speed(
-    id_: str,
-    path: str,
-    default: int,
-    en: str,
-    de: str,
-    *,
-    low: int = 1,
-    effect: Effect = Effect.TAKEN,
-) -> Parameter:
-    return _gear(id_, path, default, en, de, low=low, high=_FASTEST, unit=_SPEED, effect=effect)
-
-
-def _acceleration(
-    id_: str,
-    path: str,
-    default: int,
-    en: str,
-    de: str,
-    *,
-    low: int = 1,
-    effect: Effect = Effect.TAKEN,
-) -> Parameter:
-    return _gear(
-        id_, path, default, en, de, low=low, high=_STEEPEST, unit=_ACCELERATION, effect=effect
+    return _axis(
+        id_,
+        f"getriebe[0..{GEAR_STEPS - 1}].{path}",
+        ValueType.UNS32,
+        default,
+        en,
+        de,
+        low=low,
+        high=high,
+        unit=unit,
+        at_least=at_least,
+        at_most=at_most,
     )
 
 
-def _ramp(
-    id_: str, path: str, default: int, en: str, de: str, *, effect: Effect = Effect.TAKEN
-) -> Parameter:
-    return _gear(id_, path, default, en, de, unit="µs", effect=effect)
+def _speed(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
+    """A speed: up to the highest of the axis, which has no such bound itself."""
+    most = None if id_ == _MAX_SPEED.id else _MAX_SPEED
+    return _gear(id_, path, default, en, de, low=1, high=_FASTEST, unit=_SPEED, at_most=most)
+
+
+def _acceleration(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
+    """An acceleration: up to the highest of the axis, which has no such bound itself."""
+    most = None if id_ == _MAX_ACCELERATION.id else _MAX_ACCELERATION
+    return _gear(
+        id_, path, default, en, de, low=1, high=_STEEPEST, unit=_ACCELERATION, at_most=most
+    )
+
+
+def _ramp(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
+    """A ramp time: from the shortest of the axis on, which has no such bound itself."""
+    least = None if id_ == _SHORTEST_RAMP.id else _SHORTEST_RAMP
+    return _gear(id_, path, default, en, de, unit="µs", at_least=least)
 
 
 _HEADER = (
@@ -177,7 +190,6 @@ _CHARACTER = (
         "How far actual positions may pass the software limits",
         "Wie weit Istpositionen die Softwareendschalter überfahren dürfen",
         unit=_POSITION,
-        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00109",
@@ -269,15 +281,6 @@ _GEAR_STEP = (
         "Highest acceleration of the axis",
         "Höchste Beschleunigung der Achse",
     ),
-    _acceleration(
-        "P-AXIS-00003",
-        "dynamik.a_emergency",
-        0,
-        "Deceleration of an emergency stop; 0: as a_max",
-        "Verzögerung beim Nothalt; 0: wie a_max",
-        low=0,
-        effect=Effect.CHECKED,
-    ),
     _ramp(
         "P-AXIS-00201",
         "dynamik.tr_min",
@@ -285,33 +288,7 @@ _GEAR_STEP = (
         "Shortest ramp time of the acceleration",
         "Kürzeste Rampenzeit der Beschleunigung",
     ),
-    _ramp(
-        "P-AXIS-00199",
-        "dynamik.tr_geom",
-        10_000,
-        "Ramp time of the acceleration along a curved contour",
-        "Rampenzeit der Beschleunigung entlang einer gekrümmten Kontur",
-        effect=Effect.CHECKED,
-    ),
     _speed("P-AXIS-00209", "vb_eilgang", 166_666, "Rapid speed", "Eilganggeschwindigkeit"),
-    _speed(
-        "P-AXIS-00214",
-        "vb_max_red",
-        0,
-        "Speed that the PLC can reduce feed motions to",
-        "Geschwindigkeit, auf die die SPS Vorschubbewegungen begrenzen kann",
-        low=0,
-        effect=Effect.CHECKED,
-    ),
-    _speed(
-        "P-AXIS-00155",
-        "rapid_speed_red",
-        0,
-        "Speed that the PLC can reduce rapid motions to",
-        "Geschwindigkeit, auf die die SPS Eilgangbewegungen begrenzen kann",
-        low=0,
-        effect=Effect.CHECKED,
-    ),
     _gear(
         "P-AXIS-00099",
         "kv",
@@ -320,16 +297,6 @@ _GEAR_STEP = (
         "Verstärkung der Lageregelung",
         low=1,
         unit="0.01/s",
-    ),
-    _gear(
-        "P-AXIS-00236",
-        "window",
-        500,
-        "Window in which an exact stop is reached",
-        "Fenster, in dem ein Genauhalt erreicht ist",
-        high=_MAX_SGN32,
-        unit=_POSITION,
-        effect=Effect.CHECKED,
     ),
     _axis(
         "P-AXIS-00126",
@@ -457,4 +424,5 @@ AXIS = Schema(
     Text("Axis list", "Achsliste"),
     ListDialect(),
     _HEADER + _CHARACTER + _GEAR_STEP + _RAMPS,
+    ParameterTable("axis.tsv"),
 )

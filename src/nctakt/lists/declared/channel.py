@@ -9,22 +9,15 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
 from nctakt.lists.declared.technology_functions import SPINDLE_FUNCTIONS, TECHNOLOGY
-from nctakt.lists.format.parameter import (
-    MAX_UNS16,
-    MAX_UNS32,
-    Alias,
-    Effect,
-    Parameter,
-    Schema,
-    Value,
-    ValueType,
-)
+from nctakt.lists.format.parameter import MAX_UNS16, MAX_UNS32, Alias, Parameter, Value, ValueType
 from nctakt.lists.format.reader import ListDialect
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.table import ParameterTable
 
 MOST_AXES = 32
 MOST_SPINDLES = 6
-MOST_PATHS = 32
-MOST_G_GROUPS = 64
+MOST_PATHS = 12
+MOST_G_GROUPS = 40
 MOST_G800 = 40
 MOST_OVERRIDE = 2000
 NAME_LENGTH = 16
@@ -46,7 +39,6 @@ def _channel(
     unit: str = "",
     restart: bool = False,
     aliases: tuple[Alias, ...] = (),
-    effect: Effect = Effect.TAKEN,
 ) -> Parameter:
     return Parameter(
         id_,
@@ -59,27 +51,10 @@ def _channel(
         unit=unit,
         restart=restart,
         aliases=aliases,
-        effect=effect,
     )
 
 
 _AXES = (
-    Parameter(
-        "P-CHAN-00005",
-        "gruppe[0..0].bezeichnung",
-        ValueType.STRING,
-        "",
-        Text("Name of the group of axes", "Name der Achsgruppe"),
-        effect=Effect.ACCEPTED,
-    ),
-    Parameter(
-        "P-CHAN-00023",
-        "grp_anzahl",
-        ValueType.UNS16,
-        1,
-        Text("Number of groups of axes, always 1", "Anzahl der Achsgruppen, immer 1"),
-        effect=Effect.ACCEPTED,
-    ),
     _channel(
         "P-CHAN-00003",
         "gruppe[0..0].achs_anzahl",
@@ -173,15 +148,6 @@ _PROGRAMS = (
         high=_PATH_LENGTH,
     ),
     _channel(
-        "P-CHAN-00402",
-        f"path[0..{MOST_PATHS - 1}].id",
-        ValueType.UNS16,
-        0,
-        "Number of the folder, unique in the controller",
-        "Nummer des Verzeichnisses, in der Steuerung eindeutig",
-        effect=Effect.CHECKED,
-    ),
-    _channel(
         "P-CHAN-00403",
         f"path[0..{MOST_PATHS - 1}].type",
         ValueType.UNS16,
@@ -237,26 +203,6 @@ _PROGRAMS = (
 )
 
 _DEFAULTS = (
-    _channel(
-        "P-CHAN-00054",
-        "mass_einh",
-        ValueType.UNS16,
-        0,
-        "Unit of the channel's own lengths: 0 mm, 1 inch",
-        "Einheit der kanaleigenen Längen: 0 mm, 1 Inch",
-        high=1,
-        effect=Effect.CHECKED,
-    ),
-    _channel(
-        "P-CHAN-00079",
-        "rund_mass_einh",
-        ValueType.UNS16,
-        0,
-        "Unit of angles: 0 degree, 1 gon",
-        "Einheit der Winkel: 0 Grad, 1 Neugrad",
-        high=1,
-        effect=Effect.CHECKED,
-    ),
     _channel(
         "P-CHAN-00056",
         "max_vb_override",
@@ -449,4 +395,5 @@ CHANNEL = Schema(
     Text("Channel list", "Kanalliste"),
     ListDialect(),
     _AXES + _SPINDLES + SPINDLE_FUNCTIONS + TECHNOLOGY + _PROGRAMS + _DEFAULTS + _REALTIME,
+    ParameterTable("channel.tsv"),
 )

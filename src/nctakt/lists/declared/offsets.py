@@ -11,9 +11,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from nctakt.base.diagnostics import Text
-from nctakt.lists.format.parameter import Parameter, Schema, ValueType
+from nctakt.lists.format.parameter import Parameter, ValueType
 from nctakt.lists.format.reader import ListDialect
-from nctakt.lists.format.schema import Values
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.folders import (
     DEFAULT_GROUP_EMPTY,
@@ -22,12 +23,13 @@ from nctakt.messages.folders import (
 )
 
 MOST_GROUPS = 97
+MOST_CLAMP_GROUPS = 150
 MOST_AXES = 32
 _POSITION_UNITS = 10_000
 _POSITION = "0.1 µm, 1e-4°"
 _AXIS = f"achse[0..{MOST_AXES - 1}]"
 _ZERO = f"np_grp[0..{MOST_GROUPS - 1}].{_AXIS}"
-_CLAMP = f"pzv_grp[0..{MOST_GROUPS - 1}].{_AXIS}"
+_CLAMP = f"pzv_grp[0..{MOST_CLAMP_GROUPS - 1}].{_AXIS}"
 
 
 @dataclass(frozen=True, slots=True)

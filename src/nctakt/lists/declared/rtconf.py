@@ -12,16 +12,9 @@ import enum
 from dataclasses import dataclass
 
 from nctakt.base.diagnostics import Text
-from nctakt.lists.format.parameter import (
-    MAX_UNS16,
-    MAX_UNS32,
-    Alias,
-    ForeignName,
-    Parameter,
-    Schema,
-    ValueType,
-)
+from nctakt.lists.format.parameter import MAX_UNS16, MAX_UNS32, Alias, Parameter, ValueType
 from nctakt.lists.format.reader import ListDialect
+from nctakt.lists.format.schema import ForeignName, Schema
 
 NAME_LENGTH = 127
 KNOWN_FUNCTIONS = ("task_rnd", "task_int", "task_com", "task_mmi_driver")
@@ -288,7 +281,7 @@ RTCONF = Schema(
     ListDialect(
         hexadecimal=False,
         references=False,
-        report_unknown=True,
+        boolean_words=False,
         expects_end=True,
         comment_notes=True,
     ),

@@ -10,15 +10,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nctakt.base.diagnostics import Span, Text
-from nctakt.lists.format.parameter import Alias, Effect, Parameter, Schema, ValueType
+from nctakt.lists.format.parameter import Alias, Parameter, ValueType
 from nctakt.lists.format.reader import ListDialect
-from nctakt.lists.format.schema import Values
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.table import ParameterTable
+from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.backward import BACKWARD_MEMORY_TOO_SMALL
 from nctakt.messages.variables import INVALID_ALIGNMENT
 
 MOST_CHANNELS = 12
-MOST_AXES = 32
+MOST_AXES = 64
+MOST_VOLUMETRIC_COMPENSATIONS = 5
 _PATH_LENGTH = 256
 #: Bytes of a struct member's alignment; 0 leaves it to the controller.
 ALIGNMENTS = (0, 1, 2, 4, 8)
@@ -42,6 +45,14 @@ _INTERPOLATOR_FLAGS: dict[str, int | None] = dict.fromkeys(
     )
 )
 
+#: Lists that are read and checked, and of which nothing has an effect here: entry -> kind of list.
+_OTHER_KINDS = {
+    "hand_mds": "manual_mode",
+    "achs_kw[]": "axis_compensation",
+    "vol_comp[].file_name": "volumetric_compensation",
+    "hw_configuration_list": "hardware",
+    "scene_mds[]": "scene",
+}
 
 #: The least memory of backward motion in bytes (P-STUP-00033), where there is one.
 LEAST_BACKWARD_MEMORY = 16384
@@ -78,9 +89,9 @@ class ChannelStartup:
 class StartupConfiguration:
     """The start-up list; ``axes`` has an item per axis, ``None`` where no list is named.
 
+    ``others``: lists that are read and checked and have no effect here, each with its kind.
     ``external_variables_bytes``: memory for the V.E variables of a channel, 0 if not limited.
-    ``member_alignment``: P-STUP-00145, 0 automatic. ``diagnosis_folder``, ``diagnosis_file``: where
-    the diagnosis data of the realtime cycles go.
+    ``member_alignment``: P-STUP-00145, 0 automatic.
     """
 
     channel_defaults: ListReference | None
@@ -88,12 +99,10 @@ class StartupConfiguration:
     axis_defaults: ListReference | None
     axes: tuple[ListReference | None, ...]
     rtconf: ListReference | None
+    others: tuple[tuple[str, ListReference], ...]
     external_variables_bytes: int
     member_alignment: int
     error_texts: str
-    error_log: str
-    diagnosis_folder: str
-    diagnosis_file: str
 
 
 def _list(id_: str, path: str, en: str, de: str, *aliases: str) -> Parameter:
@@ -106,7 +115,7 @@ def _list(id_: str, path: str, en: str, de: str, *aliases: str) -> Parameter:
 
 _LISTS = (
     Parameter(
-        "",
+        "P-STUP-00008",
         "listen",
         ValueType.NAME,
         "ASCII",
@@ -148,7 +157,7 @@ _LISTS = (
         "List with defaults for all axes",
         "Liste mit Standardwerten für alle Achsen",
     ),
-    _list("P-STUP-00015", "achs_mds[0..31]", "List of an axis", "Liste einer Achse"),
+    _list("P-STUP-00015", f"achs_mds[0..{MOST_AXES - 1}]", "List of an axis", "Liste einer Achse"),
     _list(
         "P-STUP-00146",
         "ve_var[0..11]",
@@ -174,7 +183,37 @@ _LISTS = (
         "Clamp offsets of a channel",
         "Platzverschiebungen eines Kanals",
     ),
-    _list("", "rtconf_lis", "Scheduling of the threads", "Scheduling der Threads"),
+    _list(
+        "P-STUP-00013",
+        "hand_mds",
+        "Manual mode of all channels",
+        "Handbetrieb aller Kanäle",
+    ),
+    _list(
+        "P-STUP-00017",
+        f"achs_kw[0..{MOST_AXES - 1}]",
+        "Compensations of an axis",
+        "Kompensationen einer Achse",
+    ),
+    _list(
+        "P-STUP-00101",
+        f"vol_comp[0..{MOST_VOLUMETRIC_COMPENSATIONS - 1}].file_name",
+        "A volumetric compensation",
+        "Eine volumetrische Kompensation",
+    ),
+    _list(
+        "P-STUP-00136",
+        "hw_configuration_list",
+        "Hardware devices",
+        "Hardwaregeräte",
+    ),
+    _list(
+        "P-STUP-00137",
+        "scene_mds[0..11]",
+        "Scene of a channel with its collisions",
+        "Szene eines Kanals mit ihren Kollisionen",
+    ),
+    _list("P-STUP-00135", "rtconf_lis", "Scheduling of the threads", "Scheduling der Threads"),
 )
 
 _CONTROLLER = (
@@ -201,7 +240,6 @@ _CONTROLLER = (
         ),
         unit="24 byte",
         restart=True,
-        effect=Effect.CHECKED,
     ),
     Parameter(
         "P-STUP-00145",
@@ -252,65 +290,15 @@ _CONTROLLER = (
         high=_PATH_LENGTH,
         restart=True,
     ),
-    Parameter(
-        "P-STUP-00170",
-        "error_log_file_name",
-        ValueType.STRING,
-        "",
-        Text("File to which errors are logged", "Datei, in die Fehler protokolliert werden"),
-        high=_PATH_LENGTH,
-        restart=True,
-        effect=Effect.CHECKED,
-    ),
-    Parameter(
-        "P-STUP-00111",
-        "configuration.diagnosis_upload.path",
-        ValueType.STRING,
-        "",
-        Text("Folder of the diagnosis data", "Verzeichnis der Diagnosedaten"),
-        high=_PATH_LENGTH,
-        restart=True,
-        effect=Effect.CHECKED,
-    ),
-    Parameter(
-        "P-STUP-00112",
-        "configuration.diagnosis_upload.default_file",
-        ValueType.STRING,
-        "diag_data.txt",
-        Text("File of the diagnosis data", "Datei der Diagnosedaten"),
-        high=_PATH_LENGTH,
-        restart=True,
-        effect=Effect.CHECKED,
-    ),
 )
 
-
-def _accepted(id_: str, path: str) -> Parameter:
-    """A parameter of the preparation of blocks that nctakt accepts without effect."""
-    text = Text("Set-up of the preparation of blocks", "Einstellung der Satzaufbereitung")
-    path = f"configuration.channel[0..11].{path}"
-    return Parameter(id_, path, ValueType.STRING, "", text, restart=True, effect=Effect.ACCEPTED)
-
-
-_ACCEPTED = (
-    _accepted("P-STUP-00050", "decoder.function"),
-    _accepted("P-STUP-00051", "decoder.max_cache_number"),
-    _accepted("P-STUP-00052", "decoder.max_cache_size"),
-    _accepted("P-STUP-00053", "decoder.max_local_subroutine_definitions"),
-    _accepted("P-STUP-00054", "decoder.log_entry_number"),
-    _accepted("P-STUP-00055", "decoder.log_level"),
-    _accepted("P-STUP-00060", "path_preparation.function"),
-    _accepted("P-STUP-00061", "path_preparation.m_pre_output_lookahead"),
-    _accepted("P-STUP-00062", "path_preparation.m_pre_output_max_distance"),
-    _accepted("P-STUP-00063", "path_preparation.log_entry_number"),
-    _accepted("P-STUP-00064", "path_preparation.log_level"),
-)
 
 STARTUP = Schema(
     "startup",
     Text("Start-up list", "Hochlaufliste"),
     ListDialect(),
-    _LISTS + _CONTROLLER + _ACCEPTED,
+    _LISTS + _CONTROLLER,
+    ParameterTable("startup.tsv"),
 )
 
 
@@ -329,13 +317,22 @@ def startup_configuration(values: Values, collector: Collector) -> StartupConfig
         _reference(values, "default_achs_mds"),
         tuple(_reference(values, "achs_mds[]", index) for index in range(_axis_count(values))),
         _reference(values, "rtconf_lis"),
+        _others(values),
         values.integer("ext_var_max") * 24,
         alignment,
         values.text("error_text_user_of_id"),
-        values.text("error_log_file_name"),
-        values.text("configuration.diagnosis_upload.path"),
-        values.text("configuration.diagnosis_upload.default_file"),
     )
+
+
+def _others(values: Values) -> tuple[tuple[str, ListReference], ...]:
+    """Return the lists without effect here, each with its kind, as the start-up list has them."""
+    others: list[tuple[str, ListReference]] = []
+    for pattern, indices in values.entry_values:
+        kind = _OTHER_KINDS.get(pattern)
+        reference = None if kind is None else _reference(values, pattern, *indices)
+        if kind is not None and reference is not None:
+            others.append((kind, reference))
+    return tuple(others)
 
 
 def _axis_count(values: Values) -> int:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from nctakt.base.diagnostics import Text
 from nctakt.lists.format.parameter import Parameter, ValueType, with_indices
-from nctakt.lists.format.schema import Values
+from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.lists import INVALID_SYNCHRONISATION_TYPE, UNKNOWN_FUNCTION_AXIS
 
@@ -32,21 +32,21 @@ SYNCHRONISATIONS: dict[str, int | None] = {
     "MNE_SNS": 0x20,
     "MVS_SLM": 0x4000,
     "MVS_SLP": 0x8000,
-    "MOS_TS": None,
-    "MEP_SVS": None,
-    "MEP_MOS": None,
-    "MET_SVS": None,
-    "MET_MOS": None,
+    "MOS_TS": 0x40000,
+    "MEP_SVS": 0x1000000,
+    "MEP_MOS": 0x100000,
+    "MET_SVS": 0x2000000,
+    "MET_MOS": 0x200000,
 }
 #: What may stand beside a synchronisation type.
 MODIFIERS: dict[str, int | None] = {
     "PLC_INFO": 0x20000,
-    "BWD_SYNCH": None,
-    "FWD_SYNCH": None,
-    "FAW_SYNCH": None,
+    "BWD_SYNCH": 0x400000,
+    "FWD_SYNCH": 0x800000,
+    "FAW_SYNCH": 0x10000000,
 }
 NOT_VALID = "NOT_VALID"
-_FLAGS = {NOT_VALID: None, **SYNCHRONISATIONS, **MODIFIERS}
+_FLAGS = {NOT_VALID: 0x80000000, **SYNCHRONISATIONS, **MODIFIERS}
 _REPLACEMENT = ("MVS_SVS",)
 
 #: The spindle functions by their number in the list's keys; ``s`` is the S word.

@@ -11,21 +11,21 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from nctakt.base.diagnostics import Text
-from nctakt.lists.format.parameter import Effect, Parameter, Schema, Value, ValueType
+from nctakt.lists.format.parameter import Parameter, Value, ValueType
 from nctakt.lists.format.reader import ListDialect
-from nctakt.lists.format.schema import Values
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.table import ParameterTable
+from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.folders import TOOL_ZERO_WITHOUT_DIMENSIONS, UNKNOWN_AXIS_INDEX
 
 MOST_TOOLS = 201
 MOST_AXES = 32
 MOST_PARAMETERS = 60
-_KINEMATIC_PARAMETERS = 74
 #: Lengths of the lists (0.1 µm, 0.0001 inch) per mm or inch.
 _LENGTH_UNITS = 10_000
 _MM_PER_INCH = 25.4
 _LENGTH = "0.1 µm, 0.0001 inch"
-_TYPES: dict[str, int | None] = {"MILLING": 0, "TURNING": 1, "GRINDING": 2}
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,26 +34,22 @@ class Tool:
 
     ``valid``: programs may use it (P-TOOL-00005). ``axis_offsets``: index of an axis in the channel
     -> offset in mm, for rotary axes in degrees; only those that the list gives. ``parameters``:
-    free values (P-TOOL-00007). ``spindle_number``: the logical number of the spindle that the
-    speeds (1e-3 °/s) and the acceleration (°/s²) bound; 0: none.
+    free values (P-TOOL-00007). ``spindle_number``: the logical number of the spindle that
+    holds the tool; 0: none.
     """
 
     number: int
     valid: bool
-    type: str
     cutter_position: int
     length: float
     radius: float
     axis_offsets: Mapping[int, float]
     parameters: Mapping[int, float]
     spindle_number: int
-    least_speed: int
-    greatest_speed: int
-    max_acceleration: int
 
 
 #: What D0 selects: no dimensions.
-NO_TOOL = Tool(0, False, "MILLING", 0, 0.0, 0.0, {}, {}, 0, 0, 0, 0)
+NO_TOOL = Tool(0, False, 0, 0.0, 0.0, {}, {}, 0)
 
 
 def _tool(
@@ -67,16 +63,9 @@ def _tool(
     low: int | None = None,
     high: int | None = None,
     unit: str = "",
-    effect: Effect = Effect.TAKEN,
 ) -> Parameter:
     path = f"wz[0..{MOST_TOOLS - 1}].{path}"
-    return Parameter(
-        id_, path, type_, default, Text(en, de), low=low, high=high, unit=unit, effect=effect
-    )
-
-
-def _accepted(id_: str, path: str, en: str, de: str) -> Parameter:
-    return _tool(id_, path, ValueType.STRING, "", en, de, effect=Effect.ACCEPTED)
+    return Parameter(id_, path, type_, default, Text(en, de), low=low, high=high, unit=unit)
 
 
 _DIMENSIONS = (
@@ -87,18 +76,6 @@ _DIMENSIONS = (
         False,
         "Programs may use the tool",
         "Programme dürfen das Werkzeug verwenden",
-    ),
-    Parameter(
-        "P-TOOL-00001",
-        f"wz[0..{MOST_TOOLS - 1}].typ",
-        ValueType.NAME,
-        "MILLING",
-        Text(
-            "Type of the tool: 0 milling, 1 turning, 2 grinding",
-            "Typ des Werkzeugs: 0 Fräsen, 1 Drehen, 2 Schleifen",
-        ),
-        names=_TYPES,
-        effect=Effect.CHECKED,
     ),
     _tool(
         "P-TOOL-00002",
@@ -164,94 +141,14 @@ _SPINDLE = (
         "Logical number of the spindle that holds the tool; 0: none",
         "Logische Nummer der Spindel, die das Werkzeug hält; 0: keine",
     ),
-    _tool(
-        "P-TOOL-00013",
-        "vb_min",
-        ValueType.UNS32,
-        0,
-        "Least speed of the spindle with this tool; 0: no bound",
-        "Kleinste Drehzahl der Spindel mit diesem Werkzeug; 0: ohne Grenze",
-        unit="1e-3°/s",
-        effect=Effect.CHECKED,
-    ),
-    _tool(
-        "P-TOOL-00014",
-        "vb_max",
-        ValueType.UNS32,
-        0,
-        "Greatest speed of the spindle with this tool; 0: no bound",
-        "Größte Drehzahl der Spindel mit diesem Werkzeug; 0: ohne Grenze",
-        unit="1e-3°/s",
-        effect=Effect.CHECKED,
-    ),
-    _tool(
-        "P-TOOL-00015",
-        "a_max",
-        ValueType.UNS32,
-        0,
-        "Greatest acceleration of the spindle with this tool; 0: no bound",
-        "Größte Beschleunigung der Spindel mit diesem Werkzeug; 0: ohne Grenze",
-        unit="°/s²",
-        effect=Effect.CHECKED,
-    ),
-)
-
-_ACCEPTED = (
-    _accepted(
-        "P-TOOL-00009",
-        f"kinematic.param[0..{_KINEMATIC_PARAMETERS - 1}]",
-        "Dimension of the tool head for a kinematic transformation",
-        "Maß des Werkzeugkopfs für eine kinematische Transformation",
-    ),
-    _accepted(
-        "P-TOOL-00010",
-        "tool_fixed",
-        "The tool's direction is fixed",
-        "Die Richtung des Werkzeugs ist fest",
-    ),
-    _accepted(
-        "P-TOOL-00011",
-        "kin_id",
-        "Kinematic transformation that the tool needs",
-        "Kinematische Transformation, die das Werkzeug braucht",
-    ),
-    _accepted(
-        "P-TOOL-00016",
-        "gear_ratio_num",
-        "Ratio of a gear in the tool, numerator",
-        "Übersetzung eines Getriebes im Werkzeug, Zähler",
-    ),
-    _accepted(
-        "P-TOOL-00017",
-        "gear_ratio_denom",
-        "Ratio of a gear in the tool, denominator",
-        "Übersetzung eines Getriebes im Werkzeug, Nenner",
-    ),
-    _accepted(
-        "P-TOOL-00018",
-        "gear_inv_direction",
-        "A gear in the tool reverses the direction",
-        "Ein Getriebe im Werkzeug kehrt die Drehrichtung um",
-    ),
-    _accepted(
-        "P-TOOL-00030",
-        "grinding_wear_const",
-        "Wear of a grinding wheel",
-        "Verschleiß einer Schleifscheibe",
-    ),
-    _accepted(
-        "P-TOOL-00031",
-        "grinding_max_infeed",
-        "Greatest infeed of a grinding wheel at once",
-        "Größte Zustellung einer Schleifscheibe auf einmal",
-    ),
 )
 
 TOOLS = Schema(
     "tools",
     Text("Tool list", "Werkzeugliste"),
     ListDialect(),
-    _DIMENSIONS + _SPINDLE + _ACCEPTED,
+    _DIMENSIONS + _SPINDLE,
+    ParameterTable("tools.tsv"),
 )
 
 
@@ -284,8 +181,10 @@ def _offset_indices(values: Values, number: int) -> tuple[int, ...]:
 
 def _first_key(values: Values, number: int) -> tuple[str, *tuple[int, ...]]:
     """The first entry of a tool as it stands in the list."""
-    of_tool = [key for key in values.taken if key[0].startswith("wz[]") and key[1][0] == number]
-    pattern, indices = min(of_tool, key=lambda key: values.taken[key].entry.key_span.line)
+    of_tool = [
+        key for key in values.entry_values if key[0].startswith("wz[]") and key[1][0] == number
+    ]
+    pattern, indices = min(of_tool, key=lambda key: values.entry_values[key].entry.key_span.line)
     return pattern, *indices
 
 
@@ -307,14 +206,10 @@ def _one(values: Values, number: int, linear: tuple[bool, ...], collector: Colle
     return Tool(
         number,
         values.flag("wz[].gueltig", number),
-        values.text("wz[].typ", number),
         values.integer("wz[].srk_lage", number),
         length("wz[].laenge") * scale,
         length("wz[].radius") * scale,
         offsets,
         {index: values.real("wz[].param[]", number, index) for index in parameters},
         values.integer("wz[].log_ax_nr_spdl", number),
-        values.integer("wz[].vb_min", number),
-        values.integer("wz[].vb_max", number),
-        values.integer("wz[].a_max", number),
     )

@@ -9,8 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nctakt.base.diagnostics import Text
-from nctakt.lists.format.parameter import MAX_UNS16, Alias, Effect, Parameter, Schema, ValueType
+from nctakt.lists.format.parameter import MAX_UNS16, Alias, Parameter, ValueType
 from nctakt.lists.format.reader import ListDialect
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.table import ParameterTable
 from nctakt.messages.variables import INVALID_SCOPE
 
 #: Names are addressed as V.E.name, 30 characters in all.
@@ -151,10 +153,6 @@ def _size(id_: str, path: str) -> Parameter:
     )
 
 
-def _accepted(id_: str, path: str, en: str, de: str) -> Parameter:
-    return Parameter(id_, path, ValueType.STRING, "", Text(en, de), effect=Effect.ACCEPTED)
-
-
 _VAR = f"var[0..{_LAST_VARIABLE}]"
 _VCH = f"vch[0..{_LAST_VARIABLE}]"
 _STRUCT = f"struct[0..{_LAST_STRUCTURE}]"
@@ -219,35 +217,10 @@ _STRUCTURES = (
     _size("P-EXTV-00021", f"{_ELEMENT}.size"),
 )
 
-_INTERFACE_NAMES = tuple(
-    _accepted(
-        "",
-        f"name_{direction}_{scope}{array}",
-        "Name of a variable in the operating panel",
-        "Name einer Variablen in der Bedienung",
-    )
-    for direction in ("rd", "wr")
-    for scope in ("global", "channel")
-    for array in ("", "_array")
-)
-
-_ACCEPTED = (
-    _accepted(
-        "P-EXTV-00012", "auto_memory_mode", "Layout of the memory", "Aufteilung des Speichers"
-    ),
-    _accepted("P-EXTV-00013", "init", "Values after start-up", "Werte nach dem Hochlauf"),
-    _accepted(
-        "P-EXTV-00009",
-        f"{_VAR}.create_hmi_interface",
-        "The operating panel sees the variable",
-        "Die Bedienung sieht die Variable",
-    ),
-    _accepted("", f"{_VAR}.index", "Place in old layouts", "Ort in alten Aufteilungen"),
-)
-
 VARIABLES = Schema(
     "variables",
     Text("Variables list", "Variablenliste"),
-    ListDialect(boolean_words=True),
-    _GENERAL + _EXTERNAL + _CHANNEL + _STRUCTURES + _INTERFACE_NAMES + _ACCEPTED,
+    ListDialect(),
+    _GENERAL + _EXTERNAL + _CHANNEL + _STRUCTURES,
+    ParameterTable("variables.tsv"),
 )

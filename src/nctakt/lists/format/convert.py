@@ -8,9 +8,9 @@ the value, or ``None`` after a report that says why there is none.
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Message
-from nctakt.lists.format.parameter import Parameter, Value, ValueType, shown
+from nctakt.lists.format.parameter import Effect, Parameter, Value, ValueType, shown
 from nctakt.lists.format.reader import Entry, ListDialect
-from nctakt.lists.format.values import (
+from nctakt.lists.format.value_text import (
     Word,
     parse_integer,
     parse_real,
@@ -51,7 +51,7 @@ def convert(
     if parameter.type is ValueType.NAME:
         return _name(parameter, word, dialect, report)
     if parameter.type is ValueType.BOOLEAN:
-        return _boolean(word, dialect, report)
+        return _boolean(parameter, word, dialect, report)
     return _number(parameter, word, dialect, report)
 
 
@@ -94,9 +94,13 @@ def _string(parameter: Parameter, entry: Entry, report: _Report) -> Value:
     return word.text
 
 
-def _boolean(word: Word, dialect: ListDialect, report: _Report) -> Value:
+def _boolean(parameter: Parameter, word: Word, dialect: ListDialect, report: _Report) -> Value:
     if dialect.boolean_words and word.text.upper() in _TRUTH:
         return _TRUTH[word.text.upper()]
+    if word.text in parameter.names:
+        number = parameter.names[word.text]
+        # A name without a number stands for "no value of its own".
+        return None if number is None else number == 1
     number = parse_integer(word.text, hexadecimal=dialect.hexadecimal)
     if number is None:
         return report.defect(
@@ -116,7 +120,16 @@ def _name(parameter: Parameter, word: Word, dialect: ListDialect, report: _Repor
         for name, value in parameter.names.items():
             if value == number:
                 return name
+    if parameter.has_more_names or (number is not None and _may_have(parameter, number)):
+        # Where no source gives the numbers of the names, 0 is that of the default.
+        return parameter.default if number == 0 else word.text
     return _bad_name(parameter, word, report)
+
+
+def _may_have(parameter: Parameter, number: int) -> bool:
+    """Return whether a number may be that of a name whose number no source gives."""
+    is_used = parameter.effect is Effect.USED
+    return number >= 0 and not is_used and None in parameter.names.values()
 
 
 def _number(parameter: Parameter, word: Word, dialect: ListDialect, report: _Report) -> Value:
@@ -128,8 +141,8 @@ def _number(parameter: Parameter, word: Word, dialect: ListDialect, report: _Rep
     if number is None:
         return report.defect(NOT_A_NUMBER, word, value=word.text)
     report.quoted_number(word)
-    low, high = parameter.bounds
-    if not low <= number <= high:
+    if not parameter.allows(number):
+        low, high = parameter.bounds
         return report.defect(PARAMETER_OUT_OF_RANGE, word, value=word.text, low=low, high=high)
     return number
 
@@ -141,15 +154,21 @@ def _flags(parameter: Parameter, entry: Entry, dialect: ListDialect, report: _Re
     chosen: list[str] = []
     for word in words:
         number = parse_integer(word.text, hexadecimal=dialect.hexadecimal)
-        names = (word.text,) if number is None else _flags_of(parameter, number)
-        if not names or any(name not in parameter.names for name in names):
+        names = (word.text,) if number is None else flags_of(parameter, number)
+        if number == 0 and not names:
+            continue
+        is_open = parameter.has_more_names or (number is not None and _may_have(parameter, number))
+        if is_open and not names:
+            names = (word.text,)
+        elif not is_open and (not names or any(name not in parameter.names for name in names)):
             return _bad_name(parameter, word, report)
         chosen.extend(names)
-    return tuple(name for name in parameter.names if name in chosen)
+    known = tuple(name for name in parameter.names if name in chosen)
+    return (*known, *(name for name in dict.fromkeys(chosen) if name not in known))
 
 
-def _flags_of(parameter: Parameter, number: int) -> tuple[str, ...]:
-    """The flags whose bits make ``number``; nothing if a bit of it belongs to none."""
+def flags_of(parameter: Parameter, number: int) -> tuple[str, ...]:
+    """Return the flags whose bits make ``number``; none if a bit of it belongs to no flag."""
     exact = tuple(name for name, value in parameter.names.items() if value == number)
     if exact:
         return exact[:1]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The declaration of a parameter: once, for reading, checking, explaining and documenting it.
 
-In: what the manuals' parameter tables say. Out: ``Parameter`` records, gathered per kind of list
-in a ``Schema``, which finds them by their name.
+In: what the manuals' parameter tables say. Out: ``Parameter`` records; ``Schema`` gathers those of
+one kind of list.
 """
 
 from __future__ import annotations
@@ -11,10 +11,8 @@ import enum
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 
 from nctakt.base.diagnostics import Message, Text
-from nctakt.lists.format.reader import ListDialect
 
 #: A value of a parameter: flag sets are tuples of names, ``None`` is the default of a parameter
 #: for which the manuals print none.
@@ -36,27 +34,42 @@ class ValueType(enum.Enum):
     UNS16 = "UNS16"
     SGN32 = "SGN32"
     UNS32 = "UNS32"
+    SGN64 = "SGN64"
+    UNS64 = "UNS64"
     REAL64 = "REAL64"
     STRING = "STRING"
     NAME = "NAME"
     FLAGS = "FLAGS"
 
+    @property
+    def is_number(self) -> bool:
+        """Whether its values are numbers."""
+        return self.value.startswith(("UNS", "SGN", "REAL"))
+
+    @property
+    def is_signed(self) -> bool:
+        """Whether its numbers may be negative."""
+        return self.value.startswith(("SGN", "REAL"))
+
 
 class Effect(enum.Enum):
-    """What nctakt does with a parameter's value.
+    """What nctakt does with a parameter's value."""
 
-    Whoever makes a parameter effective sets ``TAKEN`` in its declaration: nothing else says so.
-    """
-
-    #: It changes what a run does, or what the machine consists of.
-    TAKEN = "taken"
+    #: It changes what a run does, what the machine consists of, or what is reported.
+    USED = "used"
     #: It is read and checked, and changes nothing in a run.
-    CHECKED = "checked"
-    #: Any value is accepted, none is looked at.
-    ACCEPTED = "accepted"
+    WITHOUT_EFFECT = "without effect"
 
 
-_BITS = {"08": 8, "16": 16, "32": 32}
+class Relevance(enum.Enum):
+    """Whether a value other than the default would change positions, times or program flow."""
+
+    YES = "yes"
+    MAYBE = "maybe"
+    NO = "no"
+
+
+_BITS = {"08": 8, "16": 16, "32": 32, "64": 64}
 
 
 def integer_bounds(type_: ValueType) -> tuple[int, int]:
@@ -69,10 +82,26 @@ def integer_bounds(type_: ValueType) -> tuple[int, int]:
 
 @dataclass(frozen=True, slots=True)
 class Alias:
-    """An old name of a parameter; ``silent``: it is still as good as the present one."""
+    """An old name of a parameter; ``silent``: it is still as good as the present one.
+
+    ``id``: the manuals' ID of the old name, where it has one of its own.
+    """
 
     path: str
     silent: bool = False
+    id: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """Another parameter of the same list as a bound: ``2*P-AXIS-00008``, at the same indices.
+
+    ``is_exclusive``: the bound itself lies outside the range.
+    """
+
+    id: str
+    factor: float = 1.0
+    is_exclusive: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,12 +110,15 @@ class Parameter:
 
     ``id`` is the manuals' ID, empty where no source gives one. ``path`` is the name with the
     ranges of its indices: ``thread[0..6].function[0..6].name``. ``low`` and ``high`` are inclusive,
-    ``None`` stands for the bound of the type; for a STRING ``high`` is the greatest length.
-    ``names`` are the values of a NAME or the flags of a FLAGS parameter with their numbers, where
-    a number is known. ``restart``: a change counts from the next start of the controller.
-    ``effect``: what nctakt does with it.
-    ``invalid`` replaces a defective value where that is not the default, and ``invalid_message``
-    reports it.
+    ``None`` stands for the bound of the type; for a STRING ``high`` is the greatest length. Beside
+    this range the numbers ``also`` are allowed, within it ``excluded`` are not; ``at_least`` and
+    ``at_most`` are bounds that other parameters set. ``names`` are the values of a NAME or the
+    flags of a FLAGS parameter with their numbers, where a number is known; ``has_more_names``: the
+    sources do not list all of them. ``default_id``: the parameter whose value is the default.
+    ``restart``: a change counts from the next start of the controller. ``relevance`` matters where
+    ``effect`` is ``WITHOUT_EFFECT``. ``concern``: what it is about, ``page``: the number of its
+    page in the public help. ``invalid`` replaces a defective value where that is not the default,
+    and ``invalid_message`` reports it.
     """
 
     id: str
@@ -100,9 +132,18 @@ class Parameter:
     names: Mapping[str, int | None] = field(default_factory=dict)
     aliases: tuple[Alias, ...] = ()
     restart: bool = False
-    effect: Effect = Effect.TAKEN
+    effect: Effect = Effect.USED
     invalid: Value = None
     invalid_message: Message | None = None
+    also: tuple[float, ...] = ()
+    excluded: tuple[float, ...] = ()
+    at_least: Limit | None = None
+    at_most: Limit | None = None
+    has_more_names: bool = False
+    default_id: str = ""
+    relevance: Relevance = Relevance.NO
+    concern: str = ""
+    page: str = ""
 
     @property
     def pattern(self) -> str:
@@ -125,6 +166,47 @@ class Parameter:
         low = least if self.low is None else self.low
         return low, greatest if self.high is None else self.high
 
+    def allows(self, number: int | float) -> bool:
+        """Return whether a number keeps the range, apart from ``at_least`` and ``at_most``."""
+        if number in self.also:
+            return True
+        low, high = self.bounds
+        return low <= number <= high and number not in self.excluded
+
+
+_INFINITE = float("inf")
+
+
+def range_text(parameter: Parameter) -> str:
+    """Return the range of a parameter as text, empty where it has none of its own.
+
+    ``1 … P-AXIS-00008``, ``0 | 512 … ∞``; for a text ``≤`` and its greatest length.
+    """
+    if parameter.type is ValueType.STRING:
+        return "" if parameter.high is None else f"≤ {parameter.high}"
+    if not parameter.type.is_number:
+        return ""
+    low, high = parameter.bounds
+    ends = (_end(low, parameter.at_least, ">"), _end(high, parameter.at_most, "<"))
+    alternatives = [_number_text(number) for number in parameter.also]
+    if low != high and ends != ("−∞", "∞"):
+        alternatives.append(" … ".join(ends))
+    excluded = [f"≠ {_number_text(number)}" for number in parameter.excluded]
+    return " | ".join((*alternatives, *excluded))
+
+
+def _end(bound: float, limit: Limit | None, sign: str) -> str:
+    if limit is None:
+        return _number_text(bound)
+    factor = "" if limit.factor == 1 else f"{limit.factor:g} · "
+    return f"{sign + ' ' if limit.is_exclusive else ''}{factor}{limit.id}"
+
+
+def _number_text(number: float) -> str:
+    if number in (_INFINITE, -_INFINITE):
+        return "∞" if number > 0 else "−∞"
+    return str(number)
+
 
 def pattern_of(path: str) -> str:
     """``thread[0..6].name`` -> ``thread[].name``."""
@@ -145,55 +227,5 @@ def shown(value: Value) -> str:
     if isinstance(value, bool):
         return str(int(value))
     if isinstance(value, tuple):
-        return " | ".join(value)
+        return " | ".join(value) or "–"
     return str(value) if value != "" else '""'
-
-
-@dataclass(frozen=True, slots=True)
-class ForeignName:
-    """A name that users look for in the wrong list: where it belongs, under which ID."""
-
-    pattern: str
-    kind: str
-    id: str
-
-
-@dataclass(frozen=True, slots=True)
-class Schema:
-    """All parameters of one kind of list.
-
-    ``kind`` is its short name (``channel``), ``title`` what it holds.
-    """
-
-    kind: str
-    title: Text
-    dialect: ListDialect
-    parameters: tuple[Parameter, ...]
-    foreign: tuple[ForeignName, ...] = ()
-    _by_pattern: dict[str, tuple[Parameter, Alias | None]] = field(
-        default_factory=dict, init=False, repr=False, compare=False
-    )
-
-    def __post_init__(self) -> None:
-        for parameter in self.parameters:
-            self._add(parameter.pattern, parameter, None)
-            for alias in parameter.aliases:
-                self._add(pattern_of(alias.path), parameter, alias)
-
-    def _add(self, pattern: str, parameter: Parameter, alias: Alias | None) -> None:
-        assert pattern not in self._by_pattern, pattern
-        assert pattern.count("[]") == len(parameter.index_ranges), pattern
-        self._by_pattern[pattern] = (parameter, alias)
-
-    def find(self, pattern: str) -> tuple[Parameter, Alias | None] | None:
-        """The parameter of that name, and the alias if the name is an old one."""
-        return self._by_pattern.get(pattern)
-
-    def by_id(self, parameter_id: str) -> tuple[Parameter, ...]:
-        """The parameters with that ID: some IDs stand for several names."""
-        return tuple(found for found in self.parameters if found.id == parameter_id)
-
-    def nearest(self, pattern: str) -> str | None:
-        """The known name that is most like an unknown one, if any is."""
-        close = get_close_matches(pattern, self._by_pattern, n=1)
-        return close[0] if close else None

@@ -4,7 +4,7 @@
 In: the bytes of a parameter list and the dialect of its kind. Out: its entries in the order of the
 text, each with its normalised path, its indices, and the text behind its name, all with their
 places; what is odd about the text goes to the collector. What a value means is not decided here:
-that depends on the parameter's type (``values.py``, ``schema.py``).
+that depends on the parameter's type (``value_text.py``, ``values.py``).
 
 The syntax is that of the manual of rtconf.lis, chapters 2.4 and 2.5, which all lists share: one
 entry a line, a blank between name and value, ``#`` opens a comment line, ``End`` or ``Ende`` ends
@@ -42,15 +42,13 @@ class ListDialect:
 
     ``hexadecimal``: numbers may be written as 0x… . ``references``: a number may be written as
     the ID of the parameter that has it (``P-AXIS-00212.0``). ``boolean_words``: TRUE and FALSE
-    beside 1 and 0. ``report_unknown``: each unknown entry is a warning of its own, not one count
-    for the file. ``expects_end``: a missing End is worth a warning. ``comment_notes``: a ``#``
+    beside 1 and 0. ``expects_end``: a missing End is worth a warning. ``comment_notes``: a ``#``
     that is not in the first column, or without a blank behind it, is worth a note.
     """
 
     hexadecimal: bool = True
     references: bool = True
-    boolean_words: bool = False
-    report_unknown: bool = False
+    boolean_words: bool = True
     expects_end: bool = False
     comment_notes: bool = False
 

@@ -1,141 +1,127 @@
 # SPDX-License-Identifier: MIT
-"""The text behind an entry's name -> its value's text, apart from the comment.
+"""The checked values of one list.
 
-In: an ``Entry``. Out: the word, the character string or the flags that stand there; what is odd
-goes to the collector. Two readings exist, and the parameter's type chooses (manual of rtconf.lis,
-2.4 and 2.5): behind a number or a name everything after the next blank is a comment; behind a
-character string only ``(`` opens one, and quotation marks protect all that has a special meaning.
+In: what ``load_list`` (``list_check.py``) has checked. Out: ``Values``: the value of each parameter
+that a list names, the default for all others, and where each entry stands.
 """
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass
+from collections.abc import Container, Mapping
+from dataclasses import dataclass, field
 
-from nctakt.base.diagnostics import Span
-from nctakt.lists.format.reader import BLANKS, Entry
+from nctakt.base.diagnostics import Message, Span
+from nctakt.lists.format.parameter import Parameter, Value
+from nctakt.lists.format.reader import Entry
+from nctakt.lists.format.schema import Schema
 from nctakt.messages import Collector
-from nctakt.messages.lists import (
-    BLANK_MISSING,
-    CLOSING_QUOTE_MISSING,
-    TEXT_AFTER_QUOTE,
-    UNQUOTED_SPECIAL_CHARACTERS,
-)
 
-_WORD = re.compile(r'"(?P<quoted>[^"]*)"(?=[ \t]|$)|(?P<bare>[^ \t]+)')
-_FLAG_SEPARATOR = re.compile(r"[ \t]*[|,][ \t]*")
-_FLAG = re.compile(r"\w+", re.A)
-_DECIMAL = re.compile(r"[+-]?[0-9]+")
-_HEXADECIMAL = re.compile(r"[+-]?0[xX][0-9A-Fa-f]+")
-_REAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
-
-#: More digits than any type holds; longer numbers are cut, they are out of range all the same.
-_MOST_DIGITS = 40
-#: A real number with more characters than this is no number that somebody meant.
-_LONGEST_REAL = 400
+#: A parameter of a list: its pattern and its indices.
+Key = tuple[str, tuple[int, ...]]
 
 
 @dataclass(frozen=True, slots=True)
-class Word:
-    """One word of a value and its place; ``quoted``: it stood in quotation marks."""
+class EntryValue:
+    """The value of an entry.
 
-    text: str
-    span: Span
-    quoted: bool = False
+    ``reference``: the other parameter whose value it takes (``P-AXIS-00008.0``), as text.
+    """
 
-
-def read_word(entry: Entry, collector: Collector) -> Word | None:
-    """The first word of a number or name entry, ``None`` if there is none."""
-    _check_blank(entry, collector)
-    start = len(entry.rest) - len(entry.rest.lstrip(BLANKS))
-    match = _WORD.match(entry.rest, start)
-    if match is None:
-        return None
-    quoted = match["quoted"] is not None
-    text = match["quoted"].strip(BLANKS) if quoted else match["bare"]
-    return Word(text, entry.span(match.start(), match.end()), quoted)
+    value: Value
+    entry: Entry
+    reference: str = ""
 
 
-def read_string(entry: Entry, collector: Collector) -> Word | None:
-    """The character string of an entry, ``None`` if there is none; trailing blanks are dropped."""
-    _check_blank(entry, collector)
-    start = len(entry.rest) - len(entry.rest.lstrip(BLANKS))
-    body = entry.rest[start:]
-    if not body or body.startswith("("):
-        return None
-    if body.startswith('"'):
-        return _read_quoted(entry, start, collector)
-    comment = body.find("(")
-    if comment > 0 and body[comment - 1] not in BLANKS:
-        place = entry.span(start + comment, start + comment + 1)
-        collector.report(BLANK_MISSING, place, entry.line, key=entry.path)
-    text = (body if comment < 0 else body[:comment]).rstrip(BLANKS)
-    span = entry.span(start, start + len(text))
-    if any(special in text for special in (" ", "\t", "#", "/*", '"')):
-        collector.report(UNQUOTED_SPECIAL_CHARACTERS, span, entry.line, key=entry.path)
-    return Word(text, span)
+@dataclass(frozen=True, slots=True)
+class Values:
+    """The values of one list, the defaults of its schema for all that it does not name.
 
+    ``entry_values``: those of the parameters that nctakt uses; ``unused_values``: the others.
+    """
 
-def _read_quoted(entry: Entry, start: int, collector: Collector) -> Word:
-    closing = entry.rest.find('"', start + 1)
-    if closing < 0:
-        collector.report(
-            CLOSING_QUOTE_MISSING, entry.span(start, start + 1), entry.line, key=entry.path
-        )
-        closing = len(entry.rest)
-    tail = entry.rest[closing + 1 :].strip(BLANKS)
-    if tail and not tail.startswith("("):
-        column = entry.rest.index(tail, closing + 1)
-        place = entry.span(column, column + len(tail))
-        collector.report(TEXT_AFTER_QUOTE, place, entry.line, key=entry.path)
-    text = entry.rest[start + 1 : closing].rstrip(BLANKS)
-    return Word(text, entry.span(start, closing + 1), quoted=True)
+    schema: Schema
+    file: str
+    entry_values: Mapping[Key, EntryValue] = field(default_factory=dict)
+    unused_values: Mapping[Key, EntryValue] = field(default_factory=dict)
 
+    def get(self, pattern: str, *indices: int) -> Value:
+        """The effective value of ``pattern`` (``thread[].name``) at ``indices``."""
+        item = self.entry_values.get((pattern, indices))
+        return item.value if item is not None else self._parameter(pattern).default
 
-def read_flags(entry: Entry, collector: Collector) -> tuple[Word, ...]:
-    """The words of a flag set (``PLC_INFO | MVS_SVS``, also joined by commas), maybe none."""
-    first = read_word(entry, collector)
-    if first is None:
-        return ()
-    if first.quoted:
-        return (first,)
-    words: list[Word] = []
-    position = len(entry.rest) - len(entry.rest.lstrip(BLANKS))
-    while match := _FLAG.match(entry.rest, position):
-        words.append(Word(match[0], entry.span(match.start(), match.end())))
-        separator = _FLAG_SEPARATOR.match(entry.rest, match.end())
-        if separator is None:
-            # What touches a flag without a separator belongs to it: 'MOS#' is no flag MOS.
-            glued = _WORD.match(entry.rest, match.end())
-            if glued is None:
-                return tuple(words)
-            text = match[0] + glued[0]
-            return (*words[:-1], Word(text, entry.span(match.start(), glued.end())))
-        position = separator.end()
-    return tuple(words) or (first,)
+    def integer(self, pattern: str, *indices: int) -> int:
+        """As ``get``, of an integer parameter."""
+        value = self.get(pattern, *indices)
+        assert isinstance(value, int), pattern
+        return int(value)
 
+    def real(self, pattern: str, *indices: int) -> float:
+        """As ``get``, of a number parameter."""
+        value = self.get(pattern, *indices)
+        assert isinstance(value, int | float), pattern
+        return float(value)
 
-def _check_blank(entry: Entry, collector: Collector) -> None:
-    if entry.rest and entry.rest[0] not in BLANKS:
-        collector.report(BLANK_MISSING, entry.span(0, 1), entry.line, key=entry.path)
+    def flag(self, pattern: str, *indices: int) -> bool:
+        """As ``get``, of a BOOLEAN parameter."""
+        value = self.get(pattern, *indices)
+        assert isinstance(value, bool), pattern
+        return value
 
+    def text(self, pattern: str, *indices: int) -> str:
+        """As ``get``, of a STRING or NAME parameter."""
+        value = self.get(pattern, *indices)
+        assert isinstance(value, str), pattern
+        return value
 
-def parse_integer(text: str, *, hexadecimal: bool) -> int | None:
-    """``text`` as an integer: decimal with an optional sign, or 0x… where that is allowed."""
-    base = 10
-    if not _DECIMAL.fullmatch(text):
-        if not (hexadecimal and _HEXADECIMAL.fullmatch(text)):
-            return None
-        base = 16
-    sign = -1 if text.startswith("-") else 1
-    digits = text.lstrip("+-")[2 if base == 16 else 0 :].lstrip("0") or "0"
-    return sign * int(digits[:_MOST_DIGITS], base)
+    def names(self, pattern: str, *indices: int) -> tuple[str, ...]:
+        """As ``get``, of a FLAGS parameter."""
+        value = self.get(pattern, *indices)
+        assert isinstance(value, tuple), pattern
+        return value
 
+    def given(self, pattern: str, *indices: int) -> bool:
+        """Whether a list gives a valid value for this parameter."""
+        assert self._parameter(pattern)
+        return (pattern, indices) in self.entry_values
 
-def parse_real(text: str, *, hexadecimal: bool) -> float | None:
-    """``text`` as a finite real number: decimal point and exponent allowed."""
-    if len(text) <= _LONGEST_REAL and _REAL.fullmatch(text):
-        value = float(text)
-        return value if abs(value) != float("inf") else None
-    integer = parse_integer(text, hexadecimal=hexadecimal)
-    return None if integer is None else float(integer)
+    def indices(self, prefix: str, *outer: int) -> tuple[int, ...]:
+        """The indices of ``prefix`` (``thread[]``) behind ``outer`` with any entry, ascending."""
+        depth = prefix.count("[]")
+        assert depth == len(outer) + 1, prefix
+        found = {
+            indices[depth - 1]
+            for pattern, indices in self.entry_values
+            if pattern.startswith(prefix) and indices[: depth - 1] == outer
+        }
+        return tuple(sorted(found))
+
+    def place(self, pattern: str, *indices: int) -> tuple[Span, str]:
+        """Where the parameter stands, and that line; the start of the file if it does not."""
+        item = self.entry_values.get((pattern, indices))
+        if item is None:
+            return Span(self.file, 1, 1, 2), ""
+        return item.entry.key_span, item.entry.line
+
+    def where(self, patterns: Container[str], value: Value) -> tuple[Span, str]:
+        """As ``place``, of the first entry of these names with this value."""
+        for (pattern, indices), item in self.entry_values.items():
+            if pattern in patterns and item.value == value:
+                return self.place(pattern, *indices)
+        return Span(self.file, 1, 1, 2), ""
+
+    def report(
+        self,
+        collector: Collector,
+        message: Message,
+        at: tuple[str, *tuple[int, ...]],
+        /,
+        **values: object,
+    ) -> None:
+        """Report ``message`` at the entry ``at``: the pattern, then the indices."""
+        span, line = self.place(*at)
+        collector.report(message, span, line, **values)
+
+    def _parameter(self, pattern: str) -> Parameter:
+        found = self.schema.find(pattern)
+        assert found is not None and found[1] is None, pattern
+        return found[0]

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from math import inf
 
 from nctakt.lists.declared.axis import LINEAR_TYPE, ROTARY_TYPE, SPINDLE_TYPE
-from nctakt.lists.format.schema import Values
+from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.machine import MODULO_RANGE_EMPTY, SOFTWARE_LIMITS_SWAPPED, UNKNOWN_GEAR_STEP
 
@@ -80,25 +80,17 @@ class JerkSlope:
 
 @dataclass(frozen=True, slots=True)
 class AxisDynamics:
-    """Limits of one gear step; ``kv``, the gain of the position control, in 1/s.
-
-    ``reduced_speed`` and ``reduced_rapid_speed``: 0 if the list gives none.
-    """
+    """Limits of one gear step; ``kv``, the gain of the position control, in 1/s."""
 
     gear_number: int
     max_speed: float
     rapid_speed: float
     max_acceleration: float
-    emergency_deceleration: float
     feed_slope: TrapezoidSlope
     rapid_slope: TrapezoidSlope
     jerk_slope: JerkSlope
     shortest_ramp_time_us: int
-    contour_ramp_time_us: int
-    reduced_speed: float
-    reduced_rapid_speed: float
     kv: float
-    exact_stop_window: float
     modulo_low: float
     modulo_high: float
 
@@ -262,23 +254,17 @@ def _dynamics(values: Values, step: int, collector: Collector) -> AxisDynamics:
     max_speed = values.integer(f"{limits}.vb_max", step) / SPEED_UNITS
     rapid_speed = values.integer(f"{gear}.vb_eilgang", step) / SPEED_UNITS
     max_acceleration = float(values.integer(f"{limits}.a_max", step))
-    emergency = float(values.integer(f"{limits}.a_emergency", step))
     modulo_low, modulo_high = _modulo(values, step, collector)
     return AxisDynamics(
         number,
         max_speed,
         min(rapid_speed, max_speed),
         max_acceleration,
-        emergency or max_acceleration,
         _trapezoid(values, step, "a_stufe_1", "a_stufe_2", "vb_stufe_1_2"),
         _trapezoid(values, step, "a_grenz_stufe_1", "a_grenz_stufe_2", "vb_grenz_stufe_1_2"),
         _jerk(values, step),
         values.integer(f"{limits}.tr_min", step),
-        values.integer(f"{limits}.tr_geom", step),
-        values.integer(f"{gear}.vb_max_red", step) / SPEED_UNITS,
-        values.integer(f"{gear}.rapid_speed_red", step) / SPEED_UNITS,
         values.integer(f"{gear}.kv", step) / 100,
-        values.integer(f"{gear}.window", step) / POSITION_UNITS,
         modulo_low,
         modulo_high,
     )

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nctakt.lists.format.schema import Values
+from nctakt.lists.format.values import Values
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters, Spindle
 from nctakt.messages import Collector

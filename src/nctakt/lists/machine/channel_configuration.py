@@ -18,7 +18,7 @@ from nctakt.lists.declared.technology_functions import (
     technology_functions,
 )
 from nctakt.lists.format.parameter import with_indices
-from nctakt.lists.format.schema import Values
+from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.lists import PARAMETER_OUT_OF_RANGE, UNKNOWN_PARAMETER_VALUE
 from nctakt.messages.machine import (
@@ -83,7 +83,6 @@ class ProgramPath:
     """A folder with NC programs; ``type`` is a set of bits (P-CHAN-00403)."""
 
     folder: str
-    id: int
     type: int
     priority: int
 
@@ -155,7 +154,7 @@ class ChannelParameters:
     """A channel list.
 
     ``m_functions`` and ``h_functions``: number -> function, only those that are defined.
-    ``inch``, ``gon``: units of the channel's own values. ``context_*``: P-CHAN-00409 … 00411.
+    ``context_*``: P-CHAN-00409 … 00411.
     """
 
     axes: tuple[NamedAxis, ...]
@@ -167,8 +166,6 @@ class ChannelParameters:
     program_start: ProgramStart
     exact_stop_after_g00: bool
     max_override_pct: float
-    inch: bool
-    gon: bool
     realtime_cycles: RealtimeCycleLimits
     channel_variables_bytes: int
     residual_path_mm: float
@@ -193,8 +190,6 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         _program_start(values, collector),
         values.flag("exact_stop_after_g00"),
         values.integer("max_vb_override") / 10,
-        values.integer("mass_einh") == 1,
-        values.integer("rund_mass_einh") == 1,
         _realtime_cycles(values, collector),
         values.integer("configuration.decoder.v_ch_memory"),
         values.integer("kasto_residual_path") / 10_000,
@@ -301,7 +296,6 @@ def _program_paths(values: Values) -> tuple[ProgramPath, ...]:
     paths = [
         ProgramPath(
             values.text("path[].dir", index),
-            values.integer("path[].id", index),
             values.integer("path[].type", index),
             values.integer("path[].priority", index),
         )

@@ -13,8 +13,10 @@ from pathlib import Path
 
 from nctakt.base.text import is_binary
 from nctakt.lists.declared.startup import STARTUP, ListReference, startup_configuration
-from nctakt.lists.format.parameter import Schema
-from nctakt.lists.format.schema import Values, load_list
+from nctakt.lists.format.list_check import load_list
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.values import Values
+from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import find_file, find_list, read_file
 from nctakt.lists.machine.list_kinds import kind_of, other_kind, references
 from nctakt.messages import Collector
@@ -23,12 +25,12 @@ from nctakt.messages.folders import CIRCULAR_LIST_REFERENCE, WRONG_LIST_KIND
 
 
 class LinkedLists:
-    """The lists of one start-up list; ``verbose``: name each entry without effect."""
+    """The lists of one start-up list; ``detail``: how much is reported."""
 
-    def __init__(self, startup_file: Path, collector: Collector, *, verbose: bool) -> None:
+    def __init__(self, startup_file: Path, collector: Collector, *, detail: Detail) -> None:
         self._startup_file = startup_file
         self._collector = collector
-        self._verbose = verbose
+        self._detail = detail
 
     def startup(self) -> Values | None:
         """The values of the start-up list itself; ``None`` if it cannot be read."""
@@ -65,7 +67,7 @@ class LinkedLists:
 
     def _values(self, schema: Schema, path: Path, data: bytes, base: Values | None) -> Values:
         name = path.as_posix()
-        return load_list(schema, name, data, self._collector, base=base, verbose=self._verbose)
+        return load_list(schema, name, data, self._collector, base=base, detail=self._detail)
 
     def _is_misplaced(
         self, schema: Schema, reference: ListReference, path: Path, data: bytes

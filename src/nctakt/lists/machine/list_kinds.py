@@ -22,9 +22,10 @@ from nctakt.lists.declared.startup import (
     startup_configuration,
 )
 from nctakt.lists.declared.variables import VARIABLES
-from nctakt.lists.format.parameter import Schema
+from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.reader import ListDialect, read_list
-from nctakt.lists.format.schema import load_list
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import find_list
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.variables import variables_configuration
@@ -41,6 +42,12 @@ _NAMES = {
     "zero_offsets": re.compile("nullp|zero"),
     "clamp_offsets": re.compile("pzv|platz|clamp"),
     "rtconf": re.compile("rtconf"),
+    "axis_compensation": re.compile("achs_kw|achskw|ax_comp"),
+    "manual_mode": re.compile("hand_mds|handmds|manual"),
+    "volumetric_compensation": re.compile("vol_?comp"),
+    "scene": re.compile("scene"),
+    "hardware": re.compile("hw_conf|hardware"),
+    "list_description": re.compile("ddl"),
 }
 
 
@@ -49,42 +56,53 @@ def kind_of(name: str, data: bytes) -> Schema | None:
 
     The schema that knows most of the entries counts; of several the one that the name fits.
     """
-    known = _known_entries(name, data)
-    most = max(known.values())
-    best = [schema for schema in SCHEMAS if known[schema.kind] == most]
-    named = [schema for schema in best if _NAMES[schema.kind].search(name.casefold())]
-    if named:
-        return named[0]
+    counts = _known_entries(_entries(name, data))
+    most = max(counts.values())
+    best = [schema for schema in SCHEMAS if counts[schema.kind] == most]
+    by_name = [schema for schema in best if _NAMES[schema.kind].search(name.casefold())]
+    if by_name:
+        return by_name[0]
     return best[0] if most else None
 
 
 def other_kind(schema: Schema, name: str, data: bytes) -> Schema | None:
     """The kind of a list that is named as one of ``schema`` and has no entry of it at all."""
-    known = _known_entries(name, data)
-    if known[schema.kind] or not any(known.values()):
+    patterns = _entries(name, data)
+    if any(schema.find(pattern) is not None for pattern in patterns):
         return None
-    return kind_of(name, data)
+    return kind_of(name, data) if any(_known_entries(patterns).values()) else None
 
 
-def _known_entries(name: str, data: bytes) -> dict[str, int]:
-    """How many entries each kind of list knows."""
+def _entries(name: str, data: bytes) -> Counter[str]:
+    """Return the names of the entries of a list, and how often each stands there."""
     entries = read_list(name, data, ListDialect(), Collector())
-    patterns = Counter(entry.pattern for entry in entries if entry.is_well_formed)
+    return Counter(entry.pattern for entry in entries if entry.is_well_formed)
+
+
+def _known_entries(patterns: Counter[str]) -> dict[str, int]:
+    """Return how many entries each kind of list knows."""
     return {
-        schema.kind: sum(count for one, count in patterns.items() if schema.find(one) is not None)
+        schema.kind: sum(
+            count for pattern, count in patterns.items() if schema.find(pattern) is not None
+        )
         for schema in SCHEMAS
     }
 
 
 def check_list_alone(
-    schema: Schema, path: Path, data: bytes, collector: Collector, *, verbose: bool = False
+    schema: Schema,
+    path: Path,
+    data: bytes,
+    collector: Collector,
+    *,
+    detail: Detail = "summary",
 ) -> None:
     """Report what is wrong with the list of kind ``schema`` in ``path``."""
     file = path.as_posix()
     if schema is RTCONF:
         load_rtconf(file, data, collector)
         return
-    values = load_list(schema, file, data, collector, verbose=verbose)
+    values = load_list(schema, file, data, collector, detail=detail)
     if schema is VARIABLES:
         variables_configuration(values, collector)
     elif schema is STARTUP:
@@ -109,3 +127,4 @@ def references(startup: StartupConfiguration) -> Iterator[tuple[str, ListReferen
     for kind, reference in named:
         if reference is not None:
             yield kind, reference
+    yield from startup.others

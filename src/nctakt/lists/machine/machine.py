@@ -15,6 +15,7 @@ from types import MappingProxyType
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.lists.all_parameters import SCHEMA_BY_KIND
 from nctakt.lists.declared.axis import AXIS
 from nctakt.lists.declared.channel import CHANNEL
 from nctakt.lists.declared.offsets import (
@@ -34,7 +35,8 @@ from nctakt.lists.declared.startup import (
 )
 from nctakt.lists.declared.tools import TOOLS, Tool, tools_configuration
 from nctakt.lists.declared.variables import VARIABLES
-from nctakt.lists.format.schema import Values
+from nctakt.lists.format.values import Values
+from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.axis_configuration import AxisConfiguration, axis_configuration
 from nctakt.lists.machine.channel_axes import (
     ChannelAxis,
@@ -122,18 +124,18 @@ class Machine:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def load_machine(folder: str | Path | None = None, *, verbose: bool = False) -> Machine:
+def load_machine(folder: str | Path | None = None, *, detail: Detail = "summary") -> Machine:
     """Return the machine of ``folder``; without one, the built-in demo machine.
 
-    ``verbose``: name each entry that nctakt does not know, or accepts without effect. Raises
-    ``Failure`` if the folder, the start-up list or every channel list is missing; what is wrong
-    otherwise stands in ``Machine.diagnostics``.
+    ``detail``: how much is reported of entries without effect. Raises ``Failure`` if the folder,
+    the start-up list or every channel list is missing; what is wrong otherwise stands in
+    ``Machine.diagnostics``.
     """
     collector = Collector()
     startup_file = _DEMO / STARTUP_NAMES[0]
     if folder is not None:
         startup_file = _startup_file(Path(folder), collector)
-    return _Loader(startup_file, collector, verbose).machine()
+    return _Loader(startup_file, collector, detail).machine()
 
 
 def _startup_file(folder: Path, collector: Collector) -> Path:
@@ -154,7 +156,7 @@ def _startup_file(folder: Path, collector: Collector) -> Path:
 class _Loader:
     """Loads the lists of one machine; all of them are named by its start-up list."""
 
-    def __init__(self, startup_file: Path, collector: Collector, verbose: bool) -> None:
+    def __init__(self, startup_file: Path, collector: Collector, detail: Detail) -> None:
         self.startup_file = startup_file
         self.folder = startup_file.parent
         self.collector = collector
@@ -162,7 +164,7 @@ class _Loader:
         self.startup_values = Values(STARTUP, startup_file.as_posix())
         self.channel_values: list[Values] = []
         self.variable_values: list[Values] = []
-        self.lists = LinkedLists(startup_file, collector, verbose=verbose)
+        self.lists = LinkedLists(startup_file, collector, detail=detail)
 
     def machine(self) -> Machine:
         startup = self._startup()
@@ -172,6 +174,8 @@ class _Loader:
         if rtconf is not None:
             check_contexts(rtconf, parameters, self.collector)
             check_time_limits(rtconf, parameters, self.collector)
+        for kind, reference in startup.others:
+            self.lists.values(SCHEMA_BY_KIND[kind], reference)
         variables = tuple(self._variables(channel) for channel in startup.channels)
         shared, variables = self._share(variables)
         check_memory(startup, variables, self.startup_values, self.collector)

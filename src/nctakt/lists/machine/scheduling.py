@@ -20,8 +20,9 @@ from nctakt.lists.declared.rtconf import (
     SchedulerThread,
     ThreadFunction,
 )
+from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.parameter import MAX_UNS16, MAX_UNS32, with_indices
-from nctakt.lists.format.schema import Values, load_list
+from nctakt.lists.format.values import Values
 from nctakt.lists.machine.scheduling_checks import check_priorities, is_realtime
 from nctakt.lists.machine.scheduling_profile import RtconfOptions
 from nctakt.lists.machine.scheduling_source import comment_of, read_source
@@ -135,7 +136,7 @@ def _interrupt_source(
     values: Values, collector: Collector, options: RtconfOptions
 ) -> InterruptSource:
     key = ("interrupt_source",)
-    taken = values.taken.get(("interrupt_source", ()))
+    taken = values.entry_values.get(("interrupt_source", ()))
     if taken is None:
         values.report(collector, INTERRUPT_SOURCE_MISSING, key)
         return InterruptSource.TIMER

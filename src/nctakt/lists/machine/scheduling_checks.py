@@ -17,7 +17,7 @@ from nctakt.lists.declared.rtconf import (
     SchedulerThread,
 )
 from nctakt.lists.format.parameter import with_indices
-from nctakt.lists.format.schema import Values
+from nctakt.lists.format.values import Values
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.scheduling_profile import Profile
 from nctakt.lists.machine.scheduling_source import comment_of
@@ -126,7 +126,7 @@ def _check_comments(
 ) -> None:
     urgencies = [profile.urgency(thread.priority) for thread in threads]
     for thread, urgency in zip(threads, urgencies, strict=True):
-        taken = values.taken.get(_at(thread))
+        taken = values.entry_values.get(_at(thread))
         said = _EXTREME.search(comment_of(taken.entry)) if taken is not None else None
         if said is None:
             continue

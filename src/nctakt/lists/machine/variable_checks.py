@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nctakt.lists.declared.startup import StartupConfiguration
-from nctakt.lists.format.schema import Values
+from nctakt.lists.format.values import Values
 from nctakt.lists.machine.variables import VariablesConfiguration, VariableScope
 from nctakt.lists.machine.variables_layout import overlaps, pack_of, place, size_of
 from nctakt.messages import Collector

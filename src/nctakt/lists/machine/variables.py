@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 from nctakt.lists.declared.variables import NAME_LENGTH, SCALARS
 from nctakt.lists.format.parameter import with_indices
-from nctakt.lists.format.schema import Values
+from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.variables import (
     INVALID_VARIABLE_NAME,

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""Bounds of values that other parameters of the same list set: ``a_beschl`` ≤ ``a_max``.
+
+In: the values of a list. Out: the same, each beyond such a bound replaced by the bound, as the
+controller does, and reported.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from nctakt.base.diagnostics import Span
+from nctakt.lists.format.parameter import Limit, Parameter, ValueType, shown, with_indices
+from nctakt.lists.format.references import effective_value
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.values import EntryValue, Key
+from nctakt.messages import Collector
+from nctakt.messages.lists import BEYOND_OTHER_PARAMETER
+
+
+def keep_limits(
+    schema: Schema, file: str, values: Mapping[Key, EntryValue], collector: Collector
+) -> dict[Key, EntryValue]:
+    """Return the values of the list in ``file`` (and its defaults list) within their bounds."""
+    kept = dict(values)
+    for key in values:
+        found = schema.find(key[0])
+        assert found is not None, key
+        parameter = found[0]
+        for limit, is_upper in ((parameter.at_least, False), (parameter.at_most, True)):
+            if limit is not None:
+                kept[key] = _within(schema, file, kept, key, parameter, limit, is_upper, collector)
+    return kept
+
+
+def _within(
+    schema: Schema,
+    file: str,
+    values: Mapping[Key, EntryValue],
+    key: Key,
+    parameter: Parameter,
+    limit: Limit,
+    is_upper: bool,
+    collector: Collector,
+) -> EntryValue:
+    item = values[key]
+    value = item.value
+    bound = _bound(schema, values, parameter, key, limit, is_upper)
+    if bound is None or not isinstance(value, int | float) or value in parameter.also:
+        return item
+    if value <= bound if is_upper else value >= bound:
+        return item
+    limiting = schema.by_id(limit.id)[0]
+    indices = key[1][: len(limiting.index_ranges)]
+    place = _place(file, item, values.get((limiting.pattern, indices)))
+    if place is not None:
+        collector.report(
+            BEYOND_OTHER_PARAMETER,
+            *place,
+            key=with_indices(*key),
+            value=shown(value),
+            limit=shown(bound),
+            other=with_indices(limiting.pattern, indices),
+            id=limit.id,
+        )
+    return replace(item, value=bound)
+
+
+def _bound(
+    schema: Schema,
+    values: Mapping[Key, EntryValue],
+    parameter: Parameter,
+    key: Key,
+    limit: Limit,
+    is_upper: bool,
+) -> int | float | None:
+    """Return the nearest value within the bound; ``None``: the other parameter sets none."""
+    other = effective_value(schema, values, limit.id, key[1])
+    if not isinstance(other, int | float):
+        return None
+    if other == 0 and is_upper and not parameter.type.is_signed:
+        # The limit is not set: 0 as a greatest speed means that there is no bound.
+        return None
+    bound = other * limit.factor
+    if parameter.type is ValueType.REAL64:
+        return bound
+    step = (-1 if is_upper else 1) if limit.is_exclusive else 0
+    return int(bound) + step
+
+
+def _place(file: str, item: EntryValue, limiting: EntryValue | None) -> tuple[Span, str] | None:
+    """Return where this list breaks the bound; ``None``: its defaults list does it alone."""
+    for candidate in (item, limiting):
+        if candidate is not None and candidate.entry.key_span.file == file:
+            return candidate.entry.key_span, candidate.entry.line
+    return None

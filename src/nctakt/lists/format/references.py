@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: MIT
+"""Entries whose value is that of another parameter, and defaults that are.
+
+In: the entries of a list with the references among them (``P-AXIS-00212.0`` is "as P-AXIS-00212 of
+gear step 0"). Out: the same with values. A reference that leads nowhere, or in a circle, is
+reported and leaves the default.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from nctakt.lists.format.parameter import Parameter, Value, ValueType, shown, with_indices
+from nctakt.lists.format.reader import Entry
+from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.values import EntryValue, Key
+from nctakt.messages import Collector
+from nctakt.messages.lists import INVALID_PARAMETER_REFERENCE
+
+_REFERENCE = re.compile(r"(P-[A-Z]{4}-[0-9]{5})((?:\.[0-9]{1,4})*)")
+
+
+def reference_of(parameter: Parameter, entry: Entry) -> str:
+    """Return the reference that the entry's value is, empty if it is none; a text never is."""
+    if parameter.type is ValueType.STRING:
+        return ""
+    words = entry.rest.split(None, 1)
+    return words[0] if words and _REFERENCE.fullmatch(words[0]) else ""
+
+
+def resolve(
+    schema: Schema, values: Mapping[Key, EntryValue], collector: Collector
+) -> dict[Key, EntryValue]:
+    """Follow the references among ``values``."""
+    resolved: dict[Key, EntryValue] = {}
+    for key, item in values.items():
+        if not item.reference:
+            resolved[key] = item
+            continue
+        parameter = _parameter(schema, key)
+        value = _follow(schema, values, key)
+        if value is not None and _has_type(parameter, value):
+            resolved[key] = EntryValue(value, item.entry, item.reference)
+            continue
+        collector.report(
+            INVALID_PARAMETER_REFERENCE,
+            item.entry.key_span,
+            item.entry.line,
+            key=with_indices(*key),
+            value=item.reference,
+            default=shown(item.value),
+        )
+        if item.value is not None:
+            resolved[key] = EntryValue(item.value, item.entry)
+    return resolved
+
+
+def effective_value(
+    schema: Schema, values: Mapping[Key, EntryValue], parameter_id: str, indices: tuple[int, ...]
+) -> Value:
+    """Return the value of the parameter with that ID, ``None`` if there is none.
+
+    ``indices``: as many of them as the parameter has are taken from the front. Where it has more,
+    it is the first element, unless the list names others: then there is none for all.
+    """
+    parameters = schema.by_id(parameter_id)
+    if len(parameters) != 1:
+        return None
+    parameter = parameters[0]
+    missing = len(parameter.index_ranges) - len(indices)
+    key = (parameter.pattern, (*indices, *(0,) * missing)[: len(parameter.index_ranges)])
+    if missing > 0 and any(other[0] == key[0] and other != key for other in values):
+        return None
+    return _follow(schema, values, key)
+
+
+def default_of(
+    schema: Schema, values: Mapping[Key, EntryValue], parameter: Parameter, indices: tuple[int, ...]
+) -> Value:
+    """Return the default of a parameter, which may be the value of another one."""
+    if parameter.default_id:
+        return effective_value(schema, values, parameter.default_id, indices)
+    return parameter.default
+
+
+def _parameter(schema: Schema, key: Key) -> Parameter:
+    found = schema.find(key[0])
+    assert found is not None, key
+    return found[0]
+
+
+def _has_type(parameter: Parameter, value: Value) -> bool:
+    match parameter.type:
+        case ValueType.BOOLEAN:
+            return isinstance(value, bool)
+        case ValueType.NAME:
+            return value in parameter.names
+        case ValueType.FLAGS:
+            return isinstance(value, tuple) and all(name in parameter.names for name in value)
+        case ValueType.REAL64:
+            return isinstance(value, int | float) and parameter.allows(value)
+    return isinstance(value, int) and parameter.allows(value)
+
+
+def _follow(schema: Schema, values: Mapping[Key, EntryValue], start: Key) -> Value:
+    """Return the value at the end of a chain of references, ``None`` for a broken or circular one.
+
+    A default that is another parameter's value is a link of the chain as well.
+    """
+    key, visited = start, {start}
+    while True:
+        item = values.get(key)
+        if item is not None and not item.reference:
+            return item.value
+        parameter = _parameter(schema, key)
+        if item is None and not parameter.default_id:
+            return parameter.default
+        match = _REFERENCE.fullmatch(item.reference if item is not None else parameter.default_id)
+        assert match is not None
+        target = _target(schema, match[1], match[2], key[1])
+        if target is None or target in visited:
+            return None
+        key = target
+        visited.add(key)
+
+
+def _target(schema: Schema, id_: str, suffix: str, indices: tuple[int, ...]) -> Key | None:
+    """Return the parameter that a reference names; without indices it has those of the entry."""
+    targets = schema.by_id(id_)
+    if len(targets) != 1:
+        return None
+    target = targets[0]
+    own = tuple(int(text) for text in suffix.split(".")[1:])
+    indices = (own or indices)[: len(target.index_ranges)]
+    return (target.pattern, indices) if len(indices) == len(target.index_ranges) else None

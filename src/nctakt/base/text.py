@@ -5,8 +5,7 @@ In: the bytes of a file. Out: its text, which encoding was taken and whether tha
 its lines. Nothing here fails: each byte sequence has a reading. The rules are those of the ASCII
 lists, and NC programs share them: a byte order mark decides; else UTF-8 if it fits; else
 Windows-1252, in which each byte is a character. Lines end at CR LF, LF or CR and nowhere else.
-``nearest`` finds the known name that a misspelt one may have meant, ``nearest_name`` only one that
-differs in a few letters.
+``nearest`` finds the known name that a misspelt one may have meant.
 """
 
 from __future__ import annotations
@@ -87,58 +86,3 @@ def nearest(wanted: str, known: Iterable[str]) -> str:
     by_fold = {name.casefold(): name for name in known}
     found = difflib.get_close_matches(wanted.casefold(), by_fold, n=1)
     return by_fold[found[0]] if found else ""
-
-
-def nearest_name(wanted: str, known: Iterable[str], max_errors: int) -> str | None:
-    """Return the known name that ``wanted`` is a misspelling of, ``None`` if there is none.
-
-    A letter too many, too few, wrong or two swapped ones are an error each; letter case is not.
-    Names of a few letters may have fewer errors: one in each four.
-    """
-    folded = wanted.casefold()
-    fewest = min(max_errors, max(1, len(folded) // 4)) + 1
-    found: str | None = None
-    for name in known:
-        errors = typing_errors(folded, name.casefold(), fewest)
-        if errors < fewest:
-            fewest, found = errors, name
-    return found
-
-
-def typing_errors(first: str, second: str, limit: int) -> int:
-    """Return how many letters differ between two names; ``limit`` stands for as many and more."""
-    if abs(len(first) - len(second)) >= limit:
-        return limit
-    start = 0
-    shortest = min(len(first), len(second))
-    while start < shortest and first[start] == second[start]:
-        start += 1
-    end = 0
-    while end < shortest - start and first[-1 - end] == second[-1 - end]:
-        end += 1
-    first, second = first[start : len(first) - end], second[start : len(second) - end]
-    return min(limit, _edit_distance(first, second, limit))
-
-
-def _edit_distance(first: str, second: str, limit: int) -> int:
-    """Return the restricted Damerau-Levenshtein distance, or ``limit`` if it is not below it."""
-    two_above: list[int] = []
-    above = list(range(len(second) + 1))
-    for row, letter in enumerate(first, start=1):
-        line = [row]
-        for column, other in enumerate(second, start=1):
-            cost = min(
-                above[column] + 1,
-                line[column - 1] + 1,
-                above[column - 1] + (letter != other),
-            )
-            is_swapped = (
-                row > 1 and column > 1 and letter == second[column - 2] and first[row - 2] == other
-            )
-            if is_swapped:
-                cost = min(cost, two_above[column - 2] + 1)
-            line.append(cost)
-        if min(line) >= limit:
-            return limit
-        two_above, above = above, line
-    return above[-1]

@@ -11,12 +11,9 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from nctakt.base.diagnostics import Text
-from nctakt.base.text import nearest_name
+from nctakt.base.misspelling import KnownNames
 from nctakt.lists.format.parameter import Alias, Parameter, pattern_of
 from nctakt.lists.format.reader import ListDialect
-
-#: Letters that a misspelt name may have too many, too few, swapped or wrong.
-_TYPING_ERRORS = 2
 
 
 class Table(Protocol):
@@ -61,6 +58,9 @@ class Schema:
     _by_pattern: dict[str, tuple[Parameter, Alias | None]] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
+    _known_names: list[KnownNames] = field(
+        default_factory=list, init=False, repr=False, compare=False
+    )
 
     def __post_init__(self) -> None:
         for parameter in self.declared:
@@ -97,6 +97,11 @@ class Schema:
         return declared + (self.table.by_id(parameter_id) if self.table is not None else ())
 
     def nearest(self, pattern: str) -> str | None:
-        """Return the known name that an unknown one is a misspelling of, if any is."""
-        names = (*self._by_pattern, *(self.table.patterns() if self.table is not None else ()))
-        return nearest_name(pattern, names, _TYPING_ERRORS)
+        """Return the known name that an unknown one is a misspelling of, if any is.
+
+        The names are prepared for the search at the first call.
+        """
+        if not self._known_names:
+            patterns = self.table.patterns() if self.table is not None else ()
+            self._known_names.append(KnownNames((*self._by_pattern, *patterns)))
+        return self._known_names[0].nearest(pattern)

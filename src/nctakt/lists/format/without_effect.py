@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
-from nctakt.base.diagnostics import Message
 from nctakt.lists.format.parameter import Parameter, Relevance, Value, shown, with_indices
 from nctakt.lists.format.references import default_of
 from nctakt.lists.format.schema import Schema
@@ -25,6 +24,17 @@ from nctakt.messages.lists import (
     WITHOUT_EFFECT_WOULD_CHANGE_RUN,
 )
 
+#: The finding of a file, by what its entries would do.
+_SUMMARIES = {
+    Relevance.YES: WITHOUT_EFFECT_WOULD_CHANGE_RUN,
+    Relevance.MAYBE: WITHOUT_EFFECT_MAY_CHANGE_RUN,
+}
+#: The finding of an entry.
+_SINGLE = {
+    Relevance.YES: PARAMETER_WOULD_CHANGE_RUN,
+    Relevance.MAYBE: PARAMETER_MAY_CHANGE_RUN,
+    Relevance.NO: PARAMETER_WITHOUT_EFFECT,
+}
 #: So many entries are named in the finding of a file.
 _NAMED_ENTRIES = 5
 
@@ -57,21 +67,16 @@ def report_without_effect(
         relevance = parameter.relevance if changes else Relevance.NO
         by_relevance[relevance].append((key, parameter, default))
     if detail == "summary":
-        _report_summary(
-            WITHOUT_EFFECT_WOULD_CHANGE_RUN, values, by_relevance[Relevance.YES], collector
-        )
-        _report_summary(
-            WITHOUT_EFFECT_MAY_CHANGE_RUN, values, by_relevance[Relevance.MAYBE], collector
-        )
+        for relevance in _SUMMARIES:
+            _report_summary(relevance, values, by_relevance[relevance], collector)
         return
-    _report_each(PARAMETER_WOULD_CHANGE_RUN, values, by_relevance[Relevance.YES], collector)
-    _report_each(PARAMETER_MAY_CHANGE_RUN, values, by_relevance[Relevance.MAYBE], collector)
-    if detail == "all":
-        _report_each(PARAMETER_WITHOUT_EFFECT, values, by_relevance[Relevance.NO], collector)
+    for relevance, entries in by_relevance.items():
+        if detail == "all" or relevance is not Relevance.NO:
+            _report_each(relevance, values, entries, collector)
 
 
 def _report_summary(
-    message: Message,
+    relevance: Relevance,
     values: Mapping[Key, EntryValue],
     entries: Sequence[tuple[Key, Parameter, Value]],
     collector: Collector,
@@ -82,12 +87,16 @@ def _report_summary(
     names = [with_indices(*key) for key, _, _ in entries[:_NAMED_ENTRIES]]
     more = " …" if len(entries) > _NAMED_ENTRIES else ""
     collector.report(
-        message, first.key_span, first.line, count=len(entries), names=", ".join(names) + more
+        _SUMMARIES[relevance],
+        first.key_span,
+        first.line,
+        count=len(entries),
+        names=", ".join(names) + more,
     )
 
 
 def _report_each(
-    message: Message,
+    relevance: Relevance,
     values: Mapping[Key, EntryValue],
     entries: Sequence[tuple[Key, Parameter, Value]],
     collector: Collector,
@@ -95,7 +104,7 @@ def _report_each(
     for key, parameter, default in entries:
         item = values[key]
         collector.report(
-            message,
+            _SINGLE[relevance],
             item.entry.key_span,
             item.entry.line,
             key=with_indices(*key),

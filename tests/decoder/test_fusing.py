@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from nctakt.decoder.values.expressions import ExpressionBuilder
-from nctakt.decoder.values.fusing import Built, constant, load
+from nctakt.decoder.values.fusing import Operand, constant, load
 from nctakt.kernel.cycles.context import context_of
 
 #: Values whose sums round, cancel, overflow, or are zeros of either sign.
@@ -45,7 +45,7 @@ class Side:
 
     builder = ExpressionBuilder(lambda _: constant(0.0))
 
-    def __init__(self, built: Built) -> None:
+    def __init__(self, built: Operand) -> None:
         self.built = built
 
     def combined(self, operator: str, other: Side | float, turned: bool) -> Side:

@@ -70,25 +70,25 @@ _Piece = tuple[float, ...]
 
 
 class Compensation:
-    """Compensates one program; ``took_time`` is told of what is held as if it were taken."""
+    """Compensates one program; ``pass_time`` is told of what is held as if it were taken."""
 
     def __init__(
-        self, values: Values, path: PathMotion, took_time: Callable[[Command], None]
+        self, values: Values, path: PathMotion, pass_time: Callable[[Command], None]
     ) -> None:
         self._values = values
         self._environment = values.environment
         self._path = path
         self._state = values.state.path
-        self._took_time = took_time
+        self._pass_time = pass_time
         self.tool = ToolPath()
         self._motions: deque[PendingMotion] = deque()
         self._spans: deque[tuple[int, Span]] = deque(maxlen=2 * REACH + 2)
         self._between = 0
         self._distance = 0.0
         self._at: tuple[float, float] | None = None
-        self.releases = False
+        self.is_releasing = False
 
-    def through(self, commands: Generator[Command, Answer]) -> Generator[Command, Answer]:
+    def compensate(self, commands: Generator[Command, Answer]) -> Generator[Command, Answer]:
         """The commands of a program with its contours compensated."""
         answer: Answer = None
         try:
@@ -142,7 +142,7 @@ class Compensation:
             if distance != 0.0:
                 self._values.fail(SIDE_OR_RADIUS_CHANGE_WITH_G238, self._path.span)
             yield from self._finish()
-        self._took_time(segment)
+        self._pass_time(segment)
         self._enter(segment, (x, y, x_2, y_2), distance)
         wanted.is_on_way = True
         tool = self.tool
@@ -213,7 +213,7 @@ class Compensation:
             self._path.span,
             wanted.radius,
             misfit,
-            self._values.state.pace.block_time_s,
+            self._values.state.feed.block_time_s,
             wanted.adapts_feed,
         )
         self._motions.append(motion)
@@ -235,7 +235,7 @@ class Compensation:
         self._between += 1
         self._motions[-1].between.append(command)
         if isinstance(command, Segment) or pack(command)[0] in TIMED_KINDS:
-            self._took_time(command)
+            self._pass_time(command)
 
     def _moves_others(self, segment: Segment) -> bool:
         """Whether axes move that are not in the plane."""
@@ -346,7 +346,7 @@ class Compensation:
         return (
             not self._motions[0].between
             and held.arc is None
-            and held.pace is None
+            and held.modifiers is None
             and self._motions[0].time_s == 0.0
             and held.limits_jerk == self._state.limits_jerk
             and held.deviation == (0.0 if held.exact_stop else self._deviation)
@@ -433,9 +433,9 @@ class Compensation:
                 self._motions.clear()  # what comes behind a mistake is not run
                 self.tool.give_up()
                 raise
-            self.releases = True
+            self.is_releasing = True
             yield from commands
-            self.releases = False
+            self.is_releasing = False
 
     def _commands(self, motion: PendingMotion) -> list[Command]:
         """The pieces of a motion, and what comes behind it."""

@@ -10,15 +10,15 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterable, Sequence
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.block_decoder import Words
+from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.blocks.user_errors import user_error
 from nctakt.decoder.compensation import Compensation
 from nctakt.decoder.cycles.builder import SCOPES, CycleBuilder, CycleDefinition
 from nctakt.decoder.fast.handover import PlainBlocks
-from nctakt.decoder.flow.calls import Calls, returns
-from nctakt.decoder.flow.computed_blocks import is_as_written, with_numbers
-from nctakt.decoder.flow.flow import Decoded, Flow, Jump, Return, Signal
-from nctakt.decoder.flow.hash_commands import Hashes
+from nctakt.decoder.flow.calls import Calls, has_return
+from nctakt.decoder.flow.computed_blocks import is_literal, with_computed_numbers
+from nctakt.decoder.flow.flow import Decoding, Flow, Jump, Return, Signal
+from nctakt.decoder.flow.hash_commands import HashCommands
 from nctakt.decoder.flow.macros import Macros
 from nctakt.decoder.flow.modal_calls import ModalCalls
 from nctakt.decoder.flow.realtime_loops import RealtimeLoops
@@ -39,7 +39,7 @@ from nctakt.decoder.state.commands import (
 )
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
-from nctakt.decoder.state.offsets import ALL, left_over
+from nctakt.decoder.state.offsets import ALL, remaining_offset_kinds
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.texts import FormatError, format_text
 from nctakt.decoder.values.variables import Values
@@ -91,13 +91,13 @@ class ProgramDecoder:
         self._state = state
         self._values = Values(environment, state)
         self._uncertain_axes = UncertainAxes(environment.living_cycles, environment.moving_axes())
-        self._words = Words(self._values, self._uncertain_axes)
-        self._compensation = Compensation(self._values, self._words.path, self._took_time)
+        self._block_decoder = BlockDecoder(self._values, self._uncertain_axes)
+        self._compensation = Compensation(self._values, self._block_decoder.path, self._pass_time)
         self._calls = Calls(self._values)
         self._macros = Macros(environment, self._values.fail)
-        self._hashes = Hashes(self._values)
-        self._loops = RealtimeLoops(self._values, self._words, self._statements)
-        self._flow = Flow(self._values, self._statements, self._round)
+        self._hash_commands = HashCommands(self._values)
+        self._loops = RealtimeLoops(self._values, self._block_decoder, self._statements)
+        self._flow = Flow(self._values, self._statements, self._count_pass)
         self._call_stack = state.call_stack
         self._modal = ModalCalls(state.call_stack)
         self._next_cycle = next_cycle
@@ -105,14 +105,14 @@ class ProgramDecoder:
         self._plain = PlainBlocks(
             self._values,
             self._uncertain_axes,
-            self._words.technology,
+            self._block_decoder.technology,
             self._compensation,
             MOST_BLOCKS_WITHOUT_TIME,
         )
         self._takes_runs = takes_runs
         self._blocks = 0
-        self._begun = 0
-        self._rounds: dict[Span, int] = {}
+        self._started_blocks = 0
+        self._passes: dict[Span, int] = {}
         self._nested = 0
 
     def decode(self, program: ProgramText) -> Generator[Command, Answer]:
@@ -120,7 +120,7 @@ class ProgramDecoder:
 
         The channel list may name programs that run before it and behind it.
         """
-        return self._compensation.through(self._run(program))
+        return self._compensation.compensate(self._run(program))
 
     def _run(self, program: ProgramText) -> Generator[Command, Answer]:
         yield from self._environment.offsets.begin_program()
@@ -129,36 +129,36 @@ class ProgramDecoder:
         self._call_stack.enter(frame)
         signal: Signal = ""
         if implicit.program_start:
-            start = self._calls.implicit(implicit.program_start, program.main.span)
+            start = self._calls.implicit_frame(implicit.program_start, program.main.span)
             signal = yield from self._call(start, program.main.span)
         if not signal:
             yield from self._run_frame(frame)
         if implicit.program_end:
-            end = self._calls.implicit(implicit.program_end, program.main.span)
+            end = self._calls.implicit_frame(implicit.program_end, program.main.span)
             yield from self._call(end, program.main.span)
         yield ProgramEnd(0, 0)
 
     @property
-    def begun(self) -> int:
+    def started_blocks(self) -> int:
         """Blocks and passes of loops that were begun since the program began."""
-        return self._begun
+        return self._started_blocks
 
-    def took_time(self, command: Command) -> None:
+    def pass_time(self, command: Command) -> None:
         """The one who takes the commands has seen one that takes time."""
-        if not self._compensation.releases:
-            self._took_time(command)
+        if not self._compensation.is_releasing:
+            self._pass_time(command)
 
-    def _took_time(self, command: Command) -> None:
+    def _pass_time(self, command: Command) -> None:
         self._blocks = 0
-        self._rounds.clear()
+        self._passes.clear()
         if not self._uncertain_axes.is_empty:
             self._uncertain_axes.pass_time(
-                self._words.axes_moved_by(command), is_block=is_block(command)
+                self._block_decoder.axes_moved_by(command), is_block=is_block(command)
             )
 
     # --- programs -------------------------------------------------------------------------------
 
-    def _run_frame(self, frame: CallFrame) -> Decoded:
+    def _run_frame(self, frame: CallFrame) -> Decoding:
         """A program from its start to its end; jumps begin it again at their label."""
         label: str | None = None
         while True:
@@ -167,13 +167,13 @@ class ProgramDecoder:
             if not isinstance(signal, Jump):
                 return signal
             label = signal.label
-            self._round(signal.span)
+            self._count_pass(signal.span)
             if label not in frame.section.labels or label in frame.section.doubled:
                 self._values.fail(
                     RETURN_LABEL_NOT_UNIQUE, signal.span, label=label, name=frame.section.name
                 )
 
-    def _call(self, frame: CallFrame, span: Span) -> Decoded:
+    def _call(self, frame: CallFrame, span: Span) -> Decoding:
         """A subprogram; what is said to the caller behind it."""
         if len(self._call_stack.frames) >= MAX_CALL_DEPTH:
             self._values.fail(PROGRAMS_NESTED_TOO_DEEP, span, limit=MAX_CALL_DEPTH)
@@ -195,7 +195,7 @@ class ProgramDecoder:
         label: str | None = None,
         *,
         is_part: bool = False,
-    ) -> Decoded:
+    ) -> Decoding:
         """Statement by statement; from the one on that a label stands at or in.
 
         ``is_part``: they are one block of the program.
@@ -225,7 +225,7 @@ class ProgramDecoder:
                 self._nested -= 1
                 return signal
             if self._call_stack.modal_count:
-                self._modal.behind(statement)
+                self._modal.after_statement(statement)
             elif reader is not None and label is None:
                 self._blocks = yield from self._plain.decode(reader, self._blocks)
         self._nested -= 1
@@ -233,40 +233,40 @@ class ProgramDecoder:
             return (yield from self._repeated())
         return ""
 
-    def _repeated(self, line: int | None = None) -> Decoded:
+    def _repeated(self, line: int | None = None) -> Decoding:
         """The modal call that is due before the block in this line, or at the end."""
-        due = self._modal.due(line)
+        due = self._modal.take_due(line)
         if due is None:
             return ""
         frame, modal = due
         return (yield from self._call(frame, modal.span))
 
-    def _round(self, span: Span) -> None:
+    def _count_pass(self, span: Span) -> None:
         """A pass of the loop at this place, or a jump from it; the outermost one comes first."""
-        self._rounds[span] = self._rounds.get(span, 0) + 1
+        self._passes[span] = self._passes.get(span, 0) + 1
         self._count(span)
 
     def _count(self, span: Span) -> None:
         """A block, or a pass of a loop: neither goes on for ever without taking time."""
-        self._begun += 1
+        self._started_blocks += 1
         self._blocks += 1
         if self._blocks > MOST_BLOCKS_WITHOUT_TIME:
-            loops = (loop for loop, rounds in self._rounds.items() if rounds > 1)
+            loops = (loop for loop, rounds in self._passes.items() if rounds > 1)
             self._values.fail(
                 TOO_MANY_BLOCKS_WITHOUT_TIME, next(loops, span), count=MOST_BLOCKS_WITHOUT_TIME
             )
         if self._nested > MAX_NESTING:
             self._values.fail(STRUCTURES_AND_CALLS_TOO_DEEP, span, limit=MAX_NESTING)
 
-    def _statement(self, statement: tree.Statement) -> Decoded:
+    def _statement(self, statement: tree.Statement) -> Decoding:
         self._count(statement.span)
         if statement.head.skip in self._environment.skip_levels:
             return ""
         if self._macros.are_defined:
-            statement = self._macros.meant(statement)
+            statement = self._macros.expand_expressions(statement)
         number = 0
         if statement.head.number is not None:
-            value = self._values.known(statement.head.number)
+            value = self._values.constant_value(statement.head.number)
             if value is None:
                 value = yield from self._values.evaluate(statement.head.number, 0)
             number = int(arithmetic.round_half_even(value))
@@ -277,9 +277,9 @@ class ProgramDecoder:
                 return (yield from self._block(statement, number))
             case tree.OffsetCommand() if statement.name == "SUPPRESS OFFSETS":
                 block = tree.Block(statement.span, statement.head, statement.words)
-                return (yield from self._block(block, number, left_over(statement)))
+                return (yield from self._block(block, number, remaining_offset_kinds(statement)))
             case tree.OffsetCommand():
-                yield from self._words.presets(statement, number)
+                yield from self._block_decoder.presets(statement, number)
             case tree.Assignment():
                 yield from self._values.assign(statement, number)
             case tree.VariableBlock():
@@ -307,22 +307,22 @@ class ProgramDecoder:
                 yield from self._command(statement, number)
         return ""
 
-    def _block(self, block: tree.Block, number: int, kinds: int = ALL) -> Decoded:
+    def _block(self, block: tree.Block, number: int, kinds: int = ALL) -> Decoding:
         """Words; then what they call, then the end of a program among them.
 
         ``kinds``: which offsets the block's positions have.
         """
-        if not is_as_written(block):
-            meant = self._macros.expand(block)
+        if not is_literal(block):
+            meant = self._macros.expand_block(block)
             if meant is not None:
                 return (yield from self._statements(meant, is_part=True))
-            block = yield from with_numbers(self._values, block, number)
+            block = yield from with_computed_numbers(self._values, block, number)
         returning = called = None
-        if returns(block):
-            block, returning = yield from self._calls.returning(block, number)
-        if self._calls.may_imply:
-            block, called = yield from self._calls.implied(block, number)
-        ends = yield from self._words.block(block, number, kinds)
+        if has_return(block):
+            block, returning = yield from self._calls.return_of(block, number)
+        if self._calls.has_implicit_programs:
+            block, called = yield from self._calls.implicit_call(block, number)
+        ends = yield from self._block_decoder.block(block, number, kinds)
         if called is not None:
             signal = yield from self._call(called, block.span)
             if signal:
@@ -332,7 +332,7 @@ class ProgramDecoder:
         if returning is not None:
             return returning
         if self._call_stack.modal_count and called is None:
-            self._modal.behind_words(block.span.line, self._words.has_motion)
+            self._modal.after_block(block.span.line, self._block_decoder.has_motion)
         return ""
 
     # --- commands -------------------------------------------------------------------------------
@@ -347,31 +347,31 @@ class ProgramDecoder:
             case tree.RealtimeLoop():
                 yield from self._loops.loop(statement, number)
             case tree.Flush():
-                self._values.empties_channel("#FLUSH", statement.span)
+                self._values.check_flush_allowed("#FLUSH", statement.span)
                 if statement.mode != "CONTINUE":
                     yield Flush(source, number, statement.mode == "WAIT")
             case tree.Time():
                 seconds = yield from self._values.evaluate(statement.seconds, number)
-                yield from self._words.dwell(seconds, statement.span, number)
+                yield from self._block_decoder.dwell(seconds, statement.span, number)
             case tree.UserError():
                 yield from user_error(self._values, statement, number)
             case tree.UserMessage():
                 yield from self._message(statement, source, number)
             case tree.HashCommand() if [word.name for word in statement.words] == EXPLICIT:
-                yield from self._words.technology.explicit()
+                yield from self._block_decoder.technology.explicit_synchronisation()
             case tree.HashCommand() if command_name(statement) in FORMS:
-                yield from self._words.path.command(statement, number)
+                yield from self._block_decoder.path.command(statement, number)
             case tree.VariableDeclarations():
                 for declaration in statement.declarations:
                     yield from self._values.declare(declaration, number)
             case tree.MacroDefinition():
                 self._macros.define(statement)
             case tree.Timer():
-                yield from self._hashes.timer(statement, number)
+                yield from self._hash_commands.timer(statement, number)
             case tree.HashCommand() if [word.name for word in statement.words] == NO_MODAL:
                 self._modal.end()
             case tree.HashCommand():
-                yield from self._hashes.command(statement, number)
+                yield from self._hash_commands.command(statement, number)
             case tree.ProgramStart():
                 pass  # a comment
             case _:
@@ -415,7 +415,7 @@ class ProgramDecoder:
         if statement.action == "START":
             self._uncertain_axes.start_cycle(identity)
         if statement.action == "DELETE":
-            self._values.empties_channel("#RT CYCLE DELETE", statement.span)
+            self._values.check_flush_allowed("#RT CYCLE DELETE", statement.span)
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._state.positions = list(answer)

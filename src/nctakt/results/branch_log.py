@@ -11,7 +11,7 @@ from collections import deque
 from collections.abc import Sequence
 
 from nctakt.base.source_ids import begins_at
-from nctakt.decoder.cycles.builder import BuiltReaction, Frozen
+from nctakt.decoder.cycles.builder import CycleBranch, FrozenValue
 from nctakt.kernel.cycles import conditions
 from nctakt.nc.check.branches import BranchPlace, accesses_in, combined
 from nctakt.nc.parse.printer import format_expression
@@ -168,7 +168,7 @@ class BranchLog:
     ``living_from`` is the run's first tick for a branch that lives since before it, else ``None``.
     """
 
-    def __init__(self, built: BuiltReaction, living_from: int | None) -> None:
+    def __init__(self, built: CycleBranch, living_from: int | None) -> None:
         node = built.node.condition
         self._reaction = built.node
         self._condition = ConditionLog(node, living_from)
@@ -184,7 +184,7 @@ class BranchLog:
         self,
         place: BranchPlace,
         text: str,
-        frozen: Sequence[Frozen],
+        frozen: Sequence[FrozenValue],
         fault: LifeEvent | None,
     ) -> BranchHistory:
         """What was gathered; ``text`` is the source line, ``frozen`` what the whole cycle

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.cycles.builder import Frozen
+from nctakt.decoder.cycles.builder import FrozenValue
 from nctakt.nc.check.branches import BranchWord
 
 #: Why a branch's body, or a cycle, did not run.
@@ -178,7 +178,7 @@ class BranchHistory:
     parts: tuple[ConditionHistory, ...] = ()
     evaluated: Times = Times()
     bodies: Times = Times()
-    frozen: tuple[Frozen, ...] = ()
+    frozen: tuple[FrozenValue, ...] = ()
     commands: tuple[str, ...] = ()
 
 

@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.cycles.builder import CycleDefinition, Frozen
+from nctakt.decoder.cycles.builder import CycleDefinition, FrozenValue
 from nctakt.nc import tree
 from nctakt.nc.parse.printer import format_expression, format_word, print_statement
 from nctakt.nc.vocabulary.resolution import indices_of
@@ -57,7 +57,7 @@ class ListedCycle:
     span: Span
     statements: tuple[ListedStatement, ...]
     most: int
-    frozen: tuple[Frozen, ...]
+    frozen: tuple[FrozenValue, ...]
 
     @property
     def count(self) -> int:
@@ -76,7 +76,7 @@ def list_cycle(definition: CycleDefinition) -> ListedCycle:
 class _Lister:
     """Gathers the statements of one cycle; its methods give the most that a run can cost."""
 
-    def __init__(self, frozen: Sequence[Frozen]) -> None:
+    def __init__(self, frozen: Sequence[FrozenValue]) -> None:
         self.listed: list[ListedStatement] = []
         self._frozen = {one.span: one for one in frozen}
 

@@ -134,7 +134,7 @@ class Feed:
 
     def _next(self) -> None:
         answer = self._take_answer()
-        begun = self._decoder.begun
+        begun = self._decoder.started_blocks
         try:
             command = next(self._decoded) if answer is None else self._decoded.send(answer)
         except StopIteration:
@@ -144,7 +144,7 @@ class Feed:
             self._give_up(error.diagnostic)
             return
         if self._budget is not None:
-            self._budget.spend(self._decoder.begun - begun)
+            self._budget.spend(self._decoder.started_blocks - begun)
             if not self._budget.is_paid:
                 self._held = command
                 return
@@ -213,11 +213,11 @@ class Feed:
                 command.deviation,
                 command.limits_jerk,
                 command.arc,
-                None if command.pace is None else command.pace.row,
+                None if command.modifiers is None else command.modifiers.row,
             )
             if command.goes_on:
                 self._channel.block_goes_on()
-            self._decoder.took_time(command)
+            self._decoder.pass_time(command)
             return
         row = commands.pack(command, place)
         if isinstance(command, commands.LoopBegin):
@@ -227,4 +227,4 @@ class Feed:
         else:
             self._channel.put(row)
         if row[0] in TIMED_KINDS:
-            self._decoder.took_time(command)
+            self._decoder.pass_time(command)

@@ -11,7 +11,7 @@ from collections.abc import Container, Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.feed import PathPace
+from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.fixed_stops import fixed_stop, is_fixed_stop
 from nctakt.decoder.blocks.path_motion import (
     CENTRE_WORDS,
@@ -19,7 +19,7 @@ from nctakt.decoder.blocks.path_motion import (
     PathWords,
 )
 from nctakt.decoder.blocks.spindles import SpindleWords, names_of
-from nctakt.decoder.blocks.technology_output import Issued, TechnologyOutputs, process_ticks
+from nctakt.decoder.blocks.technology_output import BlockFunction, TechnologyOutputs, process_ticks
 from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM
 from nctakt.decoder.state.commands import (
     Answer,
@@ -75,22 +75,23 @@ ONE_BLOCK = frozenset((EXACT_STOP_ONCE, CONTOURING_ONCE, NO_OVERRIDE))
 
 
 @dataclass(slots=True)
-class _Content:
-    """A block's words sorted by what they do; ``turns_tool``: its offsets may be other ones."""
+class _BlockContent:
+    """A block's words sorted by what they do; ``updates_tool_offsets``: its offsets may be other
+    ones."""
 
     axes: list[tuple[tree.AxisWord, float]] = field(default_factory=list)
     path: PathWords = field(default_factory=PathWords)
-    functions: list[Issued] = field(default_factory=list)
+    functions: list[BlockFunction] = field(default_factory=list)
     dwell_s: float | None = None
     zero_group: int | None = None
     is_reference: bool = False
-    turns_tool: bool = False
+    updates_tool_offsets: bool = False
     stops: tuple[tuple[tree.BracketCommand, FixedStop], ...] = ()
     program_stops: tuple[ProgramStop, ...] = ()
     ends_program: bool = False
 
 
-class Words:
+class BlockDecoder:
     """Decodes the blocks of one program; ``has_motion``: the latest one had a motion command."""
 
     def __init__(self, values: Values, uncertain_axes: UncertainAxes) -> None:
@@ -100,7 +101,7 @@ class Words:
         self._state = values.state
         self._is_linear = [axis.is_linear for axis in self._environment.axes]
         self._spindles = SpindleWords(values)
-        self.path = PathMotion(values, PathPace(values, self._spindles))
+        self.path = PathMotion(values, FeedRate(values, self._spindles))
         self.technology = TechnologyOutputs()
         self.has_motion = False
         self._spindle_names = names_of(self._environment.parameters.spindles)
@@ -136,28 +137,30 @@ class Words:
         content.path.offset_kinds = kinds
         if content.zero_group is not None or content.is_reference:
             yield from self._offsets(content, self._environment.source_id(block.span), number)
-        if content.turns_tool:
+        if content.updates_tool_offsets:
             yield from self._values.tool.offsets(block.span, number)
         if content.functions:
-            yield from self.technology.before(content.functions)
-        measured = self.technology.measuring(content.functions) if self._state.measures else None
+            yield from self.technology.before_motion(content.functions)
+        measured = (
+            self.technology.take_measuring(content.functions) if self._state.measures else None
+        )
         if measured is not None:
             yield from self._measure(content, measured, block.span, number)
         elif content.stops:
-            yield from self._to_stop(content, block.span, number)
+            yield from self._move_to_fixed_stop(content, block.span, number)
         else:
             yield from self._motion(content, block.span, number)
         if content.dwell_s is not None:
             yield from self.dwell(content.dwell_s, block.span, number)
         if content.functions:
-            yield from self.technology.behind(content.functions)
+            yield from self.technology.after_motion(content.functions)
         if content.program_stops:
             yield from content.program_stops
         return content.ends_program
 
-    def _sort(self, block: tree.Block, number: int) -> Generator[Command, Answer, _Content]:
+    def _sort(self, block: tree.Block, number: int) -> Generator[Command, Answer, _BlockContent]:
         """Evaluate the words; G and F act at once, in whatever order they stand."""
-        content = _Content()
+        content = _BlockContent()
         numbers: dict[int, Span] = {}
         for word in block.words:
             if isinstance(word, tree.Word) and word.name == "G":
@@ -173,7 +176,7 @@ class Words:
         for word in words:
             if isinstance(word, tree.AxisWord):
                 if word.value is not None:
-                    known = self._values.known(word.value)
+                    known = self._values.constant_value(word.value)
                     if known is None:
                         known = yield from self._values.evaluate(word.value, number)
                     content.axes.append((word, known))
@@ -184,7 +187,7 @@ class Words:
                     stop = yield from fixed_stop(self._values, word, axis, number)
                     content.stops += ((word, stop),)
                     continue
-                yield from self.path.pace.override(word.items, number, axis)
+                yield from self.path.feed_rate.override(word.items, number, axis)
                 continue
             assert isinstance(word, tree.Word), word
             if word.name == "G":
@@ -193,7 +196,7 @@ class Words:
                     self._additional(word, value, content)
                 continue
             assert word.value is not None, word
-            known = self._values.known(word.value)
+            known = self._values.constant_value(word.value)
             if known is None:
                 known = yield from self._values.evaluate(word.value, number)
             extra = None
@@ -205,14 +208,14 @@ class Words:
                 if function in numbers:
                     self.path.compensate(function, numbers[function])
         for command in commands:
-            content.functions += yield from self._spindles.issued(command, number)
+            content.functions += yield from self._spindles.functions(command, number)
         if DWELL in numbers and content.axes:
             content.dwell_s = content.axes.pop()[1]
         return content
 
-    def _functions(self, numbers: Mapping[int, Span], content: _Content) -> None:
+    def _functions(self, numbers: Mapping[int, Span], content: _BlockContent) -> None:
         """G functions: the modal ones act at once."""
-        content.turns_tool = any(function in PLANES for function in numbers)
+        content.updates_tool_offsets = any(function in PLANES for function in numbers)
         for function, span in numbers.items():
             self._state.note(function)
             self._modal(function, span)
@@ -231,7 +234,7 @@ class Words:
             return self._spindles.revolutions_s(count, word.span)
         return None
 
-    def _additional(self, word: tree.Word, value: float, content: _Content) -> None:
+    def _additional(self, word: tree.Word, value: float, content: _BlockContent) -> None:
         """The value of a G function: the group of G159, the radius of G163, the time of G04."""
         assert isinstance(word.value, tree.Number)
         if word.value.value == ARC_RADIUS:
@@ -245,7 +248,7 @@ class Words:
             self._values.fail(UNKNOWN_ZERO_OFFSET, word.span, group=value, highest=MOST_GROUPS - 1)
         content.zero_group = int(group)
 
-    def _offsets(self, content: _Content, source: int, number: int) -> Iterator[Command]:
+    def _offsets(self, content: _BlockContent, source: int, number: int) -> Iterator[Command]:
         """Zero offsets, and G92, whose axis words are offsets and no motion (MO-8)."""
         offsets = self._environment.offsets
         if content.zero_group is not None:
@@ -291,14 +294,14 @@ class Words:
         value: float,
         extra: float | None,
         block: int,
-        content: _Content,
+        content: _BlockContent,
     ) -> None:
         if word.name == "F":
-            self.path.pace.feed_word(value)
+            self.path.feed_rate.feed_word(value)
             return
         if word.name in ("T", "D"):
             self._values.tool.word(word, value)
-            content.turns_tool = True
+            content.updates_tool_offsets = True
             return
         if word.name == "R":
             self._state.path.radius = value * self._state.length_unit_mm
@@ -315,10 +318,10 @@ class Words:
         parameters = self._environment.parameters
         table = parameters.m_functions if word.name == "M" else parameters.h_functions
         if number in table:
-            given = None if extra is None else self._given(word, number, extra)
-            content.functions.append(self._issued(word, number, table[number], given, block))
+            given = None if extra is None else self._plc_value(word, number, extra)
+            content.functions.append(self._function(word, number, table[number], given, block))
 
-    def _given(self, word: tree.Word, function: int, value: float) -> int:
+    def _plc_value(self, word: tree.Word, function: int, value: float) -> int:
         """The value that the PLC finds beside a function: a whole number of 32 bits."""
         whole = int(arithmetic.round_half_even(value))
         if not LEAST_VALUE <= whole <= MOST_VALUE:
@@ -333,21 +336,25 @@ class Words:
             )
         return whole
 
-    def _issued(
+    def _function(
         self,
         word: tree.Word,
         number: int,
         function: TechnologyFunction,
         given: int | None,
         block: int,
-    ) -> Issued:
+    ) -> BlockFunction:
         source = self._environment.source_id(word.span)
         code = number if word.name == "M" else -number - 1
         ticks = process_ticks(function, self._environment.cycle_time_us)
         output = TechnologyOutput(source, block, code, ticks, given)
-        return Issued(function.synchronisation, output, AwaitAcknowledge(source, block, code))
+        return BlockFunction(
+            function.synchronisation, output, AwaitAcknowledge(source, block, code)
+        )
 
-    def _motion(self, content: _Content, span: Span, number: int) -> Generator[Command, Answer]:
+    def _motion(
+        self, content: _BlockContent, span: Span, number: int
+    ) -> Generator[Command, Answer]:
         """The path to the programmed position; a centre without a target is a full circle."""
         if not content.axes and not (content.path.centre and self._state.motion in ARCS):
             return
@@ -365,7 +372,7 @@ class Words:
         yield segment
 
     def _measure(
-        self, content: _Content, measured: Issued, span: Span, number: int
+        self, content: _BlockContent, measured: BlockFunction, span: Span, number: int
     ) -> Generator[Command, Answer]:
         """A motion on whose way the edge of the strip is found (G108, V.RTG.MEAS_DELTA)."""
         self._state.measures = False
@@ -378,7 +385,9 @@ class Words:
         yield from self._motion(content, span, number)
         yield MeasureEnd(source, number)
 
-    def _to_stop(self, content: _Content, span: Span, number: int) -> Generator[Command, Answer]:
+    def _move_to_fixed_stop(
+        self, content: _BlockContent, span: Span, number: int
+    ) -> Generator[Command, Answer]:
         """A motion to a fixed stop, or away from it: where it ends only the axes know (MO-12)."""
         moved = self._programmed(content)
         monitored = False
@@ -386,7 +395,7 @@ class Words:
             if stop.is_on and word.name not in moved:
                 self._values.fail(FIXED_STOP_WITHOUT_MOTION, word.span, axis=word.name)
             if stop.is_on:
-                self._values.empties_channel(f"{word.name}[FIXED_STOP]", word.span)
+                self._values.check_flush_allowed(f"{word.name}[FIXED_STOP]", word.span)
             monitored = monitored or stop.is_on
             yield stop
         yield from self._motion(content, span, number)
@@ -397,7 +406,7 @@ class Words:
             assert isinstance(answer, tuple)
             self._state.positions = list(answer)
 
-    def _programmed(self, content: _Content) -> list[str]:
+    def _programmed(self, content: _BlockContent) -> list[str]:
         """Names of the axes that the block programs; an arc moves both axes of its plane."""
         names = [word.name for word, _ in content.axes]
         if self._state.motion in ARCS:
@@ -415,7 +424,7 @@ class Words:
         uncertain = self._uncertain_axes.uncertain(axes)
         if not uncertain:
             return
-        self._values.empties_channel(", ".join(uncertain), span)
+        self._values.check_flush_allowed(", ".join(uncertain), span)
         source = self._environment.source_id(span)
         places = [self._environment.axis_numbers[name] for name in uncertain]
         numbers = (self._environment.names.axis(name) for name in uncertain)
@@ -438,7 +447,7 @@ class Words:
             if command.start[place] != command.target[place] or place in plane
         ]
 
-    def _target(self, content: _Content, span: Span) -> list[float]:
+    def _target(self, content: _BlockContent, span: Span) -> list[float]:
         """Where the block ends: positions of the axes."""
         offsets, kinds = self._environment.offsets, content.path.offset_kinds
         target = offsets.inside(self._state.positions, kinds)

@@ -26,13 +26,13 @@ from nctakt.messages.coordinate_systems import (
     UNKNOWN_COORDINATE_SYSTEM_NAME,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.coordinate_systems import SystemCommand, system_command
+from nctakt.nc.check.coordinate_systems import CsCommand, cs_command
 
 #: So many systems are stored at a time.
 MOST_STORED = 5
 
 
-class SystemCommands:
+class CsCommands:
     """The ``#CS`` commands of one program."""
 
     def __init__(self, values: Values) -> None:
@@ -45,7 +45,7 @@ class SystemCommands:
 
     def command(self, statement: tree.HashCommand, number: int) -> Generator[Command, Answer]:
         """One command."""
-        command = system_command(statement)
+        command = cs_command(statement)
         assert command is not None
         source = self._environment.source_id(statement.span)
         offsets = self._environment.offsets
@@ -82,7 +82,7 @@ class SystemCommands:
             yield from offsets.leave_system(source, number)
         self._selected = min(self._selected, offsets.systems.count)
 
-    def _add(self, command: SystemCommand, span: Span, number: int) -> Generator[Command, Answer]:
+    def _add(self, command: CsCommand, span: Span, number: int) -> Generator[Command, Answer]:
         """``#CS ADD``: the stack has one system more on its top; nothing else changes."""
         if command.name in self._stack or len(self._stack) >= MOST_STORED:
             names = ", ".join(self._stack)
@@ -124,7 +124,7 @@ class SystemCommands:
             self._values.fail(LINEAR_AXES_MISSING, span)
 
     def _components(
-        self, command: SystemCommand, span: Span, number: int
+        self, command: CsCommand, span: Span, number: int
     ) -> Generator[Command, Answer, tuple[float, ...]]:
         """The components of the system that is meant, stored where it has a number."""
         identity = self._latest

@@ -2,8 +2,8 @@
 """How fast a block goes: F under G93, G94, G95, and overrides of the program (MO-4, MO-5, MO-17).
 
 In: F, the G functions of the feed, ``#OVERRIDE``, ``X[OVERRIDE …]``, the way of a block. Out: its
-feed in mm/s, degrees/s where only rotary axes move, below 0 rapid, and a ``Pace`` where more than
-that counts. Each of G93 … G95 has an F of its own, which comes back with it.
+feed in mm/s, degrees/s where only rotary axes move, below 0 rapid, and a ``FeedModifiers`` where
+more than that counts. Each of G93 … G95 has an F of its own, which comes back with it.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from collections.abc import Generator, Sequence
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.spindles import DEGREES_PER_S, SpindleWords
 from nctakt.decoder.state.arcs import Arc
-from nctakt.decoder.state.commands import Answer, Command, Pace
-from nctakt.decoder.state.modal_state import PaceState
+from nctakt.decoder.state.commands import Answer, Command, FeedModifiers
+from nctakt.decoder.state.modal_state import FeedState
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.messages.decoder import G194_ABOVE_MAX_FEED, NEGATIVE_FEED, NO_FEED_ACTIVE
@@ -39,7 +39,7 @@ LEAST_PCT, MOST_PCT = 0.1, 200.0
 FACTORS = ("FEED_FACT", "RAPID_FACT")
 
 
-class PathPace:
+class FeedRate:
     """Decodes what the speed of the blocks of one program depends on."""
 
     def __init__(self, values: Values, spindles: SpindleWords) -> None:
@@ -51,13 +51,13 @@ class PathPace:
     def feed_word(self, value: float) -> None:
         """F, in inch under G70: per minute whatever P-CHAN-00108 says, or per revolution."""
         state = self._state
-        mode = state.pace.feed_mode
+        mode = state.feed.feed_mode
         if mode == INVERSE_TIME_FEED:
-            state.pace.time_s = value
+            state.feed.time_s = value
         elif mode == FEED_PER_REVOLUTION:
-            state.pace.per_revolution_mm = value * state.length_unit_mm
+            state.feed.per_revolution_mm = value * state.length_unit_mm
         elif mode == FEED_SHARE:
-            state.pace.share_pct = value
+            state.feed.share_pct = value
         elif state.inch:
             state.feed_mm_s = value * state.length_unit_mm / 60.0
         else:
@@ -73,10 +73,10 @@ class PathPace:
         axis: int | None = None,
     ) -> Generator[Command, Answer]:
         """``#OVERRIDE``, or ``X[OVERRIDE …]`` for the axis at this place of the channel."""
-        pace = self._state.pace
-        feed, rapid = pace.path_override
+        feed_state = self._state.feed
+        feed, rapid = feed_state.path_override
         if axis is not None:
-            feed, rapid = pace.axis_overrides.get(axis, (1.0, 1.0))
+            feed, rapid = feed_state.axis_overrides.get(axis, (1.0, 1.0))
         for item in items:
             if not isinstance(item, tree.Keyword) or item.value is None:
                 continue
@@ -95,9 +95,9 @@ class PathPace:
             else:
                 rapid = pct / 100.0
         if axis is None:
-            pace.path_override = (feed, rapid)
+            feed_state.path_override = (feed, rapid)
         else:
-            pace.axis_overrides[axis] = (feed, rapid)
+            feed_state.axis_overrides[axis] = (feed, rapid)
 
     # --- a block --------------------------------------------------------------------------------
 
@@ -108,21 +108,21 @@ class PathPace:
         arc: Arc | None,
         is_exempt: bool,
         span: Span,
-    ) -> tuple[float, Pace | None]:
+    ) -> tuple[float, FeedModifiers | None]:
         """Feed and pace of a block; ``is_exempt``: without overrides (G166)."""
         rapid = self._state.rapid
-        pace = self._state.pace
+        feed_state = self._state.feed
         override = 1.0
         if not is_exempt:
-            override = pace.path_override[rapid]
-            if pace.axis_overrides:
+            override = feed_state.path_override[rapid]
+            if feed_state.axis_overrides:
                 override *= self._least_of_axes(start, target, arc)
         feed, spindle, spindle_v = (
             (-1.0, -1, 0.0) if rapid else self._feed(start, target, arc, span)
         )
         if override == 1.0 and not is_exempt and spindle < 0:
             return feed, None
-        return feed, Pace(override, is_exempt, spindle, spindle_v)
+        return feed, FeedModifiers(override, is_exempt, spindle, spindle_v)
 
     def _least_of_axes(
         self, start: Sequence[float], target: Sequence[float], arc: Arc | None
@@ -132,7 +132,7 @@ class PathPace:
         return min(
             (
                 factors[self._state.rapid]
-                for axis, factors in self._state.pace.axis_overrides.items()
+                for axis, factors in self._state.feed.axis_overrides.items()
                 if start[axis] != target[axis] or axis in plane
             ),
             default=1.0,
@@ -142,20 +142,20 @@ class PathPace:
         self, start: Sequence[float], target: Sequence[float], arc: Arc | None, span: Span
     ) -> tuple[float, int, float]:
         """The feed, the spindle that it follows (-1: none), at which speed of it."""
-        pace = self._state.pace
-        if pace.feed_mode == INVERSE_TIME_FEED:
-            self._need(pace.time_s, span)
-            return self._way(start, target, arc) / pace.time_s, -1, 0.0
-        if pace.feed_mode == FEED_PER_REVOLUTION:
-            self._need(pace.per_revolution_mm, span)
-            return self._per_revolution(pace, span)
-        if pace.feed_mode == FEED_SHARE:
-            self._need(pace.share_pct, span)
-            if pace.share_pct > MOST_SHARE_PCT:
+        feed_state = self._state.feed
+        if feed_state.feed_mode == INVERSE_TIME_FEED:
+            self._need(feed_state.time_s, span)
+            return self._way(start, target, arc) / feed_state.time_s, -1, 0.0
+        if feed_state.feed_mode == FEED_PER_REVOLUTION:
+            self._need(feed_state.per_revolution_mm, span)
+            return self._per_revolution(feed_state, span)
+        if feed_state.feed_mode == FEED_SHARE:
+            self._need(feed_state.share_pct, span)
+            if feed_state.share_pct > MOST_SHARE_PCT:
                 self._values.fail(
-                    G194_ABOVE_MAX_FEED, span, value=pace.share_pct, most=MOST_SHARE_PCT
+                    G194_ABOVE_MAX_FEED, span, value=feed_state.share_pct, most=MOST_SHARE_PCT
                 )
-            return self._highest(start, target, arc) * pace.share_pct / 100.0, -1, 0.0
+            return self._highest(start, target, arc) * feed_state.share_pct / 100.0, -1, 0.0
         self._need(self._state.feed_mm_s, span)
         return self._state.feed_mm_s, -1, 0.0
 
@@ -166,7 +166,7 @@ class PathPace:
         if value == 0.0:
             self._values.fail(NO_FEED_ACTIVE, span)
 
-    def _per_revolution(self, pace: PaceState, span: Span) -> tuple[float, int, float]:
+    def _per_revolution(self, feed_state: FeedState, span: Span) -> tuple[float, int, float]:
         """Under G95; of a spindle of the PLC only what is programmed is known."""
         for index, spindle in enumerate(self._environment.parameters.spindles):
             if not spindle.is_main:
@@ -174,7 +174,7 @@ class PathPace:
             modal = self._spindles.modal.get(index)
             if modal is None or modal.function == SPINDLE_STOP or modal.speed <= 0.0:
                 self._values.fail(FEED_PER_REVOLUTION_SPINDLE_STOPPED, span, spindle=spindle.name)
-            feed = pace.per_revolution_mm * modal.speed / 60.0
+            feed = feed_state.per_revolution_mm * modal.speed / 60.0
             if spindle.plc_controlled:
                 return feed, -1, 0.0
             return feed, index, modal.speed * DEGREES_PER_S

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks import segments
-from nctakt.decoder.blocks.feed import PathPace
+from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
 from nctakt.decoder.state.commands import Answer, Command, Segment
 from nctakt.decoder.state.offsets import ALL
@@ -75,9 +75,9 @@ class PathWords:
 class PathMotion:
     """Makes the segments of one program; ``span``: the block of the last one."""
 
-    def __init__(self, values: Values, pace: PathPace) -> None:
+    def __init__(self, values: Values, feed_rate: FeedRate) -> None:
         self._values = values
-        self.pace = pace
+        self.feed_rate = feed_rate
         self._environment = values.environment
         self._state = values.state
         self.span: Span
@@ -91,7 +91,7 @@ class PathMotion:
             case Group.PLANE:
                 path.plane = function
             case Group.FEED:
-                self._state.pace.feed_mode = function
+                self._state.feed.feed_mode = function
             case Group.ARC_CENTRE:
                 path.absolute_centre = function == ABSOLUTE_CENTRE
             case Group.CONTOURING:
@@ -149,7 +149,7 @@ class PathMotion:
         """``#CONTOUR MODE``, ``#SLOPE``, ``#OVERRIDE``."""
         path = self._state.path
         if command.words[0].name == "OVERRIDE":
-            yield from self.pace.override(keywords(command), number)
+            yield from self.feed_rate.override(keywords(command), number)
             return
         if command.words[0].name == "SLOPE":
             path.limits_jerk = self._limits_jerk(keywords(command))
@@ -184,7 +184,7 @@ class PathMotion:
         if arc is not None:
             self.check_extremes(arc, start, span)
         is_exempt = NO_OVERRIDE in words.once
-        feed, pace = self.pace.of(start, target, arc, is_exempt, span)
+        feed, pace = self.feed_rate.of(start, target, arc, is_exempt, span)
         exact = self._stops_exactly(words)
         self.span = span
         rounds = state.path.contouring or CONTOURING_ONCE in words.once

@@ -6,7 +6,7 @@ The constructor of a frozen dataclass takes as long as finding out all that it i
 
 from __future__ import annotations
 
-from nctakt.decoder.state.commands import Command, Pace, Segment
+from nctakt.decoder.state.commands import Command, FeedModifiers, Segment
 from nctakt.nc.fast import raw_nodes
 
 _SOURCE = Command.__dict__["source"]
@@ -18,7 +18,7 @@ _EXACT_STOP = Segment.__dict__["exact_stop"]
 _DEVIATION = Segment.__dict__["deviation"]
 _LIMITS_JERK = Segment.__dict__["limits_jerk"]
 _ARC = Segment.__dict__["arc"]
-_PACE = Segment.__dict__["pace"]
+_MODIFIERS = Segment.__dict__["modifiers"]
 _GOES_ON = Segment.__dict__["goes_on"]
 
 
@@ -32,7 +32,7 @@ def segment(
     deviation: float,
     limits_jerk: bool,
     arc: tuple[float, ...] | None,
-    pace: Pace | None,
+    modifiers: FeedModifiers | None,
 ) -> Segment:
     """The segment of a whole block."""
     made: Segment = raw_nodes.new_node(Segment, 0)
@@ -45,6 +45,6 @@ def segment(
     raw_nodes.set_field(_DEVIATION, made, deviation)
     raw_nodes.set_field(_LIMITS_JERK, made, limits_jerk)
     raw_nodes.set_field(_ARC, made, arc)
-    raw_nodes.set_field(_PACE, made, pace)
+    raw_nodes.set_field(_MODIFIERS, made, modifiers)
     raw_nodes.set_field(_GOES_ON, made, False)
     return made

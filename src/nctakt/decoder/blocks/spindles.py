@@ -13,10 +13,10 @@ from collections.abc import Generator, Sequence
 from dataclasses import dataclass, field
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.technology_output import Issued, process_ticks
+from nctakt.decoder.blocks.technology_output import BlockFunction, process_ticks
 from nctakt.decoder.state.commands import Answer, AwaitSpindle, Command, SpindleJob
 from nctakt.decoder.values.expressions import ExpressionBuilder
-from nctakt.decoder.values.fusing import Built, constant
+from nctakt.decoder.values.fusing import Operand, constant
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.kernel.cycles.spindle_commands import CommandSpindle
@@ -59,9 +59,9 @@ class SpindleWords:
     values: Values
     modal: dict[int, _Modal] = field(default_factory=dict)
 
-    def issued(
+    def functions(
         self, command: SpindleCommand, number: int
-    ) -> Generator[Command, Answer, list[Issued]]:
+    ) -> Generator[Command, Answer, list[BlockFunction]]:
         """The job of a command, if it makes one."""
         index, spindle = self._spindle(command)
         modal = self.modal.setdefault(index, _Modal())
@@ -87,7 +87,7 @@ class SpindleWords:
         function = SPINDLE_POSITION if key == "m19" else modal.function
         direction = _DIRECTIONS[turns[0]] if turns else 0
         speed = 0.0 if function == SPINDLE_STOP else modal.speed
-        return self._issue(
+        return self._job(
             command, number, (index, spindle, key), (function, speed, position, direction)
         )
 
@@ -100,13 +100,13 @@ class SpindleWords:
                     return 60.0 * count / modal.speed
         self.values.fail(DWELL_WITHOUT_SPINDLE, span)
 
-    def _issue(
+    def _job(
         self,
         command: SpindleCommand,
         number: int,
         target: tuple[int, Spindle, str],
         job: tuple[int, float, float, int],
-    ) -> list[Issued]:
+    ) -> list[BlockFunction]:
         index, spindle, key = target
         function, speed, position, direction = job
         way = spindle.functions[key]
@@ -117,7 +117,7 @@ class SpindleWords:
         source = self.values.environment.source_id(command.span)
         speed_v = DEGREES_PER_S * speed
         output = SpindleJob(source, number, index, function, speed_v, position, direction, ticks)
-        return [Issued(synchronisation, output, AwaitSpindle(source, number, index))]
+        return [BlockFunction(synchronisation, output, AwaitSpindle(source, number, index))]
 
     def _speed(self, expression: tree.Expression, number: int) -> Generator[Command, Answer, float]:
         value = yield from self.values.evaluate(expression, number)
@@ -179,7 +179,7 @@ def cycle_statement(
     )
 
 
-def _built(builder: ExpressionBuilder, expression: tree.Expression | None) -> Built:
+def _built(builder: ExpressionBuilder, expression: tree.Expression | None) -> Operand:
     return constant(0.0) if expression is None else builder.build(expression)
 
 

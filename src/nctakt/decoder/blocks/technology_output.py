@@ -17,10 +17,10 @@ from nctakt.lists.declared.technology_functions import TechnologyFunction
 #: Types that go out before the motion of their block, and those that do so behind it. A measuring
 #: event is over with the motion at the latest.
 _BEFORE = ("MOS", "MOS_TS", "MVS_SVS", "MVS_SNS", "MVS_SLM", "MVS_SLP")
-_BEHIND = ("MNS_SNS", "MNE_SNS")
+_AFTER = ("MNS_SNS", "MNE_SNS")
 #: Types that are waited for before the motion of their block, and behind it.
 _AWAITED_BEFORE = ("MVS_SVS",)
-_AWAITED_BEHIND = ("MVS_SNS", "MNS_SNS", "MNE_SNS")
+_AWAITED_AFTER = ("MVS_SNS", "MNS_SNS", "MNE_SNS")
 
 
 def process_ticks(function: TechnologyFunction, cycle_time_us: int) -> int:
@@ -30,7 +30,7 @@ def process_ticks(function: TechnologyFunction, cycle_time_us: int) -> int:
 
 
 @dataclass(frozen=True, slots=True)
-class Issued:
+class BlockFunction:
     """A function of a block: when it goes out and is waited for, and the commands of both."""
 
     synchronisation: str
@@ -42,9 +42,9 @@ class TechnologyOutputs:
     """The functions of one program, with those that are still to be waited for."""
 
     def __init__(self) -> None:
-        self._late: dict[str, list[Issued]] = {"MVS_SLM": [], "MVS_SLP": []}
+        self._late: dict[str, list[BlockFunction]] = {"MVS_SLM": [], "MVS_SLP": []}
 
-    def before(self, functions: Sequence[Issued]) -> Iterator[Command]:
+    def before_motion(self, functions: Sequence[BlockFunction]) -> Iterator[Command]:
         """What happens before the motion of the block with these functions."""
         for one in functions:
             if one.synchronisation in _BEFORE:
@@ -53,19 +53,19 @@ class TechnologyOutputs:
                 self._late[one.synchronisation].append(one)
         yield from _awaits(functions, _AWAITED_BEFORE)
 
-    def behind(self, functions: Sequence[Issued]) -> Iterator[Command]:
+    def after_motion(self, functions: Sequence[BlockFunction]) -> Iterator[Command]:
         """What happens behind the motion of the block."""
         for one in functions:
-            if one.synchronisation in _BEHIND:
+            if one.synchronisation in _AFTER:
                 yield one.output
-        yield from _awaits(functions, _AWAITED_BEHIND)
+        yield from _awaits(functions, _AWAITED_AFTER)
 
     @property
     def awaits_feed(self) -> bool:
         """Whether the next motion with feed waits for something."""
         return bool(self._late["MVS_SLM"])
 
-    def measuring(self, functions: list[Issued]) -> Issued | None:
+    def take_measuring(self, functions: list[BlockFunction]) -> BlockFunction | None:
         """The function that goes out where an edge is found, taken away from the others."""
         for one in functions:
             if one.synchronisation == "MNE_SNS":
@@ -77,7 +77,7 @@ class TechnologyOutputs:
         """A motion with feed begins: MVS_SLM is due."""
         return self._settle("MVS_SLM")
 
-    def explicit(self) -> Iterator[Command]:
+    def explicit_synchronisation(self) -> Iterator[Command]:
         """``#EXPL SYN``: MVS_SLP is due."""
         return self._settle("MVS_SLP")
 
@@ -89,7 +89,9 @@ class TechnologyOutputs:
             yield one.wait
 
 
-def _awaits(functions: Sequence[Issued], synchronisations: Sequence[str]) -> Iterator[Command]:
+def _awaits(
+    functions: Sequence[BlockFunction], synchronisations: Sequence[str]
+) -> Iterator[Command]:
     for one in functions:
         if one.synchronisation in synchronisations:
             yield one.wait

@@ -14,8 +14,8 @@ from nctakt.base.diagnostics import Message
 from nctakt.decoder.state.commands import (
     Answer,
     Command,
+    UserErrorReport,
     UserErrorStop,
-    UserErrorTold,
     UserErrorValue,
 )
 from nctakt.decoder.values.variables import Values
@@ -70,7 +70,7 @@ def user_error(
     for code, expression in given.values:
         told.append((code, (yield from values.evaluate_any(expression, number))))
     source = values.environment.source_id(statement.span)
-    yield UserErrorTold(source, number, identity, reaction)
+    yield UserErrorReport(source, number, identity, reaction)
     for code, value in told:
         is_text = isinstance(value, str)
         content = values.environment.text_id(value) if isinstance(value, str) else value

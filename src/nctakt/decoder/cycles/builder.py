@@ -17,7 +17,7 @@ from nctakt.decoder.blocks.user_errors import parts
 from nctakt.decoder.cycles.axis_actions import ActionBuilder
 from nctakt.decoder.cycles.memory_budget import memory_bytes
 from nctakt.decoder.values.expressions import ExpressionBuilder
-from nctakt.decoder.values.fusing import Built, constant, load
+from nctakt.decoder.values.fusing import Operand, constant, load
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.cycles import branches, expressions, fused, instructions, user_errors
 from nctakt.kernel.cycles.branches import Branch, Reaction
@@ -48,7 +48,7 @@ _REACTIONS = {
 
 
 @dataclass(frozen=True, slots=True)
-class Frozen:
+class FrozenValue:
     """An asynchronous variable that became a constant: its text, its value, its place."""
 
     name: str
@@ -57,7 +57,7 @@ class Frozen:
 
 
 @dataclass(frozen=True, slots=True)
-class BuiltReaction:
+class CycleBranch:
     """A branch of a cycle: its place and frequency, and the node that counts its firings."""
 
     span: Span
@@ -78,8 +78,8 @@ class CycleDefinition:
     span: Span
     cycle: RealtimeCycle
     statement: tree.RealtimeCycle
-    reactions: list[BuiltReaction] = field(default_factory=list)
-    frozen: tuple[Frozen, ...] = ()
+    reactions: list[CycleBranch] = field(default_factory=list)
+    frozen: tuple[FrozenValue, ...] = ()
     axes: tuple[str, ...] = ()
 
 
@@ -112,8 +112,8 @@ class CycleBuilder:
         self._conditions = 0
         self._statements = 0
         self._first_probe = first_probe
-        self._reactions: list[BuiltReaction] = []
-        self._frozen: list[Frozen] = []
+        self._reactions: list[CycleBranch] = []
+        self._frozen: list[FrozenValue] = []
 
     def build(
         self, statement: tree.RealtimeCycle, serial: int, identity: int, scope: str
@@ -138,7 +138,7 @@ class CycleBuilder:
             tuple(self._actions.axes),
         )
 
-    def _distinct_frozen(self) -> tuple[Frozen, ...]:
+    def _distinct_frozen(self) -> tuple[FrozenValue, ...]:
         """In the order of the text, each access once: ``+=`` builds its target's index twice."""
         by_span = {one.span: one for one in self._frozen}
         return tuple(by_span[span] for span in sorted(by_span))
@@ -235,7 +235,7 @@ class CycleBuilder:
             body = self._sequence(statement.body)
             source = self._place(statement.span)
             made = _REACTIONS[frequency](node, body, source, cost)
-            self._reactions.append(BuiltReaction(statement.span, frequency, made))
+            self._reactions.append(CycleBranch(statement.span, frequency, made))
             return made
         alternatives = [self._branch(statement.span, statement.condition, statement.body)]
         for elseif in statement.elseifs:
@@ -250,7 +250,7 @@ class CycleBuilder:
         node = self._condition(self._builder.condition(condition))
         cost = condition_steps(condition, self._names)
         made = Branch(node, self._sequence(body), self._place(span), cost)
-        self._reactions.append(BuiltReaction(span, "", made))
+        self._reactions.append(CycleBranch(span, "", made))
         self._statements += 1
         return made
 
@@ -261,7 +261,7 @@ class CycleBuilder:
         body = self._sequence(statement.else_body)
         condition = self._condition(Condition())
         made = Branch(condition, body, self._place(statement.else_span), 0)
-        self._reactions.append(BuiltReaction(statement.else_span, "", made))
+        self._reactions.append(CycleBranch(statement.else_span, "", made))
         self._statements += 1
         return made
 
@@ -290,7 +290,7 @@ class CycleBuilder:
         return self._store(statement.target, location, value, source, cost)
 
     def _store(
-        self, target: tree.Variable, location: Location, value: Built, source: int, cost: int
+        self, target: tree.Variable, location: Location, value: Operand, source: int, cost: int
     ) -> Statement:
         scalar = SCALARS[location.type]
         cell, index = self._index(target, location)
@@ -306,7 +306,7 @@ class CycleBuilder:
 
     # --- variables ------------------------------------------------------------------------------
 
-    def _leaf(self, node: tree.Variable | tree.Parameter) -> Built:
+    def _leaf(self, node: tree.Variable | tree.Parameter) -> Operand:
         if isinstance(node, tree.Parameter):
             return self._freeze(node)
         if is_decoder_data(node):
@@ -317,16 +317,16 @@ class CycleBuilder:
         cell, index = self._index(node, location)
         built = load(cell)
         if index is not None:
-            built = Built(expressions.LoadElement(cell, index))
+            built = Operand(expressions.LoadElement(cell, index))
         unit = self._values.state.length_unit_mm
         if location.is_length and unit != 1.0:
-            return Built(fused.DivideExpressionConstant(built.node, unit))
+            return Operand(fused.DivideExpressionConstant(built.node, unit))
         return built
 
-    def _freeze(self, node: tree.Variable | tree.Parameter) -> Built:
+    def _freeze(self, node: tree.Variable | tree.Parameter) -> Operand:
         """An asynchronous value: that of now, a constant from now on."""
         value = self._values.evaluate_now(node)
-        self._frozen.append(Frozen(format_expression(node), value, node.span))
+        self._frozen.append(FrozenValue(format_expression(node), value, node.span))
         return constant(value)
 
     def _index(

@@ -28,14 +28,14 @@ from nctakt.nc.vocabulary.functions import RETURN_COMMANDS, SUBPROGRAM_ENDS, TOO
 class Calls:
     """Makes call_stack of calls; the texts come from ``DecoderEnvironment.subprogram``.
 
-    ``may_imply``: some words of blocks call programs.
+    ``has_implicit_programs``: some words of blocks call programs.
     """
 
     def __init__(self, values: Values) -> None:
         self._values = values
         self._environment = values.environment
         programs = self._environment.parameters.implicit_programs
-        self.may_imply = bool(programs.m6 or programs.g800)
+        self.has_implicit_programs = bool(programs.m6 or programs.g800)
 
     # --- what is called -------------------------------------------------------------------------
 
@@ -66,22 +66,22 @@ class Calls:
         caller = self._values.state.call_stack.top.text.source.file
         return self._environment.subprogram(name, caller, span)
 
-    def implicit(self, name: str, span: Span) -> CallFrame:
+    def implicit_frame(self, name: str, span: Span) -> CallFrame:
         """The frame of a program that the channel list names."""
         text = self._file(name, span)
         return CallFrame(text, text.main)
 
-    def implied(
+    def implicit_call(
         self, block: tree.Block, number: int
     ) -> Generator[Command, Answer, tuple[tree.Block, CallFrame | None]]:
         """The block without M6 or G80 … that call a program of the list, and that program."""
         programs = self._environment.parameters.implicit_programs
         for word in block.words:
-            name = implied_program(word, programs)
+            name = implicit_program(word, programs)
             if not name:
                 continue
             assert isinstance(word, tree.Word)
-            frame = self.implicit(name, word.span)
+            frame = self.implicit_frame(name, word.span)
             if word.arguments:
                 frame.arguments = {}
             for index, argument in enumerate(word.arguments, start=1):
@@ -93,7 +93,7 @@ class Calls:
 
     # --- ends -----------------------------------------------------------------------------------
 
-    def returning(
+    def return_of(
         self, block: tree.Block, number: int
     ) -> Generator[Command, Answer, tuple[tree.Block, Return]]:
         """The block without its M17 or M29, and where that leads."""
@@ -106,12 +106,12 @@ class Calls:
             elif isinstance(word, tree.Word) and word.name == "N":
                 assert isinstance(word.value, tree.Number)
                 label = number_label(f"{word.value.value:.0f}")
-            elif not _is_return(word) or self._is_put_out(word):
+            elif not _is_return(word) or self._is_output(word):
                 others.append(word)
         rest = replace(block, words=tuple(others))
         return rest, Return(calls, label, block.span)
 
-    def _is_put_out(self, word: tree.BlockWord) -> bool:
+    def _is_output(self, word: tree.BlockWord) -> bool:
         """Whether M17 or M29 stands in the channel list (P-CHAN-00041): then the PLC gets it."""
         assert isinstance(word, tree.Word)
         assert isinstance(word.value, tree.Number)
@@ -138,7 +138,7 @@ class Calls:
         return calls, label
 
 
-def returns(block: tree.Block) -> bool:
+def has_return(block: tree.Block) -> bool:
     """Whether M17 or M29 stands in a block."""
     for word in block.words:  # no generator: this is asked of each block
         if _is_return(word):
@@ -171,7 +171,7 @@ def _is_return(word: tree.BlockWord) -> bool:
     )
 
 
-def implied_program(word: tree.BlockWord, programs: ImplicitPrograms) -> str:
+def implicit_program(word: tree.BlockWord, programs: ImplicitPrograms) -> str:
     """The program of the channel list that a word calls; empty for none."""
     if not isinstance(word, tree.Word) or not isinstance(word.value, tree.Number):
         return ""

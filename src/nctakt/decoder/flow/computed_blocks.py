@@ -28,7 +28,7 @@ from nctakt.nc.source import Source
 NUMBERED = ("G", "H", "M")
 
 
-def is_as_written(block: tree.Block) -> bool:
+def is_literal(block: tree.Block) -> bool:
     """Whether a block has neither computed numbers nor macros."""
     for word in block.words:
         if isinstance(word, tree.AxisWord):
@@ -64,7 +64,7 @@ def check(
         fail(errors[0].message, span, **errors[0].values)
 
 
-def with_numbers(
+def with_computed_numbers(
     values: Values, block: tree.Block, number: int
 ) -> Generator[Command, Answer, tree.Block]:
     """The block with the numbers that its functions have now."""

@@ -41,7 +41,7 @@ class Return:
 
 #: What statements say to the structure around them; empty: it goes on.
 Signal = Literal["", "break", "continue", "end"] | Jump | Return
-Decoded = Generator[Command, Answer, Signal]
+Decoding = Generator[Command, Answer, Signal]
 
 Structure = tree.If | tree.For | tree.While | tree.Do | tree.Repeat | tree.Switch
 
@@ -52,14 +52,14 @@ class Flow:
     def __init__(
         self,
         values: Values,
-        run: Callable[[Iterable[tree.Statement], str | None], Decoded],
+        run: Callable[[Iterable[tree.Statement], str | None], Decoding],
         count: Callable[[Span], None],
     ) -> None:
         self._values = values
         self._run = run
         self._count = count
 
-    def structure(self, statement: Structure, number: int) -> Decoded:
+    def structure(self, statement: Structure, number: int) -> Decoding:
         """A structure from its beginning; ``number`` is the N word of its first line."""
         match statement:
             case tree.If():
@@ -73,7 +73,7 @@ class Flow:
             case tree.Switch():
                 return (yield from self._switch(statement, number))
 
-    def enter(self, statement: tree.Statement, label: str) -> Decoded:
+    def enter(self, statement: tree.Statement, label: str) -> Decoding:
         """A structure from a label inside it on, as if its conditions had led there."""
         bodies = list(bodies_of(statement))
         first = next(i for i, body in enumerate(bodies) if any(leads_to(s, label) for s in body))
@@ -83,12 +83,12 @@ class Flow:
         return signal
 
     def _truth(self, condition: tree.Expression, number: int) -> Generator[Command, Answer, bool]:
-        value = self._values.known(condition)
+        value = self._values.constant_value(condition)
         if value is None:
             value = yield from self._values.evaluate(condition, number)
         return arithmetic.is_true(value)
 
-    def _if(self, statement: tree.If, number: int) -> Decoded:
+    def _if(self, statement: tree.If, number: int) -> Decoding:
         if (yield from self._truth(statement.condition, number)):
             return (yield from self._run(statement.body, None))
         for elseif in statement.elseifs:
@@ -100,7 +100,7 @@ class Flow:
 
     # --- loops ----------------------------------------------------------------------------------
 
-    def _round(
+    def _run_pass(
         self, loop: tree.While | tree.Do | tree.Repeat | tree.For
     ) -> Generator[Command, Answer, tuple[bool, Signal]]:
         """One run through a loop's body: whether the loop goes on, and what it says if not."""
@@ -110,24 +110,24 @@ class Flow:
             return True, ""
         return False, "" if signal == "break" else signal
 
-    def _while(self, loop: tree.While, number: int) -> Decoded:
+    def _while(self, loop: tree.While, number: int) -> Decoding:
         while (yield from self._truth(loop.condition, number)):
-            goes_on, signal = yield from self._round(loop)
-            if not goes_on:
+            continues, signal = yield from self._run_pass(loop)
+            if not continues:
                 return signal
         return ""
 
-    def _do(self, loop: tree.Do | tree.Repeat, number: int) -> Decoded:
+    def _do(self, loop: tree.Do | tree.Repeat, number: int) -> Decoding:
         """``$DO`` goes on while its condition holds, ``$REPEAT`` until it does."""
         while True:
-            goes_on, signal = yield from self._round(loop)
-            if not goes_on:
+            continues, signal = yield from self._run_pass(loop)
+            if not continues:
                 return signal
             holds = yield from self._truth(loop.condition, number)
             if holds == isinstance(loop, tree.Repeat):
                 return ""
 
-    def _for(self, loop: tree.For, number: int) -> Decoded:
+    def _for(self, loop: tree.For, number: int) -> Decoding:
         """``$FOR``: the end value included; a negative step counts down."""
         values = self._values
         value = yield from values.evaluate(loop.start, number)
@@ -141,15 +141,15 @@ class Flow:
             value = yield from values.evaluate(loop.variable, number)
             if (value > end) if step >= 0.0 else (value < end):
                 return ""
-            goes_on, signal = yield from self._round(loop)
-            if not goes_on:
+            continues, signal = yield from self._run_pass(loop)
+            if not continues:
                 return signal
             value = yield from values.evaluate(loop.variable, number)
             yield from values.store(loop.variable, value + step, number)
 
     # --- branches by value ----------------------------------------------------------------------
 
-    def _switch(self, switch: tree.Switch, number: int) -> Decoded:
+    def _switch(self, switch: tree.Switch, number: int) -> Decoding:
         """``$SWITCH``: from the first ``$CASE`` with the value on, until ``$BREAK``."""
         subject = yield from self._values.evaluate(switch.subject, number)
         chosen = None
@@ -166,7 +166,7 @@ class Flow:
             return ""
         return (yield from self._fall_through("", list(bodies_of(switch))[chosen:]))
 
-    def _fall_through(self, signal: Signal, bodies: list[tuple[tree.Statement, ...]]) -> Decoded:
+    def _fall_through(self, signal: Signal, bodies: list[tuple[tree.Statement, ...]]) -> Decoding:
         """Branch after branch, until one is left."""
         for body in bodies:
             if signal:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Generator
 
-from nctakt.decoder.blocks.cs_commands import SystemCommands
+from nctakt.decoder.blocks.cs_commands import CsCommands
 from nctakt.decoder.cycles.builder import TIMER_ACTIONS
 from nctakt.decoder.state.commands import (
     Answer,
@@ -24,13 +24,13 @@ from nctakt.nc import tree
 from nctakt.nc.vocabulary.system_variables import TIMERS
 
 
-class Hashes:
+class HashCommands:
     """Decodes them for one program."""
 
     def __init__(self, values: Values) -> None:
         self._values = values
         self._environment = values.environment
-        self._systems = SystemCommands(values)
+        self._systems = CsCommands(values)
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
         """``#DELETE``, ``#CS``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``.
@@ -50,7 +50,7 @@ class Hashes:
             yield ClearHistory(self._environment.source_id(command.span), number)
         elif words == ("CHANNEL", "INIT"):
             source = self._environment.source_id(command.span)
-            self._values.empties_channel("#CHANNEL INIT", command.span)
+            self._values.check_flush_allowed("#CHANNEL INIT", command.span)
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._values.state.positions = list(answer)
@@ -86,6 +86,6 @@ class Hashes:
         source = self._environment.source_id(timer.span)
         yield ProgramTimer(source, number, index, TIMER_ACTIONS[timer.action])
         if timer.action == "READ":
-            self._values.empties_channel("#TIMER READ SYN", timer.span)
+            self._values.check_flush_allowed("#TIMER READ SYN", timer.span)
             yield Flush(source, number, True)
             timers.take_over(index)

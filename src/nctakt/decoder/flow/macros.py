@@ -57,7 +57,7 @@ class Macros:
         """Whether there are any."""
         return bool(self._texts)
 
-    def meant(self, statement: tree.Statement) -> tree.Statement:
+    def expand_expressions(self, statement: tree.Statement) -> tree.Statement:
         """The statement with what macros stand for in its expressions."""
         known = self._meant.get(id(statement))
         if known is None:
@@ -102,7 +102,7 @@ class Macros:
         if self._characters > MOST_CHARACTERS:
             self._fail(MACRO_TEXT_TOO_LONG, span, name=name, limit=MOST_CHARACTERS)
 
-    def expand(self, block: tree.Block) -> list[tree.Statement] | None:
+    def expand_block(self, block: tree.Block) -> list[tree.Statement] | None:
         """The statements of a block with macros; ``None`` for one without.
 
         Their own macros are expanded as well.

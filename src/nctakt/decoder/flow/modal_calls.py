@@ -58,14 +58,14 @@ class ModalCalls:
         """``#DISABLE MODAL CYCLE``."""
         self._call_stack.set_modal(None)
 
-    def behind_words(self, line: int, has_motion: bool) -> None:
+    def after_block(self, line: int, has_motion: bool) -> None:
         """The words of a block that calls nothing and ends nothing are decoded."""
         modal = self._call_stack.top.modal
         if modal is not None and (modal.after_each_block or has_motion):
             modal.is_due = True
             modal.line = line
 
-    def behind(self, statement: tree.Statement) -> None:
+    def after_statement(self, statement: tree.Statement) -> None:
         """A statement that is no block of words is decoded."""
         modal = self._call_stack.top.modal
         if modal is None or not modal.after_each_block:
@@ -74,7 +74,7 @@ class ModalCalls:
             modal.is_due = True
             modal.line = statement.span.line
 
-    def due(self, line: int | None = None) -> tuple[CallFrame, ModalCall] | None:
+    def take_due(self, line: int | None = None) -> tuple[CallFrame, ModalCall] | None:
         """The call that comes before the block in this line, or ``None`` for the next block."""
         modal = self._call_stack.top.modal
         if modal is None or not modal.is_due or modal.line == line:

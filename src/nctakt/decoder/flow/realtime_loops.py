@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable
 
-from nctakt.decoder.blocks.block_decoder import Words
-from nctakt.decoder.flow.flow import Decoded
+from nctakt.decoder.blocks.block_decoder import BlockDecoder
+from nctakt.decoder.flow.flow import Decoding
 from nctakt.decoder.state.commands import (
     Answer,
     BlockMark,
@@ -42,13 +42,13 @@ class RealtimeLoops:
     def __init__(
         self,
         values: Values,
-        words: Words,
-        run: Callable[[Iterable[tree.Statement], str | None], Decoded],
+        block_decoder: BlockDecoder,
+        run: Callable[[Iterable[tree.Statement], str | None], Decoding],
     ) -> None:
         self._values = values
         self._environment = values.environment
         self._state = values.state
-        self._words = words
+        self._block_decoder = block_decoder
         self._run = run
 
     def loop(self, loop: tree.RealtimeLoop, number: int) -> Generator[Command, Answer]:
@@ -59,8 +59,10 @@ class RealtimeLoops:
         if size == 0:
             self._values.fail(RT_WHILE_WITHOUT_HISTORY, loop.span)
         source = self._environment.source_id(loop.span)
-        yield from self._words.request(tuple(self._environment.axis_numbers), loop.span, number)
-        yield from self._words.technology.before_feed()
+        yield from self._block_decoder.request(
+            tuple(self._environment.axis_numbers), loop.span, number
+        )
+        yield from self._block_decoder.technology.before_feed()
         begin = tuple(self._state.positions)
         body = self._body(loop)
         motions = sum(isinstance(command, Segment) for command in body)

@@ -25,7 +25,7 @@ class Command:
 
 
 @dataclass(frozen=True, slots=True)
-class Pace:
+class FeedModifiers:
     """What the speed of a segment depends on beside its feed.
 
     ``override``: the programmed one as a factor. ``is_exempt``: the operator's has no effect.
@@ -50,7 +50,7 @@ class Segment(Command):
 
     ``feed`` in mm/s, below 0 rapid. ``deviation``: how far the path may pass the
     target, 0 not at all. ``limits_jerk``: its slope is an S-curve. ``arc``: first and second axis
-    of its plane, centre, angle; ``None`` for a line. ``pace``: ``None`` where the feed
+    of its plane, centre, angle; ``None`` for a line. ``modifiers``: ``None`` where the feed
     is all. ``goes_on``: the block goes on with the next segment.
     """
 
@@ -61,7 +61,7 @@ class Segment(Command):
     deviation: float = 0.0
     limits_jerk: bool = False
     arc: tuple[float, ...] | None = None
-    pace: Pace | None = None
+    modifiers: FeedModifiers | None = None
     goes_on: bool = False
 
 
@@ -145,12 +145,12 @@ class AwaitSpindle(Command):
 class WriteVariable(Command):
     """A synchronous variable gets a value when this is taken (RC-308).
 
-    ``is_told``: it is an event; that of a V.RT* variable, which changes how the run goes on.
+    ``is_reported``: it is an event; that of a V.RT* variable, which changes how the run goes on.
     """
 
     cell: int
     value: float
-    is_told: bool
+    is_reported: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -221,7 +221,7 @@ class Freeze(Command):
 
 
 @dataclass(frozen=True, slots=True)
-class UserErrorTold(Command):
+class UserErrorReport(Command):
     """``#ERROR`` of the main program is told (RC-402); its values follow."""
 
     identity: int
@@ -397,7 +397,7 @@ def pack(command: Command, place: int = 0) -> list[float]:
         case AwaitSpindle():
             return [command_queue.AWAIT_SPINDLE, *head, command.spindle]
         case WriteVariable():
-            return [command_queue.WRITE, *head, command.cell, command.value, command.is_told]
+            return [command_queue.WRITE, *head, command.cell, command.value, command.is_reported]
         case WriteText():
             row = [command_queue.WRITE, *head, command.cell, command.first, len(command.data), True]
             return [*row, command.zeros, *command.data]
@@ -414,7 +414,7 @@ def pack(command: Command, place: int = 0) -> list[float]:
             return [command_queue.SET_TURN, *head, first, second + 1, third + 1, *command.matrix]
         case Freeze():
             return [command_queue.FREEZE, *head, command.serial, place, command.value]
-        case UserErrorTold():
+        case UserErrorReport():
             return [command_queue.USER_ERROR, *head, command.identity, command.reaction]
         case UserErrorValue():
             row = [command_queue.USER_VALUE, *head, command.code, command.content]

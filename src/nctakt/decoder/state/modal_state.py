@@ -110,7 +110,7 @@ class ToolState:
 
 
 @dataclass(slots=True)
-class PaceState:
+class FeedState:
     """What F means, 93 … 95 or 194, and its values under G93, G95, G194; the program's overrides.
 
     Overrides are factors of feed and rapid blocks: of the path, and by axis (its place).
@@ -148,7 +148,7 @@ class ModalState:
     parameters: dict[int, float] = field(default_factory=dict)
     message_file: str = ""
     measures: bool = False
-    pace: PaceState = field(default_factory=PaceState)
+    feed: FeedState = field(default_factory=FeedState)
     call_stack: CallStack = field(default_factory=CallStack)
     not_plain: dict[Group, int] = field(default_factory=dict)
 
@@ -165,8 +165,8 @@ class ModalState:
         how a line is made of its block has to be asked for here: plain blocks then take the tree's
         way (``handover.py``).
         """
-        pace = self.pace
-        has_override = pace.path_override != (1.0, 1.0) or bool(pace.axis_overrides)
+        feed = self.feed
+        has_override = feed.path_override != (1.0, 1.0) or bool(feed.axis_overrides)
         return not self.not_plain and not has_override
 
     def note(self, function: int) -> None:

@@ -39,7 +39,7 @@ KEYWORDS["ALL"] = ALL
 KINDS_IN_SYSTEMS = tuple(kind for kind in range(coordinates.KINDS) if kind != TOOL)
 
 
-def left_over(command: OffsetCommand) -> int:
+def remaining_offset_kinds(command: OffsetCommand) -> int:
     """The kinds of offsets that ``#SUPPRESS OFFSETS`` leaves to its block."""
     named = [KEYWORDS[kind.name] for kind in command.kinds if isinstance(kind, Keyword)]
     return ALL - sum(dict.fromkeys(named)) if named else 0

@@ -21,7 +21,7 @@ from nctakt.decoder.state.environment import DecodeError, DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.tools import ActiveTool
 from nctakt.decoder.values.expressions import ExpressionBuilder
-from nctakt.decoder.values.fusing import Built, constant
+from nctakt.decoder.values.fusing import Operand, constant
 from nctakt.decoder.values.plans import Leaf, Plan, Plans
 from nctakt.decoder.values.program_values import ProgramValues
 from nctakt.decoder.values.system_values import SystemValues
@@ -61,7 +61,7 @@ from nctakt.nc.vocabulary.system_variables import (
 )
 from nctakt.nc.vocabulary.variable_table import Location, Whole
 
-Decoding = Generator[Command, Answer, float]
+Evaluation = Generator[Command, Answer, float]
 
 #: Operations whose fault is a wrong argument of a function (21241).
 _FUNCTIONS = frozenset(
@@ -69,7 +69,7 @@ _FUNCTIONS = frozenset(
 )
 
 
-class Reading:
+class Evaluator:
     """Evaluates expressions of one program."""
 
     def __init__(self, environment: DecoderEnvironment, state: ModalState) -> None:
@@ -77,7 +77,7 @@ class Reading:
         self.state = state
         self._fetched: dict[int, float | str] = {}
         self._builder = ExpressionBuilder(
-            self._leaf, self._compare_texts, self._ask, macro=self.no_macro
+            self._leaf, self._compare_texts, self._query_number, macro=self.no_macro
         )
         self.program_values = ProgramValues(state.call_stack, self._index, self.fail)
         self._plans = Plans()
@@ -94,7 +94,7 @@ class Reading:
 
     # --- reading --------------------------------------------------------------------------------
 
-    def known(self, expression: tree.Expression) -> float | None:
+    def constant_value(self, expression: tree.Expression) -> float | None:
         """The value of an expression that needs nothing else; ``None``: it has to be evaluated."""
         if isinstance(expression, TemplateExpression):
             return self._template_evaluator.value(
@@ -102,12 +102,12 @@ class Reading:
             )
         return expression.value if isinstance(expression, tree.Number) else None
 
-    def evaluate(self, expression: tree.Expression, number: int) -> Decoding:
+    def evaluate(self, expression: tree.Expression, number: int) -> Evaluation:
         """The value of an expression; synchronous variables in it empty the channel first.
 
         ``number`` is the N word of the block. Raises ``DecodeError`` where there is no value.
         """
-        value = self.known(expression)
+        value = self.constant_value(expression)
         if value is not None:
             return value
         expression = to_tree(expression)
@@ -123,7 +123,7 @@ class Reading:
         """As ``evaluate``; the value may be a text."""
         if isinstance(expression, tree.StringLiteral):
             return expression.value
-        value = self.known(expression)
+        value = self.constant_value(expression)
         if value is not None:
             return value
         expression = to_tree(expression)
@@ -144,7 +144,7 @@ class Reading:
         if isinstance(expression, tree.Parameter):
             value = self._argument(expression)
         elif isinstance(expression, tree.Call):
-            value = self._asked(expression)
+            value = self._query(expression)
         elif isinstance(expression, tree.Variable):
             value = self._fetched[id(expression)]
         else:
@@ -163,16 +163,16 @@ class Reading:
             return self._is_text(expression.left) or self._is_text(expression.right)
         return is_text(expression, self.environment.names)
 
-    def _ask(self, call: tree.Call) -> Built | None:
+    def _query_number(self, call: tree.Call) -> Operand | None:
         """The number that a function of names or texts gives."""
         if not FUNCTIONS[call.function].decoder_only:
             return None
-        value = self._asked(call)
+        value = self._query(call)
         if isinstance(value, str):
             self.fail(TEXT_INSTEAD_OF_NUMBER, call.span, name=call.function)
         return constant(value)
 
-    def _asked(self, call: tree.Call) -> float | str:
+    def _query(self, call: tree.Call) -> float | str:
         function = FUNCTIONS[call.function]
         first = call.arguments[0]
         match call.function:
@@ -231,7 +231,7 @@ class Reading:
             self.fail(CALL_PARAMETER_MISSING, parameter.span, name=f"@P{number}")
         return value
 
-    def _compare_texts(self, comparison: tree.Binary) -> Built | None:
+    def _compare_texts(self, comparison: tree.Binary) -> Operand | None:
         """Two texts are equal when all their characters are."""
         if not (self._is_text(comparison.left) or self._is_text(comparison.right)):
             return None
@@ -292,7 +292,7 @@ class Reading:
         for variable in plan.variables if plan is not None else variables_in(expression):
             if is_decoder_data(variable):
                 if variable.family == "A":
-                    yield from self._stand(variable, number)
+                    yield from self._flush_before(variable, number)
                 self._fetched[id(variable)] = self._read_now(variable)
                 continue
             location = self.locate(variable)
@@ -300,14 +300,14 @@ class Reading:
                 self._fetched[id(variable)] = self._read_now(variable)
                 continue
             cell = self.cell(variable, location)
-            self.empties_channel(path_text(variable), variable.span)
+            self.check_flush_allowed(path_text(variable), variable.span)
             source = self.environment.source_id(variable.span)
             answer = yield ReadRealtime(source, number, cell)
             assert isinstance(answer, float)
             # the answer is of the tick that ran last, so the memory still holds what it was
             self._fetched[id(variable)] = self._value_in(cell, location)
 
-    def _leaf(self, node: tree.Variable | tree.Parameter) -> Built:
+    def _leaf(self, node: tree.Variable | tree.Parameter) -> Operand:
         if isinstance(node, tree.Variable):
             value = self._fetched[id(node)]
             if isinstance(value, str):
@@ -362,12 +362,12 @@ class Reading:
             return self.tool.read(variable, found, self._index)
         return self.system.read(variable, found)
 
-    def _stand(self, variable: tree.Variable, number: int) -> Generator[Command, Answer]:
+    def _flush_before(self, variable: tree.Variable, number: int) -> Generator[Command, Answer]:
         """Empty the channel in front of a variable that shows where an axis is."""
         found = system_variable(variable, tuple(self.environment.axis_numbers))
         if found is not None and found.waits:
             cell = self.system.cell(variable, found)
-            self.empties_channel(path_text(variable), variable.span)
+            self.check_flush_allowed(path_text(variable), variable.span)
             yield ReadRealtime(self.environment.source_id(variable.span), number, cell)
 
     def _value_in(self, cell: int, location: Location) -> float | str:
@@ -401,7 +401,7 @@ class Reading:
             cell += int(number) * dimension.stride
         return cell
 
-    def empties_channel(self, command: str, span: Span) -> None:
+    def check_flush_allowed(self, command: str, span: Span) -> None:
         """What waits until the path stands cannot be while contours are compensated (RC-308)."""
         compensation = self.state.path.compensation
         if compensation.side:

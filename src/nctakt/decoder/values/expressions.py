@@ -12,7 +12,7 @@ from collections.abc import Callable
 from functools import cached_property
 from typing import NoReturn
 
-from nctakt.decoder.values.fusing import Built, constant, fuse
+from nctakt.decoder.values.fusing import Operand, constant, fuse
 from nctakt.kernel.cycles import conditions, expressions
 from nctakt.kernel.cycles.conditions import Condition
 from nctakt.kernel.cycles.context import Context, empty_context
@@ -95,21 +95,21 @@ class ExpressionBuilder:
     """``leaf`` says what a variable or parameter becomes, ``number`` what a number does.
 
     ``compare_texts`` gives the value of ``==`` and ``!=`` between texts, ``None`` between numbers;
-    ``ask`` that of a function of names or texts, ``None`` of one of numbers. ``macro`` tells of one
-    that is not defined.
+    ``query`` that of a function of names or texts, ``None`` of one of numbers. ``macro`` tells of
+    one that is not defined.
     """
 
     def __init__(
         self,
-        leaf: Callable[[tree.Variable | tree.Parameter], Built],
-        compare_texts: Callable[[tree.Binary], Built | None] = lambda _: None,
-        ask: Callable[[tree.Call], Built | None] = lambda _: None,
-        number: Callable[[tree.Number], Built] = lambda one: constant(one.value),
+        leaf: Callable[[tree.Variable | tree.Parameter], Operand],
+        compare_texts: Callable[[tree.Binary], Operand | None] = lambda _: None,
+        query: Callable[[tree.Call], Operand | None] = lambda _: None,
+        number: Callable[[tree.Number], Operand] = lambda one: constant(one.value),
         macro: Callable[[tree.StringLiteral], NoReturn] = _unexpected,
     ) -> None:
         self._leaf = leaf
         self._compare_texts = compare_texts
-        self._ask = ask
+        self._query = query
         self._number = number
         self._macro = macro
 
@@ -118,7 +118,7 @@ class ExpressionBuilder:
         """Made when a value is computed: most builders only build."""
         return empty_context()
 
-    def build(self, expression: tree.Expression) -> Built:
+    def build(self, expression: tree.Expression) -> Operand:
         """The node of an expression that the checker has let pass."""
         match expression:
             case tree.Number():
@@ -167,21 +167,21 @@ class ExpressionBuilder:
             return self.condition(expression)
         return conditions.IsTruePart(self.build(expression).node)
 
-    def combine(self, operator: str, left: Built, right: Built) -> Built:
+    def combine(self, operator: str, left: Operand, right: Operand) -> Operand:
         """``left operator right``."""
         if left.constant is not None and right.constant is not None:
             return self._folded(_BINARY[operator](left.node, right.node))
-        return fuse(operator, left, right) or Built(_BINARY[operator](left.node, right.node))
+        return fuse(operator, left, right) or Operand(_BINARY[operator](left.node, right.node))
 
-    def _unary(self, operator: str, operand: tree.Expression) -> Built:
+    def _unary(self, operator: str, operand: tree.Expression) -> Operand:
         built = self.build(operand)
         node = _UNARY[operator](built.node)
         if built.constant is not None:
             return self._folded(node)
-        return Built(node)
+        return Operand(node)
 
-    def _call(self, call: tree.Call) -> Built:
-        asked = self._ask(call)
+    def _call(self, call: tree.Call) -> Operand:
+        asked = self._query(call)
         if asked is not None:
             return asked
         if call.function == "ATAN2":
@@ -189,13 +189,13 @@ class ExpressionBuilder:
             node = expressions.ArcTangent2(left.node, right.node)
             if left.constant is not None and right.constant is not None:
                 return self._folded(node)
-            return Built(node)
+            return Operand(node)
         return self._unary(call.function, call.arguments[0])
 
-    def _folded(self, node: Expression) -> Built:
+    def _folded(self, node: Expression) -> Operand:
         """A node of known operands: its value, unless it is a fault that the run has to tell."""
         self._context.fault = 0
         value = node.measure(self._context)
         if self._context.fault or value - value != 0.0:
-            return Built(node)
+            return Operand(node)
         return constant(value)

@@ -18,7 +18,7 @@ Terms = tuple[tuple[int, float], ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Built:
+class Operand:
     """A node.
 
     ``constant`` is its value where that is known, ``cell`` the variable that it only loads;
@@ -31,14 +31,14 @@ class Built:
     terms: Terms = ()
 
 
-def constant(value: float) -> Built:
+def constant(value: float) -> Operand:
     """A known number."""
-    return Built(expressions.Constant(value), value)
+    return Operand(expressions.Constant(value), value)
 
 
-def load(cell: int) -> Built:
+def load(cell: int) -> Operand:
     """A variable of the memory."""
-    return Built(expressions.Load(cell), cell=cell, terms=((cell, 1.0),))
+    return Operand(expressions.Load(cell), cell=cell, terms=((cell, 1.0),))
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,10 +75,10 @@ _OPERATIONS = {
 _SUMS = {2: fused.SumOfTwo, 3: fused.SumOfThree, 4: fused.SumOfFour}
 
 
-def fuse(operator: str, left: Built, right: Built) -> Built | None:
+def fuse(operator: str, left: Operand, right: Operand) -> Operand | None:
     """``left operator right``, not both known, as one node."""
     if operator == "/" and right.constant:
-        return Built(fused.DivideExpressionConstant(left.node, right.constant))
+        return Operand(fused.DivideExpressionConstant(left.node, right.constant))
     if operator not in _OPERATIONS:
         return None
     if operator == "*":
@@ -86,10 +86,10 @@ def fuse(operator: str, left: Built, right: Built) -> Built | None:
     terms = _sum(operator, left, right)
     if len(terms) < 2 or (left.cell is not None and right.cell is not None):
         return _pair(operator, left, right, terms)
-    return Built(_SUMS[len(terms)](1.0, terms), terms=terms)
+    return Operand(_SUMS[len(terms)](1.0, terms), terms=terms)
 
 
-def _sum(operator: str, left: Built, right: Built) -> Terms:
+def _sum(operator: str, left: Operand, right: Operand) -> Terms:
     """The terms of a sum or difference, if it has any and they are at most four.
 
     Only what is added last may be negated: ``a - [b + c]`` is no sum of terms to the last bit.
@@ -102,7 +102,7 @@ def _sum(operator: str, left: Built, right: Built) -> Terms:
     return (*left.terms, (cell, factor if operator == "+" else -factor))
 
 
-def _multiple(left: Built, right: Built) -> Built | None:
+def _multiple(left: Operand, right: Operand) -> Operand | None:
     """A number times a variable, or times a sum."""
     if left.constant is not None:
         left, right = right, left
@@ -110,13 +110,13 @@ def _multiple(left: Built, right: Built) -> Built | None:
         return None
     if left.cell is not None:
         node = fused.MultiplyCellConstant(left.cell, right.constant)
-        return Built(node, terms=((left.cell, right.constant),))
+        return Operand(node, terms=((left.cell, right.constant),))
     if len(left.terms) == 1:
         return None
-    return Built(_SUMS[len(left.terms)](right.constant, left.terms))
+    return Operand(_SUMS[len(left.terms)](right.constant, left.terms))
 
 
-def _pair(operator: str, left: Built, right: Built, terms: Terms = ()) -> Built | None:
+def _pair(operator: str, left: Operand, right: Operand, terms: Terms = ()) -> Operand | None:
     """Two operands, of which at least one is a variable or a number."""
     operation = _OPERATIONS[operator]
     if operator != "-" and right.cell is None and right.constant is None:
@@ -124,11 +124,11 @@ def _pair(operator: str, left: Built, right: Built, terms: Terms = ()) -> Built 
     if operator != "-" and left.constant is not None and right.cell is not None:
         left, right = right, left
     if left.cell is not None and right.constant is not None:
-        return Built(operation.cell_constant(left.cell, right.constant))
+        return Operand(operation.cell_constant(left.cell, right.constant))
     if left.cell is not None and right.cell is not None:
-        return Built(operation.cell_cell(left.cell, right.cell), terms=terms)
+        return Operand(operation.cell_cell(left.cell, right.cell), terms=terms)
     if right.constant is not None:
-        return Built(operation.expression_constant(left.node, right.constant))
+        return Operand(operation.expression_constant(left.node, right.constant))
     if right.cell is not None and left.constant is None:
-        return Built(operation.expression_cell(left.node, right.cell))
+        return Operand(operation.expression_cell(left.node, right.cell))
     return None

@@ -13,7 +13,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nctakt.decoder.values.expressions import ExpressionBuilder
-from nctakt.decoder.values.fusing import Built, constant, load
+from nctakt.decoder.values.fusing import Operand, constant, load
 from nctakt.decoder.values.template_plans import MOST_CELLS, TemplatePlan
 from nctakt.kernel.cycles.context import context_of
 from nctakt.kernel.cycles.expressions import Expression
@@ -92,7 +92,7 @@ class Plans:
             known = self._template_plans[template] = plan_of_template(template)
         return known
 
-    def _leaf(self, leaf: Leaf) -> Built:
+    def _leaf(self, leaf: Leaf) -> Operand:
         self._leaves.append(leaf)
         return load(len(self._leaves) - 1)
 
@@ -104,14 +104,14 @@ def plan_of_template(template: ExpressionTemplate) -> TemplatePlan:
     names: dict[tuple[str, str], None] = {}
     parameters: dict[int, None] = {}
 
-    def number(node: tree.Number) -> Built:
+    def number(node: tree.Number) -> Operand:
         place = template.numbers.get(node.span)
         if place is None:
             return constant(node.value)
         numbers[place] = None
         return load(list(numbers).index(place))
 
-    def leaf(node: Leaf) -> Built:
+    def leaf(node: Leaf) -> Operand:
         if isinstance(node, tree.Variable):
             name = (node.family, bare_name(node))
             names[name] = None

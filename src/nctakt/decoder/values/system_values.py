@@ -89,17 +89,17 @@ class SystemValues:
             case "MASS_MM":
                 return float(state.inch)
             case "FEEDRATE_MODE":
-                return float(state.pace.feed_mode)
+                return float(state.feed.feed_mode)
             case "FEEDRATE_SCALE":
                 return unit
             case "NP_DEFAULT":
                 return float(self._environment.offsets.default_group)
-            case "FEEDRATE" if state.pace.feed_mode == INVERSE_TIME_FEED:
-                return state.pace.time_s
-            case "FEEDRATE" if state.pace.feed_mode == FEED_PER_REVOLUTION:
-                return state.pace.per_revolution_mm / state.length_unit_mm
-            case "FEEDRATE" if state.pace.feed_mode == FEED_SHARE:
-                return state.pace.share_pct
+            case "FEEDRATE" if state.feed.feed_mode == INVERSE_TIME_FEED:
+                return state.feed.time_s
+            case "FEEDRATE" if state.feed.feed_mode == FEED_PER_REVOLUTION:
+                return state.feed.per_revolution_mm / state.length_unit_mm
+            case "FEEDRATE" if state.feed.feed_mode == FEED_SHARE:
+                return state.feed.share_pct
             case "FEEDRATE":
                 per_minute = state.length_unit_mm if state.inch else unit
                 return state.feed_mm_s * 60.0 / per_minute

@@ -19,7 +19,7 @@ from nctakt.decoder.state.commands import (
     WriteVariable,
     write_text,
 )
-from nctakt.decoder.values.evaluation import Reading
+from nctakt.decoder.values.evaluation import Evaluator
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import Node
@@ -38,7 +38,7 @@ from nctakt.nc.vocabulary.resolution import (
 from nctakt.nc.vocabulary.system_variables import SYSTEM_FAMILIES, system_variable
 from nctakt.nc.vocabulary.variable_table import Location, Whole
 
-Decoding = Generator[Command, Answer, float]
+Evaluation = Generator[Command, Answer, float]
 
 #: Operations whose fault is a wrong argument of a function (21241).
 _FUNCTIONS = frozenset(
@@ -46,15 +46,15 @@ _FUNCTIONS = frozenset(
 )
 
 
-class Values(Reading):
+class Values(Evaluator):
     """Evaluates expressions of one program and writes its variables."""
 
     def assign(self, statement: tree.Assignment, number: int) -> Generator[Command, Answer]:
         """``target operator value``; structures and arrays as wholes (RC-310)."""
         value = statement.value
         if isinstance(statement.target, TemplateExpression):
-            at_once = self._at_once(statement)
-            if at_once is not None and self._put_formed(statement.target, at_once):
+            at_once = self._immediate_result(statement)
+            if at_once is not None and self._store_in_template(statement.target, at_once):
                 return
         if isinstance(value, TemplateExpression) and statement.operator == "=":
             result = yield from self.evaluate_any(value, number)
@@ -77,12 +77,12 @@ class Values(Reading):
         result = yield from self.evaluate_any(value, number)
         yield from self.store(statement.target, result, number)
 
-    def _at_once(self, statement: tree.Assignment) -> float | None:
+    def _immediate_result(self, statement: tree.Assignment) -> float | None:
         """The number that an assignment gives its target, if all is known for it."""
-        value = self.known(statement.value)
+        value = self.constant_value(statement.value)
         if value is None or statement.operator == "=":
             return value
-        before = self.known(statement.target)
+        before = self.constant_value(statement.target)
         if before is None:
             return None
         match statement.operator:
@@ -101,7 +101,7 @@ class Values(Reading):
     ) -> Generator[Command, Answer]:
         """Give a variable a value, at once or through the queue."""
         if isinstance(target, TemplateExpression):
-            if self._put_formed(target, value):
+            if self._store_in_template(target, value):
                 return
             target = to_tree(target)
         if isinstance(target, tree.Parameter):
@@ -123,19 +123,19 @@ class Values(Reading):
             yield from self._write_system(target, value, number)
             return
         location = self.locate(target)
-        cell = yield from self._place(target, location, number)
+        cell = yield from self._target_cell(target, location, number)
         stored = self.convert(value, location, target.span)
         source = self.environment.source_id(target.span)
         is_realtime = location.family in ("RTG", "RTA")
         if is_realtime:
-            self.empties_channel(path_text(target), target.span)
+            self.check_flush_allowed(path_text(target), target.span)
             yield Flush(source, number, True, WAIT_WRITE, cell)
         if location.synchronous or target.synchronous:
             yield from self._send(cell, stored, source, number, is_realtime)
         else:
-            self._put(cell, stored)
+            self._store_now(cell, stored)
 
-    def _put_formed(self, target: TemplateExpression, value: float | str) -> bool:
+    def _store_in_template(self, target: TemplateExpression, value: float | str) -> bool:
         """Give a variable of the program's own a number; false where more has to be seen to."""
         if isinstance(value, str):
             return False
@@ -157,7 +157,7 @@ class Values(Reading):
         source = self.environment.source_id(target.span)
         yield from self.system.write(target, found, value, source, number)
 
-    def _place(
+    def _target_cell(
         self, variable: tree.Variable, found: Location | Whole, number: int
     ) -> Generator[Command, Answer, int]:
         """The cell of a variable that is written; what its indices need is read first."""
@@ -166,16 +166,16 @@ class Values(Reading):
         return self.cell(variable, found)
 
     def _send(
-        self, cell: int, value: float | bytes, source: int, number: int, is_told: bool
+        self, cell: int, value: float | bytes, source: int, number: int, is_reported: bool
     ) -> Generator[Command, Answer]:
         """A value on its way through the queue."""
         if isinstance(value, bytes):
             axis_count = len(self.environment.axes)
             yield from write_text(source, number, cell, value, axis_count)
         else:
-            yield WriteVariable(source, number, cell, value, is_told)
+            yield WriteVariable(source, number, cell, value, is_reported)
 
-    def _put(self, cell: int, value: float | bytes) -> None:
+    def _store_now(self, cell: int, value: float | bytes) -> None:
         """A value that is there at once."""
         if isinstance(value, bytes):
             strings.write(self.environment.memory, cell, value)
@@ -196,11 +196,11 @@ class Values(Reading):
         assert isinstance(target, tree.Variable)
         wanted = resolve_whole(target, self.environment.names)
         assert isinstance(wanted, Whole), target
-        first = yield from self._place(source, found, number)
-        place = yield from self._place(target, wanted, number)
+        first = yield from self._target_cell(source, found, number)
+        place = yield from self._target_cell(target, wanted, number)
         from_ = list(leaf_cells(found.node, found.name, first))
         if source.synchronous or any(leaf.synchronous for _, leaf, _ in from_):
-            self.empties_channel(path_text(source), source.span)
+            self.check_flush_allowed(path_text(source), source.span)
             yield ReadRealtime(self.environment.source_id(source.span), number, first)
         values = [self._raw(cell, leaf) for _, leaf, cell in from_]
         to = leaf_cells(wanted.node, wanted.name, place)
@@ -209,7 +209,7 @@ class Values(Reading):
                 at = self.environment.source_id(target.span)
                 yield from self._send(cell, value, at, number, False)
             else:
-                self._put(cell, value)
+                self._store_now(cell, value)
 
     def _raw(self, cell: int, leaf: Node) -> float | bytes:
         """A member's value as the memory holds it."""

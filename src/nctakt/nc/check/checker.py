@@ -33,7 +33,7 @@ from nctakt.messages.program_structure import BLOCK_NUMBER_BEFORE_HASH_IF
 from nctakt.nc.check.axis_commands import AxisCommandChecker
 from nctakt.nc.check.blocks import Role, WordChecker
 from nctakt.nc.check.calls import CallChecker
-from nctakt.nc.check.coordinate_systems import check_system
+from nctakt.nc.check.coordinate_systems import check_cs_command
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.hash_commands import CommandChecker
@@ -317,7 +317,7 @@ class Checker:
             return
         elif check_path_command(command, self._values, self._findings):
             return
-        elif check_system(command, self._values, self._findings):
+        elif check_cs_command(command, self._values, self._findings):
             return
         elif words == ["DELETE"]:
             self._program_variables.delete(command)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """``#CS``: the coordinate systems of a program (MO-8).
 
-In: the tree of a command. Out: a ``SystemCommand``, and diagnostics of what has none of the forms
+In: the tree of a command. Out: a ``CsCommand``, and diagnostics of what has none of the forms
 ``#CS DEF|ON [id] [v1, v2, v3, a1, a2, a3]``, ``#CS ON``, ``#CS OFF``, ``#CS OFF ALL``. One value
 alone in brackets is the ID. Checker and decoder share it.
 """
@@ -28,7 +28,7 @@ RESERVED = ("ACS", "IMCS", "MCS")
 
 
 @dataclass(frozen=True, slots=True)
-class SystemCommand:
+class CsCommand:
     """``components``: ``None`` where a stored system is meant, the last one without an ID.
 
     ``name``: that of ADD and SELECT.
@@ -40,7 +40,7 @@ class SystemCommand:
     name: str = ""
 
 
-def system_command(command: HashCommand) -> SystemCommand | None:
+def cs_command(command: HashCommand) -> CsCommand | None:
     """What the command says; ``None`` where it has no form that there is."""
     words = [word.name for word in command.words]
     action = " ".join(words[1:])
@@ -61,15 +61,15 @@ def system_command(command: HashCommand) -> SystemCommand | None:
             return None
         brackets.append(values)
     if name:
-        return SystemCommand(action, None, brackets[0] if brackets else None, name)
+        return CsCommand(action, None, brackets[0] if brackets else None, name)
     if action.startswith("OFF"):
-        return SystemCommand(action, None, None) if not brackets else None
+        return CsCommand(action, None, None) if not brackets else None
     identity = None
     if brackets and len(brackets[0]) == 1:
         identity = brackets.pop(0)[0]
     if len(brackets) > 1 or (action == "DEF" and not brackets):
         return None
-    return SystemCommand(action, identity, brackets[0] if brackets else None)
+    return CsCommand(action, identity, brackets[0] if brackets else None)
 
 
 def _name(argument: Bracket | Keyword | Expression) -> str:
@@ -87,12 +87,12 @@ def _name(argument: Bracket | Keyword | Expression) -> str:
     return f"{item.name}{number.value:.0f}" if isinstance(number, Number) else ""
 
 
-def check_system(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:
+def check_cs_command(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:
     """Check the command; false where it is another one."""
     words = [word.name for word in command.words]
     if words[0] != "CS" or " ".join(words[1:]) not in ("", *ACTIONS):
         return False
-    found = system_command(command)
+    found = cs_command(command)
     if found is None:
         name = "#" + " ".join(words)
         forms = forms_of(name if name in FORMS else "#CS")

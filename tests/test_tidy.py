@@ -510,7 +510,7 @@ def test_numbers_of_the_queue_have_names() -> None:
         "lists/declared/startup.py": ("LEAST_BACKWARD_MEMORY",),
         "kernel/base/record.py": ("EVENT_WIDTH", "PROBE_WIDTH"),
         "nc/parse/expressions.py": ("EXPRESSION_DEPTH",),
-        "decoder/program.py": ("MOST_BLOCKS_WITHOUT_TIME",),
+        "decoder/program.py": ("MAX_BLOCKS_WITHOUT_TIME",),
         "run/controller.py": ("DEFAULT_LIMIT_US", "PROGRESS_TICKS"),
     }
     for file, names in bounds.items():

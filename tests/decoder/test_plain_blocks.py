@@ -340,7 +340,7 @@ def test_blocks_that_the_short_way_does_not_take_are_told_from_the_tree() -> Non
 
 def test_blocks_without_time_are_counted_on_both_ways(monkeypatch: pytest.MonkeyPatch) -> None:
     """A bounded number of blocks in a row takes no time (900303), whichever way they go."""
-    monkeypatch.setattr(program, "MOST_BLOCKS_WITHOUT_TIME", 20)
+    monkeypatch.setattr(program, "MAX_BLOCKS_WITHOUT_TIME", 20)
     assert rows("G01 F100\n" + "F100\n" * 18 + "X1\nM30")[1] == []
     short = rows("G01 F100\n" + "F100\n" * 30)
     assert [(one.id, str(one.span)) for one in short[1]] == [(900303, "p.nc:21:1")]

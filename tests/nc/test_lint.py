@@ -20,16 +20,16 @@ from nctakt.lists.declared.tools import NO_TOOL
 from nctakt.messages import Collector
 from nctakt.messages import lints as lint_messages
 from nctakt.nc.lint.linter import never_deleted
-from nctakt.nc.lint.realtime_cycles import Budget
+from nctakt.nc.lint.realtime_cycles import StepLimits
 from nctakt.nc.source import Source
 from nctakt.run.controller import Controller, NcText
 
 DEMO = Path(machines.__path__[0]) / "demo"
 LINTS = [message.id for message in vars(lint_messages).values() if isinstance(message, Message)]
-BUDGET = Budget(201, 200)
+LIMITS = StepLimits(201, 200)
 
 
-def lints(*programs: tuple[str, ...], budget: Budget = BUDGET) -> list[Diagnostic]:
+def lints(*programs: tuple[str, ...], limits: StepLimits = LIMITS) -> list[Diagnostic]:
     """The findings of a set of programs without errors of other kinds; the set's own at the end."""
     collector = Collector()
     channel = demo_channel()
@@ -38,7 +38,7 @@ def lints(*programs: tuple[str, ...], budget: Budget = BUDGET) -> list[Diagnosti
             Source(f"{number}.nc", lines),
             channel.names,
             channel.parameters,
-            budget,
+            limits,
             collector,
             tools={},
         ).global_cycles
@@ -82,8 +82,8 @@ STEPS = 23
 def test_a_cycle_that_can_cost_more_than_a_tick_allows_is_found(limit: int, *, found: bool) -> None:
     """RC-501, RC-502, RC-503: the dearest way through the branches counts, limit by limit."""
     lines = tuple(FIVE_WAYS.splitlines())
-    for number, budget in ((900246, Budget(limit, 1000)), (900247, Budget(1000, limit))):
-        told = [one for one in lints(lines, budget=budget) if one.id in (900246, 900247)]
+    for number, limits in ((900246, StepLimits(limit, 1000)), (900247, StepLimits(1000, limit))):
+        told = [one for one in lints(lines, limits=limits) if one.id in (900246, 900247)]
         assert [(one.id, one.values) for one in told] == (
             [(number, {"steps": STEPS, "limit": limit})] if found else []
         )
@@ -113,7 +113,7 @@ def test_statement_by_statement_finds_what_the_whole_tree_tells(chunk: Chunk) ->
     collector = Collector()
     channel = demo_channel()
     source = Source("p.nc", chunk.lines)
-    check_program(source, channel.names, channel.parameters, BUDGET, collector, tools={})
+    check_program(source, channel.names, channel.parameters, LIMITS, collector, tools={})
     found = [one.headline() for one in collector.diagnostics if one.id not in (*LINTS, 900131)]
     expected = findings(chunk.lines, role="either")
     assert sorted(found) == sorted(one.headline() for one in expected)
@@ -134,7 +134,7 @@ def test_blocks_of_a_shape_that_was_seen_are_checked_all_the_same(seed: int) -> 
     collector = Collector()
     channel = demo_channel()
     source = Source("p.nc", lines)
-    check_program(source, channel.names, channel.parameters, BUDGET, collector, tools={})
+    check_program(source, channel.names, channel.parameters, LIMITS, collector, tools={})
     found = [one.headline() for one in collector.diagnostics if one.id not in LINTS]
     assert sorted(found) == sorted(one.headline() for one in findings(lines, role="either"))
 
@@ -198,6 +198,6 @@ def test_a_number_of_a_tool_is_looked_up_in_the_list(text: str, found: list[int]
     tool = replace(NO_TOOL, valid=True, number=1)
     for tools, expected in (({1: tool, 2: NO_TOOL}, found), ({}, [])):
         collector = Collector()
-        check_program(source, channel.names, channel.parameters, BUDGET, collector, tools=tools)
+        check_program(source, channel.names, channel.parameters, LIMITS, collector, tools=tools)
         ids = [one.id for one in collector.diagnostics if one.id != 900201]
         assert ids == expected

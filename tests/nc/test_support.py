@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The table of what is simulated, accepted and refused, and the places in the texts of ``#MSG``."""
+"""The table of what is simulated, accepted and refused, and the conversions in the texts of
+``#MSG``."""
 
 from __future__ import annotations
 
@@ -17,7 +18,7 @@ from nctakt.lists.declared.technology_functions import (
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.command_forms import FORMS
 from nctakt.nc.vocabulary.entries import Kind, Support
-from nctakt.nc.vocabulary.message_formats import places
+from nctakt.nc.vocabulary.message_formats import conversions
 from nctakt.nc.vocabulary.operators import FUNCTIONS
 
 
@@ -98,7 +99,7 @@ def test_what_ends_a_simulated_command_is_simulated() -> None:
 
 def test_a_text_tells_its_places_for_values() -> None:
     """``%%`` is the sign itself, an unknown letter is no place that can be filled."""
-    assert list(places("%d %% %5.2f %y %")) == [
+    assert list(conversions("%d %% %5.2f %y %")) == [
         ("%d", True),
         ("%5.2f", True),
         ("%y", False),

@@ -15,7 +15,7 @@ import pytest
 
 from nctakt.cli import main
 from nctakt.decoder.cycles.builder import CycleDefinition
-from nctakt.nc.check.cost import most_steps
+from nctakt.nc.check.cost import max_steps
 from nctakt.results.instruction_tree import ListedCycle, list_cycle
 from nctakt.run.controller import Controller, NcText
 
@@ -123,7 +123,7 @@ def test_most_of_a_run_through_is_what_the_checker_says(file: Path) -> None:
     controller = Controller()
     for definition in definitions(file.read_text("utf-8"), controller):
         names = controller._machine.names
-        assert list_cycle(definition).most == most_steps(definition.statement.body, names)
+        assert list_cycle(definition).most == max_steps(definition.statement.body, names)
 
 
 # --- the command ---------------------------------------------------------------------------------

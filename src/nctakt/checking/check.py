@@ -276,7 +276,7 @@ class _Checker:
             Source(name, lines),
             target.names,
             target.parameters,
-            target.budget,
+            target.limits,
             collector,
             target.folder,
             tools=target.tools,

@@ -19,7 +19,7 @@ from nctakt.messages import Collector
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.inspection import inspect
 from nctakt.nc.lint.linter import GlobalCycles, Linter
-from nctakt.nc.lint.realtime_cycles import Budget
+from nctakt.nc.lint.realtime_cycles import StepLimits
 from nctakt.nc.source import Source
 from nctakt.nc.tree import StringLiteral
 from nctakt.nc.vocabulary.variable_table import NameTable
@@ -38,7 +38,7 @@ def check_program(
     source: Source,
     names: NameTable,
     channel: ChannelParameters,
-    budget: Budget,
+    limits: StepLimits,
     collector: Collector,
     machine_folder: Path = Path(),
     *,
@@ -51,7 +51,7 @@ def check_program(
     it calls have to be there, and those that the channel list lets run with each main program.
     """
     found = Collector()
-    linter = Linter(source, names, budget, found, tools)
+    linter = Linter(source, names, limits, found, tools)
     program = inspect(source, names, channel, found, role=role, watcher=linter)
     wanted: list[tuple[str, Span]] = []
     for call in program.calls:

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import Machine
-from nctakt.nc.lint.realtime_cycles import Budget
+from nctakt.nc.lint.realtime_cycles import StepLimits
 from nctakt.nc.vocabulary.variable_table import NameTable
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import program_folder
@@ -30,7 +30,7 @@ class Target:
         self.names: NameTable = one.names
         self.parameters: ChannelParameters = one.parameters
         self.tools = one.configuration.tools
-        self.budget = Budget(context.max_steps, context.budget_steps)
+        self.limits = StepLimits(context.max_steps, context.budget_steps)
         self.folder = machine.configuration.folder
 
     def searches(self, folder: Path) -> bool:

@@ -5,7 +5,7 @@ A stage behind the decoder: commands in, commands out. Between G41 or G42 and th
 leaves the contour with, a motion in the plane is held until the next one shows where it ends
 (``tool_path.py``); what comes in between keeps its place behind it. With contour masking (G141),
 and where its algorithms only look for damages (P-CHAN-00219), so many motions are held as a loop of
-the way may have. Never more than that and ``MOST_BETWEEN`` other commands are under way.
+the way may have. Never more than that and ``MAX_BETWEEN`` other commands are under way.
 
 The first motion in the plane approaches the contour, the one behind G40 leaves it: straight lines
 that are not shifted themselves (G138, G139); or both is done by ways of their own (G237), or the
@@ -57,10 +57,10 @@ from nctakt.nc.vocabulary.functions import (
 )
 
 #: Commands that may stand between the motions in the plane that are held.
-MOST_BETWEEN = 1000
+MAX_BETWEEN = 1000
 
 #: Motions that a contour with G238 may have, which are all held.
-MOST_CLOSED = 200
+MAX_CLOSED = 200
 
 #: What ends a block within its line.
 _COMMENT = re.compile(r"[;(].*")
@@ -159,8 +159,8 @@ class Compensation:
             self._tell_crossing()
         if not self._is_closed_one:
             yield from self._release(REACH if self._waits_for_loops else 0)
-        elif len(self._motions) > MOST_CLOSED:
-            self._values.fail(CLOSED_CONTOUR_TOO_LONG, self._path.span, count=MOST_CLOSED)
+        elif len(self._motions) > MAX_CLOSED:
+            self._values.fail(CLOSED_CONTOUR_TOO_LONG, self._path.span, count=MAX_CLOSED)
         if wanted.mode == DEPART_WITHOUT_MOTION:
             wanted.end = tool.beside_end()
         if distance == 0.0:
@@ -230,8 +230,8 @@ class Compensation:
         return self._state.compensation.masks or self._environment.parameters.looks_for_damage
 
     def _hold(self, command: Command) -> None:
-        if self._between >= MOST_BETWEEN:
-            self._values.fail(TOO_MANY_COMMANDS_IN_CONTOUR, self._path.span, count=MOST_BETWEEN)
+        if self._between >= MAX_BETWEEN:
+            self._values.fail(TOO_MANY_COMMANDS_IN_CONTOUR, self._path.span, count=MAX_BETWEEN)
         self._between += 1
         self._motions[-1].between.append(command)
         if isinstance(command, Segment) or pack(command)[0] in TIMED_KINDS:

@@ -61,7 +61,7 @@ from nctakt.nc.check.realtime_cycles import HIGHEST_ID
 from nctakt.nc.outline import ProgramText, SectionReader, leads_to
 
 #: Blocks that may be decoded in a row without one that takes time (a loop that never moves).
-MOST_BLOCKS_WITHOUT_TIME = 100_000
+MAX_BLOCKS_WITHOUT_TIME = 100_000
 
 #: The words of the command that waits for functions of the type MVS_SLP.
 EXPLICIT = ["EXPL", "SYN"]
@@ -107,7 +107,7 @@ class ProgramDecoder:
             self._uncertain_axes,
             self._block_decoder.technology,
             self._compensation,
-            MOST_BLOCKS_WITHOUT_TIME,
+            MAX_BLOCKS_WITHOUT_TIME,
         )
         self._takes_runs = takes_runs
         self._blocks = 0
@@ -250,10 +250,10 @@ class ProgramDecoder:
         """A block, or a pass of a loop: neither goes on for ever without taking time."""
         self._started_blocks += 1
         self._blocks += 1
-        if self._blocks > MOST_BLOCKS_WITHOUT_TIME:
+        if self._blocks > MAX_BLOCKS_WITHOUT_TIME:
             loops = (loop for loop, rounds in self._passes.items() if rounds > 1)
             self._values.fail(
-                TOO_MANY_BLOCKS_WITHOUT_TIME, next(loops, span), count=MOST_BLOCKS_WITHOUT_TIME
+                TOO_MANY_BLOCKS_WITHOUT_TIME, next(loops, span), count=MAX_BLOCKS_WITHOUT_TIME
             )
         if self._nested > MAX_NESTING:
             self._values.fail(STRUCTURES_AND_CALLS_TOO_DEEP, span, limit=MAX_NESTING)

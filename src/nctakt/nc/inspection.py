@@ -77,14 +77,14 @@ def inspect(
     """
     found = Collector()
     checker = Checker(source, names, channel, found)
-    sequel = _Sequel(source, checker, plain_scanner(channel), found, role, watcher)
+    sequel = _ProgramInspector(source, checker, plain_scanner(channel), found, role, watcher)
     statements = StatementReader(source, found)
     for line, section, statement in sections(source, statements, found):
         sequel.take(line, section, statement)
         sequel.pass_over(statements)
     program = sequel.finish()
     found.diagnostics.sort(key=_place)
-    collector.diagnostics += _told_once(found.diagnostics)
+    collector.diagnostics += _without_redundant(found.diagnostics)
     return program
 
 
@@ -94,7 +94,7 @@ def plain_scanner(channel: ChannelParameters) -> PlainScanner:
     return PlainScanner(["" if one.name in spindles else one.name for one in channel.axes])
 
 
-def _told_once(found: list[Diagnostic]) -> list[Diagnostic]:
+def _without_redundant(found: list[Diagnostic]) -> list[Diagnostic]:
     """That a line is no NC text counts only where nothing tells why."""
     told = {
         one.span.line for one in found if one.span is not None and one.message is not NOT_NC_TEXT
@@ -106,7 +106,7 @@ def _told_once(found: list[Diagnostic]) -> list[Diagnostic]:
     ]
 
 
-class _Sequel:
+class _ProgramInspector:
     """Checks statement after statement up to the end of their section."""
 
     def __init__(

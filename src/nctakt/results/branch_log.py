@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from nctakt.base.source_ids import begins_at
 from nctakt.decoder.cycles.builder import CycleBranch, FrozenValue
 from nctakt.kernel.cycles import conditions
-from nctakt.nc.check.branches import BranchPlace, accesses_in, combined
+from nctakt.nc.check.branches import BranchOutline, accesses_in, combined
 from nctakt.nc.parse.printer import format_expression
 from nctakt.nc.tree import Expression
 from nctakt.results.histories import (
@@ -182,7 +182,7 @@ class BranchLog:
 
     def history(
         self,
-        place: BranchPlace,
+        place: BranchOutline,
         text: str,
         frozen: Sequence[FrozenValue],
         fault: LifeEvent | None,

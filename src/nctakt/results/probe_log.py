@@ -21,7 +21,7 @@ from nctakt.kernel.base import record
 from nctakt.kernel.cycles.cycles import DEFINED, HELD
 from nctakt.messages.realtime import BLOCK_CYCLE_NEVER_RAN
 from nctakt.nc.check.branches import (
-    branch_places,
+    branch_outlines,
     lines_without_branch,
 )
 from nctakt.nc.outline import ProgramText
@@ -225,7 +225,7 @@ class ProbeLog:
             cycle.branches[place.span].history(
                 place, self._text(place.span), definition.frozen, fault
             )
-            for place in branch_places(definition.statement)
+            for place in branch_outlines(definition.statement)
         )
         return CycleHistory(
             cycle.name,
@@ -255,7 +255,7 @@ class ProbeLog:
                 _unseen(place.condition),
                 commands=place.commands,
             )
-            for place in branch_places(statement)
+            for place in branch_outlines(statement)
         )
         return CycleHistory(
             "",

@@ -48,7 +48,7 @@ from nctakt.messages.decoder import INVALID_DWELL_TIME
 from nctakt.messages.fixed_stops import FIXED_STOP_WITHOUT_MOTION
 from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc import tree
-from nctakt.nc.check.blocks import LEAST_VALUE, MOST_VALUE
+from nctakt.nc.check.blocks import MAX_VALUE, MIN_VALUE
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
     ABSOLUTE,
@@ -324,15 +324,15 @@ class BlockDecoder:
     def _plc_value(self, word: tree.Word, function: int, value: float) -> int:
         """The value that the PLC finds beside a function: a whole number of 32 bits."""
         whole = int(arithmetic.round_half_even(value))
-        if not LEAST_VALUE <= whole <= MOST_VALUE:
+        if not MIN_VALUE <= whole <= MAX_VALUE:
             name = f"{word.name}{function}"
             self._values.fail(
                 WORD_VALUE_OUT_OF_RANGE,
                 word.span,
                 word=name,
                 value=whole,
-                least=LEAST_VALUE,
-                most=MOST_VALUE,
+                least=MIN_VALUE,
+                most=MAX_VALUE,
             )
         return whole
 

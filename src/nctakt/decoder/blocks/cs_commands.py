@@ -29,7 +29,7 @@ from nctakt.nc import tree
 from nctakt.nc.check.coordinate_systems import CsCommand, cs_command
 
 #: So many systems are stored at a time.
-MOST_STORED = 5
+MAX_STORED = 5
 
 
 class CsCommands:
@@ -84,10 +84,10 @@ class CsCommands:
 
     def _add(self, command: CsCommand, span: Span, number: int) -> Generator[Command, Answer]:
         """``#CS ADD``: the stack has one system more on its top; nothing else changes."""
-        if command.name in self._stack or len(self._stack) >= MOST_STORED:
+        if command.name in self._stack or len(self._stack) >= MAX_STORED:
             names = ", ".join(self._stack)
             self._values.fail(
-                COORDINATE_SYSTEM_NOT_ADDED, span, name=command.name, most=MOST_STORED, known=names
+                COORDINATE_SYSTEM_NOT_ADDED, span, name=command.name, most=MAX_STORED, known=names
             )
         assert command.components is not None
         self._stack[command.name] = yield from self._evaluated(command.components, number)
@@ -141,8 +141,8 @@ class CsCommands:
             if command.action == "ON":
                 return found
             identity = next(free for free in range(1, 7) if free not in self._stored)
-        if identity not in self._stored and len(self._stored) >= MOST_STORED:
-            self._values.fail(TOO_MANY_COORDINATE_SYSTEMS, span, most=MOST_STORED)
+        if identity not in self._stored and len(self._stored) >= MAX_STORED:
+            self._values.fail(TOO_MANY_COORDINATE_SYSTEMS, span, most=MAX_STORED)
         self._stored[identity] = found
         self._latest = identity
         return found

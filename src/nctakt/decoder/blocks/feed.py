@@ -32,10 +32,10 @@ from nctakt.nc.vocabulary.functions import (
 )
 
 #: The highest F of G194.
-MOST_SHARE_PCT = 100.0
+MAX_SHARE_PCT = 100.0
 
 #: Bounds of programmed overrides, %, and their keywords: of feed blocks, of rapid ones.
-LEAST_PCT, MOST_PCT = 0.1, 200.0
+MIN_PCT, MAX_PCT = 0.1, 200.0
 FACTORS = ("FEED_FACT", "RAPID_FACT")
 
 
@@ -81,14 +81,14 @@ class FeedRate:
             if not isinstance(item, tree.Keyword) or item.value is None:
                 continue
             pct = yield from self._values.evaluate(item.value, number)
-            if not LEAST_PCT <= pct <= MOST_PCT:
+            if not MIN_PCT <= pct <= MAX_PCT:
                 self._values.fail(
                     INVALID_PROGRAM_OVERRIDE,
                     item.value.span,
                     word=item.name,
                     value=pct,
-                    low=LEAST_PCT,
-                    high=MOST_PCT,
+                    low=MIN_PCT,
+                    high=MAX_PCT,
                 )
             if item.name == FACTORS[0]:
                 feed = pct / 100.0
@@ -116,7 +116,7 @@ class FeedRate:
         if not is_exempt:
             override = feed_state.path_override[rapid]
             if feed_state.axis_overrides:
-                override *= self._least_of_axes(start, target, arc)
+                override *= self._min_axis_override(start, target, arc)
         feed, spindle, spindle_v = (
             (-1.0, -1, 0.0) if rapid else self._feed(start, target, arc, span)
         )
@@ -124,7 +124,7 @@ class FeedRate:
             return feed, None
         return feed, FeedModifiers(override, is_exempt, spindle, spindle_v)
 
-    def _least_of_axes(
+    def _min_axis_override(
         self, start: Sequence[float], target: Sequence[float], arc: Arc | None
     ) -> float:
         """Of the axes that move: the least of their overrides."""
@@ -151,9 +151,9 @@ class FeedRate:
             return self._per_revolution(feed_state, span)
         if feed_state.feed_mode == FEED_SHARE:
             self._need(feed_state.share_pct, span)
-            if feed_state.share_pct > MOST_SHARE_PCT:
+            if feed_state.share_pct > MAX_SHARE_PCT:
                 self._values.fail(
-                    G194_ABOVE_MAX_FEED, span, value=feed_state.share_pct, most=MOST_SHARE_PCT
+                    G194_ABOVE_MAX_FEED, span, value=feed_state.share_pct, most=MAX_SHARE_PCT
                 )
             return self._highest(start, target, arc) * feed_state.share_pct / 100.0, -1, 0.0
         self._need(self._state.feed_mm_s, span)

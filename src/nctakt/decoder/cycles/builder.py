@@ -26,7 +26,7 @@ from nctakt.kernel.cycles.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.nc import tree
-from nctakt.nc.check.cost import command_steps, condition_steps, most_steps
+from nctakt.nc.check.cost import command_steps, condition_steps, max_steps
 from nctakt.nc.parse.printer import format_expression
 from nctakt.nc.vocabulary.spindle_commands import split
 from nctakt.nc.vocabulary.system_variables import is_decoder_data
@@ -225,7 +225,7 @@ class CycleBuilder:
         return user_errors.RaiseUserError(identity, reaction, values, source, self._cost(error))
 
     def _cost(self, statement: tree.Statement) -> int:
-        return most_steps((statement,), self._names)
+        return max_steps((statement,), self._names)
 
     def _if(self, statement: tree.If) -> Statement:
         frequency = statement.frequency

@@ -19,20 +19,20 @@ from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.tools import Fail
 from nctakt.messages.decoder import MACRO_TEXT_TOO_LONG, MACROS_NESTED_TOO_DEEP, UNKNOWN_MACRO
 from nctakt.nc import tree
-from nctakt.nc.check.macros import MacroPlaces, placed
+from nctakt.nc.check.macros import MacroExpander, with_span
 from nctakt.nc.parse.block_words import parse_content
 from nctakt.nc.parse.expressions import parse_expression, unreadable
 from nctakt.nc.parse.lexer import BlockError, BlockText, Piece
 from nctakt.nc.parse.printer import format_word
 
 #: Macros inside each other.
-MOST_MACROS = 20
+MAX_MACROS = 20
 
 #: Characters that the macros of one statement can become.
-MOST_CHARACTERS = 20_000
+MAX_CHARACTERS = 20_000
 
 #: Statements whose meaning is remembered; then all are forgotten.
-MOST_REMEMBERED = 4096
+MAX_REMEMBERED = 4096
 
 
 class Macros:
@@ -42,7 +42,7 @@ class Macros:
         self._environment = environment
         self._fail = fail
         self._texts: dict[str, str] = {}
-        self._places = MacroPlaces(environment.names, self._meaning)
+        self._places = MacroExpander(environment.names, self._meaning)
         self._meant: dict[int, tuple[tree.Statement, tree.Statement]] = {}
         self._depth = 0
         self._characters = 0
@@ -67,7 +67,7 @@ class Macros:
             if changed is not statement:
                 line = partial(self._environment.line_text, statement.span)
                 check(self._environment, self._fail, [changed], statement.span, line)
-            if len(self._meant) == MOST_REMEMBERED:
+            if len(self._meant) == MAX_REMEMBERED:
                 self._meant.clear()
             known = self._meant[id(statement)] = (statement, changed)
         return known[1]
@@ -86,21 +86,21 @@ class Macros:
                 raise unreadable(text)
         except BlockError as error:
             self._fail(error.message, name.span, **error.values)
-        meaning = self._places.number(placed(expression, name.span))
+        meaning = self._places.number(with_span(expression, name.span))
         self._depth -= 1
         return meaning
 
     def _enter(self, name: str, span: Span) -> None:
         """Enter a macro inside the others; fail where it is one too many."""
         self._depth += 1
-        if self._depth > MOST_MACROS:
-            self._fail(MACROS_NESTED_TOO_DEEP, span, name=name, limit=MOST_MACROS)
+        if self._depth > MAX_MACROS:
+            self._fail(MACROS_NESTED_TOO_DEEP, span, name=name, limit=MAX_MACROS)
 
     def _count(self, content: str, name: str, span: Span) -> None:
         """Count the text of a macro; fail where it is too much for one statement."""
         self._characters += len(content)
-        if self._characters > MOST_CHARACTERS:
-            self._fail(MACRO_TEXT_TOO_LONG, span, name=name, limit=MOST_CHARACTERS)
+        if self._characters > MAX_CHARACTERS:
+            self._fail(MACRO_TEXT_TOO_LONG, span, name=name, limit=MAX_CHARACTERS)
 
     def expand_block(self, block: tree.Block) -> list[tree.Statement] | None:
         """The statements of a block with macros; ``None`` for one without.

@@ -30,7 +30,7 @@ TOLERANCE_SHARE = 0.001
 SAME_POINT_MM = 1e-9
 
 #: How far the centre may be moved, as a share of the radius.
-MOST_SHIFT_SHARE = 0.1
+MAX_SHIFT_SHARE = 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +93,7 @@ def arc_about(
         return Arc(first, second, *centre, -360.0 if clockwise else 360.0)
     # The centre goes along the chord to the middle between both.
     along = ((x + u) * (u - x) + (y + v) * (v - y)) / (2.0 * chord * chord)
-    if abs(along) * chord > MOST_SHIFT_SHARE * radius:
+    if abs(along) * chord > MAX_SHIFT_SHARE * radius:
         raise ArcError(ARC_TARGET_OFF_CIRCLE, off=off, radius=radius)
     centre = (centre[0] + along * (u - x), centre[1] + along * (v - y))
     return Arc(first, second, *centre, _angle(start, target, (first, second), centre, clockwise))

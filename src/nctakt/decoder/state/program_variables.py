@@ -29,7 +29,7 @@ from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT, TEXT_INSTEAD_OF_NUMBE
 LONGEST_STRING = 126
 
 #: Elements that one variable may have (a choice: a slip of the pen shall not fill the memory).
-MOST_ELEMENTS = 100_000
+MAX_ELEMENTS = 100_000
 
 #: Families that a first assignment creates.
 _MADE_BY_WRITING = ("P", "S")
@@ -59,8 +59,8 @@ class ProgramVariable:
 
     def __post_init__(self) -> None:
         count = prod(self.dimensions)
-        if count > MOST_ELEMENTS:
-            raise VariableError(TOO_MANY_ELEMENTS, name=self.name, count=count, most=MOST_ELEMENTS)
+        if count > MAX_ELEMENTS:
+            raise VariableError(TOO_MANY_ELEMENTS, name=self.name, count=count, most=MAX_ELEMENTS)
         self.values = ["" if self.type == "STRING" else 0.0] * count
 
     def element(self, indices: Sequence[int]) -> int:

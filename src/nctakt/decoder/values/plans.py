@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.fusing import Operand, constant, load
-from nctakt.decoder.values.template_plans import MOST_CELLS, TemplatePlan
+from nctakt.decoder.values.template_plans import MAX_CELLS, TemplatePlan
 from nctakt.kernel.cycles.context import context_of
 from nctakt.kernel.cycles.expressions import Expression
 from nctakt.nc import tree
@@ -24,10 +24,10 @@ from nctakt.nc.vocabulary.operators import FUNCTIONS
 from nctakt.nc.vocabulary.resolution import bare_name, variables_in
 
 #: Expressions that are remembered; then all are forgotten, so that no program is too long.
-MOST_PLANS = 4096
+MAX_PLANS = 4096
 
 #: Variables and parameters of an expression with nodes.
-MOST_LEAVES = 32
+MAX_LEAVES = 32
 
 Leaf = tree.Variable | tree.Parameter
 
@@ -50,7 +50,7 @@ class Plans:
     """The plans of one program; ``cells`` are those that their nodes read, by ``context``."""
 
     def __init__(self) -> None:
-        self.memory = bytearray(8 * max(MOST_LEAVES, MOST_CELLS))
+        self.memory = bytearray(8 * max(MAX_LEAVES, MAX_CELLS))
         self.context = context_of(self.memory)
         self.cells = memoryview(self.memory).cast("d")
         self._plans: dict[int, Plan | tree.Expression] = {}
@@ -69,7 +69,7 @@ class Plans:
         if known is not None:
             plan = self._plans[id(expression)] = self._make(expression)
             return plan
-        if len(self._plans) == MOST_PLANS:
+        if len(self._plans) == MAX_PLANS:
             self._plans.clear()
         self._plans[id(expression)] = expression
         return None
@@ -78,16 +78,16 @@ class Plans:
         self._leaves = []
         variables = tuple(variables_in(expression))
         node = None
-        if _is_numeric(expression) and len(variables) <= MOST_LEAVES // 2:
+        if _is_numeric(expression) and len(variables) <= MAX_LEAVES // 2:
             node = self._builder.build(expression).node
         leaves = tuple(self._leaves)
-        return Plan(expression, variables, leaves, node if len(leaves) <= MOST_LEAVES else None)
+        return Plan(expression, variables, leaves, node if len(leaves) <= MAX_LEAVES else None)
 
     def of_template(self, template: ExpressionTemplate) -> TemplatePlan:
         """The plan of a template."""
         known = self._template_plans.get(template)
         if known is None:
-            if len(self._template_plans) == MOST_PLANS:
+            if len(self._template_plans) == MAX_PLANS:
                 self._template_plans.clear()
             known = self._template_plans[template] = plan_of_template(template)
         return known
@@ -126,7 +126,7 @@ def plan_of_template(template: ExpressionTemplate) -> TemplatePlan:
     node = builder.build(template.tree).node
     count = len(numbers) + len(names) + len(parameters)
     return TemplatePlan(
-        node if count <= MOST_CELLS else None,
+        node if count <= MAX_CELLS else None,
         [one.place for one in numbers],
         [one.sign for one in numbers],
         list(names),

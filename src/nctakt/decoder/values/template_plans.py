@@ -17,7 +17,7 @@ from nctakt.kernel.cycles.expressions import Expression
 from nctakt.nc.fast.recipes import Occurrence
 
 #: Numbers, variables and parameters of a template that is computed.
-MOST_CELLS = 64
+MAX_CELLS = 64
 
 
 class TemplatePlan:

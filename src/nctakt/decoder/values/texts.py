@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from nctakt.kernel.base import arithmetic
 
-_PLACE = re.compile(r"%([-+ 0]*)(\d*)((?:\.\d+)?)([A-Za-z%]?)")
+_CONVERSION = re.compile(r"%([-+ 0]*)(\d*)((?:\.\d+)?)([A-Za-z%]?)")
 _WHOLE = "diuxXoc"
 _REAL = "feEgG"
 
@@ -33,7 +33,7 @@ def format_text(text: str, values: Sequence[float | str]) -> str:
         value = left.pop(0)
         return _convert(match[0], flags + width + precision, conversion, value)
 
-    result = _PLACE.sub(fill, text)
+    result = _CONVERSION.sub(fill, text)
     if left:
         raise FormatError(str(left[0]))
     return result

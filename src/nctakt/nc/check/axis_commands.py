@@ -17,7 +17,7 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import BracketCommand, Statement
 from nctakt.nc.vocabulary.axis_commands import (
     AxisCommand,
-    Wrong,
+    Finding,
     axis_commands_in,
     is_axis_command,
     read_axis_command,
@@ -64,7 +64,7 @@ class AxisCommandChecker:
         elif not axis.moves_alone:
             self._findings.report(INDEPENDENT_MOTION_NOT_PERMITTED, bracket.span, axis=bracket.name)
 
-    def _needs(self, command: AxisCommand, bracket: BracketCommand) -> list[Wrong]:
+    def _needs(self, command: AxisCommand, bracket: BracketCommand) -> list[Finding]:
         """What the command needs of its axis, and of the cycle's other commands."""
         if command.position is None:
             return []
@@ -75,7 +75,7 @@ class AxisCommandChecker:
             return [refusal(bracket, 7)]
         return []
 
-    def _report(self, wrong: Wrong) -> None:
+    def _report(self, wrong: Finding) -> None:
         values = dict(wrong.values)
         if wrong.written:
             values[wrong.written] = self._findings.written(wrong.span)

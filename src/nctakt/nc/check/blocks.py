@@ -79,7 +79,7 @@ from nctakt.nc.vocabulary.spindle_commands import split
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")
 _NUMBERED = ("G", "M", "H")
 #: What an M or H function may have as its value: 32 bits with a sign.
-LEAST_VALUE, MOST_VALUE = -(2**31), 2**31 - 1
+MIN_VALUE, MAX_VALUE = -(2**31), 2**31 - 1
 
 
 #: What M17 and M30 end: the main program, a subprogram, or a file that may be any of both.
@@ -87,7 +87,7 @@ Role = Literal["main", "called", "either"]
 
 
 @dataclass(slots=True)
-class _Block:
+class _BlockState:
     """What was seen of a block: names of words, the G function of each group, anything unknown.
 
     A block that begins with an unknown word is mostly no NC text at all, so one report is enough.
@@ -119,7 +119,7 @@ class WordChecker:
         if _dwell(block) is not None:
             self._dwell_block(block)
             return
-        state = _Block(role, any(_returns(word) for word in block.words))
+        state = _BlockState(role, any(_returns(word) for word in block.words))
         commands, words = split(block.words, self.spindles)
         for command in commands:
             self._commands.check(command)
@@ -142,13 +142,13 @@ class WordChecker:
 
     # --- axes, feed ------------------------------------------------------------------------------
 
-    def _axis(self, word: AxisWord, state: _Block) -> None:
+    def _axis(self, word: AxisWord, state: _BlockState) -> None:
         if word.name not in self.axes:
             self._unknown(word, state)
         else:
             self._value(word, state)
 
-    def _value(self, word: AxisWord | Word, state: _Block) -> None:
+    def _value(self, word: AxisWord | Word, state: _BlockState) -> None:
         """The value of a word that stands once in a block."""
         if word.value is None:
             if not state.unknown:
@@ -159,7 +159,7 @@ class WordChecker:
             state.names[word.name] = None
             self._values.value(word.value)
 
-    def _unknown(self, word: AxisWord | Word | BracketCommand, state: _Block) -> None:
+    def _unknown(self, word: AxisWord | Word | BracketCommand, state: _BlockState) -> None:
         if not state.unknown:
             state.unknown = True
             self.unknown(word)
@@ -179,7 +179,7 @@ class WordChecker:
     def _needs_value(self, word: AxisWord | Word) -> None:
         self._findings.report(WORD_VALUE_MISSING, word.span, word=word.name)
 
-    def _word(self, word: Word, state: _Block) -> None:
+    def _word(self, word: Word, state: _BlockState) -> None:
         if word.name in _NUMBERED:
             self._numbered(word, state)
             return
@@ -220,10 +220,10 @@ class WordChecker:
             return int(value.value)
         return None
 
-    def _numbered(self, word: Word, state: _Block) -> None:
+    def _numbered(self, word: Word, state: _BlockState) -> None:
         if word.value is not None and not isinstance(word.value, Number):
             self._values.value(word.value)
-            self._given(word)
+            self._value_for_plc(word)
             return
         number = self.number(word)
         if number is None:
@@ -233,13 +233,13 @@ class WordChecker:
         elif word.name == "M" and number in SUBPROGRAM_ENDS:
             if state.role == "main":
                 self._findings.report(SUBPROGRAM_END_IN_MAIN_PROGRAM, word.span, word=f"M{number}")
-            self._given(word)
+            self._value_for_plc(word)
         else:
             if word.name == "M" and number in PROGRAM_ENDS and state.role == "called":
                 self._findings.report(PROGRAM_END_IN_SUBPROGRAM, word.span, word=f"M{number:02}")
             self._technology(word, number)
 
-    def _g(self, word: Word, number: int, state: _Block) -> None:
+    def _g(self, word: Word, number: int, state: _BlockState) -> None:
         entry = support_level.g_function(number)
         if self._channel.implicit_programs.of_g(number):
             for argument in word.arguments:
@@ -270,23 +270,23 @@ class WordChecker:
             self._findings.report(FUNCTION_NOT_DEFINED, word.span, word=name, key=key)
         else:
             self._findings.report_support(entry, word.span, name)
-            self._given(word)
+            self._value_for_plc(word)
 
-    def _given(self, word: Word) -> None:
+    def _value_for_plc(self, word: Word) -> None:
         """The value that the PLC gets with a function: ``M110=130``."""
         value = word.additional
         if value is None:
             return
         self._values.value(value)
-        if isinstance(value, Number) and not LEAST_VALUE <= round(value.value) <= MOST_VALUE:
+        if isinstance(value, Number) and not MIN_VALUE <= round(value.value) <= MAX_VALUE:
             name = self._findings.written(word.span)
             self._findings.report(
                 WORD_VALUE_OUT_OF_RANGE,
                 value.span,
                 word=name,
                 value=round(value.value),
-                least=LEAST_VALUE,
-                most=MOST_VALUE,
+                least=MIN_VALUE,
+                most=MAX_VALUE,
             )
 
     def _technology_entry(self, letter: str, number: int) -> Entry | None:
@@ -298,7 +298,7 @@ class WordChecker:
 
     # --- other words -----------------------------------------------------------------------------
 
-    def _return(self, command: BracketCommand, state: _Block | None) -> None:
+    def _return(self, command: BracketCommand, state: _BlockState | None) -> None:
         """``M17 [MAIN]``, ``M17 [JUMPS=2]``, each also with a label."""
         if state is not None and state.role == "main":
             self._findings.report(SUBPROGRAM_END_IN_MAIN_PROGRAM, command.span, word=command.name)
@@ -318,7 +318,7 @@ class WordChecker:
             return False
         return check_path_axis(command, self._values, self._findings)
 
-    def bracket(self, command: BracketCommand, state: _Block | None = None) -> bool:
+    def bracket(self, command: BracketCommand, state: _BlockState | None = None) -> bool:
         """``X[…]``, ``S2[…]``, ``M17[MAIN]``; false where nobody knows the name."""
         name = command.name
         if name in self.axes and is_axis_command(command):
@@ -382,7 +382,7 @@ class WordChecker:
     def offsets(self, command: OffsetCommand, role: Role) -> None:
         """``#PSET``, ``#PRESET``: axes with values; ``#SUPPRESS OFFSETS``: any motion."""
         name = f"#{command.name}"
-        state = _Block(role)
+        state = _BlockState(role)
         for kind in command.kinds:
             word = kind.name if isinstance(kind, Keyword) and kind.value is None else ""
             if command.name != "SUPPRESS OFFSETS" or word not in OFFSETS:

@@ -20,7 +20,7 @@ BranchWord = Literal["$IF", "$ELSEIF", "$ELSE"]
 
 
 @dataclass(frozen=True, slots=True)
-class BranchPlace:
+class BranchOutline:
     """One branch: ``outer`` and ``earlier`` are positions in the list of the cycle's branches.
 
     ``frequency`` is ``ONCE``, ``EDGE``, ``ALWAYS`` or empty; ``condition`` is ``None`` for
@@ -38,9 +38,9 @@ class BranchPlace:
     commands: tuple[str, ...]
 
 
-def branch_places(statement: tree.RealtimeCycle) -> list[BranchPlace]:
+def branch_outlines(statement: tree.RealtimeCycle) -> list[BranchOutline]:
     """The branches of a cycle in the order of their places."""
-    found: list[BranchPlace] = []
+    found: list[BranchOutline] = []
     _walk(statement.body, None, found)
     return found
 
@@ -88,13 +88,13 @@ def _commands(body: Sequence[tree.Statement]) -> tuple[str, ...]:
     return tuple(" ".join(line.strip() for line in print_statement(one)) for one in bare)
 
 
-def _walk(body: Sequence[tree.Statement], outer: int | None, found: list[BranchPlace]) -> None:
+def _walk(body: Sequence[tree.Statement], outer: int | None, found: list[BranchOutline]) -> None:
     for statement in body:
         if isinstance(statement, tree.If):
             _branches(statement, outer, found)
 
 
-def _branches(statement: tree.If, outer: int | None, found: list[BranchPlace]) -> None:
+def _branches(statement: tree.If, outer: int | None, found: list[BranchOutline]) -> None:
     """The branches of one ``$IF``, each with what stands in its body."""
     earlier: list[int] = []
 
@@ -108,7 +108,7 @@ def _branches(statement: tree.If, outer: int | None, found: list[BranchPlace]) -
         lines = (span.line, *_own_lines(body))
         place = len(found)
         found.append(
-            BranchPlace(
+            BranchOutline(
                 span, word, frequency, condition, outer, tuple(earlier), lines, _commands(body)
             )
         )

@@ -37,7 +37,7 @@ from nctakt.nc.check.coordinate_systems import check_cs_command
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.hash_commands import CommandChecker
-from nctakt.nc.check.macros import MacroPlaces
+from nctakt.nc.check.macros import MacroExpander
 from nctakt.nc.check.path_commands import check_path_command
 from nctakt.nc.check.program_variables import ProgramVariableChecker
 from nctakt.nc.check.realtime_cycles import CycleChecker
@@ -82,7 +82,7 @@ from nctakt.nc.tree import (
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.command_forms import forms_of
 from nctakt.nc.vocabulary.entries import Support
-from nctakt.nc.vocabulary.message_formats import places
+from nctakt.nc.vocabulary.message_formats import conversions
 from nctakt.nc.vocabulary.variable_table import NameTable
 
 __all__ = ["Checker", "Role", "ends"]
@@ -111,7 +111,7 @@ class Checker:
         self._calls = CallChecker(self._words, self._values, self._findings)
         self._program_variables = ProgramVariableChecker(self._values, self._findings)
         self._commands = CommandChecker(self._values, self._findings)
-        self._macros = MacroPlaces(names, self._macro)
+        self._macros = MacroExpander(names, self._macro)
         self._loops = 0
         self._switches = 0
         self._role: Role = "main"
@@ -266,8 +266,8 @@ class Checker:
             for argument in message.arguments:
                 self._values.any_value(argument)
             return
-        found = list(places(message.format.value))
-        wrong = next((place for place in found if not place.known), None)
+        found = list(conversions(message.format.value))
+        wrong = next((conversion for conversion in found if not conversion.is_valid), None)
         if wrong is not None:
             self._findings.report(INVALID_PLACEHOLDER, message.format.span, word=wrong.text)
         elif len(found) != len(message.arguments):
@@ -279,7 +279,7 @@ class Checker:
             self._values.any_value(argument)
             if not self._values.is_text(argument):
                 continue
-            if index < len(found) and found[index].known and not found[index].takes_text:
+            if index < len(found) and found[index].is_valid and not found[index].takes_text:
                 self._findings.report(TEXT_FOR_NUMERIC_WORD, argument.span, word=found[index].text)
 
     def _other(self, statement: Statement) -> None:

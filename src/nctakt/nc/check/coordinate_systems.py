@@ -18,12 +18,12 @@ from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Numb
 from nctakt.nc.vocabulary.command_forms import FORMS, forms_of
 
 #: Shift along three axes, three angles.
-MOST_COMPONENTS = 6
+MAX_COMPONENTS = 6
 
 ACTIONS = ("DEF", "ON", "OFF", "OFF ALL", "ADD", "SELECT")
 
 #: The longest name of a system, and the names of those that kinematics make.
-MOST_CHARACTERS = 8
+MAX_CHARACTERS = 8
 RESERVED = ("ACS", "IMCS", "MCS")
 
 
@@ -57,7 +57,7 @@ def cs_command(command: HashCommand) -> CsCommand | None:
         if not isinstance(argument, Bracket):
             return None
         values = tuple(item for item in argument.items if isinstance(item, Expression))
-        if len(values) != len(argument.items) or not 0 < len(values) <= MOST_COMPONENTS:
+        if len(values) != len(argument.items) or not 0 < len(values) <= MAX_COMPONENTS:
             return None
         brackets.append(values)
     if name:
@@ -98,8 +98,8 @@ def check_cs_command(command: HashCommand, values: ValueChecker, findings: Findi
         forms = forms_of(name if name in FORMS else "#CS")
         findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
         return True
-    if len(found.name) > MOST_CHARACTERS or found.name in RESERVED:
-        most = MOST_CHARACTERS
+    if len(found.name) > MAX_CHARACTERS or found.name in RESERVED:
+        most = MAX_CHARACTERS
         findings.report(INVALID_COORDINATE_SYSTEM_NAME, command.span, name=found.name, most=most)
     for value in (found.identity, *(found.components or ())):
         if value is not None:

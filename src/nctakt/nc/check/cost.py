@@ -33,7 +33,7 @@ from nctakt.nc.vocabulary.spindle_commands import SpindleCommand, split
 from nctakt.nc.vocabulary.variable_table import Location, NameTable
 
 
-def most_steps(statements: Sequence[Statement], names: NameTable) -> int:
+def max_steps(statements: Sequence[Statement], names: NameTable) -> int:
     """The most that one run through these statements can cost."""
     return sum(_statement(statement, names) for statement in statements)
 
@@ -91,11 +91,11 @@ def _assignment(statement: Assignment, names: NameTable) -> int:
 def _if(statement: If, names: NameTable) -> int:
     """All conditions up to the branch whose way costs most, and its body."""
     asked = condition_steps(statement.condition, names)
-    ways = [asked + most_steps(statement.body, names)]
+    ways = [asked + max_steps(statement.body, names)]
     for branch in statement.elseifs:
         asked += condition_steps(branch.condition, names)
-        ways.append(asked + most_steps(branch.body, names))
-    ways.append(asked + most_steps(statement.else_body or (), names))
+        ways.append(asked + max_steps(branch.body, names))
+    ways.append(asked + max_steps(statement.else_body or (), names))
     return max(ways)
 
 

@@ -84,7 +84,7 @@ _M_FUNCTION = re.compile(r"[MH]\d{1,5}")
 
 
 #: Indices that a variable of a program's own may have.
-MOST_DIMENSIONS = 4
+MAX_DIMENSIONS = 4
 
 
 class ValueChecker:
@@ -328,9 +328,9 @@ class ValueChecker:
             self._findings.report(
                 UNKNOWN_VARIABLE, variable.span, name=path_text(variable), nearest="–"
             )
-        elif sum(1 for _ in indices_of(variable)) > MOST_DIMENSIONS:
+        elif sum(1 for _ in indices_of(variable)) > MAX_DIMENSIONS:
             name = path_text(variable)
-            self._findings.report(TOO_MANY_INDICES, variable.span, name=name, most=MOST_DIMENSIONS)
+            self._findings.report(TOO_MANY_INDICES, variable.span, name=name, most=MAX_DIMENSIONS)
 
     def assignment(self, statement: Assignment) -> None:
         """``target operator value``, texts, structures and lists of values among them."""

@@ -21,7 +21,7 @@ class Findings:
     def __init__(self, source: Source, collector: Collector) -> None:
         self._source = source
         self._collector = collector
-        self._told: dict[str, None] = {}
+        self._reported: dict[str, None] = {}
         #: Macros that the program has defined so far; others may be, where programs call.
         self.macros: set[str] = set()
         self.has_other_macros = False
@@ -41,9 +41,9 @@ class Findings:
         if entry.support is Support.SIMULATED:
             return
         if entry.support is Support.ACCEPTED:
-            if command in self._told:
+            if command in self._reported:
                 return
-            self._told[command] = None
+            self._reported[command] = None
             self.report(ACCEPTED_WITHOUT_EFFECT, span, command=command, meaning=entry.meaning)
             return
         instead = entry.instead if entry.instead.en else NOTHING

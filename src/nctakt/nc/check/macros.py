@@ -29,7 +29,7 @@ _Given = tree.Keyword | tree.Expression
 _OF_NAMES = ("FILENAME", "FILE", "DELETE")
 
 
-class MacroPlaces:
+class MacroExpander:
     """Puts what ``meaning`` gives in the place of each macro; ``None`` for a text that is none."""
 
     def __init__(
@@ -225,13 +225,13 @@ def _with(node: _Node, **fields: object) -> _Node:
     return replace(node, **fields)
 
 
-def placed(expression: _Node, span: object) -> _Node:
+def with_span(expression: _Node, span: object) -> _Node:
     """An expression as if it stood at ``span``."""
     fields: dict[str, object] = {"span": span}
     for name in type(expression).__dataclass_fields__:
         value = getattr(expression, name)
         if isinstance(value, tree.Node):
-            fields[name] = placed(value, span)
+            fields[name] = with_span(value, span)
         elif isinstance(value, tuple):
-            fields[name] = tuple(placed(one, span) for one in value)
+            fields[name] = tuple(with_span(one, span) for one in value)
     return replace(expression, **fields)

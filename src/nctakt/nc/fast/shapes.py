@@ -20,14 +20,14 @@ COMMENT = 2
 RUN = 3
 
 #: Numbers and comments, lines, characters of a statement with a shape; structures inside it.
-MOST_PLACES = 200
-MOST_LINES = 400
-MOST_TEXT = 4000
-MOST_DEPTH = 20
+MAX_PLACES = 200
+MAX_LINES = 400
+MAX_TEXT = 4000
+MAX_DEPTH = 20
 
 #: Characters and places of one of its lines.
 LONGEST_LINE = 200
-MOST_PLACES_OF_LINE = 24
+MAX_PLACES_OF_LINE = 24
 
 
 class Shape:
@@ -60,10 +60,10 @@ class ShapeScanner(LineScanner):
 
     def __init__(self) -> None:
         super().__init__()
-        self.room = bytearray(MOST_TEXT + LONGEST_LINE + 4)
+        self.room = bytearray(MAX_TEXT + LONGEST_LINE + 4)
         self.text = memoryview(self.room)
-        self.numbers = memoryview(bytearray(8 * (MOST_PLACES + LONGEST_LINE))).cast("d")
-        self.ends = memoryview(bytearray(8 * (MOST_PLACES + LONGEST_LINE))).cast("q")
+        self.numbers = memoryview(bytearray(8 * (MAX_PLACES + LONGEST_LINE))).cast("d")
+        self.ends = memoryview(bytearray(8 * (MAX_PLACES + LONGEST_LINE))).cast("q")
         self.shape: Shape | None = None
         self.index = 0
         self.end = 0

@@ -42,7 +42,7 @@ from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve, vari
 from nctakt.nc.vocabulary.variable_table import Location, NameTable
 
 
-class ChannelUse:
+class FlushChecker:
     """Reports what empties the channel."""
 
     def __init__(self, names: NameTable, findings: Findings) -> None:

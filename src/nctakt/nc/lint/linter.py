@@ -29,8 +29,8 @@ from nctakt.messages.lints import (
 from nctakt.messages.tools import TOOL_NOT_VALID, UNKNOWN_TOOL
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
-from nctakt.nc.lint.channel_flush import ChannelUse
-from nctakt.nc.lint.realtime_cycles import Budget, CycleLinter, Known
+from nctakt.nc.lint.channel_flush import FlushChecker
+from nctakt.nc.lint.realtime_cycles import CycleLinter, KnownValue, StepLimits
 from nctakt.nc.lint.uses import element_text, integer_value, place_text
 from nctakt.nc.parse.open_structures import is_false
 from nctakt.nc.source import Source
@@ -99,7 +99,7 @@ class _State:
     """
 
     compensation: str = ""
-    known: dict[str, Known] = field(default_factory=dict)
+    known: dict[str, KnownValue] = field(default_factory=dict)
     lacks_radius: bool = False
     is_arc: bool = False
 
@@ -141,15 +141,15 @@ class Linter:
         self,
         source: Source,
         names: NameTable,
-        budget: Budget,
+        limits: StepLimits,
         collector: Collector,
         tools: Mapping[int, Tool],
     ) -> None:
         self._source = source
         self._tools = tools
         self._findings = Findings(source, collector)
-        self._cycles = CycleLinter(names, self._findings, budget)
-        self._channel = ChannelUse(names, self._findings)
+        self._cycles = CycleLinter(names, self._findings, limits)
+        self._channel = FlushChecker(names, self._findings)
         self._state = _State()
         self._writers: dict[str, _Writer] = {}
         self._defined: list[GlobalCycle] = []
@@ -250,7 +250,7 @@ class Linter:
             if name != root and not name.startswith((f"{root}.", f"{root}["))
         }
         if isinstance(statement.value, Number) and statement.operator == "=" and root == place:
-            known[place] = Known(statement.value.value, statement.span.line)
+            known[place] = KnownValue(statement.value.value, statement.span.line)
         self._state.known = known
 
     # --- realtime cycles -------------------------------------------------------------------------

@@ -29,7 +29,7 @@ from nctakt.messages.lints import (
     IF_NOT_EVALUATED_EVERY_TICK,
     OVERRIDE_FOR_ONE_TICK,
 )
-from nctakt.nc.check.cost import is_live, most_steps
+from nctakt.nc.check.cost import is_live, max_steps
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.lint.uses import (
     always,
@@ -78,7 +78,7 @@ _NEVER_TRUE = Text("never true", "nie wahr")
 
 
 @dataclass(frozen=True, slots=True)
-class Budget:
+class StepLimits:
     """Elementary instructions that fit into a tick: by P-CHAN-00427, by P-CHAN-00425."""
 
     max_steps: int
@@ -86,7 +86,7 @@ class Budget:
 
 
 @dataclass(frozen=True, slots=True)
-class Known:
+class KnownValue:
     """The value that the program gave to something, and the line that did it."""
 
     value: float
@@ -94,7 +94,7 @@ class Known:
 
 
 @dataclass(frozen=True, slots=True)
-class _Around:
+class _Surrounding:
     """What stands around a statement of a cycle.
 
     ``single``: ONCE or EDGE where that makes the statement run in single ticks. ``skipped``: the
@@ -111,37 +111,37 @@ class _Around:
 class CycleLinter:
     """Looks at the cycles of one program, one by one."""
 
-    def __init__(self, names: NameTable, findings: Findings, budget: Budget) -> None:
+    def __init__(self, names: NameTable, findings: Findings, limits: StepLimits) -> None:
         self._names = names
         self._findings = findings
-        self._budget = budget
-        self._known: Mapping[str, Known] = {}
-        self._told: dict[str, None] = {}
+        self._limits = limits
+        self._known: Mapping[str, KnownValue] = {}
+        self._reported: dict[str, None] = {}
 
-    def cycle(self, cycle: RealtimeCycle, known: Mapping[str, Known]) -> dict[str, Variable]:
+    def cycle(self, cycle: RealtimeCycle, known: Mapping[str, KnownValue]) -> dict[str, Variable]:
         """Report; the variables that the cycle writes, by their text."""
         self._known = known
-        self._told = {}
-        self._limits(cycle)
-        self._all(cycle.body, _Around())
+        self._reported = {}
+        self._check_limits(cycle)
+        self._all(cycle.body, _Surrounding())
         return {
             element_text(target): target
             for target in targets(cycle.body)
             if isinstance(target, Variable)
         }
 
-    def _limits(self, cycle: RealtimeCycle) -> None:
-        steps = most_steps(cycle.body, self._names)
+    def _check_limits(self, cycle: RealtimeCycle) -> None:
+        steps = max_steps(cycle.body, self._names)
         for number, limit in (
-            (CYCLE_MAY_EXCEED_STEP_LIMIT, self._budget.max_steps),
-            (CYCLE_MAY_EXCEED_DURATION, self._budget.duration_steps),
+            (CYCLE_MAY_EXCEED_STEP_LIMIT, self._limits.max_steps),
+            (CYCLE_MAY_EXCEED_DURATION, self._limits.duration_steps),
         ):
             if steps > limit:
                 self._findings.report(number, cycle.span, steps=steps, limit=limit)
 
     # --- statements ------------------------------------------------------------------------------
 
-    def _all(self, statements: Sequence[Statement], around: _Around) -> None:
+    def _all(self, statements: Sequence[Statement], around: _Surrounding) -> None:
         for statement in statements:
             match statement:
                 case If() if not statement.preprocessor:
@@ -157,7 +157,7 @@ class CycleLinter:
                 case Block():
                     self._block(statement, around)
 
-    def _if(self, statement: If, around: _Around) -> None:
+    def _if(self, statement: If, around: _Surrounding) -> None:
         self._condition(statement.condition, statement.frequency or "")
         if statement.frequency is not None:
             self._nesting(statement, around)
@@ -172,7 +172,7 @@ class CycleLinter:
         self._branch(statement.else_body or (), asked, around)
 
     def _branch(
-        self, body: Sequence[Statement], asked: Sequence[Expression], around: _Around
+        self, body: Sequence[Statement], asked: Sequence[Expression], around: _Surrounding
     ) -> None:
         """A plain branch: does it change what it was taken for?"""
         written = {element_text(one) for one in targets(body) if isinstance(one, Variable)}
@@ -185,7 +185,7 @@ class CycleLinter:
         resets = around.resets or not written.isdisjoint(read)
         self._all(body, replace(around, skipped=True, resets=resets))
 
-    def _nesting(self, statement: If, around: _Around) -> None:
+    def _nesting(self, statement: If, around: _Surrounding) -> None:
         if around.once:
             self._findings.report(IF_EVALUATED_IN_ONE_TICK, statement.span, word="ONCE")
         elif around.skipped:
@@ -193,7 +193,7 @@ class CycleLinter:
                 IF_NOT_EVALUATED_EVERY_TICK, statement.span, word=statement.frequency
             )
 
-    def _assignment(self, statement: Assignment, around: _Around) -> None:
+    def _assignment(self, statement: Assignment, around: _Surrounding) -> None:
         target = statement.target
         if isinstance(target, Variable):
             for index in indices_of(target):
@@ -205,7 +205,7 @@ class CycleLinter:
                 )
         self._frozen(statement.value)
 
-    def _block(self, block: Block, around: _Around) -> None:
+    def _block(self, block: Block, around: _Surrounding) -> None:
         """What its commands read; the first of its functions stands for all of them."""
         for word in block.words:
             if isinstance(word, BracketCommand) and is_axis_command(word):
@@ -218,7 +218,7 @@ class CycleLinter:
                 self._findings.report(FUNCTION_OUTPUT_EACH_TICK, word.span, word=written)
                 return
 
-    def _axis_command(self, bracket: BracketCommand, around: _Around) -> None:
+    def _axis_command(self, bracket: BracketCommand, around: _Surrounding) -> None:
         """A way or a motion that waits adds up, if it is commanded in each tick (RC-405)."""
         command, wrong = read_axis_command(bracket)
         for expression in command.expressions():
@@ -314,9 +314,9 @@ class CycleLinter:
     def _report_frozen(self, operand: Expression, *, in_condition: bool) -> None:
         """Each once in a cycle."""
         name = self._name(operand)
-        if name in self._told:
+        if name in self._reported:
             return
-        self._told[name] = None
+        self._reported[name] = None
         message = (
             ASYNCHRONOUS_CONDITION
             if in_condition and isinstance(operand, Variable)
@@ -337,7 +337,7 @@ class CycleLinter:
         return _THEN
 
 
-def _inside(frequency: str, around: _Around) -> _Around:
+def _inside(frequency: str, around: _Surrounding) -> _Surrounding:
     if frequency == "ALWAYS":
         return replace(around, skipped=False)
     single = around.single or frequency

@@ -38,7 +38,7 @@ from nctakt.nc.parse.expressions import (
 )
 from nctakt.nc.parse.hash_commands import (
     CYCLE_ACTIONS,
-    Hash,
+    RawCommand,
     cycle_control,
     cycle_keywords,
     parse_arguments,
@@ -59,7 +59,7 @@ from nctakt.nc.parse.open_structures import (
     VariablesFrame,
     WhileFrame,
 )
-from nctakt.nc.parse.structure_stack import Structure
+from nctakt.nc.parse.structure_stack import StructureStack
 from nctakt.nc.tree import (
     Break,
     Constant,
@@ -79,12 +79,12 @@ _FREQUENCY = re.compile(r"\s*(ONCE|EDGE|ALWAYS)(?!\w)", re.IGNORECASE)
 _DOLLAR = re.compile(r"\s*\$")
 
 
-class Here(NamedTuple):
+class CurrentLine(NamedTuple):
     """The line at hand: its text, what stood in front, its first word with ``$`` or ``#``."""
 
     text: BlockText
     head: Head
-    structure: Structure
+    structures: StructureStack
     start: int
     word: str
 
@@ -98,7 +98,7 @@ class Here(NamedTuple):
         return Opening(self.word, end, span, self.text.source_line(span), self.head)
 
 
-def control_line(text: BlockText, head: Head, structure: Structure) -> None:
+def control_line(text: BlockText, head: Head, structures: StructureStack) -> None:
     """A line that begins with ``$``."""
     found = text.match(_DOLLAR_WORD)
     assert found is not None
@@ -114,20 +114,20 @@ def control_line(text: BlockText, head: Head, structure: Structure) -> None:
             word=shown("$" + found[1]),
             suggestion=suggestion,
         )
-    handler(Here(text, head, structure, found.start(1) - 1, word))
+    handler(CurrentLine(text, head, structures, found.start(1) - 1, word))
 
 
-def hash_line(text: BlockText, head: Head, structure: Structure) -> None:
+def hash_line(text: BlockText, head: Head, structures: StructureStack) -> None:
     """A line that begins with ``#``."""
     start = text.skip_blanks()
     preprocessor = text.match(_PREPROCESSOR)
     if preprocessor is not None:
         word = "#" + preprocessor[1].upper()
-        _PREPROCESSOR_LINES[word](Here(text, head, structure, start, word))
+        _PREPROCESSOR_LINES[word](CurrentLine(text, head, structures, start, word))
         return
     offsets = parse_offsets(text, head)
     if offsets is not None:
-        structure.add_block(offsets, text)
+        structures.add_block(offsets, text)
         return
     words = parse_words(text)
     name = tuple(word.name for word in words)
@@ -138,67 +138,69 @@ def hash_line(text: BlockText, head: Head, structure: Structure) -> None:
         if handler is None:
             raise
         # What the line opens or closes counts even if the rest of it cannot be read.
-        structure.block_error(text, error)
+        structures.block_error(text, error)
         arguments = ()
         text.pos = len(text.text)
-    command = Hash(start, text.pos, words, arguments)
+    command = RawCommand(start, text.pos, words, arguments)
     if handler is not None:
-        handler(Here(text, head, structure, start, "#" + " ".join(name[:2])), command)
+        handler(CurrentLine(text, head, structures, start, "#" + " ".join(name[:2])), command)
     else:
-        structure.add_block(simple_command(text, head, command), text)
+        structures.add_block(simple_command(text, head, command), text)
 
 
 # --- conditions ----------------------------------------------------------------------------------
 
 
-def _value(here: Here) -> Expression:
+def _value(current: CurrentLine) -> Expression:
     """The expression that follows; if there is none, that is reported and TRUE stands for it."""
     try:
-        return parse_expression(here.text)
+        return parse_expression(current.text)
     except BlockError as error:
-        here.structure.block_error(here.text, error)
-        here.text.pos = len(here.text.text)
-        return Constant(here.span(), "TRUE")
+        current.structures.block_error(current.text, error)
+        current.text.pos = len(current.text.text)
+        return Constant(current.span(), "TRUE")
 
 
-def _frequency(here: Here) -> Frequency | None:
-    found = here.text.match(_FREQUENCY)
+def _frequency(current: CurrentLine) -> Frequency | None:
+    found = current.text.match(_FREQUENCY)
     return None if found is None else cast(Frequency, found[1].upper())
 
 
-def _stray(here: Here, begin: str) -> None:
-    span = here.span()
-    line = here.text.source_line(span)
-    here.structure.report(STRUCTURE_NOT_OPENED, span, line, word=here.word, begin=begin)
-    here.text.pos = len(here.text.text)
+def _stray(current: CurrentLine, begin: str) -> None:
+    span = current.span()
+    line = current.text.source_line(span)
+    current.structures.report(STRUCTURE_NOT_OPENED, span, line, word=current.word, begin=begin)
+    current.text.pos = len(current.text.text)
 
 
-def _find(here: Here, begin: str) -> Frame | None:
+def _find(current: CurrentLine, begin: str) -> Frame | None:
     """The structure that this line divides or closes, or the report that there is none."""
-    frame = here.structure.find(lambda open_frame: open_frame.opening.begin == begin)
+    frame = current.structures.find(lambda open_frame: open_frame.opening.begin == begin)
     if frame is None:
-        _stray(here, begin)
+        _stray(current, begin)
     return frame
 
 
 # --- $IF, #IF ------------------------------------------------------------------------------------
 
 
-def _if(here: Here) -> None:
-    text = here.text
-    frequency = _frequency(here)
+def _if(current: CurrentLine) -> None:
+    text = current.text
+    frequency = _frequency(current)
     begin = text.pos
-    condition = _value(here)
-    failed = condition.span == here.span()
+    condition = _value(current)
+    failed = condition.span == current.span()
     if failed and "$" in text.text[begin:]:
         # A jump in the same line, most likely: it needs no $ENDIF.
         return
     if text.looking_at(_DOLLAR) is not None:
         body = _one_line_body(text)
-        here.structure.add_block(If(here.span(), here.head, frequency, condition, (body,)), text)
+        current.structures.add_block(
+            If(current.span(), current.head, frequency, condition, (body,)), text
+        )
     else:
-        frame = IfFrame(here.opening("$ENDIF"), frequency, condition, preprocessor=False)
-        here.structure.open(frame)
+        frame = IfFrame(current.opening("$ENDIF"), frequency, condition, preprocessor=False)
+        current.structures.open(frame)
 
 
 def _one_line_body(text: BlockText) -> Statement:
@@ -212,51 +214,55 @@ def _one_line_body(text: BlockText) -> Statement:
     return make(text, Head(), text.span(start, found.end()))
 
 
-def _preprocessor_if(here: Here) -> None:
-    here.structure.open(IfFrame(here.opening("#ENDIF"), None, _value(here), preprocessor=True))
+def _preprocessor_if(current: CurrentLine) -> None:
+    current.structures.open(
+        IfFrame(current.opening("#ENDIF"), None, _value(current), preprocessor=True)
+    )
 
 
-def _else_if(here: Here) -> None:
-    frequency = _frequency(here)
-    condition = _value(here)
-    frame = _branch_of(here)
+def _else_if(current: CurrentLine) -> None:
+    frequency = _frequency(current)
+    condition = _value(current)
+    frame = _branch_of(current)
     if frame is not None:
-        frame.add_branch(here.span(), here.head, frequency, condition)
+        frame.add_branch(current.span(), current.head, frequency, condition)
 
 
-def _else(here: Here) -> None:
-    frame = _branch_of(here)
+def _else(current: CurrentLine) -> None:
+    frame = _branch_of(current)
     if frame is not None:
-        frame.add_else(here.span())
+        frame.add_else(current.span())
 
 
-def _branch_of(here: Here) -> IfFrame | None:
-    frame = _find(here, here.word[0] + "IF")
+def _branch_of(current: CurrentLine) -> IfFrame | None:
+    frame = _find(current, current.word[0] + "IF")
     if frame is None:
         return None
     assert isinstance(frame, IfFrame)
     if frame.else_body is not None:
-        raise BlockError(BRANCH_AFTER_ELSE, here.start, here.start + len(here.word), word=here.word)
+        raise BlockError(
+            BRANCH_AFTER_ELSE, current.start, current.start + len(current.word), word=current.word
+        )
     return frame
 
 
-def _end_if(here: Here) -> None:
-    _close(here, here.word[0] + "IF")
+def _end_if(current: CurrentLine) -> None:
+    _close(current, current.word[0] + "IF")
 
 
-def _close(here: Here, begin: str) -> None:
-    frame = _find(here, begin)
+def _close(current: CurrentLine, begin: str) -> None:
+    frame = _find(current, begin)
     if frame is not None:
-        here.structure.close(frame)
+        current.structures.close(frame)
 
 
 # --- loops and branches --------------------------------------------------------------------------
 
 
-def _for(here: Here) -> None:
+def _for(current: CurrentLine) -> None:
     """If the loop's line cannot be read, a ``$WHILE`` stands for it."""
-    text = here.text
-    opening = here.opening("$ENDFOR")
+    text = current.text
+    opening = current.opening("$ENDFOR")
     try:
         target = parse_target(text)
         if target is None:
@@ -268,70 +274,70 @@ def _for(here: Here) -> None:
         require(text, COMMA, ",")
         bounds = (start, end, parse_expression(text))
     except BlockError as error:
-        here.structure.block_error(text, error)
+        current.structures.block_error(text, error)
         text.pos = len(text.text)
-        here.structure.open(WhileFrame(opening, Constant(opening.span, "TRUE")))
+        current.structures.open(WhileFrame(opening, Constant(opening.span, "TRUE")))
         return
-    here.structure.open(ForFrame(opening, target, bounds))
+    current.structures.open(ForFrame(opening, target, bounds))
 
 
-def _end_for(here: Here) -> None:
-    _close(here, "$FOR")
+def _end_for(current: CurrentLine) -> None:
+    _close(current, "$FOR")
 
 
-def _while(here: Here) -> None:
-    here.structure.open(WhileFrame(here.opening("$ENDWHILE"), _value(here)))
+def _while(current: CurrentLine) -> None:
+    current.structures.open(WhileFrame(current.opening("$ENDWHILE"), _value(current)))
 
 
-def _end_while(here: Here) -> None:
-    _close(here, "$WHILE")
+def _end_while(current: CurrentLine) -> None:
+    _close(current, "$WHILE")
 
 
-def _do(here: Here) -> None:
-    here.structure.open(DoFrame(here.opening("$ENDDO")))
+def _do(current: CurrentLine) -> None:
+    current.structures.open(DoFrame(current.opening("$ENDDO")))
 
 
-def _end_do(here: Here) -> None:
-    _close_foot(here, "$DO")
+def _end_do(current: CurrentLine) -> None:
+    _close_with_condition(current, "$DO")
 
 
-def _repeat(here: Here) -> None:
-    here.structure.open(RepeatFrame(here.opening("$UNTIL")))
+def _repeat(current: CurrentLine) -> None:
+    current.structures.open(RepeatFrame(current.opening("$UNTIL")))
 
 
-def _until(here: Here) -> None:
-    _close_foot(here, "$REPEAT")
+def _until(current: CurrentLine) -> None:
+    _close_with_condition(current, "$REPEAT")
 
 
-def _close_foot(here: Here, begin: str) -> None:
-    frame = _find(here, begin)
+def _close_with_condition(current: CurrentLine, begin: str) -> None:
+    frame = _find(current, begin)
     if frame is not None:
         assert isinstance(frame, DoFrame | RepeatFrame)
-        frame.condition = _value(here)
-        here.structure.close(frame)
+        frame.condition = _value(current)
+        current.structures.close(frame)
 
 
-def _switch(here: Here) -> None:
-    here.structure.open(SwitchFrame(here.opening("$ENDSWITCH"), _value(here)))
+def _switch(current: CurrentLine) -> None:
+    current.structures.open(SwitchFrame(current.opening("$ENDSWITCH"), _value(current)))
 
 
-def _case(here: Here) -> None:
-    value = _value(here)
-    frame = _find(here, "$SWITCH")
+def _case(current: CurrentLine) -> None:
+    value = _value(current)
+    frame = _find(current, "$SWITCH")
     if frame is not None:
         assert isinstance(frame, SwitchFrame)
-        frame.add_case(here.span(), here.head, value)
+        frame.add_case(current.span(), current.head, value)
 
 
-def _default(here: Here) -> None:
-    frame = _find(here, "$SWITCH")
+def _default(current: CurrentLine) -> None:
+    frame = _find(current, "$SWITCH")
     if frame is not None:
         assert isinstance(frame, SwitchFrame)
-        frame.add_case(here.span(), here.head, None)
+        frame.add_case(current.span(), current.head, None)
 
 
-def _end_switch(here: Here) -> None:
-    _close(here, "$SWITCH")
+def _end_switch(current: CurrentLine) -> None:
+    _close(current, "$SWITCH")
 
 
 # --- jumps ---------------------------------------------------------------------------------------
@@ -359,13 +365,13 @@ _JUMPS: dict[str, Callable[[BlockText, Head, Span], Statement]] = {
 }
 
 
-def _jump(here: Here) -> None:
-    statement = _JUMPS[here.word](here.text, here.head, here.span())
-    here.structure.add_block(statement, here.text)
+def _jump(current: CurrentLine) -> None:
+    statement = _JUMPS[current.word](current.text, current.head, current.span())
+    current.structures.add_block(statement, current.text)
 
 
 #: What each word with ``$`` does.
-CONTROL_WORDS: dict[str, Callable[[Here], None]] = {
+CONTROL_WORDS: dict[str, Callable[[CurrentLine], None]] = {
     "$IF": _if,
     "$ELSEIF": _else_if,
     "$ELSE": _else,
@@ -387,7 +393,7 @@ CONTROL_WORDS: dict[str, Callable[[Here], None]] = {
     "$CONTINUE": _jump,
 }
 
-_PREPROCESSOR_LINES: dict[str, Callable[[Here], None]] = {
+_PREPROCESSOR_LINES: dict[str, Callable[[CurrentLine], None]] = {
     "#IF": _preprocessor_if,
     "#ELSEIF": _else_if,
     "#ELSE": _else,
@@ -398,78 +404,80 @@ _PREPROCESSOR_LINES: dict[str, Callable[[Here], None]] = {
 # --- # structures --------------------------------------------------------------------------------
 
 
-def _realtime_cycle(here: Here, command: Hash) -> None:
+def _realtime_cycle(current: CurrentLine, command: RawCommand) -> None:
     words = command.name[2:]
     if words in ((), ("DEF",)):
-        span = here.span()
-        here.structure.close_cycle_before(span, here.text.source_line(span))
-        frame = CycleFrame(here.opening("#RT CYCLE END"), definition_only=bool(words))
-        here.structure.open(frame)
-        frame.keywords = cycle_keywords(here.text, command)
+        span = current.span()
+        current.structures.close_cycle_before(span, current.text.source_line(span))
+        frame = CycleFrame(current.opening("#RT CYCLE END"), definition_only=bool(words))
+        current.structures.open(frame)
+        frame.keywords = cycle_keywords(current.text, command)
     elif words[:1] == ("END",):
-        _end_realtime_cycle(here, command)
+        _end_realtime_cycle(current, command)
     elif " ".join(words) in CYCLE_ACTIONS:
-        here.structure.add_block(cycle_control(here.text, here.head, command), here.text)
+        current.structures.add_block(
+            cycle_control(current.text, current.head, command), current.text
+        )
     else:
         # Was it a definition, its end is still to come; it shall not be a second mistake.
-        here.structure.expect_stray_cycle_end()
+        current.structures.expect_stray_cycle_end()
         known = words[0] in CYCLE_ACTIONS and len(words) > 1
         wrong = command.words[3 if known else 2]
         raise BlockError(UNKNOWN_CYCLE_KEYWORD, 0, 0, wrong.span, keyword=shown(wrong.text))
 
 
-def _end_realtime_cycle(here: Here, command: Hash) -> None:
-    frame = here.structure.find(lambda open_frame: isinstance(open_frame, CycleFrame))
+def _end_realtime_cycle(current: CurrentLine, command: RawCommand) -> None:
+    frame = current.structures.find(lambda open_frame: isinstance(open_frame, CycleFrame))
     if frame is not None:
         assert isinstance(frame, CycleFrame)
-        frame.end_span = here.text.span(command.start, command.end)
-        here.structure.close(frame)
-    elif not here.structure.forgive_cycle_end():
+        frame.end_span = current.text.span(command.start, command.end)
+        current.structures.close(frame)
+    elif not current.structures.forgive_cycle_end():
         raise BlockError(
             CYCLE_BEGIN_END_MISMATCH, command.start, command.end, found="#RT CYCLE END"
         )
     rest = (*command.words[3:], *command.arguments)
     if rest:
-        found = quoted(here.text.text_of(rest[0].span))
+        found = quoted(current.text.text_of(rest[0].span))
         raise BlockError(UNEXPECTED_TEXT, 0, 0, rest[0].span, found=found)
 
 
-def _realtime_loop(here: Here, command: Hash) -> None:
+def _realtime_loop(current: CurrentLine, command: RawCommand) -> None:
     """``#RT WHILE``, with ``[MODULO]`` or without."""
-    frame = LoopFrame(here.opening("#RT ENDWHILE"))
-    here.structure.open(frame)
+    frame = LoopFrame(current.opening("#RT ENDWHILE"))
+    current.structures.open(frame)
     for wrong in command.words[2:]:
         raise BlockError(UNEXPECTED_TEXT, 0, 0, wrong.span, found=shown(wrong.text))
-    for item in cycle_keywords(here.text, command):
+    for item in cycle_keywords(current.text, command):
         if not isinstance(item, Keyword) or item != Keyword(item.span, "MODULO", None):
-            found = shown(here.text.text_of(item.span))
+            found = shown(current.text.text_of(item.span))
             raise BlockError(UNEXPECTED_TEXT, 0, 0, item.span, found=found)
         frame.modulo = True
 
 
-def _end_realtime_loop(here: Here, command: Hash) -> None:
-    frame = here.structure.find(lambda open_frame: isinstance(open_frame, LoopFrame))
+def _end_realtime_loop(current: CurrentLine, command: RawCommand) -> None:
+    frame = current.structures.find(lambda open_frame: isinstance(open_frame, LoopFrame))
     if frame is None:
         raise BlockError(RT_WHILE_NESTED, command.start, command.end, found="#RT ENDWHILE")
-    here.structure.close(frame)
+    current.structures.close(frame)
     for wrong in (*command.words[2:], *command.arguments):
-        found = shown(here.text.text_of(wrong.span))
+        found = shown(current.text.text_of(wrong.span))
         raise BlockError(UNEXPECTED_TEXT, 0, 0, wrong.span, found=found)
 
 
-def _variables(here: Here, _: Hash) -> None:
-    here.structure.open(VariablesFrame(here.opening("#ENDVAR")))
+def _variables(current: CurrentLine, _: RawCommand) -> None:
+    current.structures.open(VariablesFrame(current.opening("#ENDVAR")))
 
 
-def _end_variables(here: Here, _: Hash) -> None:
-    _close(here, "#VAR")
+def _end_variables(current: CurrentLine, _: RawCommand) -> None:
+    _close(current, "#VAR")
 
 
-def _comment_end(here: Here, _: Hash) -> None:
-    _stray(here, "#COMMENT BEGIN")
+def _comment_end(current: CurrentLine, _: RawCommand) -> None:
+    _stray(current, "#COMMENT BEGIN")
 
 
-_HASH_LINES: dict[tuple[str, ...], Callable[[Here, Hash], None]] = {
+_HASH_LINES: dict[tuple[str, ...], Callable[[CurrentLine, RawCommand], None]] = {
     ("RT", "CYCLE"): _realtime_cycle,
     ("RT", "WHILE"): _realtime_loop,
     ("RT", "ENDWHILE"): _end_realtime_loop,

@@ -70,7 +70,7 @@ _NAME = re.compile(r"\s*([^\W\d]\w*(?:[.:\\/][\w.:\\/+-]*)?)")
 _FAMILY = re.compile(r"[^\W\d]\w*")
 _PART = re.compile(r"\.([-+]?\w+)")
 _INDEX = re.compile(r"\[")
-_FOUND = re.compile(r"\s*(\w+|\S)")
+_NEXT_TOKEN = re.compile(r"\s*(\w+|\S)")
 _STARTS_VALUE = re.compile(
     rf'\s*(?:[-+\d\["@]|\.\d|Vs?\.|P(?:\d|\[)|(?:TRUE|FALSE|PI|NOT)(?![\w.])|(?:{FUNCTION_NAMES})\s*\[)',
     re.IGNORECASE,
@@ -97,7 +97,7 @@ class _SizedTarget(NamedTuple):
     height: int
 
 
-class _Pending(NamedTuple):
+class _PendingOperator(NamedTuple):
     """An operator that waits for its right operand; ``start`` is where it stands."""
 
     symbol: str
@@ -126,7 +126,7 @@ def expected(
     text: BlockText, message: Message = VALUE_EXPECTED, symbol: str | None = None
 ) -> BlockError:
     """The error that something is missing at the reading position, showing what stands there."""
-    found = text.looking_at(_FOUND)
+    found = text.looking_at(_NEXT_TOKEN)
     word: str | Text = END_OF_BLOCK
     if found is None:
         start = len(text.text.rstrip())
@@ -176,13 +176,15 @@ def _expression(text: BlockText, depth: int, names: bool) -> Sized:
     if depth > EXPRESSION_DEPTH:
         raise _too_deep(text)
     operands: list[Sized] = []
-    waiting: list[_Pending] = []
+    waiting: list[_PendingOperator] = []
     while True:
         while (prefix := text.match(_PREFIX)) is not None:
             symbol = prefix[1].upper()
             # A plus sign in front changes nothing and leaves no node.
             if symbol != "+":
-                waiting.append(_Pending(symbol, PREFIX[symbol].precedence, True, prefix.start(1)))
+                waiting.append(
+                    _PendingOperator(symbol, PREFIX[symbol].precedence, True, prefix.start(1))
+                )
         operands.append(_operand(text, depth, names))
         infix = text.match(_INFIX)
         if infix is None:
@@ -194,14 +196,14 @@ def _expression(text: BlockText, depth: int, names: bool) -> Sized:
             or (waiting[-1].precedence == operator.precedence and not operator.right_associative)
         ):
             _apply(text, waiting.pop(), operands)
-        waiting.append(_Pending(symbol, operator.precedence, False, infix.start(1)))
+        waiting.append(_PendingOperator(symbol, operator.precedence, False, infix.start(1)))
     while waiting:
         _apply(text, waiting.pop(), operands)
     assert len(operands) == 1
     return operands[0]
 
 
-def _apply(text: BlockText, operator: _Pending, operands: list[Sized]) -> None:
+def _apply(text: BlockText, operator: _PendingOperator, operands: list[Sized]) -> None:
     right = operands.pop()
     if operator.prefix:
         operand = right.node

@@ -55,7 +55,7 @@ Argument = Bracket | Keyword | Expression
 
 
 @dataclass(frozen=True, slots=True)
-class Hash:
+class RawCommand:
     """A ``#`` command as written: ``[start, end)`` in the block, words, arguments."""
 
     start: int
@@ -124,7 +124,7 @@ def _argument(text: BlockText) -> Argument:
     return parse_variable(text, whole_family=True) or parse_item(text)
 
 
-def only_bracket(command: Hash) -> tuple[Item, ...] | None:
+def only_bracket(command: RawCommand) -> tuple[Item, ...] | None:
     """The items of the one bracket that the command has; none is as good as an empty one."""
     if not command.arguments:
         return ()
@@ -133,7 +133,7 @@ def only_bracket(command: Hash) -> tuple[Item, ...] | None:
     return command.arguments[0].items
 
 
-def cycle_keywords(text: BlockText, command: Hash) -> tuple[Item, ...]:
+def cycle_keywords(text: BlockText, command: RawCommand) -> tuple[Item, ...]:
     """The keywords of an ``#RT CYCLE`` line, which may have nothing else behind its words."""
     items = only_bracket(command)
     if items is None:
@@ -147,7 +147,7 @@ def cycle_keywords(text: BlockText, command: Hash) -> tuple[Item, ...]:
     return items
 
 
-def simple_command(text: BlockText, head: Head, command: Hash) -> Statement:
+def simple_command(text: BlockText, head: Head, command: RawCommand) -> Statement:
     """The statement of a command that opens and closes nothing."""
     special = _SPECIAL.get(command.words[0].name)
     statement = special(text, head, command) if special is not None else None
@@ -157,14 +157,14 @@ def simple_command(text: BlockText, head: Head, command: Hash) -> Statement:
     return HashCommand(span, head, command.words, command.arguments)
 
 
-def cycle_control(text: BlockText, head: Head, command: Hash) -> CycleControl:
+def cycle_control(text: BlockText, head: Head, command: RawCommand) -> CycleControl:
     """``#RT CYCLE`` with one of the ``CYCLE_ACTIONS``."""
     keywords = cycle_keywords(text, command)
     action = " ".join(command.name[2:])
     return CycleControl(text.span(command.start, command.end), head, action, keywords)
 
 
-def _flush(text: BlockText, head: Head, command: Hash) -> Statement | None:
+def _flush(text: BlockText, head: Head, command: RawCommand) -> Statement | None:
     name = command.name
     if command.arguments or len(name) > 2 or (len(name) == 2 and name[1] not in _FLUSH_MODES):
         return None
@@ -175,7 +175,7 @@ def _flush(text: BlockText, head: Head, command: Hash) -> Statement | None:
 _FLUSH_MODES = ("WAIT", "CONTINUE")
 
 
-def _time(text: BlockText, head: Head, command: Hash) -> Statement | None:
+def _time(text: BlockText, head: Head, command: RawCommand) -> Statement | None:
     if len(command.words) != 1 or len(command.arguments) != 1:
         return None
     value = command.arguments[0]
@@ -183,7 +183,7 @@ def _time(text: BlockText, head: Head, command: Hash) -> Statement | None:
     return Time(text.span(command.start, command.end), head, value)
 
 
-def _message(text: BlockText, head: Head, command: Hash) -> Statement | None:
+def _message(text: BlockText, head: Head, command: RawCommand) -> Statement | None:
     items = only_bracket(command)
     if not items or not all(isinstance(item, Expression) for item in items):
         return None
@@ -192,7 +192,7 @@ def _message(text: BlockText, head: Head, command: Hash) -> Statement | None:
     return UserMessage(span, head, command.words[1:], values[0], values[1:])
 
 
-def _timer(text: BlockText, head: Head, command: Hash) -> Statement | None:
+def _timer(text: BlockText, head: Head, command: RawCommand) -> Statement | None:
     items = only_bracket(command)
     if items is None or len(command.words) < 2:
         return None
@@ -200,14 +200,14 @@ def _timer(text: BlockText, head: Head, command: Hash) -> Statement | None:
     return Timer(span, head, command.words[1].name, command.words[2:], items)
 
 
-def _error(text: BlockText, head: Head, command: Hash) -> Statement | None:
+def _error(text: BlockText, head: Head, command: RawCommand) -> Statement | None:
     items = only_bracket(command)
     if items is None or len(command.words) != 1:
         return None
     return UserError(text.span(command.start, command.end), head, items)
 
 
-_SPECIAL: dict[str, Callable[[BlockText, Head, Hash], Statement | None]] = {
+_SPECIAL: dict[str, Callable[[BlockText, Head, RawCommand], Statement | None]] = {
     "ERROR": _error,
     "FLUSH": _flush,
     "MSG": _message,

@@ -51,15 +51,15 @@ class Opening:
 class Frame:
     """An open structure; ``body`` takes the statements of the branch that is open.
 
-    ``inside_dead``: the branch that this structure stands in can never run.
+    ``inside_unreachable``: the branch that this structure stands in can never run.
     """
 
     opening: Opening
     body: list[Statement] = field(default_factory=list)
-    inside_dead: bool = False
+    inside_unreachable: bool = False
 
     @property
-    def dead(self) -> bool:
+    def is_unreachable(self) -> bool:
         """Whether the open branch can never run, so that its text need not be NC text."""
         return False
 
@@ -104,7 +104,7 @@ class IfFrame(Frame):
         self.branches = [_Branch(opening.span, opening.head, frequency, condition, self.body)]
 
     @property
-    def dead(self) -> bool:
+    def is_unreachable(self) -> bool:
         return self.else_body is None and is_false(self.branches[-1].condition)
 
     def add_branch(
@@ -189,7 +189,7 @@ class WhileFrame(Frame):
         self.condition = condition
 
     @property
-    def dead(self) -> bool:
+    def is_unreachable(self) -> bool:
         return is_false(self.condition)
 
     def finish(self) -> While:
@@ -209,7 +209,7 @@ class LoopFrame(Frame):
         return RealtimeLoop(self.opening.span, self.opening.head, self.modulo, tuple(self.body))
 
 
-class _FootFrame(Frame):
+class _EndConditionFrame(Frame):
     """A loop whose condition stands at its end; it counts as false where the end is missing."""
 
     __slots__ = ("condition",)
@@ -219,7 +219,7 @@ class _FootFrame(Frame):
         self.condition: Expression = Constant(opening.span, "FALSE")
 
 
-class DoFrame(_FootFrame):
+class DoFrame(_EndConditionFrame):
     """``$DO``."""
 
     __slots__ = ()
@@ -228,7 +228,7 @@ class DoFrame(_FootFrame):
         return Do(self.opening.span, self.opening.head, tuple(self.body), self.condition)
 
 
-class RepeatFrame(_FootFrame):
+class RepeatFrame(_EndConditionFrame):
     """``$REPEAT``."""
 
     __slots__ = ()
@@ -263,14 +263,14 @@ class CycleFrame(Frame):
 
 
 class VariablesFrame(Frame):
-    """``#VAR``; ``strangers`` counts the blocks in a row that declare nothing."""
+    """``#VAR``; ``failed_lines`` counts the blocks in a row that declare nothing."""
 
-    __slots__ = ("declarations", "strangers")
+    __slots__ = ("declarations", "failed_lines")
 
     def __init__(self, opening: Opening) -> None:
         super().__init__(opening)
         self.declarations: list[Declaration] = []
-        self.strangers = 0
+        self.failed_lines = 0
 
     def finish(self) -> VariableDeclarations:
         return VariableDeclarations(self.opening.span, self.opening.head, tuple(self.declarations))

@@ -21,7 +21,7 @@ from nctakt.nc.parse.declarations import parse_declaration, whole_declaration
 from nctakt.nc.parse.expressions import unreadable
 from nctakt.nc.parse.lexer import BlockError, BlockText, Lexer
 from nctakt.nc.parse.open_structures import VariablesFrame
-from nctakt.nc.parse.structure_stack import Structure
+from nctakt.nc.parse.structure_stack import StructureStack
 from nctakt.nc.source import LineReader, Source
 from nctakt.nc.tree import (
     NO_HEAD,
@@ -54,7 +54,7 @@ class StatementReader:
     """
 
     def __init__(self, source: Source, collector: Collector, first_line: int = 1) -> None:
-        self._structure = Structure(collector)
+        self._structures = StructureStack(collector)
         self._lexer = Lexer(source, collector, first_line)
         self._statements = self._read(source, collector, first_line)
         self._given = 0
@@ -68,25 +68,25 @@ class StatementReader:
     @property
     def lines(self) -> LineReader | None:
         """The lines that come next, unless they belong to what has been begun."""
-        structure = self._structure
-        is_between = structure.top is None and self._given == len(structure.ready)
+        structures = self._structures
+        is_between = structures.top is None and self._given == len(structures.ready)
         return self._lexer.lines if is_between and self._lexer.is_between else None
 
     def _read(
         self, source: Source, collector: Collector, first_line: int
     ) -> Iterator[tuple[int, Statement]]:
-        structure = self._structure
+        structures = self._structures
         begin = first_line
         empty = True
         for text in self._lexer.blocks():
             empty = False
-            if structure.top is None:
+            if structures.top is None:
                 begin = text.line_number
-            _block(text, self._lexer, structure)
-            if structure.ready:
+            _block(text, self._lexer, structures)
+            if structures.ready:
                 yield from self._ready(begin)
-                structure.ready.clear()
-        structure.close_all()
+                structures.ready.clear()
+        structures.close_all()
         yield from self._ready(begin)
         if empty and not collector.has_errors:
             place = Span(source.file, 1, 1, 2)
@@ -95,7 +95,7 @@ class StatementReader:
     def _ready(self, begin: int) -> Iterator[tuple[int, Statement]]:
         """What is finished, counted as it is given."""
         self._given = 0
-        for statement in self._structure.ready:
+        for statement in self._structures.ready:
             self._given += 1
             yield begin, statement
 
@@ -114,37 +114,37 @@ def _place(diagnostic: Diagnostic) -> tuple[int, int]:
     return (span.line, span.column) if span is not None else (0, 0)
 
 
-def _block(text: BlockText, lexer: Lexer, structure: Structure) -> None:
+def _block(text: BlockText, lexer: Lexer, structures: StructureStack) -> None:
     """One block into the structure, or the report why that cannot be."""
     head = NO_HEAD
     try:
         head = parse_head(text)
         start = text.skip_blanks()
         first = text.text[start : start + 1]
-        if isinstance(structure.top, VariablesFrame):
-            if _declaration_line(text, first, head, lexer, structure):
+        if isinstance(structures.top, VariablesFrame):
+            if _declaration_line(text, first, head, lexer, structures):
                 return
         if first == "$":
-            control_line(text, head, structure)
+            control_line(text, head, structures)
         elif first == "#":
-            hash_line(text, head, structure)
+            hash_line(text, head, structures)
         elif first == "%":
-            _program_start(text, structure)
+            _program_start(text, structures)
         else:
-            _content(text, head, structure)
+            _content(text, head, structures)
         if not text.at_end():
             raise unreadable(text)
     except BlockError as error:
-        structure.add_unreadable(text, head, error)
+        structures.add_unreadable(text, head, error)
 
 
-def _content(text: BlockText, head: Head, structure: Structure) -> None:
+def _content(text: BlockText, head: Head, structures: StructureStack) -> None:
     statements = parse_content(text, head)
     for statement in statements:
-        structure.add_block(statement, text)
+        structures.add_block(statement, text)
     if "M" in text.text or "m" in text.text:
         if any(_is_program_end(statement) for statement in statements):
-            structure.end_program()
+            structures.end_program()
 
 
 def _is_program_end(statement: Statement) -> bool:
@@ -161,35 +161,35 @@ def _is_program_end(statement: Statement) -> bool:
     )
 
 
-def _program_start(text: BlockText, structure: Structure) -> None:
+def _program_start(text: BlockText, structures: StructureStack) -> None:
     start = parse_program_start(text)
-    structure.begin_program()
-    structure.add(start)
+    structures.begin_program()
+    structures.add(start)
 
 
 def _declaration_line(
-    text: BlockText, first: str, head: Head, lexer: Lexer, structure: Structure
+    text: BlockText, first: str, head: Head, lexer: Lexer, structures: StructureStack
 ) -> bool:
     """A line inside ``#VAR``; false if the line does not belong there, and ``#VAR`` is closed.
 
     A second line in a row that declares nothing tells that ``#ENDVAR`` was forgotten.
     """
-    frame = structure.top
+    frame = structures.top
     assert isinstance(frame, VariablesFrame)
     if first == "#" and text.text[text.pos + 1 :].lstrip().upper().startswith(
         ("ENDVAR", "COMMENT")
     ):
         return False
-    if first in ("#", "$", "%") or (frame.strangers and not _declares(text)):
-        structure.give_up()
+    if first in ("#", "$", "%") or (frame.failed_lines and not _declares(text)):
+        structures.give_up()
         return False
     text = whole_declaration(text, lexer)
     try:
         frame.declarations.append(parse_declaration(text, head))
-        frame.strangers = 0
+        frame.failed_lines = 0
     except BlockError as error:
-        frame.strangers += error.message is ONLY_DECLARATIONS_IN_VAR
-        structure.block_error(text, error)
+        frame.failed_lines += error.message is ONLY_DECLARATIONS_IN_VAR
+        structures.block_error(text, error)
     return True
 
 

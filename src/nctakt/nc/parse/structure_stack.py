@@ -29,7 +29,7 @@ from nctakt.nc.tree import Head, Statement, Unreadable
 STRUCTURE_DEPTH = 100
 
 
-class Structure:
+class StructureStack:
     """The stack of open structures; ``ready`` holds what is finished and inside nothing."""
 
     def __init__(self, collector: Collector) -> None:
@@ -38,7 +38,7 @@ class Structure:
         self._collector = collector
         #: Behind a program end text is read with patience: it may be no NC text at all.
         self._ended = False
-        self._patience_told = False
+        self._warned_of_rest = False
         #: Ends of realtime cycles that were closed for want of one, should it still come.
         self._forgiven_ends = 0
 
@@ -78,13 +78,13 @@ class Structure:
     def begin_program(self) -> None:
         """A ``%`` line: nothing stays open, and mistakes count again."""
         self.close_all()
-        self._ended = self._patience_told = False
+        self._ended = self._warned_of_rest = False
 
     # --- mistakes --------------------------------------------------------------------------------
 
     def block_error(self, text: BlockText, error: BlockError) -> None:
         """Report why a block could not be read, unless it stands where nothing ever runs."""
-        if self._stack and (self._stack[-1].dead or self._stack[-1].inside_dead):
+        if self._stack and (self._stack[-1].is_unreachable or self._stack[-1].inside_unreachable):
             return
         span = error.span or text.span(error.start, error.end)
         self.report(error.message, span, text.source_line(span), **error.values)
@@ -93,8 +93,8 @@ class Structure:
         """Report a mistake; behind a program end one warning stands for all of them."""
         if not self._ended:
             self._collector.report(message, span, line, **values)
-        elif not self._patience_told:
-            self._patience_told = True
+        elif not self._warned_of_rest:
+            self._warned_of_rest = True
             self._collector.report(TEXT_AFTER_PROGRAM_END, span, line)
 
     # --- structures ------------------------------------------------------------------------------
@@ -102,7 +102,9 @@ class Structure:
     def open(self, frame: Frame) -> None:
         """Begin a structure."""
         if self._stack:
-            frame.inside_dead = self._stack[-1].dead or self._stack[-1].inside_dead
+            frame.inside_unreachable = (
+                self._stack[-1].is_unreachable or self._stack[-1].inside_unreachable
+            )
         self._stack.append(frame)
         if len(self._stack) == STRUCTURE_DEPTH + 1:
             opening = frame.opening

@@ -66,7 +66,7 @@ REFUSALS = MappingProxyType(
 
 
 @dataclass(frozen=True, slots=True)
-class AxisNature:
+class AxisTraits:
     """What programs have to know of an axis; ``number`` is that of the whole machine."""
 
     number: int
@@ -110,7 +110,7 @@ class AxisCommand:
 
 
 @dataclass(frozen=True, slots=True)
-class Wrong:
+class Finding:
     """A message with its place and values; ``written``: the value that is the text there."""
 
     message: Message
@@ -139,9 +139,9 @@ def axis_commands_in(statements: Sequence[Statement]) -> Iterator[BracketCommand
                 yield from axis_commands_in(statement.else_body or ())
 
 
-def read_axis_command(command: BracketCommand) -> tuple[AxisCommand, list[Wrong]]:
+def read_axis_command(command: BracketCommand) -> tuple[AxisCommand, list[Finding]]:
     """The command, and what is wrong with it."""
-    wrong: list[Wrong] = []
+    wrong: list[Finding] = []
     found = _sorted(command, wrong)
     made = AxisCommand(
         command.name,
@@ -162,16 +162,16 @@ def read_axis_command(command: BracketCommand) -> tuple[AxisCommand, list[Wrong]
     return made, wrong
 
 
-def refusal(command: BracketCommand, number: int) -> Wrong:
+def refusal(command: BracketCommand, number: int) -> Finding:
     """50967 with one of ``REFUSALS``."""
-    return Wrong(
+    return Finding(
         INDEPENDENT_MOTION_REFUSED,
         command.span,
         {"axis": command.name, "reason": REFUSALS[number]},
     )
 
 
-def _sorted(command: BracketCommand, wrong: list[Wrong]) -> dict[str, Keyword]:
+def _sorted(command: BracketCommand, wrong: list[Finding]) -> dict[str, Keyword]:
     """The keywords by name; G functions by their names, as ``G90``."""
     found: dict[str, Keyword] = {}
     for item in command.items:
@@ -180,7 +180,7 @@ def _sorted(command: BracketCommand, wrong: list[Wrong]) -> dict[str, Keyword]:
             name = _g_word(item)
             if not name:
                 wrong.append(
-                    Wrong(
+                    Finding(
                         INDP_KEYWORD_NOT_ALLOWED,
                         item.span,
                         {"axis": command.name, "word": _shown(item)},
@@ -188,16 +188,16 @@ def _sorted(command: BracketCommand, wrong: list[Wrong]) -> dict[str, Keyword]:
                 )
                 continue
         elif not isinstance(item, Keyword) or item.arguments or name not in _FLAGS + _VALUES:
-            wrong.append(Wrong(UNKNOWN_INDP_KEYWORD, item.span, {"axis": command.name}, "word"))
+            wrong.append(Finding(UNKNOWN_INDP_KEYWORD, item.span, {"axis": command.name}, "word"))
             continue
         if name in found:
             wrong.append(
-                Wrong(DUPLICATE_INDP_KEYWORD, item.span, {"axis": command.name, "word": name})
+                Finding(DUPLICATE_INDP_KEYWORD, item.span, {"axis": command.name, "word": name})
             )
         elif name in _FLAGS and item.value is not None:
-            wrong.append(Wrong(INDP_KEYWORD_WITH_VALUE, item.span, {"word": name}))
+            wrong.append(Finding(INDP_KEYWORD_WITH_VALUE, item.span, {"word": name}))
         elif name in _VALUES and item.value is None:
-            wrong.append(Wrong(WORD_VALUE_MISSING, item.span, {"word": name}))
+            wrong.append(Finding(WORD_VALUE_MISSING, item.span, {"word": name}))
         found.setdefault(name, item)
     return found
 
@@ -216,7 +216,7 @@ def _value(found: dict[str, Keyword], name: str) -> Expression | None:
     return None if keyword is None else keyword.value
 
 
-def _offset(keyword: Keyword | None, wrong: list[Wrong]) -> str:
+def _offset(keyword: Keyword | None, wrong: list[Finding]) -> str:
     if keyword is None or keyword.value is None:
         return ""
     value = keyword.value
@@ -226,8 +226,8 @@ def _offset(keyword: Keyword | None, wrong: list[Wrong]) -> str:
     return ""
 
 
-def _unknown_choice(value: Expression, word: str, names: tuple[str, ...]) -> Wrong:
-    return Wrong(
+def _unknown_choice(value: Expression, word: str, names: tuple[str, ...]) -> Finding:
+    return Finding(
         INVALID_KEYWORD_VALUE, value.span, {"word": word, "names": ", ".join(names)}, "value"
     )
 

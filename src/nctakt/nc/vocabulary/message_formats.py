@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The text of a ``#MSG`` with places for values, as in ``"X = %f"``: its places in order.
+"""The text of a ``#MSG`` with conversions for values, as in ``"X = %f"``: its conversions in order.
 
 Who fills them is ``decoder/values/texts.py``.
 """
@@ -10,16 +10,16 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-_PLACE = re.compile(
+_CONVERSION = re.compile(
     r"%(?:%|[-+ 0]*\d{0,3}(?:\.\d{1,3})?(?P<kind>[diuxXocfeEgGs])|(?P<wrong>[-+ 0#]*[\d.]*.?))"
 )
 
 
-class Place(NamedTuple):
-    """One place as it is written; ``known`` is false where it is none that can be filled."""
+class Conversion(NamedTuple):
+    """One place as it is written; ``is_valid`` is false where it is none that can be filled."""
 
     text: str
-    known: bool
+    is_valid: bool
 
     @property
     def takes_text(self) -> bool:
@@ -27,10 +27,10 @@ class Place(NamedTuple):
         return self.text.endswith("s")
 
 
-def places(text: str) -> Iterator[Place]:
+def conversions(text: str) -> Iterator[Conversion]:
     """Each place in the order of the text; ``%%`` is none but the sign itself."""
-    for found in _PLACE.finditer(text):
+    for found in _CONVERSION.finditer(text):
         if found["kind"] is not None:
-            yield Place(found[0], True)
+            yield Conversion(found[0], True)
         elif found["wrong"] is not None:
-            yield Place(found[0], False)
+            yield Conversion(found[0], False)

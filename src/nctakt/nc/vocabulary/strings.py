@@ -17,7 +17,7 @@ _BYTES = {ord(character): byte for byte, character in WINDOWS_1252.items()}
 _SHORT_STRING_BYTES, _SHORT_STRING_CHARACTERS = 24, 20
 
 
-def most_characters(type_: str, size_bytes: int) -> int:
+def max_characters(type_: str, size_bytes: int) -> int:
     """The longest text that a variable takes."""
     if type_ == "STRING" and size_bytes == _SHORT_STRING_BYTES:
         return _SHORT_STRING_CHARACTERS
@@ -44,7 +44,7 @@ def misfit(
         code = _BYTES.get(ord(character), ord(character))
         if not 0 < code < 256 or WINDOWS_1252.get(code, chr(code)) != character:
             return CHARACTER_NOT_STORABLE, {"name": name, "character": f"U+{ord(character):04X}"}
-    limit = most_characters(type_, size_bytes)
+    limit = max_characters(type_, size_bytes)
     if len(text) > limit:
         return TEXT_TOO_LONG, {"name": name, "limit": limit, "count": len(text)}
     return None

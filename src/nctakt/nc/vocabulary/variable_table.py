@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 from nctakt.base.text import nearest
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import AccessRights, Node, Variable, VariableScope
-from nctakt.nc.vocabulary.axis_commands import AxisNature
+from nctakt.nc.vocabulary.axis_commands import AxisTraits
 from nctakt.nc.vocabulary.cells import cells_of, leaf_cells
 
 
@@ -236,7 +236,7 @@ class Layout:
         """The cell of an axis' value, ``ACS.ACT_POS``."""
         return self.axis_cell(axis) + _offsets(AXIS_VARIABLES)[path][1]
 
-    def place(self, variable: Variable) -> int:
+    def allocate(self, variable: Variable) -> int:
         """The first cell of a variable; GLOBAL ones are there once for all channels."""
         if variable.scope is VariableScope.GLOBAL:
             known = self._global.get(variable.name)
@@ -258,8 +258,8 @@ class NameTable:
         self._axes = dict(channel.axes)
         self._linear = channel.linear
         self.spindles = channel.spindles
-        self._natures = {
-            name: AxisNature(
+        self._axis_traits = {
+            name: AxisTraits(
                 number,
                 number in channel.linear,
                 number in channel.modulo,
@@ -269,19 +269,19 @@ class NameTable:
         }
         self._variables: dict[str, dict[str, tuple[Node, int]]] = {"E": {}, "CH": {}}
         for variable in channel.external:
-            cell = layout.place(variable)
+            cell = layout.allocate(variable)
             owner = 0 if variable.scope is VariableScope.GLOBAL else index + 1
             layout.external[(owner, variable.name)] = cell
             self._variables["E"][variable.name] = (variable.node, cell)
         for variable in channel.channel:
-            self._variables["CH"][variable.name] = (variable.node, layout.place(variable))
+            self._variables["CH"][variable.name] = (variable.node, layout.allocate(variable))
         self._locations: dict[tuple[object, ...], Location | NotFound] = {}
         self._rtg = _offsets(CHANNEL_VARIABLES)
         self._rta = _offsets(AXIS_VARIABLES)
 
-    def axis(self, name: str) -> AxisNature | None:
+    def axis(self, name: str) -> AxisTraits | None:
         """The nature of an axis of the channel; ``None`` for any other name."""
-        return self._natures.get(name)
+        return self._axis_traits.get(name)
 
     def resolve(self, family: str, parts: Sequence[tuple[str, int]]) -> Location | NotFound:
         """The location of ``V.<family>.<parts>``; each part is a name and its number of indices."""

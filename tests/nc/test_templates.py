@@ -199,7 +199,7 @@ def test_shapes_in_order_hide_no_mistake(seed: int, monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(outline, "KEPT_STATEMENTS", 0)
     lines = program(1000 + seed)
     found = checked(lines)
-    monkeypatch.setattr(Templates, "pass_over", lambda _self, _lines, index: index)
+    monkeypatch.setattr(Templates, "skip_known", lambda _self, _lines, index: index)
     assert checked(lines) == found
 
 
@@ -208,15 +208,15 @@ def test_shapes_in_order_are_not_checked_again(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(outline, "KEPT_STATEMENTS", 0)
     lines = [f"$IF P1 > {i}\nG01 X{i} F[{i} * P1]\n$ENDIF\nP1 = {i}" for i in range(1, 50)]
     passed = 0
-    pass_over = Templates.pass_over
+    skip_known = Templates.skip_known
 
     def count(self: Templates, group: list[str], index: int) -> int:
         nonlocal passed
-        end = pass_over(self, group, index)
+        end = skip_known(self, group, index)
         passed += end - index
         return end
 
-    monkeypatch.setattr(Templates, "pass_over", count)
+    monkeypatch.setattr(Templates, "skip_known", count)
     assert checked("\n".join(lines).split("\n")) == []
     assert passed == 4 * len(lines) - (3 * 3 + 2 * 1)
 

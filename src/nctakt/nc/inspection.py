@@ -81,7 +81,7 @@ def inspect(
     statements = StatementReader(source, found)
     for line, section, statement in sections(source, statements, found):
         sequel.take(line, section, statement)
-        sequel.pass_over(statements)
+        sequel.skip_known(statements)
     program = sequel.finish()
     found.diagnostics.sort(key=_place)
     collector.diagnostics += _without_redundant(found.diagnostics)
@@ -157,7 +157,7 @@ class _ProgramInspector:
             self._check(statement)
         self._remember(line)
 
-    def pass_over(self, statements: StatementReader) -> None:
+    def skip_known(self, statements: StatementReader) -> None:
         """Take the plain lines that come next, where their statements are neither kept nor new."""
         self._new = None
         if self._section is None or self._section.kept is not None:
@@ -165,11 +165,11 @@ class _ProgramInspector:
         lines = statements.lines
         templates = self._program.templates
         while lines is not None and lines.more():
-            lines.index = self._scanner.pass_over(lines.group, lines.index, self._plain_in_order)
+            lines.index = self._scanner.skip_known(lines.group, lines.index, self._plain_in_order)
             if self._watcher is not None and lines.index < len(lines.group):
                 return
             first = lines.index
-            lines.index = templates.pass_over(lines.group, first)
+            lines.index = templates.skip_known(lines.group, first)
             if lines.index == first < len(lines.group):
                 shape = templates.scanner.shape
                 if shape is not None:

@@ -70,7 +70,7 @@ class PlainScanner(LineScanner):
         self.shape = 0
         self.words = 0
 
-    def pass_over(self, lines: list[str], index: int, shapes: set[int]) -> int:
+    def skip_known(self, lines: list[str], index: int, shapes: set[int]) -> int:
         """The first line from ``index`` on that is neither empty nor plain and of these shapes."""
         end = len(lines)
         last = 0

@@ -28,7 +28,7 @@ cdef class ShapeScanner(LineScanner):
     cdef bint is_name
 
     @cython.locals(end=Py_ssize_t, shape=Shape)
-    cpdef Py_ssize_t pass_over(self, list lines, Py_ssize_t index, set keys) except -1
+    cpdef Py_ssize_t skip_known(self, list lines, Py_ssize_t index, set keys) except -1
     cpdef Py_ssize_t read(self, list lines, Py_ssize_t index) except -1
     @cython.locals(i=Py_ssize_t, shape=Shape, own=list, runs=list)
     cdef Shape statement(self, list lines, Py_ssize_t start, Py_ssize_t place, int depth)

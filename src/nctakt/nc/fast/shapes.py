@@ -73,7 +73,7 @@ class ShapeScanner(LineScanner):
         self.controls = False
         self.is_name = False
 
-    def pass_over(self, lines: list[str], index: int, keys: set[bytes]) -> int:
+    def skip_known(self, lines: list[str], index: int, keys: set[bytes]) -> int:
         """The first line from ``index`` on that is neither empty nor begins one of these shapes.
 
         ``shape`` is its shape.

@@ -171,9 +171,9 @@ class Templates:
             for one in run:
                 self._learn(one)
 
-    def pass_over(self, lines: list[str], index: int) -> int:
+    def skip_known(self, lines: list[str], index: int) -> int:
         """The first line from ``index`` on that has to be checked; its shape is the scanner's."""
-        return self.scanner.pass_over(lines, index, self._valid_keys)
+        return self.scanner.skip_known(lines, index, self._valid_keys)
 
     def mark_valid(self, shape: Shape) -> None:
         """A statement of this shape was checked, and nothing was found.

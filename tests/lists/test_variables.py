@@ -176,19 +176,44 @@ def test_old_name_of_the_number() -> None:
         "var[0].name 1A",
         "var[0].name A-B",
         'var[0].name ""',
-        "var[0].name " + "A" * 27,
+        "var[0].name " + "A" * 257,
         "var[0].name Größe",
     ],
 )
 def test_unusable_names(text: str) -> None:
-    """P-EXTV-00001: a variable without a usable name of up to 26 characters is left out."""
+    """P-EXTV-00001: a variable without a usable name of up to 256 characters is left out."""
     configuration, found = load(text)
     assert (paths(configuration), found) == ([], [900080])
 
 
 def test_longest_name() -> None:
-    """26 characters are allowed."""
+    """The manual names 26 characters; longer names are taken with a note."""
     assert load("var[0].name " + "A" * 26)[1] == []
+    configuration, numbers = load("var[0].name " + "A" * 27)
+    assert (paths(configuration), numbers) == (["A" * 27], [900972])
+
+
+@pytest.mark.parametrize(
+    ("word", "synchronous"), [("SYN", True), ("ASYN", False), ("VE_INHERIT_SYNCH", True)]
+)
+def test_names_of_the_synchronisation(word: str, synchronous: bool) -> None:
+    """P-EXTV-00005: names beside truth values; a variable on its own inherits the default."""
+    configuration, numbers = load(f"var[0].name A\nvar[0].synchronisation {word}")
+    assert (configuration.external[0].node.synchronous, numbers) == (synchronous, [])
+
+
+def test_rights_that_are_inherited() -> None:
+    """P-EXTV-00019: INHERIT_ACCESS leaves the rights to what the element belongs to."""
+    text = (
+        "struct[0].name T\nstruct[0].element[0].name A\nvar[0].name V\nvar[0].type T\n"
+        "struct[0].element[0].access_rights INHERIT_ACCESS\nvar[0].access_rights READ_ONLY\n"
+    )
+    configuration, numbers = load(text)
+    (leaf,) = configuration.external[0].leaves()
+    assert (leaf.rights, numbers) == (AccessRights.READ_ONLY, [])
+    configuration, numbers = load("var[0].name V\nvar[0].access_rights INHERIT_ACCESS\n")
+    (leaf,) = configuration.external[0].leaves()
+    assert (leaf.rights, numbers) == (AccessRights.READ_WRITE, [])
 
 
 def test_names_are_unique_and_case_sensitive() -> None:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error, warning
+from nctakt.messages.catalogue import error, note, warning
 
 INVALID_ALIGNMENT = warning(
     1000178,
@@ -56,6 +56,16 @@ INVALID_VARIABLE_NAME = warning(
     key=("the entry's name", "der Name des Eintrags"),
     value=("the name", "der Name"),
     limit=("the greatest length", "die größte Länge"),
+)
+LONG_VARIABLE_NAME = note(
+    900972,
+    en="{key}: the name has {length} characters; a controller may have room for {limit} only",
+    de="{key}: der Name hat {length} Zeichen; eine Steuerung hat womöglich nur für {limit} Platz",
+    remedy_en="Shorten the name if the controller refuses it.",
+    remedy_de="Den Namen kürzen, falls die Steuerung ihn ablehnt.",
+    key=("the entry's name", "der Name des Eintrags"),
+    length=("the length of the variable's name", "die Länge des Variablennamens"),
+    limit=("the length that the manual names", "die Länge, die das Handbuch nennt"),
 )
 VARIABLE_BEYOND_COUNT = warning(
     900081,

@@ -15,8 +15,14 @@ from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.table import ParameterTable
 from nctakt.messages.variables import INVALID_SCOPE
 
-#: Names are addressed as V.E.name, 30 characters in all.
+#: Names are addressed as V.E.name, 30 characters in all; the controller may take longer ones.
 NAME_LENGTH = 26
+#: Longer names are no names.
+MAX_NAME_LENGTH = 256
+#: Access rights of what a variable or an element of a structure belongs to.
+INHERIT_ACCESS = "INHERIT_ACCESS"
+#: Names beside truth values; the last one leaves it to what the element belongs to.
+_SYNCHRONISATIONS: dict[str, int | None] = {"SYN": 1, "ASYN": 0, "VE_INHERIT_SYNCH": None}
 _LAST_VARIABLE = MAX_UNS16 - 1
 _LAST_STRUCTURE = 255
 _LAST_ELEMENT = 255
@@ -116,7 +122,7 @@ def _synchronisation(id_: str, path: str) -> Parameter:
         "Accessed in the realtime part, not when a block is decoded",
         "Zugriff im Echtzeit-Teil, nicht beim Dekodieren eines Satzes",
     )
-    return Parameter(id_, path, ValueType.BOOLEAN, True, text)
+    return Parameter(id_, path, ValueType.BOOLEAN, True, text, names=_SYNCHRONISATIONS)
 
 
 def _rights(id_: str, path: str) -> Parameter:
@@ -126,18 +132,18 @@ def _rights(id_: str, path: str) -> Parameter:
         ValueType.NAME,
         "READ_WRITE",
         Text("What NC programs may do", "Was NC-Programme dürfen"),
-        names={"READ_WRITE": None, "READ_ONLY": None, "WRITE_ONLY": None},
+        names={"READ_WRITE": None, "READ_ONLY": None, "WRITE_ONLY": None, INHERIT_ACCESS: None},
     )
 
 
-def _array(id_: str, path: str) -> Parameter:
+def _array(id_: str, path: str, alias_id: str = "") -> Parameter:
     return Parameter(
         id_,
         f"{path}.array_elements",
         ValueType.UNS16,
         0,
         Text("Elements of an array; 0: no array", "Elemente eines Felds; 0: kein Feld"),
-        aliases=(Alias(f"{path}.array_size", silent=True),),
+        aliases=(Alias(f"{path}.array_size", silent=True, id=alias_id),),
     )
 
 
@@ -185,7 +191,7 @@ _EXTERNAL = (
     ),
     _synchronisation("P-EXTV-00005", f"{_VAR}.synchronisation"),
     _rights("P-EXTV-00006", f"{_VAR}.access_rights"),
-    _array("P-EXTV-00007", _VAR),
+    _array("P-EXTV-00007", _VAR, "P-EXTV-00046"),
     _size("P-EXTV-00008", f"{_VAR}.size"),
 )
 

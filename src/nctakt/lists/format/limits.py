@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
 from nctakt.lists.format.parameter import Limit, Parameter, ValueType, shown, with_indices
-from nctakt.lists.format.references import effective_value
+from nctakt.lists.format.references import effective_value, key_of
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import EntryValue, Key
 from nctakt.messages import Collector
@@ -47,13 +47,14 @@ def _within(
     item = values[key]
     value = item.value
     bound = _bound(schema, values, parameter, key, limit, is_upper)
-    if bound is None or not isinstance(value, int | float) or value in parameter.also:
+    limiting = key_of(schema, limit.id, key[1])
+    if bound is None or limiting is None or not isinstance(value, int | float):
         return item
-    if value <= bound if is_upper else value >= bound:
+    is_kept = value <= bound if is_upper else value >= bound
+    if is_kept or value in parameter.also or value == parameter.default == 0:
+        # A default of 0 stands for "not set".
         return item
-    limiting = schema.by_id(limit.id)[0]
-    indices = key[1][: len(limiting.index_ranges)]
-    place = _place(file, item, values.get((limiting.pattern, indices)))
+    place = _place(file, item, values.get(limiting))
     if place is not None:
         collector.report(
             BEYOND_OTHER_PARAMETER,
@@ -61,7 +62,7 @@ def _within(
             key=with_indices(*key),
             value=shown(value),
             limit=shown(bound),
-            other=with_indices(limiting.pattern, indices),
+            other=with_indices(*limiting),
             id=limit.id,
         )
     return replace(item, value=bound)

@@ -61,18 +61,27 @@ def effective_value(
 ) -> Value:
     """Return the value of the parameter with that ID, ``None`` if there is none.
 
-    ``indices``: as many of them as the parameter has are taken from the front. Where it has more,
-    it is the first element, unless the list names others: then there is none for all.
+    Where it has more indices than ``indices``, and the list names several of its elements, there is
+    none for all.
+    """
+    key = key_of(schema, parameter_id, indices)
+    if key is None:
+        return None
+    if len(key[1]) > len(indices) and any(other[0] == key[0] and other != key for other in values):
+        return None
+    return _follow(schema, values, key)
+
+
+def key_of(schema: Schema, parameter_id: str, indices: tuple[int, ...]) -> Key | None:
+    """Return the element of the parameter with that ID that belongs to ``indices``.
+
+    As many of them as it has are taken from the front; where it has more, it is the first element.
     """
     parameters = schema.by_id(parameter_id)
     if len(parameters) != 1:
         return None
-    parameter = parameters[0]
-    missing = len(parameter.index_ranges) - len(indices)
-    key = (parameter.pattern, (*indices, *(0,) * missing)[: len(parameter.index_ranges)])
-    if missing > 0 and any(other[0] == key[0] and other != key for other in values):
-        return None
-    return _follow(schema, values, key)
+    depth = len(parameters[0].index_ranges)
+    return parameters[0].pattern, (*indices, *(0,) * depth)[:depth]
 
 
 def default_of(
@@ -118,19 +127,9 @@ def _follow(schema: Schema, values: Mapping[Key, EntryValue], start: Key) -> Val
             return parameter.default
         match = _REFERENCE.fullmatch(item.reference if item is not None else parameter.default_id)
         assert match is not None
-        target = _target(schema, match[1], match[2], key[1])
+        own = tuple(int(text) for text in match[2].split(".")[1:])
+        target = key_of(schema, match[1], own or key[1])
         if target is None or target in visited:
             return None
         key = target
         visited.add(key)
-
-
-def _target(schema: Schema, id_: str, suffix: str, indices: tuple[int, ...]) -> Key | None:
-    """Return the parameter that a reference names; without indices it has those of the entry."""
-    targets = schema.by_id(id_)
-    if len(targets) != 1:
-        return None
-    target = targets[0]
-    own = tuple(int(text) for text in suffix.split(".")[1:])
-    indices = (own or indices)[: len(target.index_ranges)]
-    return (target.pattern, indices) if len(indices) == len(target.index_ranges) else None

@@ -13,12 +13,13 @@ import re
 from collections.abc import Container, Iterator
 from dataclasses import dataclass
 
-from nctakt.lists.declared.variables import NAME_LENGTH, SCALARS
+from nctakt.lists.declared.variables import INHERIT_ACCESS, MAX_NAME_LENGTH, NAME_LENGTH, SCALARS
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.variables import (
     INVALID_VARIABLE_NAME,
+    LONG_VARIABLE_NAME,
     RECURSIVE_STRUCTURE,
     UNKNOWN_VARIABLE_TYPE,
     VARIABLE_BEYOND_COUNT,
@@ -238,7 +239,7 @@ class _Builder:
         rights = AccessRights.READ_WRITE
         scope = VariableScope.CHANNEL
         if external:
-            rights = AccessRights(values.text(f"{prefix}.access_rights", index))
+            rights = self._rights(f"{prefix}.access_rights", rights, index)
             scope = VariableScope(values.text(f"{prefix}.scope", index))
         node = self._node(prefix, (index,), name, synchronous, rights)
         offset = values.integer(f"{prefix}.byte_offset", index) if external else -1
@@ -282,8 +283,13 @@ class _Builder:
             if values.given(f"{prefix}.synchronisation", *key):
                 own_synchronous = values.flag(f"{prefix}.synchronisation", *key)
             if values.given(f"{prefix}.access_rights", *key):
-                own_rights = AccessRights(values.text(f"{prefix}.access_rights", *key))
+                own_rights = self._rights(f"{prefix}.access_rights", rights, *key)
             yield self._node(prefix, key, element.name, own_synchronous, own_rights)
+
+    def _rights(self, pattern: str, outer: AccessRights, *indices: int) -> AccessRights:
+        """Return the rights that an entry gives; ``outer`` are those that it may inherit."""
+        name = self.values.text(pattern, *indices)
+        return outer if name == INHERIT_ACCESS else AccessRights(name)
 
     def _size(self, type_: str, given: int) -> int:
         if type_ == "STRING":
@@ -294,16 +300,25 @@ class _Builder:
         return SCALARS[type_].size_bytes if type_ in SCALARS else 0
 
     def _usable(self, name: str, used: Container[str], pattern: str, *indices: int) -> bool:
-        if _NAME.fullmatch(name) and len(name) <= NAME_LENGTH and name not in used:
-            return True
         key = with_indices(pattern, indices)
+        if _NAME.fullmatch(name) and len(name) <= MAX_NAME_LENGTH and name not in used:
+            if len(name) > NAME_LENGTH:
+                self.values.report(
+                    self.collector,
+                    LONG_VARIABLE_NAME,
+                    (pattern, *indices),
+                    key=key,
+                    length=len(name),
+                    limit=NAME_LENGTH,
+                )
+            return True
         self.values.report(
             self.collector,
             INVALID_VARIABLE_NAME,
             (pattern, *indices),
             key=key,
             value=name,
-            limit=NAME_LENGTH,
+            limit=MAX_NAME_LENGTH,
         )
         return False
 

@@ -167,14 +167,13 @@ UNQUOTED_SPECIAL_CHARACTERS = warning(
 )
 PARAMETER_OUT_OF_RANGE = warning(
     900019,
-    en="{key}: {value} lies outside {low} … {high}; default {default} is used",
-    de="{key}: {value} liegt außerhalb {low} … {high}; es gilt der Standardwert {default}",
-    remedy_en="Use a value from {low} to {high}.",
-    remedy_de="Einen Wert von {low} bis {high} verwenden.",
+    en="{key}: {value} lies outside {range}; default {default} is used",
+    de="{key}: {value} liegt außerhalb {range}; es gilt der Standardwert {default}",
+    remedy_en="Use a value of {range}.",
+    remedy_de="Einen Wert aus {range} verwenden.",
     key=("the entry's name", "der Name des Eintrags"),
     value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
-    low=("the lowest value", "der kleinste Wert"),
-    high=("the highest value", "der größte Wert"),
+    range=("the values that are allowed", "die erlaubten Werte"),
     default=("the value that is used", "der Wert, der gilt"),
 )
 PARAMETER_TEXT_TOO_LONG = warning(

@@ -8,7 +8,7 @@ the value, or ``None`` after a report that says why there is none.
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Message
-from nctakt.lists.format.parameter import Effect, Parameter, Value, ValueType, shown
+from nctakt.lists.format.parameter import Effect, Parameter, Value, ValueType, range_text, shown
 from nctakt.lists.format.reader import Entry, ListDialect
 from nctakt.lists.format.value_text import (
     Word,
@@ -63,19 +63,24 @@ class _Report:
     ) -> None:
         self.parameter = parameter
         self.entry = entry
-        self.default = shown(default)
+        self.default = default
         self.collector = collector
 
     def no_value(self) -> Value:
         entry = self.entry
         self.collector.report(
-            VALUE_MISSING, entry.key_span, entry.line, key=entry.path, default=self.default
+            VALUE_MISSING, entry.key_span, entry.line, key=entry.path, default=shown(self.default)
         )
         return None
 
     def defect(self, message: Message, word: Word, **values: object) -> Value:
         self.collector.report(
-            message, word.span, self.entry.line, key=self.entry.path, default=self.default, **values
+            message,
+            word.span,
+            self.entry.line,
+            key=self.entry.path,
+            default=shown(self.default),
+            **values,
         )
         return None
 
@@ -107,7 +112,7 @@ def _boolean(parameter: Parameter, word: Word, dialect: ListDialect, report: _Re
             NOT_A_BOOLEAN if dialect.boolean_words else NOT_A_NUMBER, word, value=word.text
         )
     if number not in (0, 1):
-        return report.defect(PARAMETER_OUT_OF_RANGE, word, value=word.text, low=0, high=1)
+        return report.defect(PARAMETER_OUT_OF_RANGE, word, value=word.text, range="0 … 1")
     report.quoted_number(word)
     return number == 1
 
@@ -142,8 +147,9 @@ def _number(parameter: Parameter, word: Word, dialect: ListDialect, report: _Rep
         return report.defect(NOT_A_NUMBER, word, value=word.text)
     report.quoted_number(word)
     if not parameter.allows(number):
-        low, high = parameter.bounds
-        return report.defect(PARAMETER_OUT_OF_RANGE, word, value=word.text, low=low, high=high)
+        return report.defect(
+            PARAMETER_OUT_OF_RANGE, word, value=word.text, range=range_text(parameter)
+        )
     return number
 
 

@@ -28,6 +28,8 @@ def keep_limits(
         found = schema.find(key[0])
         assert found is not None, key
         parameter = found[0]
+        if parameter.at_least is None and parameter.at_most is None:
+            continue
         for limit, is_upper in ((parameter.at_least, False), (parameter.at_most, True)):
             if limit is not None:
                 kept[key] = _within(schema, file, kept, key, parameter, limit, is_upper, collector)

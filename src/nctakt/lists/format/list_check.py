@@ -52,12 +52,16 @@ def load_list(
     findings = Collector()
     entries = read_list(file, data, schema.dialect, findings)
     values = check_list(schema, file, entries, findings, base=base, detail=detail)
-    collector.diagnostics.extend(sorted(findings.diagnostics, key=_line_of))
+    collector.diagnostics += in_order_of_lines(findings)
     return values
 
 
-def _line_of(diagnostic: Diagnostic) -> int:
-    return diagnostic.span.line if diagnostic.span is not None else 0
+def in_order_of_lines(findings: Collector) -> list[Diagnostic]:
+    """Return what was found in one file in the order of its lines."""
+    return sorted(
+        findings.diagnostics,
+        key=lambda diagnostic: 0 if diagnostic.span is None else diagnostic.span.line,
+    )
 
 
 def check_list(

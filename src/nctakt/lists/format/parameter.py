@@ -11,6 +11,7 @@ import enum
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
 
 from nctakt.base.diagnostics import Message, Text
 
@@ -72,6 +73,7 @@ class Relevance(enum.Enum):
 _BITS = {"08": 8, "16": 16, "32": 32, "64": 64}
 
 
+@cache
 def integer_bounds(type_: ValueType) -> tuple[int, int]:
     """The least and the greatest value of an integer type."""
     bits = _BITS[type_.value[3:]]
@@ -153,7 +155,7 @@ class Parameter:
     @property
     def index_ranges(self) -> tuple[tuple[int, int], ...]:
         """Lowest and highest value of each index."""
-        return tuple((int(low), int(high)) for low, high in _INDEX_RANGE.findall(self.path))
+        return _index_ranges(self.path)
 
     @property
     def bounds(self) -> tuple[int | float, int | float]:
@@ -208,6 +210,12 @@ def _number_text(number: float) -> str:
     return str(number)
 
 
+@cache
+def _index_ranges(path: str) -> tuple[tuple[int, int], ...]:
+    return tuple((int(low), int(high)) for low, high in _INDEX_RANGE.findall(path))
+
+
+@cache
 def pattern_of(path: str) -> str:
     """``thread[0..6].name`` -> ``thread[].name``."""
     return _INDEX_RANGE.sub("[]", path)

@@ -132,7 +132,7 @@ def _read_entry(file: str, number: int, line: str) -> Entry:
     key = line[start:end]
     span = Span(file, number, start + 1, end + 1)
     rest, column = line[end:], end + 1
-    if not _WELL_FORMED.fullmatch(key):
+    if "[" not in key or not _WELL_FORMED.fullmatch(key):
         return Entry(key, key, (), rest, column, span, line)
     indices = tuple(int(text) for text in _STEP.findall(key))
     path = _STEP.sub(lambda step: f"[{int(step[1])}]", key)

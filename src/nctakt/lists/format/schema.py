@@ -58,6 +58,9 @@ class Schema:
     _by_pattern: dict[str, tuple[Parameter, Alias | None]] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
+    _by_id: dict[str, list[Parameter]] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
     _known_names: list[KnownNames] = field(
         default_factory=list, init=False, repr=False, compare=False
     )
@@ -65,13 +68,19 @@ class Schema:
     def __post_init__(self) -> None:
         for parameter in self.declared:
             self._add(parameter.pattern, parameter, None)
+            self._add_id(parameter.id, parameter)
             for alias in parameter.aliases:
                 self._add(pattern_of(alias.path), parameter, alias)
+                self._add_id(alias.id, parameter)
 
     def _add(self, pattern: str, parameter: Parameter, alias: Alias | None) -> None:
         assert pattern not in self._by_pattern, pattern
         assert pattern.count("[]") == len(parameter.index_ranges), pattern
         self._by_pattern[pattern] = (parameter, alias)
+
+    def _add_id(self, parameter_id: str, parameter: Parameter) -> None:
+        if parameter_id:
+            self._by_id.setdefault(parameter_id, []).append(parameter)
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -88,12 +97,7 @@ class Schema:
 
     def by_id(self, parameter_id: str) -> tuple[Parameter, ...]:
         """Return the parameters with that ID: some IDs stand for several names."""
-        declared = tuple(
-            parameter
-            for parameter in self.declared
-            if parameter.id == parameter_id
-            or any(alias.id == parameter_id for alias in parameter.aliases)
-        )
+        declared = tuple(self._by_id.get(parameter_id, ()))
         return declared + (self.table.by_id(parameter_id) if self.table is not None else ())
 
     def nearest(self, pattern: str) -> str | None:

@@ -72,12 +72,10 @@ class ParameterTable:
 
     def find(self, pattern: str) -> Parameter | None:
         """Return the parameter with that name."""
-        line = self._lines.get(pattern)
-        if line is None:
-            return None
-        if pattern not in self._found:
-            self._found[pattern] = parse_line(line)
-        return self._found[pattern]
+        parameter = self._found.get(pattern)
+        if parameter is None and (line := self._lines.get(pattern)) is not None:
+            parameter = self._found[pattern] = parse_line(line)
+        return parameter
 
     def by_id(self, parameter_id: str) -> tuple[Parameter, ...]:
         """Return the parameters with that ID."""

@@ -329,8 +329,7 @@ def _program_start(values: Values, collector: Collector) -> ProgramStart:
                 ("prog_start.feedrate_factor",),
                 key="prog_start.feedrate_factor",
                 value=factor,
-                low=0.1,
-                high=MM_PER_MINUTE_FACTOR,
+                range=f"0.1 … {MM_PER_MINUTE_FACTOR}",
                 default=MM_PER_MINUTE_FACTOR,
             )
         factor = MM_PER_MINUTE_FACTOR

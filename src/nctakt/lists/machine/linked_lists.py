@@ -13,12 +13,13 @@ from pathlib import Path
 
 from nctakt.base.text import is_binary
 from nctakt.lists.declared.startup import STARTUP, ListReference, startup_configuration
-from nctakt.lists.format.list_check import load_list
+from nctakt.lists.format.list_check import check_list, in_order_of_lines, load_list
+from nctakt.lists.format.reader import read_list
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import Values
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import find_file, find_list, read_file
-from nctakt.lists.machine.list_kinds import kind_of, other_kind, references
+from nctakt.lists.machine.list_kinds import kind_of, knows_any, other_kind, references
 from nctakt.messages import Collector
 from nctakt.messages.checking import NOT_A_TEXT_FILE
 from nctakt.messages.folders import CIRCULAR_LIST_REFERENCE, WRONG_LIST_KIND
@@ -38,24 +39,41 @@ class LinkedLists:
         data = read_file(path, self._collector)
         if data is None or self._is_binary(path, data, None):
             return None
-        return self._values(STARTUP, path, data, None)
+        return load_list(STARTUP, path.as_posix(), data, self._collector, detail=self._detail)
 
     def values(
         self, schema: Schema, reference: ListReference | None, base: Values | None = None
     ) -> Values | None:
         """The values of a list over those of its defaults list; ``None`` if there is none."""
-        found = self.data(schema, reference)
-        return None if found is None else self._values(schema, *found, base)
+        if reference is None:
+            return None
+        path, data = self._read(reference)
+        if path is None or data is None:
+            return None
+        name, findings = path.as_posix(), Collector()
+        entries = read_list(name, data, schema.dialect, findings)
+        if not knows_any(schema, entries) and self._is_misplaced(schema, reference, path, data):
+            return None
+        values = check_list(schema, name, entries, findings, base=base, detail=self._detail)
+        self._collector.diagnostics += in_order_of_lines(findings)
+        return values
 
     def data(self, schema: Schema, reference: ListReference | None) -> tuple[Path, bytes] | None:
         """File and bytes of a list; ``None`` if there is none that can be used."""
         if reference is None:
             return None
+        path, data = self._read(reference)
+        if path is None or data is None or self._is_misplaced(schema, reference, path, data):
+            return None
+        return path, data
+
+    def _read(self, reference: ListReference) -> tuple[Path | None, bytes | None]:
+        """Find and read a list; what is in the way is reported."""
         path = find_list(reference, self._startup_file.parent, self._collector)
         data = None if path is None else read_file(path, self._collector)
         if path is None or data is None or self._is_binary(path, data, reference):
-            return None
-        return None if self._is_misplaced(schema, reference, path, data) else (path, data)
+            return None, None
+        return path, data
 
     def _is_binary(self, path: Path, data: bytes, reference: ListReference | None) -> bool:
         """Report a list that is no text."""
@@ -64,10 +82,6 @@ class LinkedLists:
         place, line = (None, "") if reference is None else (reference.span, reference.line)
         self._collector.report(NOT_A_TEXT_FILE, place, line, file=path.as_posix())
         return True
-
-    def _values(self, schema: Schema, path: Path, data: bytes, base: Values | None) -> Values:
-        name = path.as_posix()
-        return load_list(schema, name, data, self._collector, base=base, detail=self._detail)
 
     def _is_misplaced(
         self, schema: Schema, reference: ListReference, path: Path, data: bytes

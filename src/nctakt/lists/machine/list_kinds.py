@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from nctakt.lists.all_parameters import SCHEMAS
@@ -23,7 +23,7 @@ from nctakt.lists.declared.startup import (
 )
 from nctakt.lists.declared.variables import VARIABLES
 from nctakt.lists.format.list_check import load_list
-from nctakt.lists.format.reader import ListDialect, read_list
+from nctakt.lists.format.reader import Entry, ListDialect, read_list
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import find_list
@@ -63,6 +63,11 @@ def kind_of(name: str, data: bytes) -> Schema | None:
     if by_name:
         return by_name[0]
     return best[0] if most else None
+
+
+def knows_any(schema: Schema, entries: Sequence[Entry]) -> bool:
+    """Return whether a kind of list has any of these entries."""
+    return any(entry.is_well_formed and schema.find(entry.pattern) for entry in entries)
 
 
 def other_kind(schema: Schema, name: str, data: bytes) -> Schema | None:

@@ -24,7 +24,7 @@ DEMO = Path(machines.__path__[0]) / "demo"
 GOOD = "G00 X10\nM30\n"
 BAD = "G00 X10 Q5\nG33 X1\nM30\n"
 FROZEN = """\
-#RT CYCLE
+#RT CYCLE [SCOPE=PROG]
   $IF V.E.ASYNC == 1 && V.E.VALUE > 2
     V.E.COUNT = 1
   $ENDIF

@@ -16,7 +16,7 @@ from nctakt.cli import main
 from nctakt.messages.checked_cycles import ASYNCHRONOUS_WRITE_IN_CYCLE
 
 PART = """\
-#RT CYCLE [ID=1]
+#RT CYCLE [ID=1 SCOPE=PROG]
   $IF ONCE V.E.VALUE > 1
     V.RTG.OVERRIDE.VEL.CYCLE = 50
     V.E.ASYNC = 1

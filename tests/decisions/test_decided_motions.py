@@ -219,3 +219,25 @@ def test_a_speed_beyond_the_axis_list_is_limited_and_told(program: str) -> None:
     assert (found.id, found.severity.name) == (900905, "WARNING")
     assert found.text() == "spindle S turns no faster than 6000 1/min; 99999 is limited to that"
     assert numbers(perform(program.replace("99999", "6000"))) == []
+
+
+# --- keywords without effect ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("plain", "with_idle_word"),
+    [
+        ("Z[INDP G90 G00 POS=100]", "Z[INDP G90 G00 FEED=60 POS=100]"),
+        ("Z[INDP G90 G00 POS=100]", "Z[INDP G90 G00 POS=100 DIR=NEG]"),
+        ("Z[INDP G01 FEED=600]", "Z[INDP G00 FEED=600]"),
+    ],
+)
+def test_keywords_without_effect_change_no_motion(plain: str, with_idle_word: str) -> None:
+    """Manual 4.5.1: the syntax line allows them; G00 with POS is at rapid speed, FEED alone not."""
+    ways = []
+    for command in (plain, with_idle_word):
+        cycle = f"#RT CYCLE [ID=1 SCOPE=PROG]\n$IF ONCE 1\n{command}\n$ENDIF\n#RT CYCLE END"
+        found = run(f"{cycle}\nG04 0.2\nM30")
+        assert not found.errors
+        ways.append([z(found, tick) for tick in range(200)])
+    assert ways[0] == ways[1]

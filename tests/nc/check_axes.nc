@@ -58,17 +58,17 @@
   X[INDP G90 G00 G01 POS=1] ; error 50967 "G00 or G01"
   X[INDP POS=1] ; error 50967 "POS needs G90 or G91"
   X[INDP G00 POS=1] ; error 50967 "POS needs G90 or G91"
-  X[INDP G00 FEED=1] ; error 50967 "rapid speed"
-  X[INDP G90 G00 POS=1 FEED=1] ; error 50967 "rapid speed"
+  X[INDP G00 FEED=1]
+  X[INDP G90 G00 POS=1 FEED=1]
   X[INDP FEED=0] ; error 50967 "FEED is 0"
   X[INDP G90 POS=1 FEED=0] ; error 50967 "FEED is 0"
   X[INDP G90 POS=1 FEED=-1] ; error 50967 "above 0"
-  X[INDP G90 POS=1 DIR=POS] ; error 50967 "modulo axes"
+  X[INDP G90 POS=1 DIR=POS]
   A[INDP G91 G00 POS=1 DIR=POS] ; error 50967 "with G91"
   X[INDP] ; error 50967 "neither POS nor FEED nor STOP"
   X[INDP DIR=POS] ; error 50967 "neither POS nor FEED nor STOP"
   X[INDP G00] ; error 50967 "neither POS nor FEED nor STOP"
-  X[INDP POS=1 G00 FEED=0] ; error 50967 "rapid" ; error 50967 "0" ; error 50967 "needs G90"
+  X[INDP POS=1 G00 FEED=0] ; error 50967 "0" ; error 50967 "needs G90"
 #RT CYCLE END
 ; --- POS with G01 and no FEED for that axis in the whole cycle (50967)
 #RT CYCLE

@@ -178,3 +178,29 @@ P[P1] = 3
     X[INDP G91 G00 POS=1] ; warning 900270 "X[INDP … G91]"
   $ENDIF
 #RT CYCLE END
+; --- keywords that the syntax allows and that have no effect (manual 4.5.1)
+#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF ONCE V.E.VALUE > 1
+    Z[INDP G00 G90 FEED=500 POS=10] ; note 901002 "FEED has no effect here: G00 moves at rapid speed"
+    Z[INDP G90 POS=10 FEED=5 DIR=NEG] ; note 901002 "DIR has no effect here"
+    Z[INDP G00 FEED=500] ; note 901002 "G00 has no effect here"
+    Z[INDP G01 G90 FEED=500 POS=10]
+    Z[INDP FEED=500 DIR=NEG]
+  $ENDIF
+#RT CYCLE END
+; --- positions in inch (manual 4.5.3)
+G70
+#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF ONCE V.RTA.ACS.ACT_POS.X > 200 ; note 901001 "V.RTA.ACS.ACT_POS.X is in inch here"
+    M100
+  $ENDIF
+  $IF ONCE V.RTA.ACS.ACT_POS.A > 200
+    M100
+  $ENDIF
+#RT CYCLE END
+G71
+#RT CYCLE [ID=2 SCOPE=PROG]
+  $IF ONCE V.RTA.ACS.ACT_POS.X > 200
+    M100
+  $ENDIF
+#RT CYCLE END

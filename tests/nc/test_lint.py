@@ -14,11 +14,12 @@ from check_machine import demo_channel, findings
 from nc_chunks import Chunk, compare, read_chunks
 
 from nctakt import machines
-from nctakt.base.diagnostics import Diagnostic, Message
+from nctakt.base.diagnostics import Diagnostic, Message, Severity
 from nctakt.checking.program import check_program
 from nctakt.lists.declared.tools import NO_TOOL
 from nctakt.messages import Collector
 from nctakt.messages import lints as lint_messages
+from nctakt.messages.extensions import EXTENSION_USED
 from nctakt.nc.lint.linter import never_deleted
 from nctakt.nc.lint.realtime_cycles import StepLimits
 from nctakt.nc.source import Source
@@ -52,6 +53,37 @@ def lints(*programs: tuple[str, ...], limits: StepLimits = LIMITS) -> list[Diagn
 def test_lint_finds_what_each_line_says_and_nothing_else(chunk: Chunk) -> None:
     """Each finding of a chunk comes once, at its line; what runs as meant gives none."""
     assert compare(chunk, lints(chunk.lines)) == []
+
+
+# --- extensions ----------------------------------------------------------------------------------
+
+EXTENDED = """\
+#RT CYCLE [ID=1]
+  $IF ONCE V.E.VALUE > 1
+    V.E.COUNT -= 1
+    V.E.COUNT += 1
+    V.E.VALUE = 2
+    Z[INDP BUFFERED G01 G90 FEED=500 POS=10]
+  $ENDIF
+#RT CYCLE END
+#RT CYCLE [ID=2 SCOPE=GLOBAL]
+  $IF ONCE V.E.VALUE > 1
+    Z[INDP ABORTING G01 G90 FEED=500 POS=10]
+  $ENDIF
+#RT CYCLE END
+"""
+
+
+def test_each_extension_of_ours_is_a_warning_of_one_class() -> None:
+    """SCOPE left out, assignments other than = and +=, BUFFERED: the controller lacks them."""
+    collector = Collector()
+    channel = demo_channel()
+    lines = tuple(EXTENDED.splitlines())
+    source = Source("p.nc", lines)
+    check_program(source, channel.names, channel.parameters, LIMITS, collector, tools={})
+    found = [one for one in collector.diagnostics if one.id == EXTENSION_USED.id]
+    assert [one.span.line for one in found if one.span] == [1, 3, 6]
+    assert {one.severity for one in found} == {Severity.WARNING}
 
 
 # --- limits --------------------------------------------------------------------------------------
@@ -114,7 +146,11 @@ def test_statement_by_statement_finds_what_the_whole_tree_tells(chunk: Chunk) ->
     channel = demo_channel()
     source = Source("p.nc", chunk.lines)
     check_program(source, channel.names, channel.parameters, LIMITS, collector, tools={})
-    found = [one.headline() for one in collector.diagnostics if one.id not in (*LINTS, 900131)]
+    found = [
+        one.headline()
+        for one in collector.diagnostics
+        if one.id not in (*LINTS, EXTENSION_USED.id, 900131)
+    ]
     expected = findings(chunk.lines, role="either")
     assert sorted(found) == sorted(one.headline() for one in expected)
 

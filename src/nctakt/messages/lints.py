@@ -246,3 +246,24 @@ TOOL_NOT_IN_LIST = warning(
     remedy_de="T nennt der SPS einen Platz; D wählt Maße an und fände keine dafür.",
     tool=("the number of the tool", "die Nummer des Werkzeugs"),
 )
+POSITION_COMPARED_IN_INCH = note(
+    901001,
+    en="{name} is in inch here: the realtime cycle is defined under G70",
+    de="{name} ist hier in Zoll: der Echtzeit-Zyklus wird unter G70 definiert",
+    remedy_en="Compare with inches, or define the cycle under G71.",
+    remedy_de="Mit Zoll vergleichen oder den Zyklus unter G71 definieren.",
+    cause_en="A realtime cycle keeps the unit of its definition, for positions that it reads as "
+    "for those that it commands.",
+    cause_de="Ein Echtzeit-Zyklus behält die Einheit seiner Definition, für gelesene Positionen "
+    "wie für befohlene.",
+    name=("the position", "die Position"),
+)
+INDP_WORD_WITHOUT_EFFECT = note(
+    901002,
+    en="{word} has no effect here: {reason}",
+    de="{word} wirkt hier nicht: {reason}",
+    remedy_en="Leave it out.",
+    remedy_de="Weglassen.",
+    word=("the keyword", "das Schlüsselwort"),
+    reason=("why it has none", "warum es nicht wirkt"),
+)

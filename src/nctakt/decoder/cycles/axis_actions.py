@@ -16,7 +16,13 @@ from nctakt.kernel.cycles.instructions import Statement
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.nc import tree
 from nctakt.nc.check.cost import word_steps
-from nctakt.nc.vocabulary.axis_commands import DIRECTIONS, OFFSETS, AxisCommand, read_axis_command
+from nctakt.nc.vocabulary.axis_commands import (
+    DIRECTIONS,
+    OFFSETS,
+    AxisCommand,
+    AxisNature,
+    read_axis_command,
+)
 
 #: All kinds of offsets as bits.
 ALL_OFFSETS = (1 << KINDS) - 1
@@ -44,7 +50,7 @@ class ActionBuilder:
         if command.stops:
             return actions.StopAxis(nature.number, source, cost)
         speed = self._speed(command)
-        direction, has_direction = self._direction(command)
+        direction, has_direction = self._direction(command, nature)
         moving = (nature.number, speed, direction, has_direction, command.buffered, source, cost)
         if command.position is None:
             return actions.RunAxis(*moving)
@@ -59,7 +65,7 @@ class ActionBuilder:
         """FEED of the command, else of an earlier one with G01, else the rapid speed."""
         axis = self._axis(command.axis)
         memory = self._feeds.setdefault(command.axis, actions.FeedMemory())
-        if command.feed is not None:
+        if command.feed is not None and not command.has_idle_feed:
             expression = self._expressions.build(command.feed).node
             return actions.Feed(axis.max_speed, memory, expression, self._feed_unit(axis))
         if command.rapid is False:
@@ -74,9 +80,10 @@ class ActionBuilder:
             return self._state.length_unit_mm / 60.0
         return self._environment.parameters.program_start.feed_unit_mm_min / 60.0
 
-    def _direction(self, command: AxisCommand) -> tuple[Expression, bool]:
+    def _direction(self, command: AxisCommand, nature: AxisNature) -> tuple[Expression, bool]:
+        """DIR and whether it counts: on the way to a position only of a modulo axis."""
         direction = command.direction
-        if direction is None:
+        if direction is None or (command.position is not None and not nature.is_modulo):
             return Constant(0.0), False
         if isinstance(direction, tree.Name):
             return Constant(DIRECTIONS[direction.name]), True

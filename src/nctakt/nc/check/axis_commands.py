@@ -68,9 +68,6 @@ class AxisCommandChecker:
         """What the command needs of its axis, and of the cycle's other commands."""
         if command.position is None:
             return []
-        axis = self._names.axis(command.axis)
-        if command.direction is not None and axis is not None and not axis.is_modulo:
-            return [refusal(bracket, 9)]
         if command.rapid is False and command.axis not in self._with_feed:
             return [refusal(bracket, 7)]
         return []

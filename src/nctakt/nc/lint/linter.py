@@ -14,7 +14,7 @@ way leads to it.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import isfinite
 
 from nctakt.base.diagnostics import Span
@@ -57,7 +57,12 @@ from nctakt.nc.tree import (
     While,
     Word,
 )
-from nctakt.nc.vocabulary.functions import COMPENSATION_OFF, COMPENSATIONS
+from nctakt.nc.vocabulary.functions import (
+    COMPENSATION_OFF,
+    COMPENSATIONS,
+    INCH,
+    MILLIMETRES,
+)
 from nctakt.nc.vocabulary.variable_table import NameTable
 
 
@@ -95,16 +100,17 @@ def never_deleted(programs: Sequence[GlobalCycles], collector: Collector) -> Non
 @dataclass(slots=True)
 class _State:
     """What is certain at a place: active compensation (``G41``, ``G42``), values that were set,
-    that no radius of arcs has come, that G02 or G03 is active.
+    that no radius of arcs has come, that G02 or G03 is active, that lengths are in inch.
     """
 
     compensation: str = ""
     known: dict[str, KnownValue] = field(default_factory=dict)
     lacks_radius: bool = False
     is_arc: bool = False
+    is_inch: bool = False
 
     def copy(self) -> _State:
-        return _State(self.compensation, dict(self.known), self.lacks_radius, self.is_arc)
+        return replace(self, known=dict(self.known))
 
     def join(self, *others: _State) -> None:
         """Two ways meet here: certain is what is so on both."""
@@ -113,6 +119,7 @@ class _State:
                 self.compensation = ""
             self.lacks_radius = self.lacks_radius and other.lacks_radius
             self.is_arc = self.is_arc and other.is_arc
+            self.is_inch = self.is_inch and other.is_inch
             self.known = {
                 number: known
                 for number, known in self.known.items()
@@ -197,6 +204,7 @@ class Linter:
                 self._state.known.clear()
                 self._state.lacks_radius = False
                 self._state.is_arc = False
+                self._state.is_inch = False
 
     # --- ways through the program ----------------------------------------------------------------
 
@@ -229,6 +237,7 @@ class Linter:
             return
         self._state.known.clear()
         self._state.is_arc = False
+        self._state.is_inch = False
         before = self._state.copy()
         self._all(loop.body)
         self._state.known.clear()
@@ -260,7 +269,7 @@ class Linter:
         identity = self._identity(keywords.get("ID"))
         scope = keywords.get("SCOPE")
         name = scope.name if isinstance(scope, Name) else "PROG"
-        writes = self._cycles.cycle(cycle, self._state.known)
+        writes = self._cycles.cycle(cycle, self._state.known, is_inch=self._state.is_inch)
         self._writes(writes, _Writer(cycle.span.line, name, identity))
         if name == "GLOBAL" and identity is not None and identity > 0:
             line = self._source.line_of(cycle.span)
@@ -318,6 +327,8 @@ class Linter:
                     self._state.compensation = f"G{word.value.value:g}"
                 elif word.value.value == COMPENSATION_OFF:
                     self._state.compensation = ""
+                elif word.value.value in (INCH, MILLIMETRES):
+                    self._state.is_inch = word.value.value == INCH
             elif isinstance(word, Word) and word.name in ("D", "T") and self._tools:
                 self._tool(word)
 

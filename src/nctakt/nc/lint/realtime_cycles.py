@@ -12,8 +12,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from nctakt.base.diagnostics import Text
+from nctakt.base.diagnostics import Span, Text
 from nctakt.lists.declared.variables import SCALARS
+from nctakt.messages.extensions import EXTENSION_USED
 from nctakt.messages.lints import (
     ASYNCHRONOUS_CONDITION,
     ASYNCHRONOUS_VALUE,
@@ -27,7 +28,9 @@ from nctakt.messages.lints import (
     FUNCTION_OUTPUT_EACH_TICK,
     IF_EVALUATED_IN_ONE_TICK,
     IF_NOT_EVALUATED_EVERY_TICK,
+    INDP_WORD_WITHOUT_EFFECT,
     OVERRIDE_FOR_ONE_TICK,
+    POSITION_COMPARED_IN_INCH,
 )
 from nctakt.nc.check.cost import is_live, max_steps
 from nctakt.nc.check.findings import Findings
@@ -59,7 +62,20 @@ from nctakt.nc.tree import (
     VariableBlock,
     Word,
 )
-from nctakt.nc.vocabulary.axis_commands import is_axis_command, read_axis_command
+from nctakt.nc.vocabulary.axis_commands import (
+    DIRECTION_OF_LINEAR_AXIS,
+    FEED_BESIDE_RAPID,
+    RAPID_BESIDE_ENDLESS_FEED,
+    AxisCommand,
+    is_axis_command,
+    read_axis_command,
+)
+from nctakt.nc.vocabulary.extensions import (
+    BUFFERED_MOTION,
+    COMPOUND_ASSIGNMENT,
+    SCOPE_LEFT_OUT,
+    Extension,
+)
 from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve
 from nctakt.nc.vocabulary.variable_table import Location, NameTable
 
@@ -117,11 +133,20 @@ class CycleLinter:
         self._limits = limits
         self._known: Mapping[str, KnownValue] = {}
         self._reported: dict[str, None] = {}
+        self._is_inch = False
 
-    def cycle(self, cycle: RealtimeCycle, known: Mapping[str, KnownValue]) -> dict[str, Variable]:
-        """Report; the variables that the cycle writes, by their text."""
+    def cycle(
+        self, cycle: RealtimeCycle, known: Mapping[str, KnownValue], *, is_inch: bool
+    ) -> dict[str, Variable]:
+        """Report, and return the variables that the cycle writes, by their text.
+
+        ``is_inch``: G70 is certainly active at the definition.
+        """
         self._known = known
         self._reported = {}
+        self._is_inch = is_inch
+        if not any(isinstance(one, Keyword) and one.name == "SCOPE" for one in cycle.keywords):
+            self._extension(SCOPE_LEFT_OUT, cycle.span)
         self._check_limits(cycle)
         self._all(cycle.body, _Surrounding())
         return {
@@ -129,6 +154,11 @@ class CycleLinter:
             for target in targets(cycle.body)
             if isinstance(target, Variable)
         }
+
+    def _extension(self, extension: Extension, span: Span) -> None:
+        self._findings.report(
+            EXTENSION_USED, span, construct=extension.construct, controller=extension.controller
+        )
 
     def _check_limits(self, cycle: RealtimeCycle) -> None:
         steps = max_steps(cycle.body, self._names)
@@ -195,6 +225,8 @@ class CycleLinter:
 
     def _assignment(self, statement: Assignment, around: _Surrounding) -> None:
         target = statement.target
+        if statement.operator not in ("=", "+="):
+            self._extension(COMPOUND_ASSIGNMENT, statement.span)
         if isinstance(target, Variable):
             for index in indices_of(target):
                 self._frozen(index)
@@ -223,13 +255,33 @@ class CycleLinter:
         command, wrong = read_axis_command(bracket)
         for expression in command.expressions():
             self._frozen(expression)
-        if wrong or around.single or around.resets:
+        if wrong:
+            return
+        self._idle_words(bracket, command)
+        if command.buffered:
+            self._extension(BUFFERED_MOTION, _keyword(bracket, "BUFFERED").span)
+        if around.single or around.resets:
             return
         if command.kind == "distance" or command.buffered:
             word = "BUFFERED" if command.buffered else "G91"
             self._findings.report(
                 AXIS_COMMANDED_EACH_TICK, bracket.span, axis=command.axis, word=word
             )
+
+    def _idle_words(self, bracket: BracketCommand, command: AxisCommand) -> None:
+        """Report keywords that the syntax allows and that have no effect (manual 4.5.1)."""
+        axis = self._names.axis(command.axis)
+        idle = []
+        if command.has_idle_feed:
+            idle.append(("FEED", "FEED", FEED_BESIDE_RAPID))
+        elif command.rapid and command.feed is not None:
+            idle.append(("G", "G00", RAPID_BESIDE_ENDLESS_FEED))
+        is_choice = command.direction is not None and command.position is not None
+        if is_choice and axis is not None and not axis.is_modulo:
+            idle.append(("DIR", "DIR", DIRECTION_OF_LINEAR_AXIS))
+        for name, word, reason in idle:
+            span = _keyword(bracket, name).span
+            self._findings.report(INDP_WORD_WITHOUT_EFFECT, span, word=word, reason=reason)
 
     # --- conditions ------------------------------------------------------------------------------
 
@@ -260,12 +312,24 @@ class CycleLinter:
 
     def _compare(self, comparison: Binary) -> None:
         left, right, operator = comparison.left, comparison.right, comparison.operator
+        for operand in (left, right):
+            self._unit(operand)
         if isinstance(left, Number):
             left, right, operator = right, left, _MIRRORED.get(operator, operator)
         if isinstance(left, Variable) and isinstance(right, Number):
             self._range(comparison, left, operator, right.value)
         if operator == "==":
             self._exact(left, right)
+
+    def _unit(self, operand: Expression) -> None:
+        """A position of a linear axis that a cycle defined under G70 compares (manual 4.5.3)."""
+        if not self._is_inch or not is_position(operand, "ACT_POS", "CUR_POS", "CMD_POS"):
+            return
+        assert isinstance(operand, Variable)
+        axis = self._names.axis(operand.parts[-1].name)
+        if axis is not None and axis.is_linear:
+            name = path_text(operand)
+            self._findings.report(POSITION_COMPARED_IN_INCH, operand.span, name=name)
 
     def _range(self, comparison: Binary, variable: Variable, operator: str, value: float) -> None:
         """A integer_value number that its type lets never, or always, fulfil the comparison."""
@@ -335,6 +399,11 @@ class CycleLinter:
             value = f"{known.value:.15g}"
             return Text(f"{value}, set in line {known.line}", f"{value} aus Zeile {known.line}")
         return _THEN
+
+
+def _keyword(bracket: BracketCommand, name: str) -> Keyword:
+    """Return the keyword of this name, which the command has."""
+    return next(one for one in bracket.items if isinstance(one, Keyword) and one.name == name)
 
 
 def _inside(frequency: str, around: _Surrounding) -> _Surrounding:

@@ -46,15 +46,11 @@ REFUSALS = MappingProxyType(
         3: Text("either G90 or G91", "entweder G90 oder G91"),
         4: Text("either G00 or G01", "entweder G00 oder G01"),
         5: Text("POS needs G90 or G91", "POS braucht G90 oder G91"),
-        6: Text(
-            "G00 moves with rapid speed, not with FEED", "G00 fährt im Eilgang, nicht mit FEED"
-        ),
         7: Text(
             "POS with G01 needs FEED, here or in an earlier command of the cycle for this axis",
             "POS mit G01 braucht FEED, hier oder in einem früheren Befehl des Zyklus an die Achse",
         ),
         8: Text("FEED is 0", "FEED ist 0"),
-        9: Text("DIR with POS is for modulo axes", "DIR mit POS ist für Modulo-Achsen"),
         10: Text(
             "with G91 the sign of POS is the direction, not DIR",
             "bei G91 ist das Vorzeichen von POS die Richtung, nicht DIR",
@@ -62,6 +58,15 @@ REFUSALS = MappingProxyType(
         11: Text("neither POS nor FEED nor STOP", "weder POS noch FEED noch STOP"),
         12: Text("FEED with POS is above 0", "FEED mit POS ist größer als 0"),
     }
+)
+
+#: Why a keyword that the syntax allows has no effect.
+FEED_BESIDE_RAPID = Text("G00 moves at rapid speed", "G00 fährt im Eilgang")
+RAPID_BESIDE_ENDLESS_FEED = Text(
+    "FEED is the speed of an endless motion", "FEED ist die Geschwindigkeit endloser Bewegung"
+)
+DIRECTION_OF_LINEAR_AXIS = Text(
+    "with POS only a modulo axis can choose", "mit POS kann nur eine Modulo-Achse wählen"
 )
 
 
@@ -101,6 +106,11 @@ class AxisCommand:
         if self.position is None:
             return "endless"
         return "position" if self.absolute else "distance"
+
+    @property
+    def has_idle_feed(self) -> bool:
+        """Whether FEED has no effect: the way to a target is at rapid speed (G00)."""
+        return bool(self.rapid) and self.feed is not None and self.position is not None
 
     def expressions(self) -> list[Expression]:
         """What is computed in the tick, in the order of the computation."""
@@ -245,8 +255,6 @@ def _combination(command: AxisCommand, found: dict[str, Keyword]) -> list[int]:
         )
         if all(word in found for word in pair)
     ]
-    if command.rapid and command.feed is not None:
-        refused.append(6)
     if isinstance(command.feed, Number) and command.feed.value == 0.0:
         refused.append(8)
     if command.position is None:

@@ -20,7 +20,7 @@ from nctakt.nc.vocabulary.axis_commands import (
     DIRECTIONS,
     OFFSETS,
     AxisCommand,
-    AxisNature,
+    AxisTraits,
     read_axis_command,
 )
 
@@ -80,10 +80,10 @@ class ActionBuilder:
             return self._state.length_unit_mm / 60.0
         return self._environment.parameters.program_start.feed_unit_mm_min / 60.0
 
-    def _direction(self, command: AxisCommand, nature: AxisNature) -> tuple[Expression, bool]:
+    def _direction(self, command: AxisCommand, traits: AxisTraits) -> tuple[Expression, bool]:
         """DIR and whether it counts: on the way to a position only of a modulo axis."""
         direction = command.direction
-        if direction is None or (command.position is not None and not nature.is_modulo):
+        if direction is None or (command.position is not None and not traits.is_modulo):
             return Constant(0.0), False
         if isinstance(direction, tree.Name):
             return Constant(DIRECTIONS[direction.name]), True

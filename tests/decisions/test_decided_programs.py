@@ -246,3 +246,47 @@ def test_numbers_have_no_exponents() -> None:
 def test_a_hash_command_may_go_on_in_the_next_line() -> None:
     r"""``\`` at the end of a line continues ``#`` commands as well."""
     assert told(perform("#TIME \\\n  0.003\nM30")) == ["3 end part.nc"]
+
+
+# --- neutral statements ----------------------------------------------------------------
+
+NEUTRAL = """
+#TRAFO OFF
+#HSC OFF
+#MCS OFF
+#CAX OFF
+#FACE OFF
+#CYL OFF
+#ROTATION OFF
+#SCALE OFF
+#VECTOR LIMIT OFF
+#TLC OFF
+#RTCP OFF
+G12
+G20
+G52
+G117
+G137
+G150
+G202
+G128=100
+G129=100 G131=100
+G133=100
+G134=100
+G231=100 G233=100
+"""
+
+
+def test_what_switches_off_what_is_off_changes_nothing() -> None:
+    """The statements of a usual start sequence: accepted, and no tick longer."""
+    motion = "G01 X10 F1000\nM30\n"
+    plain, neutral = perform(motion), perform(NEUTRAL + motion)
+    assert not neutral.errors
+    assert neutral.ticks == plain.ticks
+    assert {one.id for one in neutral.diagnostics} <= {900201}
+
+
+@pytest.mark.parametrize("line", ["G131=50", "G231=0", "#TRAFO ON", "G21"])
+def test_what_would_change_the_motion_stays_refused(line: str) -> None:
+    """Any other value of a weight, and what switches on."""
+    assert [one.id for one in perform(f"{line}\nG01 X10 F1000\nM30\n").errors] == [900200]

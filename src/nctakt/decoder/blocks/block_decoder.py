@@ -237,12 +237,16 @@ class BlockDecoder:
     def _additional(self, word: tree.Word, value: float, content: _BlockContent) -> None:
         """The value of a G function: the group of G159, the radius of G163, the time of G04."""
         assert isinstance(word.value, tree.Number)
-        if word.value.value == ARC_RADIUS:
+        function = word.value.value
+        if function == ARC_RADIUS:
             self._state.path.radius = value * self._state.length_unit_mm
-            return
-        if word.value.value != NUMBERED_ZERO_OFFSET:
+        elif function == DWELL:
             content.dwell_s = value
-            return
+        elif function == NUMBERED_ZERO_OFFSET:
+            self._zero_group(word, value, content)
+
+    def _zero_group(self, word: tree.Word, value: float, content: _BlockContent) -> None:
+        """Take the group of zero offsets that ``value`` numbers; a fault where there is none."""
         group = arithmetic.round_half_even(value)
         if not 0 <= group < MOST_GROUPS:
             self._values.fail(UNKNOWN_ZERO_OFFSET, word.span, group=value, highest=MOST_GROUPS - 1)

@@ -8,7 +8,7 @@ G function of a group, F, M and H functions of the channel list with constant nu
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from typing import Literal
 
@@ -62,7 +62,7 @@ from nctakt.nc.tree import (
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.axis_commands import is_axis_command
 from nctakt.nc.vocabulary.entries import Entry, Support
-from nctakt.nc.vocabulary.function_rows import Form, Group
+from nctakt.nc.vocabulary.function_rows import Form, GFunction, Group
 from nctakt.nc.vocabulary.functions import (
     DWELL,
     EXACT_STOP_ONCE,
@@ -247,6 +247,9 @@ class WordChecker:
             return
         if entry is None:
             self._findings.report(INVALID_FUNCTION_NUMBER, word.span, word=f"G{number}")
+            return
+        if _is_neutral(entry, word):
+            self._findings.report_support(replace(entry, support=Support.ACCEPTED), word.span)
             return
         self._findings.report_support(entry, word.span)
         if entry.support is Support.REFUSED:
@@ -481,3 +484,9 @@ def _expressions(block: Block) -> list[Expression]:
         if isinstance(word, Word) and word.additional is not None:
             found.append(word.additional)
     return found
+
+
+def _is_neutral(entry: GFunction, word: Word) -> bool:
+    """Return whether a function is given the value with which it changes nothing."""
+    value = word.additional
+    return isinstance(value, Number) and value.value == entry.neutral

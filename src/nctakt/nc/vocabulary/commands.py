@@ -7,7 +7,7 @@ A ``#`` command is known by its first words; where several rows fit, the longest
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
-from nctakt.nc.vocabulary.entries import REFUSED, SIMULATED, Kind, table
+from nctakt.nc.vocabulary.entries import ACCEPTED, REFUSED, SIMULATED, Kind, table
 from nctakt.nc.vocabulary.system_names import ROWS
 
 CONTROLS = table(
@@ -53,6 +53,7 @@ COMMANDS = table(
     ("#CACHE", REFUSED, "programs in memory", "Programme im Speicher"),
     ("#CALL AX", REFUSED, "fetch axes", "Achsen holen"),
     ("#CAX", REFUSED, "spindle as C axis", "Spindel als C-Achse"),
+    ("#CAX OFF", ACCEPTED, "spindle is no C axis", "Spindel ist keine C-Achse"),
     ("#CAXTRACK", REFUSED, "C axis follows the path", "C-Achse folgt der Bahn"),
     ("#CHANNEL INIT", SIMULATED, "take over positions", "Positionen übernehmen"),
     ("#CHANNEL INTERFACE", REFUSED, "interface of the channel", "Schnittstelle des Kanals"),
@@ -85,6 +86,7 @@ COMMANDS = table(
     ("#CS MODE", REFUSED, "sequence of rotations", "Reihenfolge der Drehungen"),
     ("#CS SELECT", SIMULATED, "coordinate system of the stack", "Koordinatensystem des Stapels"),
     ("#CYL", REFUSED, "machining on a cylinder", "Zylinderbearbeitung"),
+    ("#CYL OFF", ACCEPTED, "machining on a cylinder off", "Zylinderbearbeitung aus"),
     ("#DB INFO", REFUSED, "data base", "Datenbank"),
     ("#DCC", REFUSED, "dynamic contour control", "dynamische Konturkontrolle"),
     ("#DEL DIST2GO", REFUSED, "delete distance to go", "Restweg löschen"),
@@ -104,6 +106,7 @@ COMMANDS = table(
     ("#EXPL SYN", SIMULATED, "explicit synchronisation", "explizite Synchronisation"),
     ("#EXPORT VE", REFUSED, "list of external variables", "Liste der externen Variablen"),
     ("#FACE", REFUSED, "machining on a face", "Stirnflächenbearbeitung"),
+    ("#FACE OFF", ACCEPTED, "machining on a face off", "Stirnflächenbearbeitung aus"),
     ("#FGROUP", REFUSED, "axes of the feed", "Achsen des Vorschubs"),
     ("#FILE", REFUSED, "files", "Dateien"),
     ("#FILE NAME", SIMULATED, "names of files", "Namen von Dateien"),
@@ -117,6 +120,7 @@ COMMANDS = table(
     ("#GET", REFUSED, "read positions", "Positionen lesen"),
     ("#HANDWHEEL", REFUSED, "handwheel", "Handrad"),
     ("#HSC", REFUSED, "high-speed cutting", "HSC-Bearbeitung"),
+    ("#HSC OFF", ACCEPTED, "high-speed cutting off", "HSC-Bearbeitung aus"),
     ("#IDENT", REFUSED, "parameters of drives", "Parameter der Antriebe"),
     ("#IF", SIMULATED, "condition of preprocessing", "Bedingung vor der Dekodierung"),
     ("#INFO", REFUSED, "information", "Information"),
@@ -129,6 +133,7 @@ COMMANDS = table(
     ("#MANUAL LIMITS", REFUSED, "limits of manual mode", "Grenzen des Handbetriebs"),
     ("#MARK", REFUSED, "mark", "Marke"),
     ("#MCS", REFUSED, "machine coordinates", "Maschinenkoordinaten"),
+    ("#MCS OFF", ACCEPTED, "back to program coordinates", "zurück zu Programmkoordinaten"),
     ("#MC_", REFUSED, "function block of single axes", "Funktionsbaustein einzelner Achsen"),
     ("#MEAS", REFUSED, "measuring", "Messen"),
     ("#MICROJOINT", REFUSED, "micro joint", "Mikrosteg"),
@@ -145,9 +150,17 @@ COMMANDS = table(
     ("#PUT AX", REFUSED, "give axes away", "Achsen abgeben"),
     ("#RND", REFUSED, "rounding", "Rundung"),
     ("#ROTATION", REFUSED, "rotation of the contour", "Konturdrehung"),
+    ("#ROTATION OFF", ACCEPTED, "rotation of the contour off", "Konturdrehung aus"),
     ("#RTCP", REFUSED, "rotation about the tool centre point", "Drehung um die Werkzeugspitze"),
+    (
+        "#RTCP OFF",
+        ACCEPTED,
+        "no rotation about the tool tip",
+        "keine Drehung um die Werkzeugspitze",
+    ),
     ("#SAVE CONFIG", REFUSED, "store a configuration", "Konfiguration speichern"),
     ("#SCALE", REFUSED, "scaling of the contour", "Kontur skalieren"),
+    ("#SCALE OFF", ACCEPTED, "scaling of the contour off", "Kontur skalieren aus"),
     ("#SCENE", REFUSED, "scene of a visualisation", "Szene einer Visualisierung"),
     ("#SEGMENTATION", REFUSED, "division of blocks", "Teilung von Sätzen"),
     ("#SET", REFUSED, "old settings", "alte Einstellungen"),
@@ -169,9 +182,11 @@ COMMANDS = table(
     ("#TIMER", SIMULATED, "timer of the program", "Zeitmessung des Dekoders"),
     ("#TLAX", REFUSED, "axis of the tool", "Achse des Werkzeugs"),
     ("#TLC", REFUSED, "tool length compensation", "Werkzeuglängenkorrektur"),
+    ("#TLC OFF", ACCEPTED, "tool length compensation off", "Werkzeuglängenkorrektur aus"),
     ("#TOOL", REFUSED, "tools", "Werkzeuge"),
     ("#TRACK CS", REFUSED, "moving coordinate system", "mitbewegtes Koordinatensystem"),
     ("#TRAFO", REFUSED, "transformation", "Transformation"),
+    ("#TRAFO OFF", ACCEPTED, "transformation off", "Transformation aus"),
     ("#TRANSFORM", REFUSED, "transformation", "Transformation"),
     ("#TRANSVELMIN", REFUSED, "lowest speed between blocks", "kleinste Übergangsgeschwindigkeit"),
     (
@@ -187,6 +202,7 @@ COMMANDS = table(
     ),
     ("#VAR", SIMULATED, "declaration of variables", "Deklaration von Variablen"),
     ("#VECTOR", REFUSED, "limits and offsets of the path", "Grenzen und Versätze der Bahn"),
+    ("#VECTOR LIMIT OFF", ACCEPTED, "limits of the path off", "Grenzen der Bahn aus"),
     ("#VECTORACC", REFUSED, "acceleration of the path", "Bahnbeschleunigung"),
     ("#VECTORVEL", REFUSED, "speed of the path", "Bahngeschwindigkeit"),
     ("#VOLCOMP", REFUSED, "volumetric compensation", "volumetrische Kompensation"),

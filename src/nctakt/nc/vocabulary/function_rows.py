@@ -70,13 +70,15 @@ class GFunction(Entry):
     Functions of one ``group`` exclude each other in a block and are modal; those without a group
     act in their block only. ``plain``: the fast ways know the function. Of the group ``MOTION`` it
     may stand in a plain line (``nc/fast/plain_lines.py``); of any other group plain lines may be
-    decoded while it is active (``decoder/fast``).
+    decoded while it is active (``decoder/fast``). ``neutral``: the value with which a refused
+    function changes nothing, so that it is accepted: ``G131=100``.
     """
 
     number: int = -1
     group: Group | None = None
     form: Form = Form.ALONE
     plain: bool = False
+    neutral: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,6 +111,11 @@ def accepted(number: int, en: str, de: str, *, plain: bool = False) -> GFunction
 def refused(number: int, en: str, de: str, instead: Text = NOTHING_INSTEAD) -> GFunction:
     """A row of a refused function; ``instead``: what to use in its place."""
     return replace(simulated(number, en, de), support=REFUSED, instead=instead)
+
+
+def weight(number: int, en: str, de: str) -> GFunction:
+    """A row of a refused function that weighs in per cent: with 100 it changes nothing."""
+    return replace(refused(number, en, de), neutral=100.0)
 
 
 def group(group: Group | None, *rows: GFunction) -> Iterator[GFunction]:

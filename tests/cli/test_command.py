@@ -87,7 +87,7 @@ def test_a_trace_is_written_and_read(suffix: str) -> None:
     assert trace.ticks == 726
     assert trace.at(462, "X.ACS.ACT_POS") == 200.25
     assert trace.at(0, "V.E.COUNT") == 1.0
-    fired = [event for event in trace.events if event.kind == "m"]
+    fired = [event for event in trace.events if event.kind == "M"]
     assert [(event.tick, event.text, str(event.span)) for event in fired] == [
         (463, "100 1 463000", "part.nc:3:5")
     ]

@@ -205,7 +205,7 @@ def test_diagnosis_data_are_written(
 
     def behave(sinks: Any, **_: Any) -> Run:
         for sink in sinks:
-            sink.events([Event(4, 4000, "m", "100 1 4000", None, "17")])
+            sink.events([Event(4, 4000, "M", "100 1 4000", None, "17")])
         return result()
 
     asked.behave = behave

@@ -137,7 +137,7 @@ def test_a_function_that_waits_is_waited_for_again() -> None:
     """The path goes back while M101 waits for the PLC, and forth again; it is not repeated."""
     plc = 500
     run = perform("G00 X10\nM101\nG00 X20\nM30", (150, 1.0), (300, 0.0), PLC_PRESENT=plc)
-    assert [text for _, text in told(run, "output")] == ["output m 101"]
+    assert [text for _, text in told(run, "output")] == ["output M 101"]
     assert run.state == "ended"
 
 

@@ -37,7 +37,7 @@ def test_a_joint_behind_the_end_is_that_of_the_end() -> None:
     controller = machine(80.0)
     run = perform(f"{BLOCK}G00 X110\nM30", controller, at=PROBE)
     assert run.state == "ended", run.diagnostics
-    assert told(run, "output") == ["1025 output m 116"]
+    assert told(run, "output") == ["1025 output M 116"]
     assert controller.read("V.RTG.MEAS_DELTA") == 100.0 - 48.75 - 80.0
 
 

@@ -94,7 +94,7 @@ def test_functions_of_the_program_wait_as_their_synchronisation_says() -> None:
     for function, (output, end) in expected.items():
         run = perform(f"G00 X1 {function}\nM30", plc=_Late(10))
         number = function.removeprefix("M")
-        outputs = [] if output is None else [f"{output} output m {number}"]
+        outputs = [] if output is None else [f"{output} output M {number}"]
         assert told(run) == [*outputs, f"{end} end part.nc"], function
 
 
@@ -119,8 +119,8 @@ def test_the_realtime_section_has_20_slots_and_never_waits() -> None:
 def test_the_programs_functions_wait_for_a_slot() -> None:
     """20 functions stand in the section; the 21st is put out when the PLC has taken one."""
     run = perform("M100\n" * 21 + "M30", plc=_Late(5))
-    assert told(run, "output").count("0 output m 100") == 20
-    assert told(run)[-2:] == ["6 output m 100", "6 end part.nc"]
+    assert told(run, "output").count("0 output M 100") == 20
+    assert told(run)[-2:] == ["6 output M 100", "6 end part.nc"]
 
 
 def test_a_slot_is_free_in_the_tick_behind_the_acknowledgement() -> None:

@@ -12,7 +12,7 @@ from nctakt.run.stimuli import Stimulus
 def test_m00_waits_behind_the_functions_of_its_block() -> None:
     """A function that goes out behind the motion (MNS_SNS) does so before the program stops."""
     run = perform("N10 M00 M113 G00 X1\nM30", ticks=200)
-    assert told(run) == ["32 output m 113", "33 paused line 1"]
+    assert told(run) == ["32 output M 113", "33 paused line 1"]
     assert run.state == "limit"
 
 

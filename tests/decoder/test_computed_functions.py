@@ -23,13 +23,13 @@ def events(text: str) -> list[str]:
 @pytest.mark.parametrize(
     ("block", "told"),
     [
-        ("M[P1]", "0 output m 100"),
-        ("MP1", "0 output m 100"),
-        ("M=P1", "0 output m 100"),
-        ("M[P1 + 0.4]=P2", "0 output m 100 = -3"),
-        ("H[P1]=-2.5", "0 output h 100 = -2"),
-        ("M100=2147483647", "0 output m 100 = 2147483647"),
-        ("M100=-2147483648", "0 output m 100 = -2147483648"),
+        ("M[P1]", "0 output M 100"),
+        ("MP1", "0 output M 100"),
+        ("M=P1", "0 output M 100"),
+        ("M[P1 + 0.4]=P2", "0 output M 100 = -3"),
+        ("H[P1]=-2.5", "0 output H 100 = -2"),
+        ("M100=2147483647", "0 output M 100 = 2147483647"),
+        ("M100=-2147483648", "0 output M 100 = -2147483648"),
     ],
 )
 def test_numbers_and_values_are_rounded(block: str, told: str) -> None:
@@ -43,9 +43,9 @@ def test_a_computed_number_counts_as_if_it_were_written() -> None:
     assert not run.errors
     assert run.trace is not None
     assert run.trace["X.ACS.ACT_POS"][-1] == 10.0
-    assert events("P1=3\nM[P1] S600\nM30")[0] == "0 spindle S m3 600"
+    assert events("P1=3\nM[P1] S600\nM30")[0] == "0 spindle S M3 600"
     assert events("LL SUB\nM30\n%L SUB\nP1=17 M[P1]\nM100") == ["0 end p.nc"]
-    assert events("P1=100\nM[P1] LL SUB\nM30\n%L SUB\nM17")[0] == "0 output m 100"
+    assert events("P1=100\nM[P1] LL SUB\nM30\n%L SUB\nM17")[0] == "0 output M 100"
 
 
 @pytest.mark.parametrize(
@@ -103,10 +103,10 @@ def test_functions_of_the_controller_go_out_where_the_list_says_so() -> None:
     text = "LL SUB\nM00=1\nM30=5\n%L SUB\nM17"
     run = controller.run(NcText("p.nc", text), at=[Stimulus("3 ms", "HLI.START", 1.0)])
     assert [f"{event.tick} {event}" for event in run.events] == [
-        "0 output m 17",
-        "0 output m 0 = 1",
+        "0 output M 17",
+        "0 output M 0 = 1",
         "0 paused line 2",
-        "3 output m 30 = 5",
+        "3 output M 30 = 5",
         "3 end p.nc",
     ]
 

@@ -80,7 +80,7 @@ def test_the_default_plc_frees_the_slots_from_the_next_tick_on() -> None:
         NcText("p.nc", f"#RT CYCLE\n{body}#RT CYCLE END\nG04 X0.100\nM30"), memory_trace=False
     )
     assert run.errors == ()
-    assert [(one.letter, one.number, one.count) for one in run.outputs] == [("h", 100, 2000)]
+    assert [(one.letter, one.number, one.count) for one in run.outputs] == [("H", 100, 2000)]
 
 
 def test_a_plc_sees_functions_in_their_order_with_section_and_stamp() -> None:

@@ -78,7 +78,7 @@ def test_what_happened_has_a_lane_each() -> None:
     lanes = motion(PART).lanes
     assert [(lane.kind, lane.label, len(lane.spans)) for lane in lanes] == [
         ("fired", "17: 2", 1),
-        ("m", "M100", 1),
+        ("M", "M100", 1),
         ("output", "M101", 1),
         ("end", "end", 1),
     ]

@@ -32,10 +32,10 @@ EVENTS = [
     Event(0, 0, "created", "17 PROG", DEFINED, "17"),
     Event(0, 0, "started", "17", None, "17"),
     Event(4, 4000, "fired", "17 line 5", at(ONCE), "17"),
-    Event(4, 4000, "m", "100 1 4000", at(ONCE), "17"),
+    Event(4, 4000, "M", "100 1 4000", at(ONCE), "17"),
     Event(5, 5000, "message", "half way"),
-    Event(6, 6000, "output", "m 100"),
-    Event(9, 9000, "m", "100 2 9000", None, "17"),
+    Event(6, 6000, "output", "M 100"),
+    Event(9, 9000, "M", "100 2 9000", None, "17"),
     Event(9, 9000, "ended", "17 scope", None, "17"),
 ]
 
@@ -97,8 +97,8 @@ def test_a_cycle_from_an_earlier_run_is_known_when_it_fires() -> None:
 def test_functions_of_cycles_and_of_the_program_are_counted_apart() -> None:
     """RC-403: M100 of a cycle is another output than M100 of the main program."""
     assert counted(*EVENTS).outputs() == (
-        OutputCount("m", 100, True, 2, 4),
-        OutputCount("m", 100, False, 1, 6),
+        OutputCount("M", 100, True, 2, 4),
+        OutputCount("M", 100, False, 1, 6),
     )
 
 
@@ -115,9 +115,9 @@ def test_technology_lists_each_output() -> None:
     run = Run(("part.nc",), 1000, 0, 10, "ended", sink.trace)
     assert run.virtual_time_us == 10_000
     assert run.technology == [
-        TechnologyOutput(4, 4000, "m", 100, 1, at(ONCE), "17"),
-        TechnologyOutput(6, 6000, "m", 100, 0, None, ""),
-        TechnologyOutput(9, 9000, "m", 100, 2, None, "17"),
+        TechnologyOutput(4, 4000, "M", 100, 1, at(ONCE), "17"),
+        TechnologyOutput(6, 6000, "M", 100, 0, None, ""),
+        TechnologyOutput(9, 9000, "M", 100, 2, None, "17"),
     ]
 
 

@@ -31,7 +31,7 @@ RUN = Run(
         ),
         CycleResult("#1", "BLOCK", Span("next.nc", 1, 1, 2), (), instances=3),
     ),
-    outputs=(OutputCount("m", 100, True, 1, 463), OutputCount("h", 5, False, 2, 7)),
+    outputs=(OutputCount("M", 100, True, 1, 463), OutputCount("H", 5, False, 2, 7)),
 )
 
 

@@ -225,9 +225,9 @@ class Reference:
             case "flush" | "read":
                 return True
             case "function":
-                self._tell("output", f"m {command.number}")
+                self._tell("output", f"M {command.number}")
             case "waiting function":
-                self._tell("output", f"m {command.number}")
+                self._tell("output", f"M {command.number}")
                 return True
             case "set":
                 self._values[command.variable] = command.number
@@ -302,7 +302,7 @@ class Reference:
                     self._compute(element, operator, tree)
                 case Function(number):
                     self._sequence += 1
-                    self._tell("m", f"{number} {self._sequence} {self.tick * 1000}")
+                    self._tell("M", f"{number} {self._sequence} {self.tick * 1000}")
                 case If(branches):
                     chosen = next((b for b in branches if self._holds(cycle, b)), None)
                     if chosen is not None:

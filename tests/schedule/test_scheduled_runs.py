@@ -214,7 +214,7 @@ def test_the_default_plc_acknowledges_in_its_thread(tmp_path: Path) -> None:
     program = "N10 G04 X0.002\nN20 M111\nN30 G04 X0.001\nM30\n"
     given = schedule(tmp_path, LIST.replace("End", PLC + "End"), LOAD + PLC_LOAD)
     plain, paced = run(None, program), run(given, program)
-    assert events(plain, "output") == events(paced, "output") == ["2 output m 111"]
+    assert events(plain, "output") == events(paced, "output") == ["2 output M 111"]
     assert events(plain, "end") == ["4 end program.nc"]
     assert events(paced, "end") == ["5 end program.nc"]
 

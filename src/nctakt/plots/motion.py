@@ -29,7 +29,7 @@ SPEED, ACCELERATION, JERK = 1, 2, 3
 
 _PATH_SIGNALS = ("PATH.SPEED", "PATH.DIST_TO_GO", "OVERRIDE.VEL.TOTAL")
 #: Kinds of events that are drawn.
-_MARKS = ("fired", "m", "h", "output", "error", "starved", "overflow", "end")
+_MARKS = ("fired", "M", "H", "output", "error", "starved", "overflow", "end")
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,10 +160,10 @@ def _label(event: Event) -> str:
     words = event.text.split()
     if event.kind == "fired":
         return f"{words[0]}: {words[-1]}"
-    if event.kind in ("m", "h"):
-        return f"{event.kind.upper()}{words[0]}"
+    if event.kind in ("M", "H"):
+        return f"{event.kind}{words[0]}"
     if event.kind == "output":
-        return f"{words[0].upper()}{words[1]}"
+        return f"{words[0]}{words[1]}"
     if event.kind == "starved":
         return f"{event.prefix}starved"
     if event.kind == "overflow":

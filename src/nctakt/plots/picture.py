@@ -52,8 +52,8 @@ _COLOURS = (
 )
 _LANE_COLOURS = {
     "fired": "#d62728",
-    "m": "#9467bd",
-    "h": "#9467bd",
+    "M": "#9467bd",
+    "H": "#9467bd",
     "output": "#1f77b4",
     "error": "#d62728",
     "starved": "#ff7f0e",

@@ -90,8 +90,8 @@ _LEVELS = {
     "fired": Level.ACTION,
     "written": Level.ACTION,
     "axis": Level.ACTION,
-    "m": Level.ACTION,
-    "h": Level.ACTION,
+    "M": Level.ACTION,
+    "H": Level.ACTION,
 }
 _PLAIN = {
     "started": LOG_CYCLE_STARTED,
@@ -290,5 +290,5 @@ def _message(event: Event) -> Diagnostic:
     if event.kind == "written":
         variable, value = event.text.rsplit(" ", 1)
         return diagnostic(LOG_VARIABLE_WRITTEN, cycle=cycle, variable=variable, value=value)
-    function = f"{event.kind.upper()}{words[0]}"
+    function = f"{event.kind}{words[0]}"
     return diagnostic(LOG_FUNCTION_OUTPUT, cycle=cycle, function=function, sequence=words[1])

@@ -180,7 +180,7 @@ class Run:
         return tuple(found for found in self.diagnostics if found.severity is Severity.ERROR)
 
 
-_TECHNOLOGY = ("m", "h", "output")
+_TECHNOLOGY = ("M", "H", "output")
 
 
 def _technology(event: Event) -> TechnologyOutput:

@@ -194,7 +194,7 @@ def _outputs(run: Run, language: Language) -> Table:
 
 def _output(run: Run, output: OutputCount, language: Language) -> tuple[str, ...]:
     origin = _FROM_CYCLE if output.realtime else _FROM_PROGRAM
-    name = f"{output.letter.upper()}{output.number}"
+    name = f"{output.letter}{output.number}"
     first = _tick(run, output.first_tick, language)
     return name, origin.get(language), str(output.count), first
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 #: What a program is called that a test gives as text.
 TEXT_NAME = "program.nc"
 
-_CYCLE_KINDS = ("m", "h")
+_CYCLE_KINDS = ("M", "H")
 
 
 def configured_machine(config: pytest.Config) -> Machine:
@@ -236,7 +236,7 @@ class NcRun:
 
     def function(self, name: str, *, line: int | None = None) -> Occurrences:
         """When ``M100`` or ``H7`` went to the PLC."""
-        return self.find(name, ("m", "h", "output"), name, line=line)
+        return self.find(name, ("M", "H", "output"), name, line=line)
 
     def message(self, text: str) -> Occurrences:
         """When the program said this."""
@@ -308,7 +308,7 @@ def _line(event: Event) -> int | None:
 def _text(event: Event) -> str:
     """What has happened, in a word or two: ``M100`` for functions."""
     if event.kind == "output":
-        return "".join(event.text.split()[:2]).upper()
+        return "".join(event.text.split()[:2])
     if event.kind in _CYCLE_KINDS:
-        return f"{event.kind.upper()}{event.text.split()[0]}"
+        return f"{event.kind}{event.text.split()[0]}"
     return f"cycle {event.cycle}" if event.kind == "fired" else event.text

@@ -239,7 +239,7 @@ class EventDecoder:
 
     def _spindle(self, _kind: int, _serial: int, job: float, rpm: float) -> tuple[str, str]:
         spindle, function = divmod(int(job), 100)
-        return "spindle", f"{self._names.spindle(spindle)} m{function} {number_text(rpm)}"
+        return "spindle", f"{self._names.spindle(spindle)} M{function} {number_text(rpm)}"
 
     def _spindle_reached(
         self, _kind: int, _serial: int, number: float, _b: float
@@ -311,7 +311,7 @@ _WITHOUT_CYCLE = (
 def _function(code: float) -> tuple[str, int]:
     """Letter and number of a technology function; H functions are coded -number - 1."""
     number = int(code)
-    return ("h", -number - 1) if number < 0 else ("m", number)
+    return ("H", -number - 1) if number < 0 else ("M", number)
 
 
 def _line_text(span: Span | None) -> str:

@@ -61,7 +61,7 @@ if TYPE_CHECKING:
     from nctakt.run.stimuli import Stimulus
     from nctakt.schedule.open_schedule import open_schedule, simulate_schedule
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "Controller",

@@ -8,6 +8,7 @@ record: a run is measured by the simulator's rules.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -110,7 +111,8 @@ def log_of(run: Simulation) -> RunLog:
     rows = rows[np.argsort(rows["time"], kind="stable")]
     plan = make_plan(run.model, run.cycles, is_fifo=True, plays_external=True)
     nobody: tuple[int | None, ...] = (None,) * len(run.model.tasks)
-    return RunLog(plan, rows, tuple(due), nobody, False, False, ())
+    posted = (0,) * len(run.model.tasks)
+    return RunLog(plan, rows, tuple(due), nobody, posted, False, False, (), 0, run.end)
 
 
 @settings(deadline=None)
@@ -164,9 +166,7 @@ def test_windows_time_may_be_a_little_short() -> None:
     segments = (late["kind"] == layout.SEGMENT) & (late["value"] == 1_500_000)
     for by, violated in ((50_000, 0), (50_001, 1)):
         late["value"][segments] = 1_500_000 + by
-        found = measure(
-            RunLog(log.plan, late, log.due, log.taken, False, False, ()), 6
-        ).run.windows[0]
+        found = measure(replace(log, entries=late), 6).run.windows[0]
         assert (found.least, found.violated) == (500_000 - by, violated)
 
 
@@ -177,12 +177,12 @@ def test_how_late_it_was() -> None:
     late = log.entries.copy()
     interrupts = late["kind"] == layout.INTERRUPT
     late["time"][interrupts] += 7
-    found = measure(RunLog(log.plan, late, log.due, log.taken, False, False, ()), 6)
+    found = measure(replace(log, entries=late), 6)
     assert found.timer == (7,) * 7
     assert found.wakes[0] == (0,) * 6
     assert late_wakes(found) == []
     late["time"][interrupts] += 500_000
-    found = measure(RunLog(log.plan, late, log.due, log.taken, False, False, ()), 6)
+    found = measure(replace(log, entries=late), 6)
     assert late_wakes(found) == [500_007] * 7
 
 
@@ -192,7 +192,7 @@ def test_no_cycle() -> None:
     log = log_of(simulate(model, 1, record=1))
     none = log.entries[:1]
     with pytest.raises(Failure) as raised:
-        measure(RunLog(log.plan, none, log.due, log.taken, False, False, ()), 1)
+        measure(replace(log, entries=none), 1)
     assert [one.id for one in raised.value.diagnostics] == [900695]
 
 

@@ -14,6 +14,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import time
 from itertools import pairwise
 from pathlib import Path
 
@@ -214,6 +215,57 @@ def test_semaphore_that_is_not_there(tmp_path: Path, capsys: Capture) -> None:
     assert "error 900687" in capsys.readouterr().err
 
 
+def test_posts_from_before_the_start(tmp_path: Path, capsys: Capture) -> None:
+    """3.1: what was posted before anybody waited is drained and counted, no NC interrupt."""
+    name = fresh_name()
+    source = Semaphore(name, create=True)
+    try:
+        for _ in range(5):
+            source.post()
+        words = write_files(tmp_path, "interrupt_source 3", f"external_object_name {name}")
+        assert run(*words, "--cycles", "3") == 2
+        with started(*words, "--duration", "30s") as process:
+            tree_of(process)
+            for _ in range(3):
+                source.post()
+                wait_for(lambda: source.count == 0)
+            time.sleep(8 * CYCLE_US / 1e6)
+            out, err = stop(process)[1:]
+    finally:
+        source.remove()
+    assert "error 900695" in capsys.readouterr().err
+    assert counts(out, "GEO")["due"] <= 3
+    assert "warning 900698" in err
+    assert "note 900696" not in err
+
+
+def test_name_of_the_semaphore_from_the_command_line(tmp_path: Path, capsys: Capture) -> None:
+    """--semaphore names what the list leaves open; the posts of before are told."""
+    name = fresh_name()
+    source = Semaphore(name, create=True)
+    words = write_files(tmp_path, "interrupt_source 3")
+    try:
+        for _ in range(5):
+            source.post()
+        with started(*words, "--duration", "30s", "--semaphore", name) as process:
+            tree_of(process)
+            wait_for(lambda: source.count == 0)
+            for _ in range(3):
+                source.post()
+                wait_for(lambda: source.count == 0)
+            err = stop(process)[2]
+    finally:
+        source.remove()
+    assert "note 900041" in err
+    assert f"semaphore '/{name}' had been posted 5 times" in err
+    assert run(*words, "--cycles", "1") == 2
+    assert "error 900708" in capsys.readouterr().err
+    assert run(*words, "--semaphore", "a/b") == 2
+    assert "error 900684" in capsys.readouterr().err
+    run(*write_files(tmp_path), "--semaphore", name, "--dry-run")
+    assert "warning 900709" in capsys.readouterr().err
+
+
 def test_interrupts_that_do_not_come(tmp_path: Path, capsys: Capture) -> None:
     """900695: no cycle was completed."""
     name = fresh_name()
@@ -246,6 +298,27 @@ def test_external_thread_that_nobody_plays(tmp_path: Path, capsys: Capture) -> N
     run(*words, "--cycles", "8", "--quiet")
     found = counts(capsys.readouterr().out, name)
     assert found == {"due": 8, "done": 0, "overflows": 7, "lost": 0, "suspended": 0}
+
+
+def test_semaphore_that_nobody_waits_on(tmp_path: Path, capsys: Capture) -> None:
+    """A warning names it; a thread that never finishes has one of its own."""
+    name = fresh_name()
+    words = write_files(tmp_path, semaphore=name, task_rnd=100_000)
+    run(*words, "--cycles", "12", "--no-fifo")
+    err = capsys.readouterr().err
+    assert f"warning 900699: hardly anybody waits on semaphore '/{name}'" in err
+    assert "warning 900636: BACKGROUND hardly ever finishes" in err
+    assert f"900636: {name}" not in err
+
+
+@pytest.mark.parametrize(("words", "mode"), [((), 0o600), (("--all-users",), 0o666)])
+def test_who_may_wait_on_semaphores(tmp_path: Path, words: tuple[str, ...], mode: int) -> None:
+    """Semaphores belong to one user unless all are let in; the mask of files does not count."""
+    name = fresh_name()
+    with started(*write_files(tmp_path, semaphore=name), "--duration", "30s", *words) as process:
+        tree_of(process)
+        assert semaphore_file(name).stat().st_mode & 0o777 == mode
+        stop(process)
 
 
 def test_the_example_in_c(tmp_path: Path, capsys: Capture) -> None:

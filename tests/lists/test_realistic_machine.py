@@ -36,7 +36,7 @@ EXPECTED = (
     ("nullp_d1.lis", 38, 900742),  # offsets of G53
     ("nullp_d1.lis", 39, 900741),  # axis 5 of 5
     ("rtconf.lis", 4, 1000153),  # cycle_time 1750, time_slice 500
-    ("rtconf.lis", 17, 900011),  # thread[7]
+    ("rtconf.lis", 17, 900011),  # thread[10]
     ("rtconf.lis", 18, 900008),  # hsc_time
     ("sda_mds1.lis", 27, 900021),  # G72 at program start
     ("sda_mds1.lis", 28, 900014),  # 1000,5

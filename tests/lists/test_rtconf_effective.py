@@ -158,10 +158,11 @@ def test_rounding_beyond_the_type_is_an_error() -> None:
         ("interrupt_source 2", InterruptSource.TIMER, []),
         ("interrupt_source 3\nexternal_object_name s", InterruptSource.SEMAPHORE, []),
         ("interrupt_source 3", InterruptSource.SEMAPHORE, [900041]),
+        ("interrupt_source 4", InterruptSource.OUTSIDE, [900618]),
         ("interrupt_source 2\nexternal_object_name s", InterruptSource.TIMER, [900042]),
         ("", InterruptSource.TIMER, [900030]),
         ("interrupt_source 0", InterruptSource.TIMER, [900019, 900030]),
-        ("interrupt_source 4", InterruptSource.TIMER, [900019, 900030]),
+        ("interrupt_source 5", InterruptSource.TIMER, [900019, 900030]),
     ],
 )
 def test_interrupt_source(text: str, source: InterruptSource, numbers: list[int]) -> None:

@@ -70,7 +70,14 @@ def system(name: str) -> RtconfOptions:
         (2, "# 1: Hardware ISR 2: Real-time operating system timer", "table", TIMER),
         (1, "# 1: Hardware ISR 2: Real-time operating system timer", "table", HARDWARE),
         (2, "", "table", TIMER),
-        (2, "# SERCOS", "table", TIMER),
+        (2, "# SERCOS", "field", HARDWARE),
+        (1, "# SERCOS", "table", HARDWARE),
+        (1, "# Timer", "field", TIMER),
+        (2, "(timer)", "table", TIMER),
+        (2, "# internal timer", "table", TIMER),
+        (1, "# no timer", "table", HARDWARE),
+        (2, "# Semaphore", "table", TIMER),
+        (2, "# see the drawing of the timer", "table", TIMER),
         (2, "# 1 = timer, 2 = timer", "table", TIMER),
         (2, "# since 2 ms cycle", "table", TIMER),
         (2, "( 1) intern; 2) extern )", "field", HARDWARE),
@@ -113,11 +120,22 @@ def test_comment_of_the_line_that_counts() -> None:
 
 def test_meaning_of_one_and_two_is_always_a_warning() -> None:
     """E1: the warning says meaning, convention and reason; a semaphore needs none."""
-    _, collector = collect(BASE.replace("interrupt_source 3", "interrupt_source 2 # SERCOS"))
+    text = BASE.replace("interrupt_source 3", "interrupt_source 2 # the usual one")
+    _, collector = collect(text)
     found = next(one for one in collector.diagnostics if one.id == 900600)
     assert "timer" in found.text("en") and "'table'" in found.text("en")
-    assert "SERCOS" in found.text("de")
+    assert "the usual one" in found.text("de")
     assert load(BASE)[1] == []
+    assert 900600 not in load(text, RtconfOptions(convention="table"))[1]
+
+
+def test_external_scheduling() -> None:
+    """Value 4 is in comments of shipped lists: another program calls the tasks."""
+    for convention in ("auto", "table", "field"):
+        options = RtconfOptions(convention=convention)  # type: ignore[arg-type]
+        text = BASE.replace("interrupt_source 3", "interrupt_source 4")
+        configuration, found = load(text.replace("external_object_name s\n", ""), options)
+        assert (configuration.interrupt_source, found) == (InterruptSource.OUTSIDE, [900618])
 
 
 THREAD = """\
@@ -236,9 +254,55 @@ def test_name_of_the_semaphore(name: str, counts: bool) -> None:
 
 def test_own_functions_can_be_named() -> None:
     """P-RTCF-00012: functions that the user registers are no finding."""
-    text = BASE + "thread[0].function[1].name my_task\n"
-    assert load(text)[1] == [900048]
-    assert load(text, RtconfOptions(functions=("my_task",)))[1] == []
+    text = BASE + "thread[0].function[1].name my_one\nthread[0].function[2].name my_other\n"
+    _, collector = collect(text)
+    assert [one.id for one in collector.diagnostics] == [900048]
+    assert collector.diagnostics[0].values["names"] == "my_one, my_other"
+    assert load(text, RtconfOptions(functions=("my_one", "my_other")))[1] == []
+
+
+def test_misspelt_functions() -> None:
+    """A name that is nearly one of the controller's is a warning of its own, task_tcp is known."""
+    text = BASE + "thread[0].function[1].name {}\n"
+    _, collector = collect(text.format("task_rmd"))
+    assert [one.id for one in collector.diagnostics] == [900616]
+    assert collector.diagnostics[0].values["name"] == "task_rnd"
+    assert load(text.format("task_tcp"))[1] == []
+
+
+def test_advice_about_windows_is_for_windows() -> None:
+    """Ratio and windows_time are free where there is no Windows beside."""
+    text = BASE.replace("cycle_time 2000", "cycle_time 1000").replace("cycle 2000", "cycle 1000")
+    text = text.replace("priority 115", "priority 60")
+    assert 900033 in load(text)[1]
+    assert load(text, system("linux"))[1] == [900601]
+    for line, numbers in (("", [900601]), ("windows_time 0", [900601])):
+        configuration, found = load(text.replace("windows_time 500", line), system("linux"))
+        assert (configuration.windows_time_us, found) == (0, numbers)
+    short = text.replace("windows_time 500", "windows_time 100")
+    assert load(short, system("linux"))[1] == [900601, 900602]
+
+
+def test_places_of_missing_entries() -> None:
+    """A missing entry is told where its thread begins, one of the whole list without a line."""
+    text = BASE.replace("cycle_time 2000\n", "") + THREAD
+    spans = {one.entry: str(one.span) for one in collect(text)[1].diagnostics}
+    assert spans["thread[1].priority"] == "rtconf.lis:10:1"
+    assert spans["cycle_time"] == "rtconf.lis"
+
+
+def test_ten_threads_with_ten_functions() -> None:
+    """The manual prints seven, larger systems have ten: a note tells it once for each kind."""
+    lines = [
+        f"thread[{i}].name T{i}\nthread[{i}].cycle 2000\nthread[{i}].priority {100 - i}\n"
+        f"thread[{i}].function[0].name task_rnd\n"
+        for i in range(1, 10)
+    ]
+    functions = [f"thread[0].function[{j}].name task_com\n" for j in range(1, 10)]
+    configuration, found = load(BASE + "".join(lines + functions))
+    assert found == [900617, 900617]
+    assert (len(configuration.threads), len(configuration.threads[0].functions)) == (10, 10)
+    assert 900011 in load(BASE + "thread[10].name X\n")[1]
 
 
 def test_lenient_errors_are_warnings() -> None:

@@ -142,6 +142,69 @@ def test_rules_can_be_chosen(folder: Path, capsys: Capture) -> None:
     assert "25.00" in out
 
 
+@pytest.mark.parametrize(
+    ("words", "keys"),
+    [
+        (["show"], {"parameters"}),
+        (["simulate"], {"schedule", "cycles", "threads", "windows", "worst_phases"}),
+        (["analyse"], {"schedule", "threads", "cpus", "margins"}),
+    ],
+)
+def test_json(folder: Path, capsys: Capture, words: list[str], keys: set[str]) -> None:
+    """--format json: one object on standard output with the findings in it."""
+    load = [] if words == ["show"] else ["--load", folder / "load.toml"]
+    assert run(*words, folder / "rtconf.lis", *load, "--format", "json") == 0
+    captured = capsys.readouterr()
+    assert captured.err == ""
+    document = json.loads(captured.out)
+    assert keys <= set(document)
+    assert document["diagnostics"][0]["id"] == 900600
+    assert document["diagnostics"][0]["line"] == 8
+    if words == ["simulate"]:
+        names = [thread["name"] for thread in document["threads"]]
+        assert names == ["GEO", "BACKGROUND_", "MMI_DRIVER", "COM", "external_sps"]
+        assert document["threads"][3]["response_max_us"] == 5450
+        assert [one["phase_us"] for one in document["worst_phases"]] == [499.999]
+    if words == ["analyse"]:
+        assert document["threads"][1]["worst_phase_us"] == 499.999
+
+
+def test_ignored_messages(folder: Path, capsys: Capture) -> None:
+    """--ignore: neither shown nor counted."""
+    words = ["show", folder / "rtconf.lis", "--strict"]
+    assert run(*words) == 1
+    assert run(*words, "--ignore", "900600") == 0
+    assert run(*words, "--convention", "field") == 0
+    assert run(*words, "--ignore", "x") == 2
+    assert "error 900586" in capsys.readouterr().err
+
+
+def test_check_reads_a_list_as_schedule_does(folder: Path, capsys: Capture) -> None:
+    """--os, --convention and --function of ``nctakt check``."""
+    text = with_line(EXAMPLE_1, "thread[1].function[1].name my_task")
+    (folder / "rtconf.lis").write_text(text, "utf-8")
+    words = ["check", str(folder / "rtconf.lis")]
+    assert main(words) == 0
+    out = capsys.readouterr().out
+    assert "900600" in out and "900048" in out
+    assert main([*words, "--convention", "field", "--function", "my_task", "--strict"]) == 0
+    out = capsys.readouterr().out
+    assert "900600" not in out and "900048" not in out
+    assert main([*words, "--os", "vxworks", "--strict"]) == 1
+    assert "900607" in capsys.readouterr().out
+
+
+def test_starving_threads(folder: Path, capsys: Capture) -> None:
+    """A thread that never finishes is a warning whatever error_on_overflow says."""
+    (folder / "load.toml").write_text(load_text(TIGHT | {"task_int": 1700}), "utf-8")
+    words = [folder / "rtconf.lis", "--load", folder / "load.toml", "--convention", "table"]
+    for command in ("simulate", "analyse"):
+        run(command, *words)
+        err = capsys.readouterr().err
+        for name, due in (("BACKGROUND_", 500), ("MMI_DRIVER", 167), ("COM", 250)):
+            assert f"warning 900636: {name} hardly ever finishes: 0 of {due} times" in err
+
+
 def test_phase_that_the_load_does_not_name(folder: Path, capsys: Capture) -> None:
     """3.1: the simulation assumes a phase and shows what the worst one would do."""
     words = ["simulate", folder / "rtconf.lis", "--convention", "field"]

@@ -49,7 +49,8 @@ _LABELS: dict[Language, tuple[str, str, str]] = {
 class Span:
     """A place in a text: lines and columns count from 1, ``end_column`` is exclusive.
 
-    ``file`` is the name as the user gave it; a span never covers more than one line.
+    ``file`` is the name as the user gave it; a span never covers more than one line. Line 0 is the
+    file as a whole, for what is missing in it.
     """
 
     file: str
@@ -58,7 +59,12 @@ class Span:
     end_column: int
 
     def __str__(self) -> str:
-        return f"{self.file}:{self.line}:{self.column}"
+        return f"{self.file}:{self.line}:{self.column}" if self.line else self.file
+
+
+def whole_file(file: str) -> Span:
+    """Return the span of a finding that belongs to no line of a file."""
+    return Span(file, 0, 0, 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,7 +154,8 @@ class Diagnostic:
     """One finding: a message, its place (``None``: no file involved) and its parameters' values.
 
     ``source_line`` is the whole text line of the span, without its end, for the excerpt.
-    ``is_lenient``: an error that only warns here.
+    ``is_lenient``: an error that only warns here. ``entry``: the entry of a list that it is about,
+    which may be missing there.
     """
 
     message: Message
@@ -156,6 +163,7 @@ class Diagnostic:
     values: Mapping[str, object]
     source_line: str = ""
     is_lenient: bool = False
+    entry: str = ""
 
     @property
     def id(self) -> int:

@@ -24,6 +24,7 @@ from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import find_file, startup_list_around
 from nctakt.lists.machine.list_kinds import check_list_alone, kind_of, references
 from nctakt.lists.machine.machine import load_machine
+from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.checking import (
     FILE_ENCRYPTED,
@@ -84,14 +85,16 @@ def check_files(
     *,
     detail: Detail = "summary",
     for_all: bool = True,
+    rtconf: RtconfOptions = STANDARD_OPTIONS,
 ) -> CheckResult:
     """Check files, folders with all that is in them, texts, and the files that programs call.
 
     ``detail``: how much is reported of list entries without effect. ``for_all``: all programs are
-    for ``machine``, even those in the folder of another one. What cannot be read is a diagnostic as
-    well; no file checked at all leaves ``files`` empty.
+    for ``machine``, even those in the folder of another one. ``rtconf``: how scheduling lists are
+    read. What cannot be read is a diagnostic as well; no file checked at all leaves ``files``
+    empty.
     """
-    return _Checker(machine, detail, for_all).check(inputs)
+    return _Checker(machine, detail, for_all, rtconf).check(inputs)
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,9 +109,12 @@ class _Waiting:
 class _Checker:
     """Gathers files and diagnostics of one call."""
 
-    def __init__(self, machine: AssembledMachine, detail: Detail, for_all: bool) -> None:
+    def __init__(
+        self, machine: AssembledMachine, detail: Detail, for_all: bool, rtconf: RtconfOptions
+    ) -> None:
         self._targets = Targets(machine, for_all)
         self._detail = detail
+        self._rtconf = rtconf
         self._for_all = for_all
         self._files: dict[str, str] = {}
         self._found: list[Found] = []
@@ -196,7 +202,7 @@ class _Checker:
         self._covered[startup.resolve()] = None
         self._files[startup.as_posix()] = "startup"
         try:
-            machine = load_machine(startup, detail=self._detail)
+            machine = load_machine(startup, detail=self._detail, rtconf=self._rtconf)
         except Failure as error:
             self._keep(startup.as_posix(), error.diagnostics)
             return
@@ -215,7 +221,7 @@ class _Checker:
             return
         self._around[startup] = None
         try:
-            machine = load_machine(startup)
+            machine = load_machine(startup, rtconf=self._rtconf)
         except Failure as error:
             self._keep(startup.as_posix(), error.diagnostics)
             return
@@ -245,7 +251,7 @@ class _Checker:
         self._files[path.as_posix()] = schema.kind
         collector = Collector()
         collector.report(LIST_CHECKED_ALONE, place, kind=schema.title)
-        check_list_alone(schema, path, data, collector, detail=self._detail)
+        check_list_alone(schema, path, data, collector, detail=self._detail, rtconf=self._rtconf)
         self._keep(path.as_posix(), collector.diagnostics)
 
     # --- programs --------------------------------------------------------------------------------

@@ -22,10 +22,12 @@ from nctakt.checking.check import CheckResult, check_files
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.formats import as_github, as_json, as_text, closing_line
 from nctakt.cli.sarif import as_sarif
+from nctakt.cli.schedule_options import RTCONF_OPTIONS, with_options
 from nctakt.cli.selection import Selection, read_selection
 from nctakt.cli.terminal import OutputFile, print_diagnostics, show_at_the_end
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.machine import load_machine
+from nctakt.lists.machine.scheduling_profile import PROFILES, Convention, RtconfOptions
 from nctakt.messages import diagnostic
 from nctakt.messages.checking import CHECKED_FOR_DEMO_MACHINE, CHECKED_FOR_MACHINE_OF_FILE
 from nctakt.messages.files import STDIN_NAMED_TWICE
@@ -62,6 +64,9 @@ class Options:
     verbose: bool
     quiet: bool
     output: str | None
+    system: str
+    convention: Convention
+    functions: tuple[str, ...]
 
 
 @click.command("check", epilog=_EPILOG, short_help="Find mistakes without running anything.")
@@ -84,6 +89,7 @@ class Options:
 )
 @click.option("--select", metavar="ID,...", multiple=True, help="Only these messages.")
 @click.option("--ignore", metavar="ID,...", multiple=True, help="Not these messages.")
+@with_options(*RTCONF_OPTIONS)
 @click.option("--strict", is_flag=True, help="Warnings count like errors.")
 @click.option(
     "--effects",
@@ -112,7 +118,13 @@ def _check(options: Options) -> int:
     output = None if options.output is None else OutputFile(options.output)
     inputs = [_standard_input() if path == _STANDARD_INPUT else path for path in options.paths]
     is_named = options.machine is not None
-    checked = check_files(inputs, machine, detail=_detail(options), for_all=is_named)
+    checked = check_files(
+        inputs,
+        machine,
+        detail=_detail(options),
+        for_all=is_named,
+        rtconf=_rtconf_options(options),
+    )
     lowest = Severity.WARNING if options.quiet else Severity.NOTE
     result = _selected(checked, selection, lowest)
     told = _told(result, options)
@@ -134,9 +146,13 @@ def _detail(options: Options) -> Detail:
 
 def _machine(options: Options) -> AssembledMachine:
     """The machine that programs are checked for; what is wrong with its lists is told, too."""
-    configuration = load_machine(options.machine)
+    configuration = load_machine(options.machine, rtconf=_rtconf_options(options))
     print_diagnostics(configuration.diagnostics, options.language, Severity.ERROR)
     return AssembledMachine(configuration)
+
+
+def _rtconf_options(options: Options) -> RtconfOptions:
+    return RtconfOptions(PROFILES[options.system], options.convention, options.functions)
 
 
 def _standard_input() -> NcText:

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import click
 
 from nctakt import __version__
-from nctakt.base.diagnostics import Language, Severity, Text
+from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span, Text
 from nctakt.checking.check import CheckResult
 from nctakt.checking.inputs import Found
 from nctakt.cli.selection import RULE_PREFIX
@@ -54,6 +54,12 @@ def _channels(found: Found, language: Language) -> list[str]:
         return []
     label = _CHANNEL[len(found.channels) > 1].get(language)
     return [f"{label}: {', '.join(map(str, found.channels))}"]
+
+
+def place_of(found: Found) -> Span | None:
+    """Return the line of a finding; ``None``: it concerns a whole file, or none."""
+    span = found.diagnostic.span
+    return span if span is not None and span.line else None
 
 
 def relative(file: str, root: Path) -> Path:
@@ -108,8 +114,18 @@ def as_json(result: CheckResult, language: Language, root: Path) -> str:
     return json.dumps(document, indent=2) + "\n"
 
 
+def diagnostics_as_json(
+    diagnostics: Sequence[Diagnostic], file: str, language: Language
+) -> list[dict[str, object]]:
+    """Return diagnostics as ``as_json`` has them; ``file``: that of those without a place."""
+    return [
+        _json_of(Found(one.span.file if one.span is not None else file, one), language, Path.cwd())
+        for one in diagnostics
+    ]
+
+
 def _json_of(found: Found, language: Language, root: Path) -> dict[str, object]:
-    one, span = found.diagnostic, found.diagnostic.span
+    one, span = found.diagnostic, place_of(found)
     return {
         "id": one.id,
         "rule": rule_of(one.id),
@@ -135,7 +151,7 @@ def as_github(result: CheckResult, language: Language, root: Path) -> str:
 
 def _github_lines(result: CheckResult, language: Language, root: Path) -> Iterator[str]:
     for found in result.found:
-        one, span = found.diagnostic, found.diagnostic.span
+        one, span = found.diagnostic, place_of(found)
         properties = {"file": relative(found.file, root).as_posix()}
         if span is not None:
             properties["line"] = str(span.line)

@@ -18,7 +18,7 @@ from nctakt import __version__
 from nctakt.base.diagnostics import Language, Message, Severity
 from nctakt.checking.check import CheckResult
 from nctakt.checking.inputs import Found
-from nctakt.cli.formats import relative, rule_of, text_with_remedy
+from nctakt.cli.formats import place_of, relative, rule_of, text_with_remedy
 
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 #: What paths are relative to: the folder of the checkout, whatever it is called there.
@@ -78,7 +78,7 @@ def _rule(message: Message, language: Language) -> Json:
 def _result(
     found: Found, language: Language, root: Path, index: dict[int, int], seen: dict[str, int]
 ) -> Json:
-    one, span = found.diagnostic, found.diagnostic.span
+    one, span = found.diagnostic, place_of(found)
     region: Json = {"startLine": 1}
     if span is not None:
         region = {

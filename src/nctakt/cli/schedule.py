@@ -20,12 +20,11 @@ from nctakt.cli.schedule_options import (
     OUTPUT_OPTIONS,
     check_outputs,
     drawn_cycles,
-    exit_code,
     guarded,
     make_model,
+    publish,
     read_list,
     read_model_load,
-    tell,
     wanted_cycles,
     with_options,
     write_outputs,
@@ -77,18 +76,19 @@ def analyse(**words: Any) -> int:
 
 
 def _show(words: dict[str, Any]) -> int:
+    from nctakt.schedule.documents import effective_document  # noqa: PLC0415
     from nctakt.schedule.effective_table import effective_rows  # noqa: PLC0415
     from nctakt.schedule.report import effective_report  # noqa: PLC0415
 
     read = read_list(words)
-    tell(read.found, words)
     language: Language = words["language"]
     rows = effective_rows(words["file"], read.data, read.configuration, read.found, language)
-    click.echo(effective_report(rows, language))
-    return exit_code(read.found, [], words)
+    text = f"{effective_report(rows, language)}\n"
+    return publish(words, read.found, [], text, effective_document(rows))
 
 
 def _simulate(words: dict[str, Any]) -> int:
+    from nctakt.schedule.documents import simulation_document  # noqa: PLC0415
     from nctakt.schedule.findings import simulation_findings  # noqa: PLC0415
     from nctakt.schedule.report import simulation_report  # noqa: PLC0415
     from nctakt.schedule.simulate import simulate as run_model  # noqa: PLC0415
@@ -101,18 +101,19 @@ def _simulate(words: dict[str, Any]) -> int:
     cycles = wanted_cycles(model, words)
     drawn = drawn_cycles(model, words)
     check_outputs(words)
-    done = run_model(model, max(cycles, drawn) if words["drawn"] else cycles, record=drawn)
-    found = [*collector.diagnostics, *simulation_findings(done)]
-    tell([*read.found, *found], words)
-    report = simulation_report(done, simulate_worst_phases(done), words["language"])
-    click.echo(report, nl=False)
-    write_outputs(done, report, words)
-    return exit_code(read.found, found, words)
+    run = run_model(model, max(cycles, drawn) if words["drawn"] else cycles, record=drawn)
+    found = [*collector.diagnostics, *simulation_findings(run)]
+    phases = simulate_worst_phases(run)
+    report = simulation_report(run, phases, words["language"])
+    code = publish(words, read.found, found, report, simulation_document(run, phases))
+    write_outputs(run, report, words)
+    return code
 
 
 def _analyse(words: dict[str, Any]) -> int:
     from nctakt.schedule.analyse import analyse as analyse_model  # noqa: PLC0415
-    from nctakt.schedule.findings import analysis_findings  # noqa: PLC0415
+    from nctakt.schedule.documents import analysis_document  # noqa: PLC0415
+    from nctakt.schedule.findings import analysis_findings, starvation_findings  # noqa: PLC0415
     from nctakt.schedule.margins import find_margins  # noqa: PLC0415
     from nctakt.schedule.report import analysis_report  # noqa: PLC0415
     from nctakt.schedule.self_check import check_bounds  # noqa: PLC0415
@@ -123,10 +124,13 @@ def _analyse(words: dict[str, Any]) -> int:
     load = read_model_load(read, words, collector)
     model = make_model(read, load, words, collector)
     analysis = analyse_model(model)
-    done = run_model(model, wanted_cycles(model, words), record=0)
-    check_bounds(analysis, done)
-    found = [*collector.diagnostics, *analysis_findings(analysis)]
-    tell([*read.found, *found], words)
-    text = analysis_report(analysis, find_margins(model), done, words["language"])
-    click.echo(text, nl=False)
-    return exit_code(read.found, found, words)
+    run = run_model(model, wanted_cycles(model, words), record=0)
+    check_bounds(analysis, run)
+    found = [
+        *collector.diagnostics,
+        *analysis_findings(analysis),
+        *starvation_findings(run),
+    ]
+    margins = find_margins(model)
+    text = analysis_report(analysis, margins, run, words["language"])
+    return publish(words, read.found, found, text, analysis_document(analysis, margins, run))

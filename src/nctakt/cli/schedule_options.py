@@ -7,16 +7,20 @@ In: words of the command line. Out: the list, the model, how long, pictures and 
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
+import json
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt import __version__
 from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.formats import diagnostics_as_json
+from nctakt.cli.selection import read_selection
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.files import FILE_NOT_WRITABLE
@@ -32,14 +36,14 @@ _DEFAULT_DURATION = "1s"
 #: The most NC cycles that pictures and traces show when nobody says how many.
 _MOST_DRAWN = 60
 
-LIST_OPTIONS = (
-    click.argument("file", metavar="RTCONF.LIS"),
+#: How a scheduling list is read; ``nctakt check`` has them, too.
+RTCONF_OPTIONS = (
     click.option(
         "--os",
         "system",
         type=click.Choice(["rtx", "vxworks", "intime", "linux"]),
         default="rtx",
-        help="Whose priorities the list has [default: rtx].",
+        help="Operating system of rtconf.lis [default: rtx].",
     ),
     click.option(
         "--convention",
@@ -48,8 +52,18 @@ LIST_OPTIONS = (
         help="Meaning of interrupt_source 1 and 2: what the line's comment says, 1 hardware and "
         "2 timer, or 1 timer and 2 hardware.",
     ),
+    click.option(
+        "--function",
+        "functions",
+        metavar="NAME",
+        multiple=True,
+        help="A function of your own in rtconf.lis.",
+    ),
+)
+LIST_OPTIONS = (
+    click.argument("file", metavar="RTCONF.LIS"),
+    *RTCONF_OPTIONS,
     click.option("--hal-timer", type=int, metavar="US", help="The period that RTX is set to."),
-    click.option("--function", "functions", multiple=True, help="A function of your own."),
     click.option(
         "--winsmall",
         type=click.Choice(["slice", "off"]),
@@ -58,7 +72,14 @@ LIST_OPTIONS = (
     ),
     click.option("--ignore-windows", is_flag=True, help="Guarantee no time to Windows."),
     click.option("--lenient", is_flag=True, help="Missing values are warnings, not errors."),
+    click.option("--ignore", metavar="ID,...", multiple=True, help="Not these messages."),
     click.option("--strict", is_flag=True, help="Exit code 1 for warnings."),
+    click.option(
+        "--format",
+        type=click.Choice(["text", "json"]),
+        default="text",
+        help="Tables and findings as text, or one object with both.",
+    ),
     click.option(
         "--lang", "language", type=click.Choice(["en", "de"]), default="en", help="Language."
     ),
@@ -139,6 +160,7 @@ def read_list(words: dict[str, Any]) -> ListRead:
     from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
     from nctakt.schedule.open_schedule import read_file  # noqa: PLC0415
 
+    read_selection((), words["ignore"])  # a word that fits no message is told before all else
     options = RtconfOptions(
         PROFILES[words["system"]],
         words["convention"],
@@ -154,18 +176,38 @@ def read_list(words: dict[str, Any]) -> ListRead:
     return ListRead(options, configuration, data, collector.diagnostics)
 
 
-def tell(found: list[Diagnostic], words: dict[str, Any]) -> None:
-    """Print diagnostics."""
+def publish(
+    words: dict[str, Any],
+    listed: Sequence[Diagnostic],
+    found: Sequence[Diagnostic],
+    text: str,
+    document: dict[str, object],
+) -> int:
+    """Print results and diagnostics in the format of the words; return the exit code.
+
+    ``listed``: what was found in the list, ``found``: what was found later. ``document``: the
+    results as ``text`` has them, for other programs.
+    """
+    selection = read_selection((), words["ignore"])
+    listed = [one for one in listed if selection.takes(one.id)]
+    found = [one for one in found if selection.takes(one.id)]
     lowest = Severity.WARNING if words["quiet"] else Severity.NOTE
-    print_diagnostics(found, words["language"], lowest)
+    shown = [one for one in (*listed, *found) if one.severity >= lowest]
+    if words["format"] == "json":
+        diagnostics = diagnostics_as_json(shown, words["file"], words["language"])
+        whole = {"nctakt": __version__, **document, "diagnostics": diagnostics}
+        click.echo(json.dumps(whole, indent=2))
+    else:
+        print_diagnostics(shown, words["language"])
+        click.echo(text, nl=False)
+    return _exit_code(listed, found, strict=words["strict"])
 
 
-def exit_code(listed: list[Diagnostic], found: list[Diagnostic], words: dict[str, Any]) -> int:
-    """The exit code for what was found in the list, and for what was found later."""
+def _exit_code(listed: Sequence[Diagnostic], found: Sequence[Diagnostic], *, strict: bool) -> int:
     if any(one.severity is Severity.ERROR for one in listed):
         return EXIT_USAGE
     worst = max((one.severity for one in (*listed, *found)), default=Severity.NOTE)
-    fails = worst is Severity.ERROR or (words["strict"] and worst is Severity.WARNING)
+    fails = worst is Severity.ERROR or (strict and worst is Severity.WARNING)
     return EXIT_NC_ERROR if fails else EXIT_RAN
 
 

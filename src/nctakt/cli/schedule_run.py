@@ -20,12 +20,11 @@ from nctakt.cli.schedule_options import (
     ListRead,
     check_outputs,
     drawn_cycles,
-    exit_code,
     guarded,
     make_model,
+    publish,
     read_list,
     read_model_load,
-    tell,
     wanted_cycles,
     with_options,
     write_outputs,
@@ -33,26 +32,32 @@ from nctakt.cli.schedule_options import (
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.linux_run import (
     CPU_WOULD_STARVE,
-    LATE_WAKEUPS,
     LEFTOVERS_REMOVED,
     LOAD_MACHINE_IGNORED,
     SCHED_FIFO_NOT_PERMITTED,
-    SCHEDULE_RECORDING_FULL,
-    SCHEDULE_RUN_STOPPED,
-    SEMAPHORE_NOT_OPENED,
+    SEMAPHORE_NOT_NAMED,
+    SEMAPHORE_OPTION_WITHOUT_EFFECT,
     TIMER_INSTEAD_OF_INTERRUPT,
 )
 
 if TYPE_CHECKING:
-    from nctakt.linux.measure import Measurement
     from nctakt.linux.plan import Plan
-    from nctakt.linux.run import RunLog
     from nctakt.schedule.load import Load
     from nctakt.schedule.model import Model
 
 _RUN_OPTIONS = (
     click.option(
+        "--semaphore",
+        metavar="NAME",
+        help="The semaphore that gives the NC interrupts, instead of external_object_name.",
+    ),
+    click.option(
         "--stand-in", is_flag=True, help="Play the external threads, too, as the load says."
+    ),
+    click.option(
+        "--all-users",
+        is_flag=True,
+        help="Let processes of other users wait on the semaphores, too.",
     ),
     click.option("--no-fifo", is_flag=True, help="Ordinary scheduling even as root."),
     click.option("--force", is_flag=True, help="Even if a processor would have no time left."),
@@ -71,6 +76,8 @@ def run(**words: Any) -> int:
 
 
 def _run(words: dict[str, Any]) -> int:
+    from nctakt.linux.documents import plan_document, run_document  # noqa: PLC0415
+    from nctakt.linux.findings import run_findings  # noqa: PLC0415
     from nctakt.linux.machine import check_system  # noqa: PLC0415 - not for the help
     from nctakt.linux.measure import measure  # noqa: PLC0415
     from nctakt.linux.names import remove_stale  # noqa: PLC0415
@@ -87,22 +94,21 @@ def _run(words: dict[str, Any]) -> int:
     plan = _plan(read, model, words, collector)
     language = words["language"]
     if words["dry_run"]:
-        tell([*read.found, *collector.diagnostics], words)
-        click.echo(plan_report(plan, language), nl=False)
-        return exit_code(read.found, collector.diagnostics, words)
+        text, document = plan_report(plan, language), plan_document(plan)
+        return publish(words, read.found, collector.diagnostics, text, document)
     check_outputs(words)
     if names := remove_stale():
         collector.report(LEFTOVERS_REMOVED, None, names=", ".join(names))
-    log = run_plan(plan)
+    log = run_plan(plan, for_all_users=words["all_users"])
     measurement = measure(log, drawn_cycles(model, words))
-    _report_end(log, measurement, wanted_cycles(model, words), collector)
-    found = [*collector.diagnostics, *simulation_findings(measurement.run)]
-    tell([*read.found, *found], words)
+    collector.diagnostics += run_findings(log, measurement, wanted_cycles(model, words))
+    foreign = [i for i, taken in enumerate(log.taken) if taken is not None]
+    found = [*collector.diagnostics, *simulation_findings(measurement.run, foreign)]
     simulated = simulate(model, measurement.run.cycles, record=0)
     report = run_report(measurement, plan, simulated, language)
-    click.echo(report, nl=False)
+    code = publish(words, read.found, found, report, run_document(measurement, simulated))
     write_outputs(measurement.run, report, words)
-    return exit_code(read.found, found, words)
+    return code
 
 
 def _here(load: Load, collector: Collector) -> Load:
@@ -120,16 +126,20 @@ def _here(load: Load, collector: Collector) -> Load:
 def _plan(read: ListRead, model: Model, words: dict[str, Any], collector: Collector) -> Plan:
     """What runs where; raises ``Failure`` (900687, 900688)."""
     from nctakt.linux.machine import fifo_refusal  # noqa: PLC0415
-    from nctakt.linux.plan import crowded_cpus, make_plan  # noqa: PLC0415
+    from nctakt.linux.names import check_name  # noqa: PLC0415
+    from nctakt.linux.plan import crowded_cpus, make_plan, semaphore_name  # noqa: PLC0415
     from nctakt.lists.declared.rtconf import InterruptSource  # noqa: PLC0415
 
     source: str | None = None
-    if model.source is InterruptSource.HARDWARE:
+    if words["semaphore"] and model.source is not InterruptSource.SEMAPHORE:
+        collector.report(SEMAPHORE_OPTION_WITHOUT_EFFECT, None)
+    if model.source in (InterruptSource.HARDWARE, InterruptSource.OUTSIDE):
         collector.report(TIMER_INSTEAD_OF_INTERRUPT, None)
     elif model.source is InterruptSource.SEMAPHORE:
-        source = read.configuration.external_object_name
+        source = words["semaphore"] or read.configuration.external_object_name
         if not source:
-            raise Failure(*read.found, diagnostic(SEMAPHORE_NOT_OPENED, name="", reason="–"))
+            raise Failure(*read.found, diagnostic(SEMAPHORE_NOT_NAMED))
+        check_name(semaphore_name(source))
     is_fifo = not words["no_fifo"]
     if is_fifo and (reason := fifo_refusal()) is not None:
         collector.report(SCHED_FIFO_NOT_PERMITTED, None, reason=reason)
@@ -149,21 +159,3 @@ def _plan(read: ListRead, model: Model, words: dict[str, Any], collector: Collec
         if crowded:
             raise Failure(*read.found, *collector.diagnostics, *crowded)
     return plan
-
-
-def _report_end(log: RunLog, measurement: Measurement, wanted: int, collector: Collector) -> None:
-    """Report how the run ended, and what it could not have."""
-    from nctakt.linux.measure import late_wakes  # noqa: PLC0415
-    from nctakt.linux.run import placement_refusals  # noqa: PLC0415
-    from nctakt.schedule.findings import us  # noqa: PLC0415
-
-    cycles = measurement.run.cycles
-    for refused in placement_refusals(log):
-        collector.diagnostics.append(refused)
-    if log.was_stopped:
-        collector.report(SCHEDULE_RUN_STOPPED, None, cycles=cycles)
-    is_shorter = cycles == log.plan.cycles < wanted
-    if log.is_cut or is_shorter:
-        collector.report(SCHEDULE_RECORDING_FULL, None, cycles=cycles)
-    if late := late_wakes(measurement):
-        collector.report(LATE_WAKEUPS, None, count=len(late), latest=us(max(late)))

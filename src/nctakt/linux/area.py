@@ -111,6 +111,8 @@ class AreaPart(ctypes.Structure):
         ("status_task", _NUMBER),
         ("status_number", _NUMBER),
         ("is_clean", _NUMBER),
+        ("drained", _NUMBER),
+        ("end", _NUMBER),
         ("ready", _NUMBER),
         ("stop", _NUMBER),
         ("is_full", _NUMBER),

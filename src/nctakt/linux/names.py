@@ -29,16 +29,26 @@ FOLDER = Path("/dev/shm")
 _PREFIX = "nctakt-schedule."
 #: What the system puts before a semaphore's name in ``FOLDER``.
 _SYSTEM_PREFIX = "sem."
+_FOR_ONE_USER, _FOR_ALL_USERS = 0o600, 0o666
+
+
+def check_name(name: str) -> None:
+    """Raise ``Failure`` (900684) where a name, with its slash, cannot be that of a semaphore."""
+    if "/" in name[1:] or len(os.fsencode(name)) > NAME_SIZE - len(_SYSTEM_PREFIX):
+        raise Failure(diagnostic(INVALID_LINUX_SEMAPHORE_NAME, name=name))
 
 
 class SemaphoreNames:
-    """The semaphores of one run; raises ``Failure`` (900684, 900685, 900686)."""
+    """The semaphores of one run; raises ``Failure`` (900684, 900685, 900686).
 
-    def __init__(self, names: list[str]) -> None:
+    ``for_all_users``: processes of other users may wait on them, too.
+    """
+
+    def __init__(self, names: list[str], *, for_all_users: bool = False) -> None:
         for name in names:
-            if "/" in name[1:] or len(os.fsencode(name)) > NAME_SIZE - len(_SYSTEM_PREFIX):
-                raise Failure(diagnostic(INVALID_LINUX_SEMAPHORE_NAME, name=name))
+            check_name(name)
         self._names = names
+        self._mode = _FOR_ALL_USERS if for_all_users else _FOR_ONE_USER
         self._made: list[str] = []
         self.record = FOLDER / f"{_PREFIX}{os.getpid()}"
         self._handle = -1
@@ -68,6 +78,10 @@ class SemaphoreNames:
         except OSError as error:
             raise Failure(_refusal(name, error)) from error
         self._made.append(name)
+        try:
+            _file_of(name).chmod(self._mode)
+        except OSError as error:
+            raise Failure(_refusal(name, error)) from error
 
     def remove(self) -> None:
         """Remove all semaphores and the record."""

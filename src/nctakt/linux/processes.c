@@ -93,10 +93,7 @@ static PyObject *create(PyObject *module, PyObject *arguments)
     const char *name;
     if (!PyArg_ParseTuple(arguments, "s", &name))
         return NULL;
-    /* Any process may wait on it, whoever started that. */
-    mode_t mask = umask(0);
-    sem_t *semaphore = sem_open(name, O_CREAT | O_EXCL, 0666, 0);
-    umask(mask);
+    sem_t *semaphore = sem_open(name, O_CREAT | O_EXCL, 0600, 0);
     if (semaphore == SEM_FAILED)
         return PyErr_SetFromErrnoWithFilename(PyExc_OSError, name);
     sem_close(semaphore);

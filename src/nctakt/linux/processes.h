@@ -82,6 +82,8 @@ struct area {
     struct log log;
     /* Written while it runs. */
     int64_t origin, fifo_error, status, status_task, status_number, is_clean;
+    int64_t drained;            /* posts of the source from before the start */
+    int64_t end;                /* when the last cycle was left */
     _Atomic int64_t ready, stop, is_full;
 };
 

@@ -41,27 +41,37 @@ class RunLog:
     """What the processes of a run wrote down.
 
     ``due``: for each task of the model, when its jobs were due, in ns. ``taken``: how many
-    wake-ups of each external thread somebody took. ``was_stopped``: by Ctrl-C, SIGTERM; ``is_cut``:
-    no log had room for more. ``cpu_errors``: task and errno where a processor could not be had.
+    wake-ups of each external thread somebody took, of as many as ``posted`` says. ``was_stopped``:
+    by Ctrl-C, SIGTERM; ``is_cut``: no log had room for more. ``cpu_errors``: task and errno where a
+    processor could not be had.
+    ``drained``: posts of the semaphore that gives the NC interrupts from before the start. ``end``:
+    when the last NC cycle was left, in ns.
     """
 
     plan: Plan
     entries: Entries
     due: tuple[list[int], ...]
     taken: tuple[int | None, ...]
+    posted: tuple[int, ...]
     was_stopped: bool
     is_cut: bool
     cpu_errors: tuple[tuple[int, int], ...]
+    drained: int
+    end: int
 
 
-def run_plan(plan: Plan) -> RunLog:
-    """Run it to its end, or until a signal ends it."""
+def run_plan(plan: Plan, *, for_all_users: bool = False) -> RunLog:
+    """Run it to its end, or until a signal ends it.
+
+    ``for_all_users``: processes of other users may wait on its semaphores.
+    """
     from nctakt.linux import processes  # noqa: PLC0415 - it may be missing
 
     sizes = (ctypes.sizeof(AreaPart), ctypes.sizeof(TaskPart), layout.ENTRY.itemsize)
     assert sizes == (processes.AREA_SIZE, processes.TASK_SIZE, processes.ENTRY_SIZE)
     area = SharedArea(plan)
-    names = SemaphoreNames([task.semaphore for task in plan.tasks if task.semaphore])
+    semaphores = [task.semaphore for task in plan.tasks if task.semaphore]
+    names = SemaphoreNames(semaphores, for_all_users=for_all_users)
     try:
         area.head.record = os.fsencode(names.record)
         _wait(processes.spawn(area.memory), plan)
@@ -98,11 +108,13 @@ def _log(plan: Plan, area: SharedArea) -> RunLog:
         raise Failure(_failure(plan, head))
     due: list[list[int]] = [[] for _ in plan.tasks]
     taken: list[int | None] = [None] * len(plan.tasks)
+    posted = [0] * len(plan.tasks)
     errors: list[tuple[int, int]] = []
     for task, part in zip(plan.tasks, area.tasks, strict=True):
         due[task.number] = area.due(part)
         if not task.has_process:
             taken[task.number] = part.jobs - part.waiting_at_end
+        posted[task.number] = part.jobs
         if part.cpu_error:
             errors.append((task.number, part.cpu_error))
     return RunLog(
@@ -110,9 +122,12 @@ def _log(plan: Plan, area: SharedArea) -> RunLog:
         area.entries(),
         tuple(due),
         tuple(taken),
+        tuple(posted),
         head.status == layout.STOPPED,
         head.status == layout.LOG_FULL,
         tuple(errors),
+        head.drained,
+        head.end,
     )
 
 

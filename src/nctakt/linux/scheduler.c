@@ -233,6 +233,9 @@ static void run_timed(struct area *area)
 static void run_on_posts(struct area *area, sem_t *source)
 {
     int64_t number = 0;
+    /* What was posted before anybody waited is no NC interrupt. */
+    while (sem_trywait(source) == 0)
+        area->drained++;
     int is_posted = wait_for_post(area, source, area->limit);
     while (is_posted) {
         int64_t begin = now_of(area);
@@ -391,6 +394,7 @@ void run_scheduler(struct area *area, pid_t parent)
             run_on_posts(area, source);
         else
             run_timed(area);
+        area->end = now_of(area);
     }
     if (child_ended)
         find_ended(area);

@@ -33,9 +33,8 @@ SCHED_FIFO_NOT_PERMITTED = warning(
 )
 TIMER_INSTEAD_OF_INTERRUPT = note(
     900683,
-    en="no hardware interrupt can be had here: a timer gives the NC interrupts, as the load says",
-    de="einen Hardware-Interrupt gibt es hier nicht: ein Timer gibt die NC-Interrupts nach der "
-    "Last",
+    en="a timer plays the NC interrupts as the load has them: nothing else gives them here",
+    de="ein Timer spielt die NC-Interrupts nach der Last: nichts anderes gibt sie hier",
     remedy_en="Nothing to do; interrupt_source 3 takes them from a semaphore.",
     remedy_de="Nichts zu tun; interrupt_source 3 nimmt sie von einem Semaphor.",
 )
@@ -45,7 +44,7 @@ INVALID_LINUX_SEMAPHORE_NAME = error(
     de="{name} kann unter Linux kein Semaphor heißen",
     remedy_en="At most 250 characters, no '/' but one at the begin.",
     remedy_de="Höchstens 250 Zeichen, kein '/' außer am Anfang.",
-    name=("the semaphore", "die Semaphore"),
+    name=("the semaphore", "der Semaphor"),
 )
 SEMAPHORE_EXISTS = error(
     900685,
@@ -53,7 +52,7 @@ SEMAPHORE_EXISTS = error(
     de="den Semaphor {name} gibt es schon: ein anderer Lauf oder ein anderes Programm hat ihn",
     remedy_en="End the other one; if nobody has it any more, remove its file below /dev/shm.",
     remedy_de="Das andere beenden; hat ihn niemand mehr, seine Datei unter /dev/shm löschen.",
-    name=("the semaphore", "die Semaphore"),
+    name=("the semaphore", "der Semaphor"),
 )
 SEMAPHORE_NOT_CREATED = error(
     900686,
@@ -61,16 +60,18 @@ SEMAPHORE_NOT_CREATED = error(
     de="{name} lässt sich nicht anlegen: {reason}",
     remedy_en="See that /dev/shm is there and can be written.",
     remedy_de="Sehen, dass /dev/shm da ist und beschrieben werden kann.",
-    name=("the semaphore, or a file about it", "die Semaphore oder eine Datei über sie"),
+    name=("the semaphore, or a file about it", "der Semaphor oder eine Datei über ihn"),
     reason=("what the system says", "was das System sagt"),
 )
 SEMAPHORE_NOT_OPENED = error(
     900687,
     en="semaphore '{name}', which is to give the NC interrupts, cannot be opened: {reason}",
     de="der Semaphor '{name}', der die NC-Interrupts geben soll, lässt sich nicht öffnen: {reason}",
-    remedy_en="Start the program that makes it first; external_object_name names it.",
-    remedy_de="Zuerst das Programm starten, das ihn anlegt; external_object_name nennt ihn.",
-    name=("the semaphore", "die Semaphore"),
+    remedy_en="Start the program that makes it first; external_object_name or --semaphore names "
+    "it.",
+    remedy_de="Zuerst das Programm starten, das ihn anlegt; external_object_name oder --semaphore "
+    "nennt ihn.",
+    name=("the semaphore", "der Semaphor"),
     reason=("what the system says", "was das System sagt"),
 )
 CPU_WOULD_STARVE = error(
@@ -114,7 +115,7 @@ LEFTOVERS_REMOVED = note(
     de="entfernt, was ein abgebrochener Lauf zurückgelassen hatte: {names}",
     remedy_en="Nothing to do.",
     remedy_de="Nichts zu tun.",
-    names=("the semaphores", "die Semaphoren"),
+    names=("the semaphores", "die Semaphore"),
 )
 SCHEDULE_RUN_STOPPED = note(
     900693,
@@ -153,4 +154,50 @@ CYCLES_MAY_TAKE_WINDOWS_TIME = warning(
     allowed=("what it is of the NC cycle, in µs", "was das vom NC-Zyklus ist, in µs"),
     windows=("windows_time, in µs", "windows_time, in µs"),
     cycle=("cycle_time, in µs", "cycle_time in µs"),
+)
+POSTS_DRAINED = note(
+    900696,
+    en="semaphore '{name}' had been posted {count} times before the start; these do not count",
+    de="der Semaphor '{name}' war vor dem Start schon {count}-mal gegeben; das zählt nicht",
+    remedy_en="Nothing to do; only later posts are NC interrupts.",
+    remedy_de="Nichts zu tun; nur spätere sind NC-Interrupts.",
+    name=("the semaphore", "der Semaphor"),
+    count=("how often", "wie oft"),
+)
+POSTS_CEASED = warning(
+    900698,
+    en="semaphore '{name}' was not posted for {gap} µs from {time} µs on; {expected} µs are usual",
+    de="der Semaphor '{name}' wurde ab {time} µs für {gap} µs nicht gegeben; üblich sind "
+    "{expected} µs",
+    remedy_en="See whether the program that posts it still runs.",
+    remedy_de="Prüfen, ob das Programm, das ihn gibt, noch läuft.",
+    name=("the semaphore", "der Semaphor"),
+    gap=("the longest time without a post, in µs", "die längste Zeit ohne ihn, in µs"),
+    time=("when that time began, in µs of the run", "wann sie begann, in µs des Laufs"),
+    expected=("the period of the NC interrupts, in µs", "die Periode der NC-Interrupts, in µs"),
+)
+NOBODY_WAITS = warning(
+    900699,
+    en="hardly anybody waits on semaphore '{name}': {taken} of {count} wake-ups were taken",
+    de="auf den Semaphor '{name}' wartet kaum jemand: {taken} von {count} Weckrufen wurden "
+    "genommen",
+    remedy_en="Start the program of this thread, or play it with --stand-in.",
+    remedy_de="Das Programm dieses Threads starten oder ihn mit --stand-in spielen lassen.",
+    name=("the semaphore", "der Semaphor"),
+    taken=("how many wake-ups were taken", "wie viele Weckrufe genommen wurden"),
+    count=("how many there were", "wie viele es gab"),
+)
+SEMAPHORE_NOT_NAMED = error(
+    900708,
+    en="nobody names the semaphore that gives the NC interrupts",
+    de="niemand nennt den Semaphor, der die NC-Interrupts gibt",
+    remedy_en="Name it with --semaphore NAME, or with external_object_name in the list.",
+    remedy_de="Ihn mit --semaphore NAME nennen oder mit external_object_name in der Liste.",
+)
+SEMAPHORE_OPTION_WITHOUT_EFFECT = warning(
+    900709,
+    en="--semaphore has no effect: interrupt_source is not a semaphore",
+    de="--semaphore bleibt ohne Wirkung: interrupt_source ist kein Semaphor",
+    remedy_en="Leave the option out, or set interrupt_source to 3.",
+    remedy_de="Die Option weglassen oder interrupt_source auf 3 setzen.",
 )

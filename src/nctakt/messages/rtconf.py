@@ -9,10 +9,10 @@ INTERRUPT_SOURCE_MISSING = error(
     900030,
     en="interrupt_source is not configured; the timer starts the NC cycles",
     de="interrupt_source ist nicht konfiguriert; der Timer löst die NC-Takte aus",
-    remedy_en="Set interrupt_source to 1 (hardware interrupt), 2 (timer) or 3 (semaphore).",
-    remedy_de="interrupt_source auf 1 (Hardware-Interrupt), 2 (Timer) oder 3 (Semaphor) setzen.",
-    cause_en="With external scheduling (4) there is nothing that nctakt could simulate.",
-    cause_de="Bei externem Scheduling (4) gibt es nichts, was nctakt simulieren könnte.",
+    remedy_en="Set interrupt_source to 1 (hardware interrupt), 2 (timer), 3 (semaphore) or 4 "
+    "(external scheduling).",
+    remedy_de="interrupt_source auf 1 (Hardware-Interrupt), 2 (Timer), 3 (Semaphor) oder 4 "
+    "(externes Scheduling) setzen.",
 )
 SCHEDULE_TIME_MISSING = error(
     900031,
@@ -116,12 +116,22 @@ WINDOWS_TIME_DIFFERS = note(
     value=("windows_time, in µs", "windows_time, in µs"),
     slice=("time_slice, in µs", "time_slice, in µs"),
 )
-SEMAPHORE_NAME_MISSING = error(
+SEMAPHORE_NAME_MISSING = note(
     900041,
-    en="interrupt_source is a semaphore, but external_object_name is empty",
-    de="interrupt_source ist ein Semaphor, aber external_object_name ist leer",
-    remedy_en="Name the semaphore.",
-    remedy_de="Den Semaphor benennen.",
+    en="external_object_name is empty: the program that owns the controller creates the semaphore",
+    de="external_object_name ist leer: das Programm, das die Steuerung startet, legt den Semaphor "
+    "an",
+    remedy_en="To run the list for real, give its name with --semaphore NAME.",
+    remedy_de="Um die Liste wirklich laufen zu lassen, seinen Namen mit --semaphore NAME angeben.",
+)
+EXTERNAL_SCHEDULING = note(
+    900618,
+    en="interrupt_source 4, external scheduling: another program calls the tasks",
+    de="interrupt_source 4, externes Scheduling: ein anderes Programm ruft die Tasks auf",
+    remedy_en="Nothing to do; a schedule takes it as an interrupt from outside.",
+    remedy_de="Nichts zu tun; ein Ablauf nimmt es als Interrupt von außen.",
+    cause_en="The manual does not have this value; comments of shipped lists do.",
+    cause_de="Das Handbuch kennt diesen Wert nicht; Kommentare ausgelieferter Listen nennen ihn.",
 )
 SEMAPHORE_NAME_WITHOUT_EFFECT = note(
     900042,
@@ -157,15 +167,32 @@ DUPLICATE_THREAD_NAME = warning(
     other=("the parameter that had the name first", "der Parameter, der den Namen zuerst hatte"),
     value=("the name", "der Name"),
 )
-UNKNOWN_THREAD_FUNCTION = warning(
+USER_THREAD_FUNCTIONS = note(
     900048,
-    en="{key}: '{value}' is no function of the controller; it is taken as a function of yours",
-    de="{key}: '{value}' ist keine Funktion der Steuerung; sie gilt als eigene Funktion",
-    remedy_en="The controller's functions are {names}.",
-    remedy_de="Die Funktionen der Steuerung sind {names}.",
+    en="functions that are not the controller's are taken as yours: {names}",
+    de="Funktionen, die nicht zur Steuerung gehören, gelten als eigene: {names}",
+    remedy_en="Nothing to do if they are; --function NAME names them as known.",
+    remedy_de="Nichts, wenn sie es sind; --function NAME macht sie bekannt.",
+    names=("the functions, each once", "die Funktionen, jede einmal"),
+)
+MISSPELLED_THREAD_FUNCTION = warning(
+    900616,
+    en="{key}: unknown function '{value}'; did you mean {name}?",
+    de="{key}: unbekannte Funktion '{value}'; ist {name} gemeint?",
+    remedy_en="Correct the name, or name it as yours with --function {value}.",
+    remedy_de="Den Namen berichtigen oder ihn mit --function {value} als eigenen angeben.",
     key=("the parameter's name", "der Name des Parameters"),
     value=("the function's name", "der Name der Funktion"),
-    names=("the functions that exist", "die Funktionen, die es gibt"),
+    name=("the function of the controller that is similar", "die ähnliche Funktion der Steuerung"),
+)
+INDEX_BEYOND_MANUAL = note(
+    900617,
+    en="{key}: the manual goes up to index {last}; how many there are depends on the controller",
+    de="{key}: das Handbuch geht bis Index {last}; wie viele es gibt, hängt von der Steuerung ab",
+    remedy_en="Make sure that your controller takes it.",
+    remedy_de="Prüfen, ob die eigene Steuerung ihn annimmt.",
+    key=("the element", "das Element"),
+    last=("the last index in the manual", "der letzte Index im Handbuch"),
 )
 DUPLICATE_THREAD_BIT = note(
     900049,

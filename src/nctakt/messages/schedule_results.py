@@ -35,6 +35,17 @@ THREAD_OVERFLOWED = error(
     count=("how often", "wie oft"),
     time=("when it happened first, in µs of the simulation", "wann zuerst, in µs der Simulation"),
 )
+THREAD_HARDLY_COMPLETES = warning(
+    900636,
+    en="{thread} hardly ever finishes: {completed} of {due} times that it was due",
+    de="{thread} wird kaum je fertig: {completed}-mal bei {due} Aktivierungen",
+    remedy_en="Shorten its functions or those of more urgent threads, or lengthen its cycle.",
+    remedy_de="Seine Funktionen oder die dringenderer Threads verkürzen oder seinen Takt "
+    "verlängern.",
+    thread=("the thread", "der Thread"),
+    completed=("how often it finished", "wie oft er fertig wurde"),
+    due=("how often it was due", "wie oft er fällig war"),
+)
 SUSPENSION_TOO_LATE = warning(
     900631,
     en="{count} of {cycles} NC cycles ended before threads are suspended: Windows has no guarantee",

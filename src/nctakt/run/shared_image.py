@@ -12,9 +12,12 @@ into its places counts from the next tick on, what the tick does is in it at the
 from __future__ import annotations
 
 import contextlib
+import os
 import struct
+import sys
 import weakref
 from collections.abc import Iterator, Mapping, Sequence
+from multiprocessing import resource_tracker
 from multiprocessing.shared_memory import SharedMemory
 from types import TracebackType
 
@@ -54,6 +57,9 @@ from nctakt.messages.memory import (
 )
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.variable_table import SPINDLE_VALUES, Layout
+
+#: What tells a Python process which warnings it prints.
+_WARNINGS = "PYTHONWARNINGS"
 
 __all__ = [
     "Field",
@@ -365,7 +371,8 @@ def _axes_of(
 
 
 def _create(name: str, size: int) -> SharedMemory:
-    """New shared memory, all zero."""
+    """Return new shared memory, all zero."""
+    _start_tracker()
     try:
         return SharedMemory(name, create=True, size=size)
     except FileExistsError as error:
@@ -374,3 +381,20 @@ def _create(name: str, size: int) -> SharedMemory:
         raise Failure(
             diagnostic(SHARED_MEMORY_NOT_AVAILABLE, name=name, reason=str(error))
         ) from error
+
+
+def _start_tracker() -> None:
+    """Start the process that removes the memory of a killed run, so that it does not print then.
+
+    It is Python's own; what it prints is a warning of this variable's kind, which it inherits.
+    """
+    if sys.platform == "win32":
+        return
+    before = os.environ.get(_WARNINGS)
+    os.environ[_WARNINGS] = "ignore::UserWarning"
+    try:
+        resource_tracker.ensure_running()
+    finally:
+        del os.environ[_WARNINGS]
+        if before is not None:
+            os.environ[_WARNINGS] = before

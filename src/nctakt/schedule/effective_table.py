@@ -122,8 +122,8 @@ def _row(
     reasons = [
         f"{one.id}: {one.text(language)}"
         for one in diagnostics
-        if (line and one.span is not None and one.span.line == line)
-        or (not line and one.values.get("key") == name)
+        if one.entry == name
+        or (not one.entry and line and one.span is not None and one.span.line == line)
     ]
     if not reasons:
         known = _DEFAULT if entry is None else _UNUSED if effective is None else _WRITTEN

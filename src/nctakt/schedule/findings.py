@@ -6,7 +6,7 @@ In: ``Simulation`` or ``Analysis``. Out: diagnostics, in the order of the tasks 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.messages import diagnostic
@@ -14,6 +14,7 @@ from nctakt.messages.schedule_results import (
     CPU_DEMAND_TOO_HIGH,
     SUSPENSION_TOO_LATE,
     THREAD_CAN_OVERFLOW,
+    THREAD_HARDLY_COMPLETES,
     THREAD_OVERFLOWED,
     WINDOWS_TIME_CAN_BE_VIOLATED,
     WINDOWS_TIME_VIOLATED,
@@ -23,6 +24,8 @@ from nctakt.schedule.analyse import Analysis
 from nctakt.schedule.model import NS_PER_US, Model
 from nctakt.schedule.results import Simulation, WindowsNumbers
 
+#: What happens less often than each so many times that it is due happens hardly ever.
+_RARE = 10
 _LATE = "late suspension"
 
 
@@ -31,14 +34,18 @@ def us(time: int) -> str:
     return f"{time / NS_PER_US:.3f}".rstrip("0").rstrip(".")
 
 
-def simulation_findings(run: Simulation) -> Iterator[Diagnostic]:
-    """What went wrong in a simulated schedule."""
+def simulation_findings(run: Simulation, foreign: Container[int] = ()) -> Iterator[Diagnostic]:
+    """Yield what went wrong in a schedule.
+
+    ``foreign``: tasks in processes of other programs, of which only wake-ups are known.
+    """
     for task, numbers in zip(run.model.tasks, run.tasks, strict=True):
         if task.error_on_overflow and numbers.first_overflow is not None:
             first = us(numbers.first_overflow)
             yield diagnostic(
                 THREAD_OVERFLOWED, thread=task.name, count=numbers.overflows, time=first
             )
+    yield from starvation_findings(run, foreign)
     if run.missed_suspensions:
         yield diagnostic(SUSPENSION_TOO_LATE, count=run.missed_suspensions, cycles=run.cycles)
     for windows in run.windows[:-1]:
@@ -53,6 +60,23 @@ def simulation_findings(run: Simulation) -> Iterator[Diagnostic]:
             )
     longest = [numbers.response_max or 0 for numbers in run.tasks]
     yield from _without_windows_time(run.model, longest, run.windows[-1].least)
+
+
+def starvation_findings(run: Simulation, foreign: Container[int] = ()) -> Iterator[Diagnostic]:
+    """Yield threads that never or hardly ever finish, whatever error_on_overflow says."""
+    for i, (task, numbers) in enumerate(zip(run.model.tasks, run.tasks, strict=True)):
+        if i not in foreign and numbers.overflows and is_rare(numbers.completed, numbers.due):
+            yield diagnostic(
+                THREAD_HARDLY_COMPLETES,
+                thread=task.name,
+                completed=numbers.completed,
+                due=numbers.due,
+            )
+
+
+def is_rare(count: int, due: int) -> bool:
+    """Return whether something happens hardly ever when it is due."""
+    return count * _RARE < due
 
 
 def culprits(model: Model, windows: WindowsNumbers) -> str:

@@ -28,6 +28,7 @@ _SOURCES = {
     "hardware interrupt": Text("hardware interrupt", "Hardware-Interrupt"),
     "timer": Text("timer", "Timer"),
     "semaphore": Text("semaphore", "Semaphor"),
+    "external scheduling": Text("external scheduling", "externes Scheduling"),
 }
 
 _OVERFLOWS = Text("overflows", "Überläufe")

@@ -17,7 +17,9 @@ from nctakt.lists.format.reader import ListDialect
 from nctakt.lists.format.schema import ForeignName, Schema
 
 NAME_LENGTH = 127
-KNOWN_FUNCTIONS = ("task_rnd", "task_int", "task_com", "task_mmi_driver")
+#: The threads, and the functions of a thread, that the manual speaks of; systems have up to ten.
+PRINTED_COUNT = 7
+KNOWN_FUNCTIONS = ("task_rnd", "task_int", "task_com", "task_mmi_driver", "task_tcp")
 #: The function whose thread holds the interpolation and is never suspended.
 REALTIME_FUNCTION = "task_int"
 
@@ -28,13 +30,16 @@ class InterruptSource(enum.Enum):
     HARDWARE = "hardware interrupt"
     TIMER = "timer"
     SEMAPHORE = "semaphore"
+    #: Another program calls the tasks; not in the manual.
+    OUTSIDE = "external scheduling"
 
 
-#: The numbers as the parameter table of the manual gives them.
+#: The numbers as the parameter table of the manual gives them, and the one of shipped lists.
 INTERRUPT_SOURCES = {
     1: InterruptSource.HARDWARE,
     2: InterruptSource.TIMER,
     3: InterruptSource.SEMAPHORE,
+    4: InterruptSource.OUTSIDE,
 }
 
 
@@ -92,11 +97,13 @@ _BASIC = (
         ValueType.UNS16,
         0,
         Text(
-            "What starts each NC cycle: 1 hardware interrupt, 2 timer, 3 semaphore",
-            "Was jeden NC-Takt auslöst: 1 Hardware-Interrupt, 2 Timer, 3 Semaphor",
+            "What starts each NC cycle: 1 hardware interrupt, 2 timer, 3 semaphore, "
+            "4 external scheduling",
+            "Was jeden NC-Takt auslöst: 1 Hardware-Interrupt, 2 Timer, 3 Semaphor, "
+            "4 externes Scheduling",
         ),
         low=1,
-        high=3,
+        high=4,
     ),
     Parameter(
         "P-RTCF-00002",
@@ -163,7 +170,7 @@ _BASIC = (
 _THREADS = (
     Parameter(
         "P-RTCF-00008",
-        "thread[0..6].name",
+        "thread[0..9].name",
         ValueType.STRING,
         "",
         Text("Name of a thread", "Name eines Threads"),
@@ -171,7 +178,7 @@ _THREADS = (
     ),
     Parameter(
         "P-RTCF-00009",
-        "thread[0..6].cycle",
+        "thread[0..9].cycle",
         ValueType.UNS32,
         0,
         Text(
@@ -182,7 +189,7 @@ _THREADS = (
     ),
     Parameter(
         "P-RTCF-00010",
-        "thread[0..6].priority",
+        "thread[0..9].priority",
         ValueType.SGN32,
         0,
         Text(
@@ -192,25 +199,27 @@ _THREADS = (
     ),
     Parameter(
         "P-RTCF-00011",
-        "thread[0..6].error_on_overflow",
+        "thread[0..9].error_on_overflow",
         ValueType.BOOLEAN,
         False,
         Text("Report when the thread overflows", "Meldung, wenn der Thread überläuft"),
     ),
     Parameter(
         "P-RTCF-00012",
-        "thread[0..6].function[0..6].name",
+        "thread[0..9].function[0..9].name",
         ValueType.STRING,
         "",
         Text(
-            "Function that the thread calls: task_int, task_rnd, task_com, task_mmi_driver",
-            "Funktion, die der Thread ruft: task_int, task_rnd, task_com, task_mmi_driver",
+            "Function that the thread calls: task_int, task_rnd, task_com, task_mmi_driver, "
+            "task_tcp",
+            "Funktion, die der Thread ruft: task_int, task_rnd, task_com, task_mmi_driver, "
+            "task_tcp",
         ),
         high=NAME_LENGTH,
     ),
     Parameter(
         "P-RTCF-00013",
-        "thread[0..6].function[0..6].calls_per_cycle",
+        "thread[0..9].function[0..9].calls_per_cycle",
         ValueType.UNS32,
         1,
         Text("Calls of the function per activation", "Aufrufe der Funktion je Aktivierung"),
@@ -219,7 +228,7 @@ _THREADS = (
     ),
     Parameter(
         "P-RTCF-00014",
-        "thread[0..6].function[0..6].trace_bit",
+        "thread[0..9].function[0..9].trace_bit",
         ValueType.UNS16,
         0,
         Text(
@@ -230,7 +239,7 @@ _THREADS = (
     ),
     Parameter(
         "P-RTCF-00015",
-        "thread[0..6].cpu",
+        "thread[0..9].cpu",
         ValueType.UNS16,
         1,
         Text("CPU core of the thread, from 1", "CPU-Kern des Threads, ab 1"),
@@ -239,14 +248,14 @@ _THREADS = (
     ),
     Parameter(
         "P-RTCF-00017",
-        "thread[0..6].context_info",
+        "thread[0..9].context_info",
         ValueType.UNS32,
         0,
         Text(
             "Context that channels name to be run by this thread",
             "Kontext, den Kanäle nennen, um in diesem Thread zu laufen",
         ),
-        aliases=(Alias("thread[0..6].context"),),
+        aliases=(Alias("thread[0..9].context"),),
     ),
 )
 

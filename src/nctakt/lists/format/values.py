@@ -8,10 +8,10 @@ that a list names, the default for all others, and where each entry stands.
 from __future__ import annotations
 
 from collections.abc import Container, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from nctakt.base.diagnostics import Message, Span
-from nctakt.lists.format.parameter import Parameter, Value
+from nctakt.base.diagnostics import Message, Span, whole_file
+from nctakt.lists.format.parameter import Parameter, Value, with_indices
 from nctakt.lists.format.reader import Entry
 from nctakt.lists.format.schema import Schema
 from nctakt.messages import Collector
@@ -96,18 +96,38 @@ class Values:
         return tuple(sorted(found))
 
     def place(self, pattern: str, *indices: int) -> tuple[Span, str]:
-        """Where the parameter stands, and that line; the start of the file if it does not."""
-        item = self.entry_values.get((pattern, indices))
+        """Return where the parameter stands, and that line.
+
+        Where it is missing, the first entry of the same element (``thread[2]``); the file where
+        there is none.
+        """
+        item = self.entry_values.get((pattern, indices)) or self._relative(pattern, indices)
         if item is None:
-            return Span(self.file, 1, 1, 2), ""
+            return whole_file(self.file), ""
         return item.entry.key_span, item.entry.line
+
+    def _relative(self, pattern: str, indices: tuple[int, ...]) -> EntryValue | None:
+        """Return the first entry of the element that an entry belongs to."""
+        parts = pattern.split("[]")
+        for depth in range(len(indices), 0, -1):
+            element = "[]".join(parts[:depth]) + "[]"
+            relatives = [
+                item
+                for (other, others), item in self.entry_values.items()
+                if other.startswith(element)
+                and others[:depth] == indices[:depth]
+                and item.entry.key_span.file == self.file
+            ]
+            if relatives:
+                return min(relatives, key=lambda item: item.entry.key_span)
+        return None
 
     def where(self, patterns: Container[str], value: Value) -> tuple[Span, str]:
         """As ``place``, of the first entry of these names with this value."""
         for (pattern, indices), item in self.entry_values.items():
             if pattern in patterns and item.value == value:
                 return self.place(pattern, *indices)
-        return Span(self.file, 1, 1, 2), ""
+        return whole_file(self.file), ""
 
     def report(
         self,
@@ -119,7 +139,8 @@ class Values:
     ) -> None:
         """Report ``message`` at the entry ``at``: the pattern, then the indices."""
         span, line = self.place(*at)
-        collector.report(message, span, line, **values)
+        found = collector.report(message, span, line, **values)
+        collector.diagnostics[-1] = replace(found, entry=with_indices(at[0], at[1:]))
 
     def _parameter(self, pattern: str) -> Parameter:
         found = self.schema.find(pattern)

@@ -28,6 +28,7 @@ from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import find_list
 from nctakt.lists.machine.scheduling import load_rtconf
+from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.lists.machine.variables import variables_configuration
 from nctakt.messages import Collector
 from nctakt.messages.machine import LIST_FORMAT_NOT_SUPPORTED
@@ -101,11 +102,12 @@ def check_list_alone(
     collector: Collector,
     *,
     detail: Detail = "summary",
+    rtconf: RtconfOptions = STANDARD_OPTIONS,
 ) -> None:
     """Report what is wrong with the list of kind ``schema`` in ``path``."""
     file = path.as_posix()
     if schema is RTCONF:
-        load_rtconf(file, data, collector)
+        load_rtconf(file, data, collector, rtconf)
         return
     values = load_list(schema, file, data, collector, detail=detail)
     if schema is VARIABLES:

@@ -49,6 +49,7 @@ from nctakt.lists.machine.files import STARTUP_NAMES, startup_list
 from nctakt.lists.machine.linked_lists import LinkedLists
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_checks import check_contexts, check_time_limits
+from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.lists.machine.user_texts import user_texts
 from nctakt.lists.machine.variable_checks import check_memory
 from nctakt.lists.machine.variables import (
@@ -124,10 +125,16 @@ class Machine:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def load_machine(folder: str | Path | None = None, *, detail: Detail = "summary") -> Machine:
+def load_machine(
+    folder: str | Path | None = None,
+    *,
+    detail: Detail = "summary",
+    rtconf: RtconfOptions = STANDARD_OPTIONS,
+) -> Machine:
     """Return the machine of ``folder``; without one, the built-in demo machine.
 
-    ``detail``: how much is reported of entries without effect. Raises ``Failure`` if the folder,
+    ``detail``: how much is reported of entries without effect. ``rtconf``: how its scheduling list
+    is read. Raises ``Failure`` if the folder,
     the start-up list or every channel list is missing; what is wrong otherwise stands in
     ``Machine.diagnostics``.
     """
@@ -135,7 +142,7 @@ def load_machine(folder: str | Path | None = None, *, detail: Detail = "summary"
     startup_file = _DEMO / STARTUP_NAMES[0]
     if folder is not None:
         startup_file = _startup_file(Path(folder), collector)
-    return _Loader(startup_file, collector, detail).machine()
+    return _Loader(startup_file, collector, detail, rtconf).machine()
 
 
 def _startup_file(folder: Path, collector: Collector) -> Path:
@@ -156,7 +163,14 @@ def _startup_file(folder: Path, collector: Collector) -> Path:
 class _Loader:
     """Loads the lists of one machine; all of them are named by its start-up list."""
 
-    def __init__(self, startup_file: Path, collector: Collector, detail: Detail) -> None:
+    def __init__(
+        self,
+        startup_file: Path,
+        collector: Collector,
+        detail: Detail,
+        rtconf_options: RtconfOptions,
+    ) -> None:
+        self.rtconf_options = rtconf_options
         self.startup_file = startup_file
         self.folder = startup_file.parent
         self.collector = collector
@@ -217,7 +231,7 @@ class _Loader:
             self.collector.report(RTCONF_MISSING, None, cycle=DEFAULT_CYCLE_TIME_US)
             return None
         path, data = found
-        return load_rtconf(path.as_posix(), data, self.collector)
+        return load_rtconf(path.as_posix(), data, self.collector, self.rtconf_options)
 
     def _missing(self, key: str, count: str) -> None:
         """Tell that ``key`` is missing, of which ``count`` says how many there are."""

@@ -12,7 +12,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from nctakt.lists.declared.rtconf import (
-    KNOWN_FUNCTIONS,
     RTCONF,
     ExternalThread,
     InterruptSource,
@@ -24,15 +23,20 @@ from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.parameter import MAX_UNS16, MAX_UNS32, with_indices
 from nctakt.lists.format.values import Values
 from nctakt.lists.machine.scheduling_checks import check_priorities, is_realtime
-from nctakt.lists.machine.scheduling_profile import RtconfOptions
+from nctakt.lists.machine.scheduling_names import (
+    check_function_names,
+    check_indices,
+    check_names,
+    check_trace_bits,
+)
+from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.lists.machine.scheduling_source import comment_of, read_source
 from nctakt.messages import Collector
 from nctakt.messages.rtconf import (
     CYCLE_TIME_LONG,
     CYCLE_TIME_NOT_A_MULTIPLE,
     CYCLE_TIME_SHORT,
-    DUPLICATE_THREAD_BIT,
-    DUPLICATE_THREAD_NAME,
+    EXTERNAL_SCHEDULING,
     EXTERNAL_THREAD_WITHOUT_SEMAPHORE,
     INTERRUPT_SOURCE_MISSING,
     REALTIME_OVERFLOW_NOT_REPORTED,
@@ -44,11 +48,9 @@ from nctakt.messages.rtconf import (
     SEMAPHORE_NAME_WITHOUT_EFFECT,
     SEVERAL_CALLS_PER_ACTIVATION,
     THREAD_CYCLE_MISSING,
-    THREAD_INDEX_GAP,
     THREAD_WITHOUT_FUNCTION,
     TIME_NOT_A_MULTIPLE,
     TIME_SLICE_ABOVE_CYCLE_TIME,
-    UNKNOWN_THREAD_FUNCTION,
     WINDOWS_TIME_BELOW_TIME_SLICE,
     WINDOWS_TIME_DIFFERS,
     WINDOWS_TIME_SHORT,
@@ -80,22 +82,22 @@ _LONGEST_SLICE_US = MAX_UNS16 - 1
 _LENIENT = (
     INTERRUPT_SOURCE_MISSING,
     SCHEDULE_TIME_MISSING,
-    SEMAPHORE_NAME_MISSING,
     SCHEDULE_TIME_TOO_LONG,
     EXTERNAL_THREAD_WITHOUT_SEMAPHORE,
 )
-_STANDARD = RtconfOptions()
+#: About these numbers of interrupt_source the manual's table and its examples disagree.
+_UNCERTAIN_NUMBERS = (1, 2)
 
 
 def load_rtconf(
-    file: str, data: bytes, collector: Collector, options: RtconfOptions = _STANDARD
+    file: str, data: bytes, collector: Collector, options: RtconfOptions = STANDARD_OPTIONS
 ) -> RtconfConfiguration:
     """Read one rtconf.lis; ``file`` is its name in spans. Never fails."""
     return read_rtconf(file, data, collector, options)[1]
 
 
 def read_rtconf(
-    file: str, data: bytes, collector: Collector, options: RtconfOptions = _STANDARD
+    file: str, data: bytes, collector: Collector, options: RtconfOptions = STANDARD_OPTIONS
 ) -> tuple[Values, RtconfConfiguration]:
     """As ``load_rtconf``, with the values as they stand in the list."""
     values = load_list(RTCONF, file, data, collector)
@@ -103,7 +105,7 @@ def read_rtconf(
 
 
 def effective(
-    values: Values, collector: Collector, options: RtconfOptions = _STANDARD
+    values: Values, collector: Collector, options: RtconfOptions = STANDARD_OPTIONS
 ) -> RtconfConfiguration:
     """Normalise the values of an rtconf.lis."""
     findings = Collector()
@@ -142,14 +144,11 @@ def _interrupt_source(
         return InterruptSource.TIMER
     number = values.integer("interrupt_source")
     reading = read_source(number, comment_of(taken.entry), options.convention)
-    if reading.source is not InterruptSource.SEMAPHORE:
-        values.report(
-            collector,
-            INTERRUPT_SOURCE_ASSUMED,
-            key,
-            value=number,
-            meaning=reading.text,
-        )
+    if reading.source is InterruptSource.OUTSIDE:
+        values.report(collector, EXTERNAL_SCHEDULING, key)
+    elif number in _UNCERTAIN_NUMBERS and options.convention == "auto":
+        text = reading.text
+        values.report(collector, INTERRUPT_SOURCE_ASSUMED, key, value=number, meaning=text)
     return reading.source
 
 
@@ -187,9 +186,9 @@ def _times(values: Values, collector: Collector, options: RtconfOptions) -> tupl
     ratio = {"cycle": cycle, "slice": slice_}
     if cycle < slice_:
         values.report(collector, TIME_SLICE_ABOVE_CYCLE_TIME, ("time_slice",), **ratio)
-    elif cycle < 3 * slice_:
+    elif profile.has_windows and cycle < 3 * slice_:
         values.report(collector, CYCLE_TIME_SHORT, ("time_slice",), **ratio)
-    elif cycle > 20 * slice_:
+    elif profile.has_windows and cycle > 20 * slice_:
         values.report(collector, CYCLE_TIME_LONG, ("time_slice",), **ratio)
     rounded = _round_up(cycle, slice_)
     if rounded > _LONGEST_TIME_US:
@@ -223,9 +222,18 @@ def _windows_time(
     values: Values, slice_: int, cycle: int, collector: Collector, options: RtconfOptions
 ) -> int:
     key = ("windows_time",)
+    has_windows = options.profile.has_windows
+    if not has_windows and not values.given(*key):
+        return 0
     wanted = _given_or(values, "windows_time", slice_, collector)
     if wanted == 0:
-        values.report(collector, WINDOWS_TIME_ZERO, key)
+        if has_windows:
+            values.report(collector, WINDOWS_TIME_ZERO, key)
+        return 0
+    # Vendors' lists for Linux carry the cycle time here, and mean nothing by it.
+    means_nothing = not has_windows and not slice_ <= wanted < cycle
+    if options.ignore_windows or means_nothing:
+        values.report(collector, WINDOWS_TIME_IGNORED, key, value=wanted)
         return 0
     if wanted < slice_:
         values.report(
@@ -249,11 +257,8 @@ def _windows_time(
             effective=rounded,
             step=slice_,
         )
-    # Vendors' lists for Linux carry the cycle time here, and mean nothing by it.
-    if options.ignore_windows or (options.profile.name == "linux" and rounded >= cycle):
-        values.report(collector, WINDOWS_TIME_IGNORED, key, value=rounded)
-        return 0
-    _check_windows_time(values, rounded, slice_, cycle, collector, options)
+    if has_windows:
+        _check_windows_time(values, rounded, slice_, cycle, collector, options)
     return min(rounded, cycle)
 
 
@@ -301,15 +306,16 @@ def _threads(
     values: Values, cycle_time: int, collector: Collector, options: RtconfOptions
 ) -> tuple[SchedulerThread, ...]:
     indices = values.indices("thread[]")
-    _check_gaps(values, "thread[]", indices, collector)
-    threads = tuple(_thread(values, index, cycle_time, collector, options) for index in indices)
-    _check_names(
+    check_indices(values, "thread[]", (), indices, collector)
+    threads = tuple(_thread(values, index, cycle_time, collector) for index in indices)
+    check_names(
         values,
         "thread[].name",
         [(thread.index, thread.name) for thread in threads],
         collector,
     )
-    _check_trace_bits(values, threads, collector)
+    check_trace_bits(values, threads, collector)
+    check_function_names(values, threads, options, collector)
     if not threads:
         values.report(collector, SCHEDULE_WITHOUT_THREADS, ("thread[].name", 0))
     elif not any(is_realtime(thread) for thread in threads):
@@ -317,10 +323,8 @@ def _threads(
     return check_priorities(values, threads, options.profile, collector)
 
 
-def _thread(
-    values: Values, index: int, cycle_time: int, collector: Collector, options: RtconfOptions
-) -> SchedulerThread:
-    functions = _functions(values, index, collector, options)
+def _thread(values: Values, index: int, cycle_time: int, collector: Collector) -> SchedulerThread:
+    functions = _functions(values, index, collector)
     thread = SchedulerThread(
         index,
         values.text("thread[].name", index),
@@ -343,13 +347,10 @@ def _thread(
     return thread
 
 
-def _functions(
-    values: Values, thread: int, collector: Collector, options: RtconfOptions
-) -> tuple[ThreadFunction, ...]:
-    known = (*KNOWN_FUNCTIONS, *options.functions)
+def _functions(values: Values, thread: int, collector: Collector) -> tuple[ThreadFunction, ...]:
     functions: list[ThreadFunction] = []
     indices = values.indices("thread[].function[]", thread)
-    _check_gaps(values, f"thread[{thread}].function[]", indices, collector)
+    check_indices(values, "thread[].function[]", (thread,), indices, collector)
     for index in indices:
         name = values.text("thread[].function[].name", thread, index)
         key = ("thread[].function[].name", thread, index)
@@ -357,15 +358,6 @@ def _functions(
         if not name:
             values.report(collector, SCHEDULE_TEXT_EMPTY, key, key=path)
             continue
-        if name not in known:
-            values.report(
-                collector,
-                UNKNOWN_THREAD_FUNCTION,
-                key,
-                key=path,
-                value=name,
-                names=", ".join(known),
-            )
         calls = values.integer("thread[].function[].calls_per_cycle", thread, index)
         if calls > 1 and name != "task_rnd":
             calls_key = ("thread[].function[].calls_per_cycle", thread, index)
@@ -382,7 +374,7 @@ def _external_threads(
 ) -> tuple[ExternalThread, ...]:
     threads: list[ExternalThread] = []
     indices = values.indices("external_thread[]")
-    _check_gaps(values, "external_thread[]", indices, collector)
+    check_indices(values, "external_thread[]", (), indices, collector)
     for index in indices:
         name = values.text("external_thread[].semaphore_name", index)
         if not name:
@@ -391,62 +383,10 @@ def _external_threads(
             continue
         cycle = _thread_cycle(values, "external_thread[].cycle", index, cycle_time, collector)
         threads.append(ExternalThread(index, name, cycle))
-    _check_names(
+    check_names(
         values,
         "external_thread[].semaphore_name",
         [(thread.index, thread.semaphore_name) for thread in threads],
         collector,
     )
     return tuple(threads)
-
-
-def _check_gaps(
-    values: Values, prefix: str, indices: tuple[int, ...], collector: Collector
-) -> None:
-    if indices and indices[-1] != len(indices) - 1:
-        missing = next(index for index in range(indices[-1]) if index not in indices)
-        collector.report(
-            THREAD_INDEX_GAP, values.place("schedule")[0], key=with_indices(prefix, (missing,))
-        )
-
-
-def _check_names(
-    values: Values, pattern: str, names: list[tuple[int, str]], collector: Collector
-) -> None:
-    first: dict[str, int] = {}
-    for index, name in names:
-        path = with_indices(pattern, (index,))
-        if not name:
-            values.report(collector, SCHEDULE_TEXT_EMPTY, (pattern, index), key=path)
-        elif name in first:
-            other = with_indices(pattern, (first[name],))
-            values.report(
-                collector,
-                DUPLICATE_THREAD_NAME,
-                (pattern, index),
-                key=path,
-                other=other,
-                value=name,
-            )
-        else:
-            first[name] = index
-
-
-def _check_trace_bits(
-    values: Values, threads: tuple[SchedulerThread, ...], collector: Collector
-) -> None:
-    used: dict[int, str] = {}
-    pattern = "thread[].function[].trace_bit"
-    for thread in threads:
-        for function in thread.functions:
-            path = with_indices(pattern, (thread.index, function.index))
-            other = used.setdefault(function.trace_bit, path)
-            if function.trace_bit and other != path:
-                values.report(
-                    collector,
-                    DUPLICATE_THREAD_BIT,
-                    (pattern, thread.index, function.index),
-                    key=path,
-                    other=other,
-                    value=function.trace_bit,
-                )

@@ -18,7 +18,7 @@ class Profile:
     """An operating system: the range of its priorities and their direction.
 
     ``reserved`` are priorities inside the range that the system itself needs.
-    ``settable_slice``: time_slice can be set there.
+    ``settable_slice``: time_slice can be set there. ``has_windows``: it runs beside Windows.
     """
 
     name: str
@@ -28,6 +28,7 @@ class Profile:
     greatest_first: bool
     reserved: range
     settable_slice: bool
+    has_windows: bool = True
 
     def urgency(self, priority: int) -> int:
         """A number that is the greater, the earlier a thread comes."""
@@ -40,7 +41,7 @@ PROFILES = {
         Profile("rtx", "RTX", 0, 127, True, range(125, 128), True),
         Profile("vxworks", "VxWorks", 0, 255, False, range(0), True),
         Profile("intime", "INtime", 0, 255, False, range(3), False),
-        Profile("linux", "Linux", 1, 99, True, range(99, 100), False),
+        Profile("linux", "Linux", 1, 99, True, range(99, 100), False, has_windows=False),
     )
 }
 
@@ -63,3 +64,6 @@ class RtconfOptions:
     ignore_windows: bool = False
     hal_timer_us: int | None = None
     lenient: bool = False
+
+
+STANDARD_OPTIONS = RtconfOptions()

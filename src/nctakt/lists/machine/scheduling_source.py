@@ -22,12 +22,22 @@ FIELD_SOURCES = {
     1: InterruptSource.TIMER,
     2: InterruptSource.HARDWARE,
     3: InterruptSource.SEMAPHORE,
+    4: InterruptSource.OUTSIDE,
 }
 _NAMES = {
     InterruptSource.HARDWARE: Text("hardware interrupt", "Hardware-Interrupt"),
     InterruptSource.TIMER: Text("timer", "Timer"),
     InterruptSource.SEMAPHORE: Text("semaphore", "Semaphor"),
+    InterruptSource.OUTSIDE: Text("external scheduling", "externes Scheduling"),
 }
+
+_CONVENTIONS: dict[Convention, dict[int, InterruptSource]] = {
+    "field": FIELD_SOURCES,
+    "table": INTERRUPT_SOURCES,
+}
+_AS_SAID = Text("as the comment says", "wie der Kommentar sagt")
+#: A comment of no more words without a number explains the number of its own line.
+_FEW_WORDS = 3
 
 _PAIR = re.compile(r"(?<![\w.])([0-4])(?!\w)\s*(?:==|=|:|-|\))?\s*(?=[^\W\d_])")
 _NEGATION = re.compile(r"\b(?:not|no|nicht|keine?|statt|instead)\b")
@@ -61,22 +71,26 @@ def comment_of(entry: Entry) -> str:
 
 
 def read_source(number: int, comment: str, convention: Convention) -> SourceReading:
-    """The meaning of 1, 2 or 3."""
+    """Return the meaning of 1 to 4."""
     if convention != "auto":
         table = INTERRUPT_SOURCES if convention == "table" else FIELD_SOURCES
         return SourceReading(table[number], convention, Text("as chosen", "wie gewählt"))
-    found, reason = _judge(comment)
+    found, reason = _judge(number, comment)
     table = INTERRUPT_SOURCES if found == "table" else FIELD_SOURCES
     return SourceReading(table[number], found, reason)
 
 
-def _judge(comment: str) -> tuple[Convention, Text]:
-    """The convention that a comment follows."""
+def _judge(number: int, comment: str) -> tuple[Convention, Text]:
+    """Return the convention that the comment of a line with ``number`` follows, and the reason."""
     text = _without_signs(comment)
     matches = list(_PAIR.finditer(text))
     if not text:
         return "table", Text("the line has no comment", "die Zeile hat keinen Kommentar")
     if not matches:
+        if len(text.split()) <= _FEW_WORDS and (meaning := _meaning(text)) is not None:
+            for convention, table in _CONVENTIONS.items():
+                if table[number] is meaning:
+                    return convention, _AS_SAID
         quoted = comment.replace("{", "(").replace("}", ")")
         return "table", Text(
             f"the comment '{quoted}' explains no number",
@@ -89,10 +103,9 @@ def _judge(comment: str) -> tuple[Convention, Text]:
         meanings.setdefault(int(match[1]), set()).add(_meaning(label))
     if meanings.get(3, {InterruptSource.SEMAPHORE}) == {InterruptSource.SEMAPHORE}:
         named = {number: meanings[number] for number in (1, 2) if number in meanings}
-        for convention, table in (("field", FIELD_SOURCES), ("table", INTERRUPT_SOURCES)):
+        for convention, table in _CONVENTIONS.items():
             if named and all(named[number] == {table[number]} for number in named):
-                reason = Text("as the comment says", "wie der Kommentar sagt")
-                return ("field" if convention == "field" else "table"), reason
+                return convention, _AS_SAID
     return "table", Text("the comment is unclear", "der Kommentar ist unklar")
 
 

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: MIT
+"""A run and its plan for other programs, as JSON has them.
+
+In: ``Plan``, ``Measurement``. Out: dictionaries of plain values, as in ``schedule.documents``.
+"""
+
+from __future__ import annotations
+
+from nctakt.linux.measure import Measurement
+from nctakt.linux.plan import Plan
+from nctakt.schedule.documents import Document, schedule_document, simulation_document
+from nctakt.schedule.model import ANY_CPU, NS_PER_US
+from nctakt.schedule.results import Simulation
+
+
+def plan_document(plan: Plan) -> Document:
+    """Return who is who in a run."""
+    return {
+        "schedule": schedule_document(plan.model),
+        "is_fifo": plan.is_fifo,
+        "threads": [
+            {
+                "key": planned.task.key,
+                "name": planned.task.name,
+                "class": planned.task.kind.value,
+                "linux_cpu": None if planned.task.cpu == ANY_CPU else planned.task.cpu - 1,
+                "fifo_priority": planned.priority if plan.is_fifo else None,
+                "semaphore": planned.semaphore or None,
+                "has_process": planned.has_process,
+            }
+            for planned in plan.tasks
+        ],
+    }
+
+
+def run_document(measurement: Measurement, simulated: Simulation) -> Document:
+    """Return a run, how punctual it was, and the simulation beside it."""
+    names = [task.key for task in measurement.run.model.tasks]
+    return {
+        **simulation_document(measurement.run, {}),
+        "simulated": simulation_document(simulated, {}),
+        "latencies_us": {
+            "timer": [time / NS_PER_US for time in measurement.timer],
+            **{
+                name: [time / NS_PER_US for time in times]
+                for name, times in zip(names, measurement.wakes, strict=True)
+            },
+        },
+    }

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""How a run ended, and what it could not have.
+
+In: ``RunLog``, ``Measurement``. Out: diagnostics; those that a simulation can have, too, are in
+``schedule.findings``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.linux import area as layout
+from nctakt.linux.measure import Measurement, late_wakes
+from nctakt.linux.run import RunLog, placement_refusals
+from nctakt.messages import diagnostic
+from nctakt.messages.linux_run import (
+    LATE_WAKEUPS,
+    NOBODY_WAITS,
+    POSTS_CEASED,
+    POSTS_DRAINED,
+    SCHEDULE_RECORDING_FULL,
+    SCHEDULE_RUN_STOPPED,
+)
+from nctakt.schedule.findings import is_rare, us
+
+#: A semaphore that is not posted for so many periods has fallen silent.
+_SILENT_PERIODS = 4
+
+
+def run_findings(log: RunLog, measurement: Measurement, wanted: int) -> Iterator[Diagnostic]:
+    """Yield what a run shows; ``wanted``: for so many NC cycles it was asked."""
+    cycles = measurement.run.cycles
+    yield from placement_refusals(log)
+    if log.was_stopped:
+        yield diagnostic(SCHEDULE_RUN_STOPPED, cycles=cycles)
+    is_shorter = cycles == log.plan.cycles < wanted
+    if log.is_cut or is_shorter:
+        yield diagnostic(SCHEDULE_RECORDING_FULL, cycles=cycles)
+    if late := late_wakes(measurement):
+        yield diagnostic(LATE_WAKEUPS, count=len(late), latest=us(max(late)))
+    if log.plan.source is not None:
+        yield from _source_findings(log, log.plan.source)
+    yield from _unattended_semaphores(log)
+
+
+def _source_findings(log: RunLog, name: str) -> Iterator[Diagnostic]:
+    """Yield what is odd about the semaphore that gives the NC interrupts."""
+    if log.drained:
+        yield diagnostic(POSTS_DRAINED, name=name, count=log.drained)
+    interrupts = log.entries[log.entries["kind"] == layout.INTERRUPT]
+    moments: list[int] = [*interrupts["value"].tolist(), log.end]
+    period = log.plan.model.train.distance
+    gap, begin = max((after - before, before) for before, after in pairwise(moments))
+    if gap > _SILENT_PERIODS * period:
+        yield diagnostic(POSTS_CEASED, name=name, gap=us(gap), time=us(begin), expected=us(period))
+
+
+def _unattended_semaphores(log: RunLog) -> Iterator[Diagnostic]:
+    """Yield the semaphores of external threads that hardly anybody waits on."""
+    for task in log.plan.tasks:
+        taken = log.taken[task.number]
+        posted = log.posted[task.number]
+        if taken is not None and posted and is_rare(taken, posted):
+            yield diagnostic(NOBODY_WAITS, name=task.semaphore, taken=taken, count=posted)

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""Simulation and analysis for other programs, as JSON has them.
+
+In: what ``report`` shows as tables. Out: dictionaries of plain values; times in µs, ``None`` where
+there is none. Keys are the same in every language.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from nctakt.schedule.analyse import Analysis
+from nctakt.schedule.effective_table import EffectiveRow
+from nctakt.schedule.margins import Margins
+from nctakt.schedule.model import NS_PER_US, Model, Task
+from nctakt.schedule.report import rounded_mean
+from nctakt.schedule.results import Simulation, TaskNumbers, WindowsNumbers
+
+Document = dict[str, object]
+
+
+def effective_document(rows: Sequence[EffectiveRow]) -> Document:
+    """Return the list as it stands and as it counts."""
+    return {
+        "parameters": [
+            {
+                "id": row.id,
+                "name": row.key,
+                "line": row.line or None,
+                "raw": row.raw or None,
+                "effective": row.effective,
+                "unit": row.unit,
+                "reason": row.reason,
+            }
+            for row in rows
+        ]
+    }
+
+
+def simulation_document(run: Simulation, worst_phases: Mapping[int, Simulation]) -> Document:
+    """Return the numbers of a simulation, or of a run."""
+    document: Document = {"schedule": schedule_document(run.model), **_numbers(run)}
+    if worst_phases:
+        document["worst_phases"] = [
+            {"phase_us": _us(phase), **_numbers(other)} for phase, other in worst_phases.items()
+        ]
+    return document
+
+
+def analysis_document(analysis: Analysis, margins: Margins, run: Simulation) -> Document:
+    """Return the bounds, beside the responses of a simulation, and the margins."""
+    tasks = zip(analysis.model.tasks, analysis.tasks, run.tasks, strict=True)
+    return {
+        "schedule": schedule_document(analysis.model),
+        "threads": [
+            {
+                **_names(task),
+                "demand_us": _us(bound.demand),
+                "period_us": _us(bound.period),
+                "response_bound_us": _us(bound.response),
+                "is_exact": bound.is_exact,
+                "response_simulated_us": _us(numbers.response_max),
+                "slack_us": _us(bound.slack),
+                "can_overflow": bound.can_overflow,
+                "worst_phase_us": _us(analysis.phases.get(i)),
+            }
+            for i, (task, bound, numbers) in enumerate(tasks)
+        ],
+        "cpus": [
+            {
+                "cpu": one.cpu,
+                "demand_pct": round(100 * one.demand, 3),
+                "supply_pct": round(100 * one.suspendable_supply, 3),
+                "reaches_windows": one.reaches_windows,
+            }
+            for one in analysis.cpus
+        ],
+        "margins": _margins(margins),
+    }
+
+
+def _margins(margins: Margins) -> Document:
+    return {
+        "functions": [
+            {
+                "function": one.function,
+                "present_us": _us(one.present),
+                "limit_us": _us(one.limit),
+                "change_us": _us(one.change),
+            }
+            for one in margins.functions
+        ],
+        "factors": [{"cpu": one.cpu, "factor": one.factor} for one in margins.factors],
+        "windows_time_us": _us(margins.windows_time),
+        "cycle_time_us": _us(margins.cycle_time),
+    }
+
+
+def schedule_document(model: Model) -> Document:
+    """Return the times of the list and the rules that were chosen."""
+    return {
+        "interrupt": model.source.value,
+        "cycle_time_us": _us(model.cycle),
+        "time_slice_us": _us(model.slice),
+        "windows_time_us": _us(model.windows),
+        "phase_us": _us(model.train.phase) if model.train.is_phase_known else None,
+        "overflow": model.rules.overflow,
+        "calls": model.rules.calls,
+        "suspension": model.rules.suspension,
+        "seed": model.seed,
+    }
+
+
+def _numbers(run: Simulation) -> Document:
+    return {
+        "cycles": run.cycles,
+        "duration_us": _us(run.duration),
+        "repeats_after": run.repeats_after,
+        "threads": [
+            {**_names(task), **_thread(run, task, numbers)}
+            for task, numbers in zip(run.model.tasks, run.tasks, strict=True)
+        ],
+        "windows": [_windows(run, one) for one in run.windows],
+    }
+
+
+def _names(task: Task) -> Document:
+    return {
+        "key": task.key,
+        "name": task.name,
+        "class": task.kind.value,
+        "cpu": task.cpu or None,
+    }
+
+
+def _thread(run: Simulation, task: Task, numbers: TaskNumbers) -> Document:
+    mean = rounded_mean(numbers.response_sum, numbers.completed) if numbers.completed else None
+    return {
+        "period_us": _us(task.every * run.model.train.distance),
+        "due": numbers.due,
+        "completed": numbers.completed,
+        "load_pct": round(100 * numbers.busy / run.duration, 3),
+        "response_min_us": _us(numbers.response_min),
+        "response_mean_us": _us(mean),
+        "response_max_us": _us(numbers.response_max),
+        "overflows": numbers.overflows,
+        "lost": numbers.lost,
+        "suspensions": numbers.suspensions,
+    }
+
+
+def _windows(run: Simulation, one: WindowsNumbers) -> Document:
+    names = [task.name for task in run.model.tasks]
+    return {
+        "cpu": one.cpu or None,
+        "share_pct": round(100 * one.total / run.duration, 3),
+        "min_us": _us(one.least),
+        "mean_us": _us(rounded_mean(one.total, run.cycles)),
+        "max_us": _us(one.most),
+        "cycles_below": one.violated,
+        "late_suspensions": one.late,
+        "culprits": {name: count for name, count in zip(names, one.culprits, strict=True) if count},
+    }
+
+
+def _us(time: int | None) -> float | None:
+    return None if time is None else time / NS_PER_US

@@ -75,34 +75,38 @@ def inspect(
 
     ``role``: whether M17 or M30 ends it. Behind the end only what a jump leads to is checked.
     """
-    found = Collector()
-    checker = Checker(source, names, channel, found)
-    sequel = _ProgramInspector(source, checker, plain_scanner(channel), found, role, watcher)
-    statements = StatementReader(source, found)
-    for line, section, statement in sections(source, statements, found):
+    unsorted = Collector()
+    checker = Checker(source, names, channel, unsorted)
+    sequel = _ProgramInspector(source, checker, plain_scanner(channel), unsorted, role, watcher)
+    statements = StatementReader(source, unsorted)
+    for line, section, statement in sections(source, statements, unsorted):
         sequel.take(line, section, statement)
         sequel.skip_known(statements)
     program = sequel.finish()
-    found.diagnostics.sort(key=_place)
-    collector.diagnostics += _without_redundant(found.diagnostics)
+    unsorted.diagnostics.sort(key=_place)
+    collector.diagnostics += _without_redundant(unsorted.diagnostics)
     return program
 
 
 def plain_scanner(channel: ChannelParameters) -> PlainScanner:
     """What reads plain blocks of this channel: those of its axes that no spindle is called like."""
     spindles = [spindle.name for spindle in channel.spindles]
-    return PlainScanner(["" if one.name in spindles else one.name for one in channel.axes])
+    return PlainScanner(["" if axis.name in spindles else axis.name for axis in channel.axes])
 
 
-def _without_redundant(found: list[Diagnostic]) -> list[Diagnostic]:
+def _without_redundant(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
     """That a line is no NC text counts only where nothing tells why."""
-    told = {
-        one.span.line for one in found if one.span is not None and one.message is not NOT_NC_TEXT
+    explained_lines = {
+        diagnostic.span.line
+        for diagnostic in diagnostics
+        if diagnostic.span is not None and diagnostic.message is not NOT_NC_TEXT
     }
     return [
-        one
-        for one in found
-        if one.message is not NOT_NC_TEXT or one.span is None or one.span.line not in told
+        diagnostic
+        for diagnostic in diagnostics
+        if diagnostic.message is not NOT_NC_TEXT
+        or diagnostic.span is None
+        or diagnostic.span.line not in explained_lines
     ]
 
 
@@ -114,7 +118,7 @@ class _ProgramInspector:
         source: Source,
         checker: Checker,
         scanner: PlainScanner,
-        found: Collector,
+        collector: Collector,
         role: Role,
         watcher: Watcher | None,
     ) -> None:
@@ -126,8 +130,8 @@ class _ProgramInspector:
         self._checker = checker
         self._scanner = scanner
         self._watcher = watcher
-        self._collector = found
-        self._found = found.diagnostics
+        self._collector = collector
+        self._found = collector.diagnostics
         self._role = role
         self._ended = False
         self._empty = True
@@ -180,8 +184,8 @@ class _ProgramInspector:
         """A statement was checked: if it was in order, its shape may always be."""
         if self._new is None:
             return
-        begin, shape, found = self._new
-        if begin == line and found == len(self._found):
+        begin, shape, count = self._new
+        if begin == line and count == len(self._found):
             self._program.templates.mark_valid(shape)
 
     def _begin(self, line: int, number: int, start: ProgramStart) -> None:
@@ -192,10 +196,10 @@ class _ProgramInspector:
             self._section = self._program.main = Section(start.name, start.span, line, False)
         elif number > 0:
             self._section = Section(start.name, start.span, line, True)
-            known = self._program.subprograms.setdefault(start.name, self._section)
-            if known is not self._section:
+            first = self._program.subprograms.setdefault(start.name, self._section)
+            if first is not self._section:
                 self._report(
-                    DUPLICATE_LOCAL_SUBPROGRAM, start.span, name=start.name, line=known.span.line
+                    DUPLICATE_LOCAL_SUBPROGRAM, start.span, name=start.name, line=first.span.line
                 )
         self._empty = False
         if self._section is not None:
@@ -259,12 +263,12 @@ class _ProgramInspector:
     def finish(self) -> ProgramText:
         """The text has ended."""
         self._end_section()
-        known = self._program.subprograms
+        subprograms = self._program.subprograms
         for call in self._local_calls:
             assert isinstance(call.name, StringLiteral)
             name = call.name.value
-            if name not in known:
-                near = get_close_matches(name, known, 1, 0.0)
+            if name not in subprograms:
+                near = get_close_matches(name, subprograms, 1, 0.0)
                 self._report(
                     UNKNOWN_LOCAL_SUBPROGRAM, call.span, name=name, nearest=near[0] if near else "–"
                 )

@@ -66,7 +66,7 @@ def labels_in(statement: Statement, in_loop: bool = False) -> Iterator[tuple[str
 
 def leads_to(statement: Statement, label: str) -> bool:
     """Whether a jump to this label leads to the statement or into it."""
-    return any(found == label and not in_loop for found, in_loop in labels_in(statement))
+    return any(name == label and not in_loop for name, in_loop in labels_in(statement))
 
 
 @dataclass(slots=True)
@@ -141,9 +141,9 @@ class SectionReader:
         return self
 
     def __next__(self) -> Statement:
-        known = self._templates.next(self._statements.lines, self.source.file)
-        if known is not None:
-            return known
+        from_template = self._templates.next(self._statements.lines, self.source.file)
+        if from_template is not None:
+            return from_template
         for begin, statement in self._statements:
             if not isinstance(statement, ProgramStart):
                 return statement

@@ -50,7 +50,7 @@ from nctakt.nc.vocabulary.resolution import (
     is_text,
     path_text,
     resolve,
-    resolve_whole,
+    resolve_aggregate,
     variables_in,
 )
 from nctakt.nc.vocabulary.system_variables import (
@@ -59,7 +59,7 @@ from nctakt.nc.vocabulary.system_variables import (
     is_decoder_data,
     system_variable,
 )
-from nctakt.nc.vocabulary.variable_table import Location, Whole
+from nctakt.nc.vocabulary.variable_table import Aggregate, Location
 
 Evaluation = Generator[Command, Answer, float]
 
@@ -204,7 +204,7 @@ class Evaluator:
         names = self.environment.names
         found = resolve(asked, names)
         if not isinstance(found, Location):
-            return isinstance(resolve_whole(asked, names), Whole)
+            return isinstance(resolve_aggregate(asked, names), Aggregate)
         counts = zip(indices_of(asked), found.dimensions, strict=True)
         return all(0 <= self._index(index) < one.count for index, one in counts)
 
@@ -213,9 +213,9 @@ class Evaluator:
         assert isinstance(asked, tree.Variable)
         if is_program_variable(asked):
             return self.program_values.size(asked, dimension)
-        found = resolve_whole(asked, self.environment.names)
-        is_first = isinstance(found, Whole) and dimension == 1
-        return found.node.array_elements if is_first and isinstance(found, Whole) else 0
+        found = resolve_aggregate(asked, self.environment.names)
+        is_first = isinstance(found, Aggregate) and dimension == 1
+        return found.node.array_elements if is_first and isinstance(found, Aggregate) else 0
 
     def declare(self, declaration: tree.Declaration, number: int) -> Generator[Command, Answer]:
         """A line of ``#VAR``."""
@@ -385,7 +385,7 @@ class Evaluator:
         assert isinstance(found, Location), variable
         return found
 
-    def cell(self, variable: tree.Variable, location: Location | Whole) -> int:
+    def cell(self, variable: tree.Variable, location: Location | Aggregate) -> int:
         """The cell of a variable with the values that its indices have now (50929 outside)."""
         cell = location.cell
         for index, dimension in zip(indices_of(variable), location.dimensions, strict=True):

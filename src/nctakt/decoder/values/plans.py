@@ -127,8 +127,8 @@ def plan_of_template(template: ExpressionTemplate) -> TemplatePlan:
     count = len(numbers) + len(names) + len(parameters)
     return TemplatePlan(
         node if count <= MAX_CELLS else None,
-        [one.place for one in numbers],
-        [one.sign for one in numbers],
+        [number.index for number in numbers],
+        [number.sign for number in numbers],
         list(names),
         list(parameters),
     )

@@ -33,10 +33,10 @@ from nctakt.nc.vocabulary.resolution import (
     indices_of,
     is_program_variable,
     path_text,
-    resolve_whole,
+    resolve_aggregate,
 )
 from nctakt.nc.vocabulary.system_variables import SYSTEM_FAMILIES, system_variable
-from nctakt.nc.vocabulary.variable_table import Location, Whole
+from nctakt.nc.vocabulary.variable_table import Aggregate, Location
 
 Evaluation = Generator[Command, Answer, float]
 
@@ -67,8 +67,8 @@ class Values(Evaluator):
             self.program_values.fill(statement.target, items)
             return
         if isinstance(value, tree.Variable):
-            found = resolve_whole(value, self.environment.names)
-            if isinstance(found, Whole):
+            found = resolve_aggregate(value, self.environment.names)
+            if isinstance(found, Aggregate):
                 yield from self._copy(statement.target, value, found, number)
                 return
         if statement.operator != "=":
@@ -158,7 +158,7 @@ class Values(Evaluator):
         yield from self.system.write(target, found, value, source, number)
 
     def _target_cell(
-        self, variable: tree.Variable, found: Location | Whole, number: int
+        self, variable: tree.Variable, found: Location | Aggregate, number: int
     ) -> Generator[Command, Answer, int]:
         """The cell of a variable that is written; what its indices need is read first."""
         for index in indices_of(variable):
@@ -186,7 +186,7 @@ class Values(Evaluator):
         self,
         target: tree.Variable | tree.Parameter,
         source: tree.Variable,
-        found: Whole,
+        found: Aggregate,
         number: int,
     ) -> Generator[Command, Answer]:
         """Copy a structure or array, member by member as each is synchronous or not (RC-308).
@@ -194,8 +194,8 @@ class Values(Evaluator):
         All members are those of one moment: a synchronous one empties the channel, once.
         """
         assert isinstance(target, tree.Variable)
-        wanted = resolve_whole(target, self.environment.names)
-        assert isinstance(wanted, Whole), target
+        wanted = resolve_aggregate(target, self.environment.names)
+        assert isinstance(wanted, Aggregate), target
         first = yield from self._target_cell(source, found, number)
         place = yield from self._target_cell(target, wanted, number)
         from_ = list(leaf_cells(found.node, found.name, first))

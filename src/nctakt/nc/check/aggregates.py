@@ -22,15 +22,15 @@ from nctakt.messages.memory import AGGREGATE_TYPE_MISMATCH
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Assignment, Expression, Parameter, Variable
 from nctakt.nc.vocabulary.cells import leaf_cells, same_type
-from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve, resolve_whole
+from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve, resolve_aggregate
 from nctakt.nc.vocabulary.variable_table import (
     RIGHTS,
     Access,
+    Aggregate,
     Location,
     NameTable,
     NotFound,
     Problem,
-    Whole,
 )
 
 
@@ -45,10 +45,10 @@ class AssignmentChecks(Protocol):
     ) -> None:
         """Check the target of an assignment; ``compound``: it is read as well, as in ``+=``."""
 
-    def not_found(self, variable: Variable, found: NotFound) -> None:
+    def not_found(self, variable: Variable, missing: NotFound) -> None:
         """Report why a variable does not exist."""
 
-    def indices_fit(self, variable: Variable, location: Location | Whole) -> bool:
+    def indices_fit(self, variable: Variable, location: Location | Aggregate) -> bool:
         """Return whether the constant indices are inside the array; report those that are not."""
 
 
@@ -67,18 +67,18 @@ class AggregateChecker:
         """Whether a variable names a structure or a whole array."""
         return self._find(variable) is not None
 
-    def _find(self, expression: Expression) -> Whole | None:
+    def _find(self, expression: Expression) -> Aggregate | None:
         if not isinstance(expression, Variable):
             return None
-        found = resolve_whole(expression, self._names)
-        return found if isinstance(found, Whole) else None
+        aggregate = resolve_aggregate(expression, self._names)
+        return aggregate if isinstance(aggregate, Aggregate) else None
 
     def copy(self, statement: Assignment, value: Variable) -> None:
         """``target = value``: both must be wholes of one type, with the rights for it."""
         target = statement.target
-        source, place = self._find(value), self._find(target)
+        source, destination = self._find(value), self._find(target)
         assert source is not None
-        if place is None or statement.operator != "=":
+        if destination is None or statement.operator != "=":
             self._values.write(target, compound=statement.operator != "=")
             self._no_value(target, value)
             return
@@ -89,36 +89,39 @@ class AggregateChecker:
             return
         for index in (*indices_of(target), *indices_of(value)):
             self._values.value(index)
-        if not same_type(source.node, place.node):
+        if not same_type(source.node, destination.node):
             other = path_text(value)
             self._findings.report(
                 AGGREGATE_TYPE_MISMATCH, value.span, name=name, value=other, member=member
             )
             return
-        fits = [self._values.indices_fit(target, place), self._values.indices_fit(value, source)]
+        fits = [
+            self._values.indices_fit(target, destination),
+            self._values.indices_fit(value, source),
+        ]
         if all(fits):
-            self._may(target, place, Access.WRITE, VARIABLE_READ_ONLY)
+            self._may(target, destination, Access.WRITE, VARIABLE_READ_ONLY)
             self._may(value, source, Access.READ, VARIABLE_WRITE_ONLY)
 
-    def _may(self, variable: Variable, whole: Whole, wanted: Access, message: Message) -> None:
+    def _may(self, variable: Variable, whole: Aggregate, access: Access, message: Message) -> None:
         """The first member that may not be written or read is told."""
-        one = replace(whole.node, array_elements=0)
-        for name, leaf, _ in leaf_cells(one, whole.name, 0):
-            if wanted not in RIGHTS[leaf.rights]:
+        element = replace(whole.node, array_elements=0)
+        for name, leaf, _ in leaf_cells(element, whole.name, 0):
+            if access not in RIGHTS[leaf.rights]:
                 self._findings.report(message, variable.span, name=name)
                 return
 
     def _no_value(self, target: Variable | Parameter, value: Variable) -> None:
         """A structure or array where one value is needed."""
-        found = resolve(value, self._names)
-        assert isinstance(found, NotFound)
-        if found.reason is Problem.STRUCTURE:
-            member = self._member_like(target, value) or found.nearest
+        missing = resolve(value, self._names)
+        assert isinstance(missing, NotFound)
+        if missing.reason is Problem.STRUCTURE:
+            member = self._member_like(target, value) or missing.nearest
             self._findings.report(
-                STRUCTURE_USED_AS_VALUE, value.span, name=found.name, member=member
+                STRUCTURE_USED_AS_VALUE, value.span, name=missing.name, member=member
             )
         else:
-            self._values.not_found(value, found)
+            self._values.not_found(value, missing)
 
     def _member_like(self, target: Variable | Parameter, value: Variable) -> str:
         """The member of ``value`` that is named as the last part of ``target``, empty if none."""
@@ -126,12 +129,12 @@ class AggregateChecker:
             return ""
         name = target.parts[-1].name
         parts = [(part.name, len(part.indices)) for part in value.parts]
-        wanted = self._names.resolve(value.family, [*parts, (name, 0)])
-        known = isinstance(wanted, Location)
-        return f"{self._findings.written(value.span)}.{name}" if known else ""
+        member = self._names.resolve(value.family, [*parts, (name, 0)])
+        exists = isinstance(member, Location)
+        return f"{self._findings.written(value.span)}.{name}" if exists else ""
 
 
-def _first_member(whole: Whole) -> str:
+def _first_member(whole: Aggregate) -> str:
     """An example of what can be assigned instead."""
     if whole.node.array_elements:
         return f"{whole.name}[0]"

@@ -40,18 +40,18 @@ class AxisCommandChecker:
 
     def begin(self, body: Sequence[Statement]) -> None:
         """A cycle with this body is checked from now on: which of its axes get a FEED."""
-        commands = [read_axis_command(one)[0] for one in axis_commands_in(body)]
-        self._with_feed = {one.axis: None for one in commands if one.feed is not None}
+        commands = [read_axis_command(bracket)[0] for bracket in axis_commands_in(body)]
+        self._with_feed = {command.axis: None for command in commands if command.feed is not None}
 
     def command(self, bracket: BracketCommand) -> None:
         """One command."""
         assert is_axis_command(bracket)
-        command, wrong = read_axis_command(bracket)
+        command, findings = read_axis_command(bracket)
         self._axis(bracket)
-        if not wrong:
-            wrong = self._needs(command, bracket)
-        for one in wrong:
-            self._report(one)
+        if not findings:
+            findings = self._needs(command, bracket)
+        for finding in findings:
+            self._report(finding)
         self._values.block(*command.expressions())
 
     def _axis(self, bracket: BracketCommand) -> None:

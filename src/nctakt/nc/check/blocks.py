@@ -477,13 +477,13 @@ def _dwell(block: Block) -> Word | None:
 
 def _expressions(block: Block) -> list[Expression]:
     """The values of a block's words."""
-    found: list[Expression] = []
+    expressions: list[Expression] = []
     for word in block.words:
         if isinstance(word, Word | AxisWord) and word.value is not None:
-            found.append(word.value)
+            expressions.append(word.value)
         if isinstance(word, Word) and word.additional is not None:
-            found.append(word.additional)
-    return found
+            expressions.append(word.additional)
+    return expressions
 
 
 def _is_neutral(entry: GFunction, word: Word) -> bool:

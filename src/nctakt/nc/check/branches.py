@@ -40,9 +40,9 @@ class BranchOutline:
 
 def branch_outlines(statement: tree.RealtimeCycle) -> list[BranchOutline]:
     """The branches of a cycle in the order of their places."""
-    found: list[BranchOutline] = []
-    _walk(statement.body, None, found)
-    return found
+    outlines: list[BranchOutline] = []
+    _walk(statement.body, None, outlines)
+    return outlines
 
 
 def combined(condition: tree.Expression) -> list[tree.Expression]:
@@ -79,22 +79,28 @@ def lines_without_branch(statement: tree.RealtimeCycle) -> list[int]:
 
 
 def _own_lines(body: Sequence[tree.Statement]) -> list[int]:
-    return [one.span.line for one in body if not isinstance(one, tree.If)]
+    return [statement.span.line for statement in body if not isinstance(statement, tree.If)]
 
 
 def _commands(body: Sequence[tree.Statement]) -> tuple[str, ...]:
     """The statements that stand in no branch, as text without block number."""
-    bare = (replace(one, head=tree.NO_HEAD) for one in body if not isinstance(one, tree.If))
-    return tuple(" ".join(line.strip() for line in print_statement(one)) for one in bare)
+    bare = (
+        replace(statement, head=tree.NO_HEAD)
+        for statement in body
+        if not isinstance(statement, tree.If)
+    )
+    return tuple(
+        " ".join(line.strip() for line in print_statement(statement)) for statement in bare
+    )
 
 
-def _walk(body: Sequence[tree.Statement], outer: int | None, found: list[BranchOutline]) -> None:
+def _walk(body: Sequence[tree.Statement], outer: int | None, outlines: list[BranchOutline]) -> None:
     for statement in body:
         if isinstance(statement, tree.If):
-            _branches(statement, outer, found)
+            _branches(statement, outer, outlines)
 
 
-def _branches(statement: tree.If, outer: int | None, found: list[BranchOutline]) -> None:
+def _branches(statement: tree.If, outer: int | None, outlines: list[BranchOutline]) -> None:
     """The branches of one ``$IF``, each with what stands in its body."""
     earlier: list[int] = []
 
@@ -106,14 +112,14 @@ def _branches(statement: tree.If, outer: int | None, found: list[BranchOutline])
     ) -> None:
         frequency = (statement.frequency or "") if word == "$IF" else ""
         lines = (span.line, *_own_lines(body))
-        place = len(found)
-        found.append(
+        position = len(outlines)
+        outlines.append(
             BranchOutline(
                 span, word, frequency, condition, outer, tuple(earlier), lines, _commands(body)
             )
         )
-        earlier.append(place)
-        _walk(body, place, found)
+        earlier.append(position)
+        _walk(body, position, outlines)
 
     add(statement.span, "$IF", statement.condition, statement.body)
     for elseif in statement.elseifs:

@@ -30,8 +30,8 @@ _MODAL = (*MODAL_MOVE, MODAL_BLOCK)
 
 def parameter_number(keyword: Keyword) -> int | None:
     """The number of ``@P1 = …``; ``None`` for any other keyword."""
-    found = _PARAMETER.fullmatch(keyword.name)
-    number = 0 if found is None else int(found[1][:4])
+    match = _PARAMETER.fullmatch(keyword.name)
+    number = 0 if match is None else int(match[1][:4])
     return number if 1 <= number <= CALL_PARAMETERS else None
 
 
@@ -88,5 +88,5 @@ class CallChecker:
 
 def _given(call: SubprogramCall) -> list[Expression]:
     """The values that the call hands over."""
-    keywords = (one for one in call.keywords if isinstance(one, Keyword))
-    return [one.value for one in keywords if one.value is not None]
+    keywords = (item for item in call.keywords if isinstance(item, Keyword))
+    return [keyword.value for keyword in keywords if keyword.value is not None]

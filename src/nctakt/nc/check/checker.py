@@ -266,21 +266,27 @@ class Checker:
             for argument in message.arguments:
                 self._values.any_value(argument)
             return
-        found = list(conversions(message.format.value))
-        wrong = next((conversion for conversion in found if not conversion.is_valid), None)
+        placeholders = list(conversions(message.format.value))
+        wrong = next((conversion for conversion in placeholders if not conversion.is_valid), None)
         if wrong is not None:
             self._findings.report(INVALID_PLACEHOLDER, message.format.span, word=wrong.text)
-        elif len(found) != len(message.arguments):
-            expected, given = len(found), len(message.arguments)
+        elif len(placeholders) != len(message.arguments):
+            expected, actual = len(placeholders), len(message.arguments)
             self._findings.report(
-                FORMAT_VALUE_COUNT, message.format.span, expected=expected, given=given
+                FORMAT_VALUE_COUNT, message.format.span, expected=expected, given=actual
             )
         for index, argument in enumerate(message.arguments):
             self._values.any_value(argument)
             if not self._values.is_text(argument):
                 continue
-            if index < len(found) and found[index].is_valid and not found[index].takes_text:
-                self._findings.report(TEXT_FOR_NUMERIC_WORD, argument.span, word=found[index].text)
+            if (
+                index < len(placeholders)
+                and placeholders[index].is_valid
+                and not placeholders[index].takes_text
+            ):
+                self._findings.report(
+                    TEXT_FOR_NUMERIC_WORD, argument.span, word=placeholders[index].text
+                )
 
     def _other(self, statement: Statement) -> None:
         """Jumps, calls, and statements that this version refuses as a whole."""

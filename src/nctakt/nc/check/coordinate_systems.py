@@ -92,16 +92,16 @@ def check_cs_command(command: HashCommand, values: ValueChecker, findings: Findi
     words = [word.name for word in command.words]
     if words[0] != "CS" or " ".join(words[1:]) not in ("", *ACTIONS):
         return False
-    found = cs_command(command)
-    if found is None:
+    parsed = cs_command(command)
+    if parsed is None:
         name = "#" + " ".join(words)
         forms = forms_of(name if name in FORMS else "#CS")
         findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
         return True
-    if len(found.name) > MAX_CHARACTERS or found.name in RESERVED:
+    if len(parsed.name) > MAX_CHARACTERS or parsed.name in RESERVED:
         most = MAX_CHARACTERS
-        findings.report(INVALID_COORDINATE_SYSTEM_NAME, command.span, name=found.name, most=most)
-    for value in (found.identity, *(found.components or ())):
+        findings.report(INVALID_COORDINATE_SYSTEM_NAME, command.span, name=parsed.name, most=most)
+    for value in (parsed.identity, *(parsed.components or ())):
         if value is not None:
             values.value(value)
     return True

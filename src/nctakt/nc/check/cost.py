@@ -125,5 +125,5 @@ def expression_steps(expression: Expression, names: NameTable) -> int:
 
 def is_live(variable: Variable, names: NameTable) -> bool:
     """Whether a realtime cycle reads this variable in each tick (RC-302)."""
-    found = resolve(variable, names)
-    return isinstance(found, Location) and (found.synchronous or variable.synchronous)
+    location = resolve(variable, names)
+    return isinstance(location, Location) and (location.synchronous or variable.synchronous)

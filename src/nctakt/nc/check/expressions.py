@@ -66,17 +66,17 @@ from nctakt.nc.vocabulary.resolution import (
     may_be_text,
     path_text,
     resolve,
-    resolve_whole,
+    resolve_aggregate,
     variables_in,
 )
 from nctakt.nc.vocabulary.system_variables import system_variable
 from nctakt.nc.vocabulary.variable_table import (
     DECLARED,
     Access,
+    Aggregate,
     Location,
     NameTable,
     NotFound,
-    Whole,
 )
 
 _RIGHTS = {Access.NONE: "–", Access.READ: "R", Access.WRITE: "W", Access.BOTH: "R/W"}
@@ -110,12 +110,12 @@ class ValueChecker:
 
     def line(self, *expressions: Expression) -> None:
         """A variable is synchronous for its whole block or not at all."""
-        found: dict[str, list[Variable]] = {}
+        by_name: dict[str, list[Variable]] = {}
         for expression in expressions:
             for variable in variables_in(expression):
                 if variable.family in DECLARED:
-                    found.setdefault(path_text(variable), []).append(variable)
-        for name, variables in found.items():
+                    by_name.setdefault(path_text(variable), []).append(variable)
+        for name, variables in by_name.items():
             if not any(variable.synchronous for variable in variables):
                 continue
             if self._is_synchronous(variables[0]):
@@ -129,7 +129,7 @@ class ValueChecker:
         location = resolve(variable, self._names)
         if isinstance(location, Location):
             return location.synchronous
-        whole = resolve_whole(variable, self._names)
+        whole = resolve_aggregate(variable, self._names)
         if isinstance(whole, NotFound):
             return True
         return all(leaf.synchronous for _, leaf, _ in leaf_cells(whole.node, "", 0))
@@ -150,8 +150,8 @@ class ValueChecker:
                 if self.is_text(expression):
                     self._no_number(expression, expression.function)
             case Name():
-                known = [*FUNCTIONS, *CONSTANTS]
-                near = get_close_matches(expression.name, known, 1)
+                names = [*FUNCTIONS, *CONSTANTS]
+                near = get_close_matches(expression.name, names, 1)
                 self._findings.report(
                     NOT_A_VALUE,
                     expression.span,
@@ -405,17 +405,17 @@ class ValueChecker:
             return None
         for index in indices_of(variable):
             self.value(index)
-        found = resolve(variable, self._names)
-        if isinstance(found, NotFound):
-            self.not_found(variable, found)
+        location = resolve(variable, self._names)
+        if isinstance(location, NotFound):
+            self.not_found(variable, location)
             return None
-        return found if self.indices_fit(variable, found) else None
+        return location if self.indices_fit(variable, location) else None
 
-    def not_found(self, variable: Variable, found: NotFound) -> None:
+    def not_found(self, variable: Variable, missing: NotFound) -> None:
         """Report why a variable does not exist."""
-        self._missing.report(variable, found)
+        self._missing.report(variable, missing)
 
-    def indices_fit(self, variable: Variable, location: Location | Whole) -> bool:
+    def indices_fit(self, variable: Variable, location: Location | Aggregate) -> bool:
         """Constant indices inside the array; those that are computed are checked when they are."""
         fits = True
         for index, dimension in zip(indices_of(variable), location.dimensions, strict=True):
@@ -430,19 +430,19 @@ class ValueChecker:
                 )
         return fits
 
-    def _may(self, variable: Variable, location: Location, wanted: Access) -> bool:
+    def _may(self, variable: Variable, location: Location, access: Access) -> bool:
         allowed = location.cycle if self._in_cycle else location.decoder
-        if wanted in allowed:
+        if access in allowed:
             return True
         if location.family in DECLARED:
-            number = VARIABLE_READ_ONLY if wanted is Access.WRITE else VARIABLE_WRITE_ONLY
+            number = VARIABLE_READ_ONLY if access is Access.WRITE else VARIABLE_WRITE_ONLY
             self._findings.report(number, variable.span, name=location.name)
             return False
         self._findings.report(
             ACCESS_NOT_DEFINED,
             variable.span,
             name=location.name,
-            access=_RIGHTS[wanted],
+            access=_RIGHTS[access],
             decoder=_RIGHTS[location.decoder],
             cycle=_RIGHTS[location.cycle],
         )

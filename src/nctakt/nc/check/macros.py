@@ -93,7 +93,7 @@ class MacroExpander:
         changed = self.statement(statement)
         if not isinstance(changed, tree.If):
             return changed
-        elseifs = _each(changed.elseifs, lambda one: _with(one, body=self._body(one.body)))
+        elseifs = _each(changed.elseifs, lambda branch: _with(branch, body=self._body(branch.body)))
         last = None if changed.else_body is None else self._body(changed.else_body)
         return _with(changed, body=self._body(changed.body), elseifs=elseifs, else_body=last)
 
@@ -108,16 +108,16 @@ class MacroExpander:
 
     def _assignment(self, statement: tree.Assignment) -> tree.Assignment:
         target = cast(tree.Variable, self.number(statement.target))
-        place = self.number if self._takes_number(statement.target) else self.any_value
-        return _with(statement, target=target, value=place(statement.value))
+        expand = self.number if self._takes_number(statement.target) else self.any_value
+        return _with(statement, target=target, value=expand(statement.value))
 
     def _takes_number(self, target: tree.Variable | tree.Parameter) -> bool:
         """Whether nothing but a number can be given to it."""
         target = to_tree(target)
         if isinstance(target, tree.Parameter):
             return not target.call
-        found = resolve(target, self._names)
-        return isinstance(found, Location) and found.is_numeric
+        location = resolve(target, self._names)
+        return isinstance(location, Location) and location.is_numeric
 
     # --- parts of statements ---------------------------------------------------------------------
 
@@ -128,8 +128,8 @@ class MacroExpander:
             case tree.Word():
                 value = None if word.value is None else self.number(word.value)
                 added = None if word.additional is None else self.number(word.additional)
-                given = _each(word.arguments, self.any_value)
-                return _with(word, value=value, additional=added, arguments=given)
+                arguments = _each(word.arguments, self.any_value)
+                return _with(word, value=value, additional=added, arguments=arguments)
             case tree.BracketCommand():
                 return _with(word, items=_each(word.items, self._item))
         return word
@@ -167,27 +167,31 @@ class MacroExpander:
         """An expression in a place where a text may stand."""
         return expression if self._is_text(expression) else self.number(expression)
 
-    def number(self, found: tree.Expression) -> tree.Expression:
+    def number(self, expression: tree.Expression) -> tree.Expression:
         """An expression in a place where a number is needed."""
-        match found:
+        match expression:
             case tree.StringLiteral():
-                return self._meaning(found) or found
+                return self._meaning(expression) or expression
             case tree.Unary():
-                return _with(found, operand=self.number(found.operand))
+                return _with(expression, operand=self.number(expression.operand))
             case tree.Binary():
-                if found.operator in ("==", "!="):
-                    if self._is_text(found.left) and self._is_text(found.right):
-                        return found
-                return _with(found, left=self.number(found.left), right=self.number(found.right))
+                if expression.operator in ("==", "!="):
+                    if self._is_text(expression.left) and self._is_text(expression.right):
+                        return expression
+                return _with(
+                    expression,
+                    left=self.number(expression.left),
+                    right=self.number(expression.right),
+                )
             case tree.Call():
-                return _with(found, arguments=self._arguments(found))
+                return _with(expression, arguments=self._arguments(expression))
             case tree.Variable():
-                return _with(found, parts=_each(found.parts, self._part))
+                return _with(expression, parts=_each(expression.parts, self._part))
             case tree.Parameter():
-                return _with(found, index=self.number(found.index))
+                return _with(expression, index=self.number(expression.index))
             case tree.ArrayLiteral():
-                return _with(found, items=_each(found.items, self.any_value))
-        return found
+                return _with(expression, items=_each(expression.items, self.any_value))
+        return expression
 
     def _part(self, part: tree.Part) -> tree.Part:
         return _with(part, indices=_each(part.indices, self.number))
@@ -197,8 +201,13 @@ class MacroExpander:
         function = FUNCTIONS.get(call.function)
         kinds = "" if function is None else function.arguments[: len(call.arguments)]
         pairs = zip_longest(kinds, call.arguments)
-        changed = tuple(one if kind in ("T", "V", "A") else self.number(one) for kind, one in pairs)
-        same = all(one is other for one, other in zip(changed, call.arguments, strict=True))
+        changed = tuple(
+            argument if kind in ("T", "V", "A") else self.number(argument)
+            for kind, argument in pairs
+        )
+        same = all(
+            argument is other for argument, other in zip(changed, call.arguments, strict=True)
+        )
         return call.arguments if same else changed
 
     def _is_text(self, expression: tree.Expression) -> bool:
@@ -207,14 +216,14 @@ class MacroExpander:
             return True
         if isinstance(expression, tree.Binary):
             both = (expression.left, expression.right)
-            return expression.operator == "+" and all(self._is_text(one) for one in both)
+            return expression.operator == "+" and all(self._is_text(part) for part in both)
         return may_be_text(expression) or is_text(expression, self._names)
 
 
 def _each(items: tuple[_Item, ...], change: Callable[[_Item], _Item]) -> tuple[_Item, ...]:
     """The items changed; the same tuple where none is another."""
     changed = tuple(change(item) for item in items)
-    same = all(one is other for one, other in zip(items, changed, strict=True))
+    same = all(item is other for item, other in zip(items, changed, strict=True))
     return items if same else changed
 
 
@@ -233,5 +242,5 @@ def with_span(expression: _Node, span: object) -> _Node:
         if isinstance(value, tree.Node):
             fields[name] = with_span(value, span)
         elif isinstance(value, tuple):
-            fields[name] = tuple(with_span(one, span) for one in value)
+            fields[name] = tuple(with_span(item, span) for item in value)
     return replace(expression, **fields)

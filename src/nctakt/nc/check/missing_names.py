@@ -30,26 +30,26 @@ class MissingNames:
         self._axes = axes
         self._findings = findings
 
-    def report(self, variable: Variable, found: NotFound) -> None:
+    def report(self, variable: Variable, missing: NotFound) -> None:
         """Report why a variable does not exist."""
         report, span = self._findings.report, variable.span
-        match found.reason:
+        match missing.reason:
             case Problem.UNKNOWN:
                 nearest = (
-                    self._with_axis(variable) or self._spelled(variable) or found.nearest or "–"
+                    self._with_axis(variable) or self._spelled(variable) or missing.nearest or "–"
                 )
                 report(UNKNOWN_VARIABLE, span, name=path_text(variable), nearest=nearest)
             case Problem.INDICES:
-                given = sum(1 for _ in indices_of(variable))
+                actual = sum(1 for _ in indices_of(variable))
                 report(
                     WRONG_INDEX_COUNT,
                     span,
-                    name=found.name,
-                    expected=found.expected_indices,
-                    given=given,
+                    name=missing.name,
+                    expected=missing.expected_indices,
+                    given=actual,
                 )
             case Problem.STRUCTURE:
-                report(STRUCTURE_USED_AS_VALUE, span, name=found.name, member=found.nearest)
+                report(STRUCTURE_USED_AS_VALUE, span, name=missing.name, member=missing.nearest)
 
     def _with_axis(self, variable: Variable) -> str:
         """``V.RTA.ACS.ACT_POS.X`` where the axis is missing at the end; else nothing."""
@@ -63,10 +63,10 @@ class MissingNames:
 
     def _spelled(self, variable: Variable) -> str:
         """The variable that differs in upper and lower case only; else nothing."""
-        wanted = path_text(variable).casefold()
+        folded = path_text(variable).casefold()
         if variable.family in DECLARED:
-            known = (_INDEX.sub("[]", name) for name, _, _ in self._names.values())
-            return next((name for name in known if name.casefold() == wanted), "")
+            names = (_INDEX.sub("[]", name) for name, _, _ in self._names.values())
+            return next((name for name in names if name.casefold() == folded), "")
         parts = [(part.name.upper(), len(part.indices)) for part in variable.parts]
-        found = self._names.resolve(variable.family, parts)
-        return found.name if isinstance(found, Location) else ""
+        location = self._names.resolve(variable.family, parts)
+        return location.name if isinstance(location, Location) else ""

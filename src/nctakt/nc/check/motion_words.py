@@ -56,9 +56,9 @@ def lacks_centre(block: Block, *, is_modal: bool) -> bool:
     ``is_modal``: an arc is active; then a block whose axis words may mean something else is none.
     """
     functions = _functions(block)
-    is_arc = any(one in ARCS for one in functions)
+    is_arc = any(function in ARCS for function in functions)
     if not is_arc:
-        is_arc = is_modal and all(one in _BESIDE_TARGETS for one in functions)
+        is_arc = is_modal and all(function in _BESIDE_TARGETS for function in functions)
     return (
         is_arc
         and any(isinstance(word, AxisWord) for word in block.words)
@@ -70,18 +70,18 @@ def lacks_centre(block: Block, *, is_modal: bool) -> bool:
 def leaves_arc(block: Block, *, before: bool) -> bool:
     """Whether G02 or G03 is certainly active behind a block."""
     functions = _functions(block)
-    if any(one in ARCS for one in functions):
+    if any(function in ARCS for function in functions):
         return True
     others = any(not isinstance(word, AxisWord | Word) for word in block.words)
-    return before and not others and all(one in _BESIDE_TARGETS for one in functions)
+    return before and not others and all(function in _BESIDE_TARGETS for function in functions)
 
 
 def _functions(block: Block) -> list[float | None]:
     """The numbers of the G functions, and ``None`` for what only the run shows or may call."""
-    found: list[float | None] = [
+    numbers: list[float | None] = [
         word.value.value if isinstance(word.value, Number) else None for word in _words(block, "G")
     ]
-    return found + [None for _ in _words(block, "M")]
+    return numbers + [None for _ in _words(block, "M")]
 
 
 def has_radius(block: Block) -> bool:

@@ -149,8 +149,8 @@ def _check_item(
         word = item.name if item.name not in form.keywords else findings.written(item.span)
         _refuse(name, word, form.keywords, item.span, findings)
     elif item.value.name not in form.names[item.name]:
-        known = form.names[item.name]
-        _refuse(f"{name} [{item.name}]", item.value.name, known, item.value.span, findings)
+        names = form.names[item.name]
+        _refuse(f"{name} [{item.name}]", item.value.name, names, item.value.span, findings)
 
 
 def _check_number(item: Keyword, findings: Findings) -> None:
@@ -160,10 +160,10 @@ def _check_number(item: Keyword, findings: Findings) -> None:
         findings.report(INVALID_CONTOUR_DEVIATION, value.span, value=value.value)
 
 
-def _refuse(name: str, word: str, known: Sequence[str], span: Span, findings: Findings) -> None:
+def _refuse(name: str, word: str, allowed: Sequence[str], span: Span, findings: Findings) -> None:
     """Report a word: one that is only misspelt, or one that is not simulated."""
-    near = nearest(word, known)
-    names = ", ".join(known) or NOTHING
+    near = nearest(word, allowed)
+    names = ", ".join(allowed) or NOTHING
     if near and near != word:
         findings.report(UNKNOWN_COMMAND_KEYWORD, span, command=name, word=word, nearest=near)
     else:

@@ -107,11 +107,11 @@ class CycleChecker:
         """``#RT CYCLE … #RT CYCLE END``."""
         command = "#RT CYCLE DEF" if cycle.definition_only else "#RT CYCLE"
         self._enabled(cycle, command)
-        found = self._keywords(cycle.keywords, ("ID", "SCOPE", "END_ACTION"))
-        scope = self._choice(found.get("SCOPE"), SCOPES)
-        self._choice(found.get("END_ACTION"), END_ACTIONS)
-        if "ID" in found:
-            self._identity(found["ID"], is_global=scope == "GLOBAL")
+        keywords = self._keywords(cycle.keywords, ("ID", "SCOPE", "END_ACTION"))
+        scope = self._choice(keywords.get("SCOPE"), SCOPES)
+        self._choice(keywords.get("END_ACTION"), END_ACTIONS)
+        if "ID" in keywords:
+            self._identity(keywords["ID"], is_global=scope == "GLOBAL")
         elif cycle.definition_only:
             self._findings.report(CYCLE_WITHOUT_ID, cycle.span, word="DEF")
         elif scope == "GLOBAL":
@@ -122,9 +122,9 @@ class CycleChecker:
     def control(self, control: CycleControl) -> None:
         """``#RT CYCLE START [ID=…]`` and its kin (RC-111)."""
         self._enabled(control, f"#RT CYCLE {control.action}")
-        found = self._keywords(control.keywords, ("ID",))
-        if "ID" in found:
-            self._identity(found["ID"], is_global=False)
+        keywords = self._keywords(control.keywords, ("ID",))
+        if "ID" in keywords:
+            self._identity(keywords["ID"], is_global=False)
         else:
             self._findings.report(CYCLE_COMMAND_WITHOUT_ID, control.span, action=control.action)
 
@@ -133,21 +133,21 @@ class CycleChecker:
             self._findings.report(REALTIME_CYCLES_OFF, statement.span, command=command)
 
     def _keywords(
-        self, items: Sequence[Keyword | Expression], known: Sequence[str]
+        self, items: Sequence[Keyword | Expression], allowed: Sequence[str]
     ) -> dict[str, Keyword]:
-        found: dict[str, Keyword] = {}
+        keywords: dict[str, Keyword] = {}
         for item in items:
-            if not isinstance(item, Keyword) or item.name not in known or item.arguments:
+            if not isinstance(item, Keyword) or item.name not in allowed or item.arguments:
                 self._findings.report(
                     UNKNOWN_CYCLE_KEYWORD,
                     item.span,
                     keyword=self._findings.written(item.span) or "–",
                 )
-            elif item.name in found:
+            elif item.name in keywords:
                 self._findings.report(DUPLICATE_KEYWORD, item.span, word=item.name)
             else:
-                found[item.name] = item
-        return found
+                keywords[item.name] = item
+        return keywords
 
     def _choice(self, keyword: Keyword | None, names: Sequence[str]) -> str:
         """The value of a keyword that is one of ``names``; empty without one."""
@@ -268,11 +268,11 @@ class CycleChecker:
 
     def _block(self, block: Block) -> None:
         """Functions, spindles, single axes; of words for the path the first is reported."""
-        told = False
+        is_reported = False
         for word in block.words:
             if isinstance(word, BracketCommand) and _moves_an_axis(word):
                 self._axes.command(word)
-        others = [one for one in block.words if not _moves_an_axis(one)]
+        others = [word for word in block.words if not _moves_an_axis(word)]
         commands, words = split(others, self._words.spindles)
         for command in commands:
             self._spindles.check(command)
@@ -282,8 +282,8 @@ class CycleChecker:
             elif isinstance(word, BracketCommand) and word.name not in RETURN_COMMANDS:
                 if not self._words.bracket(word):
                     self._words.unknown(word)
-            elif not told:
-                told = True
+            elif not is_reported:
+                is_reported = True
                 self._findings.report(
                     COMMAND_NOT_ALLOWED_IN_CYCLE,
                     word.span,

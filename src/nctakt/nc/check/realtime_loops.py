@@ -98,8 +98,8 @@ class LoopChecker:
         if not isinstance(target, Variable) or target.family != "E":
             self._refuse(statement)
             return False
-        found = resolve(target, self._names)
-        if isinstance(found, Location) and not (found.synchronous or target.synchronous):
+        location = resolve(target, self._names)
+        if isinstance(location, Location) and not (location.synchronous or target.synchronous):
             self._refuse(statement)
             return False
         values = [statement.value] if isinstance(statement.value, Expression) else []
@@ -111,8 +111,10 @@ class LoopChecker:
         """Whether the decoder knows values without waiting for the realtime part."""
         for value in values:
             for variable in variables_in(value):
-                found = resolve(variable, self._names)
-                if isinstance(found, Location) and (found.synchronous or variable.synchronous):
+                location = resolve(variable, self._names)
+                if isinstance(location, Location) and (
+                    location.synchronous or variable.synchronous
+                ):
                     self._refuse(variable)
                     return False
         return True

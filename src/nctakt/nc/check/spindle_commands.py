@@ -55,8 +55,8 @@ class SpindleChecker:
             self._findings.report(NO_MAIN_SPINDLE, command.span)
         for word in command.wrong:
             written = self._findings.written(word.span)
-            known = nearest(written, WORDS) or NOTHING
-            self._findings.report(NOT_A_SPINDLE_WORD, word.span, word=written, nearest=known)
+            suggestion = nearest(written, WORDS) or NOTHING
+            self._findings.report(NOT_A_SPINDLE_WORD, word.span, word=written, nearest=suggestion)
         for doubled in command.doubled:
             self._findings.report(
                 DUPLICATE_KEYWORD, doubled.span, word=self._findings.written(doubled.span)
@@ -75,9 +75,11 @@ class SpindleChecker:
 
     def _fit(self, command: SpindleCommand) -> None:
         """The words of the main program have to go together."""
-        turns = [one for one in command.functions if one in (CLOCKWISE, COUNTERCLOCKWISE)]
+        turns = [
+            function for function in command.functions if function in (CLOCKWISE, COUNTERCLOCKWISE)
+        ]
         if len(turns) > 1 or (SPINDLE_STOP in command.functions and len(command.functions) > 1):
-            words = ", ".join(f"M{one}" for one in command.functions)
+            words = ", ".join(f"M{function}" for function in command.functions)
             self._findings.report(EXCLUSIVE_SPINDLE_WORDS, command.span, words=words)
         elif command.position is not None and SPINDLE_POSITION not in command.functions:
             self._findings.report(SPINDLE_POSITION_WITHOUT_M19, command.position.span)
@@ -89,10 +91,10 @@ class SpindleChecker:
     def _is_job(self, command: SpindleCommand) -> bool:
         """Whether they are a complete job: turn, go to a position, or stop."""
         functions = sorted(command.functions)
-        given = (command.speed is not None, command.position is not None)
+        has_values = (command.speed is not None, command.position is not None)
         if functions == [SPINDLE_STOP]:
-            return given == (False, False)
+            return has_values == (False, False)
         if len(functions) == 1:
-            return functions[0] != SPINDLE_POSITION and given == (True, False)
+            return functions[0] != SPINDLE_POSITION and has_values == (True, False)
         turns = functions[:1] in ([CLOCKWISE], [COUNTERCLOCKWISE])
-        return turns and functions[1:] == [SPINDLE_POSITION] and given == (True, True)
+        return turns and functions[1:] == [SPINDLE_POSITION] and has_values == (True, True)

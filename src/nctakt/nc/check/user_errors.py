@@ -47,7 +47,7 @@ class UserErrorChecker:
 
     def check(self, error: UserError) -> None:
         """One statement."""
-        found: dict[str, Keyword] = {}
+        keywords: dict[str, Keyword] = {}
         lost = False  # a value whose = is missing
         for item in error.keywords:
             if lost and isinstance(item, Expression):
@@ -69,15 +69,15 @@ class UserErrorChecker:
                         word=written,
                         names=names,
                     )
-            elif item.name in found:
+            elif item.name in keywords:
                 self._findings.report(DUPLICATE_KEYWORD, item.span, word=item.name)
             else:
-                found[item.name] = item
-        if "ID" not in found:
+                keywords[item.name] = item
+        if "ID" not in keywords:
             self._findings.report(USER_ERROR_WITHOUT_ID, error.span)
-        expressions = [one.value for one in found.values() if one.value is not None]
+        expressions = [keyword.value for keyword in keywords.values() if keyword.value is not None]
         self._values.line(*expressions)
-        for keyword in found.values():
+        for keyword in keywords.values():
             self._value(keyword)
 
     def _value(self, keyword: Keyword) -> None:

@@ -23,5 +23,5 @@ cdef class PlainScanner(LineScanner):
     cdef Py_ssize_t blanks(self, str line, Py_ssize_t i, Py_ssize_t end)
     @cython.locals(first=Py_ssize_t)
     cdef Py_ssize_t digits(self, str line, Py_ssize_t i, Py_ssize_t end)
-    @cython.locals(letter=int, place=cython.longlong)
+    @cython.locals(letter=int, axis=cython.longlong)
     cdef Py_ssize_t word(self, str line, Py_ssize_t i, Py_ssize_t end)

@@ -26,13 +26,13 @@ PLAIN = 2
 def shape_code(shape: Sequence[str | float]) -> int:
     """The ``shape`` of plain blocks with these letters; G is followed by its number. 0: of none."""
     code = 0
-    for one in shape:
-        if isinstance(one, str):
-            if len(one) > 1:
+    for item in shape:
+        if isinstance(item, str):
+            if len(item) > 1:
                 return 0
-            code = code * 32 + ord(one) - 64
-        elif one in PLAIN_MOTIONS:
-            code = code * 32 + 27 + int(one)
+            code = code * 32 + ord(item) - 64
+        elif item in PLAIN_MOTIONS:
+            code = code * 32 + 27 + int(item)
         else:
             return 0
     return code if len(shape) <= 12 else 0
@@ -146,12 +146,12 @@ class PlainScanner(LineScanner):
             return -1
         self.shape = self.shape * 32 + letter - 64
         self.words += 1
-        place = self.places[letter - 64]
-        if place >= 0:
-            if self.axes >> place & 1:
+        axis = self.places[letter - 64]
+        if axis >= 0:
+            if self.axes >> axis & 1:
                 return -1
-            self.axes |= 1 << place
-            self.values[place] = self.value
+            self.axes |= 1 << axis
+            self.values[axis] = self.value
         elif letter == 71 and self.motion < 0 and self.words < 12:
             if not 0.0 <= self.value <= 4.0:
                 return -1

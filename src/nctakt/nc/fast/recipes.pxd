@@ -29,7 +29,7 @@ cdef class SpanRecipe(Recipe):
     cpdef object make(self, Occurrence occurrence)
 
 cdef class NumberRecipe(Recipe):
-    cdef readonly Py_ssize_t place
+    cdef readonly Py_ssize_t index
     cdef readonly double sign
     cpdef object make(self, Occurrence occurrence)
 
@@ -40,7 +40,7 @@ cdef class TupleRecipe(Recipe):
 
 cdef class BodyRecipe(Recipe):
     cdef list parts
-    @cython.locals(made=list)
+    @cython.locals(statements=list)
     cpdef object make(self, Occurrence occurrence)
 
 cdef class NodeRecipe(Recipe):
@@ -60,5 +60,5 @@ cdef class ExpressionRecipe(Recipe):
 cdef class RecipeBook:
     cdef public dict recipes
 
-    @cython.locals(recipe=Recipe, inside=list, run=list, statements=list, one=Shape)
-    cpdef object made(self, Shape shape, str file, long long first)
+    @cython.locals(recipe=Recipe, inside=list, run=list, statements=list, inner=Shape)
+    cpdef object statement(self, Shape shape, str file, long long first)

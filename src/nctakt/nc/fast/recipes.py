@@ -87,12 +87,12 @@ class SpanRecipe(Recipe):
 class NumberRecipe(Recipe):
     """A number of the shape, or that number with another sign."""
 
-    def __init__(self, place: int, sign: float) -> None:
-        self.place = place
+    def __init__(self, index: int, sign: float) -> None:
+        self.index = index
         self.sign = sign
 
     def make(self, occurrence: Occurrence) -> Any:
-        return occurrence.numbers[self.place] * self.sign
+        return occurrence.numbers[self.index] * self.sign
 
 
 class TupleRecipe(Recipe):
@@ -112,13 +112,13 @@ class BodyRecipe(Recipe):
         self.parts = list(parts)
 
     def make(self, occurrence: Occurrence) -> Any:
-        made: list[Any] = []
+        statements: list[Any] = []
         for part in self.parts:
             if isinstance(part, int):
-                made += occurrence.inside[part]
+                statements += occurrence.inside[part]
             else:
-                made.append(part.make(occurrence))
-        return tuple(made)
+                statements.append(part.make(occurrence))
+        return tuple(statements)
 
 
 class NodeRecipe(Recipe):
@@ -159,7 +159,7 @@ class RecipeBook:
     def __init__(self) -> None:
         self.recipes: dict[bytes, Recipe] = {}
 
-    def made(self, shape: Shape, file: str, first: int) -> Any:
+    def statement(self, shape: Shape, file: str, first: int) -> Any:
         """The statement of a shape, ``None`` where it or one inside it has no recipe.
 
         ``first``: the number of the first line at hand.
@@ -170,10 +170,10 @@ class RecipeBook:
         inside: list[list[Any]] = []
         for run in shape.runs:
             statements: list[Any] = []
-            for one in run:
-                made = self.made(one, file, first)
-                if made is None:
+            for inner in run:
+                node = self.statement(inner, file, first)
+                if node is None:
                     return None
-                statements.append(made)
+                statements.append(node)
             inside.append(statements)
         return recipe.make(Occurrence(file, first, shape, inside))

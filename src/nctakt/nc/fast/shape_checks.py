@@ -96,9 +96,11 @@ def _free(
             if statement.value is not None:
                 yield from _of_value(statement.value)
             yield from _inside(statement.body, around)
-        case Break() if any(one in _LEFT for one in around):
+        case Break() if any(structure in _LEFT for structure in around):
             pass
-        case Continue() if any(one in _LEFT and one is not Switch for one in around):
+        case Continue() if any(
+            structure in _LEFT and structure is not Switch for structure in around
+        ):
             pass
         case _:
             raise _UndecidedError

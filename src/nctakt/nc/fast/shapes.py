@@ -106,10 +106,10 @@ class ShapeScanner(LineScanner):
         self.shape = self.statement(lines, 0, 0, 0)
         return self.index - index if self.shape is not None else 0
 
-    def statement(self, lines: list[str], start: int, place: int, depth: int) -> Shape | None:
+    def statement(self, lines: list[str], start: int, first_mark: int, depth: int) -> Shape | None:
         """The statement whose first line has just been added, which is ``lines[index]``.
 
-        ``start``, ``place``: where its text and its places begin; none of it is left there.
+        ``start``, ``first_mark``: where its text and its places begin; none of it is left there.
         """
         if self.opens < 0 or depth > 20:
             return None
@@ -124,11 +124,11 @@ class ShapeScanner(LineScanner):
         shape = Shape(bytes(self.room[start : self.length]))
         shape.lines = own
         shape.runs = runs
-        for i in range(place, self.count):
+        for i in range(first_mark, self.count):
             shape.numbers.append(self.numbers[i])
             shape.ends.append(self.ends[i])
         self.length = start
-        self.count = place
+        self.count = first_mark
         return shape
 
     def inside(self, lines: list[str], own: list[int], runs: list[list[Shape]], depth: int) -> int:
@@ -136,8 +136,8 @@ class ShapeScanner(LineScanner):
         run: list[Shape] | None = None
         while self.index < self.end:
             start = self.length
-            place = self.count
-            if start > 4000 or place > 200:
+            first_mark = self.count
+            if start > 4000 or first_mark > 200:
                 return 0
             self.put("\n")
             if not self.line(lines[self.index]):
@@ -154,7 +154,7 @@ class ShapeScanner(LineScanner):
                     self.opens = 0
                     return 1
                 continue
-            shape = self.statement(lines, start + 1, place, depth + 1)
+            shape = self.statement(lines, start + 1, first_mark, depth + 1)
             if shape is None:
                 return 0
             self.length = start
@@ -197,7 +197,7 @@ class ShapeScanner(LineScanner):
                 i = self.comment(line, i, end)
                 if i < 0:
                     return 0
-                self.place(2, 0.0, i)
+                self.add_mark(2, 0.0, i)
                 before = " "
                 continue
             if c in " \t":
@@ -270,7 +270,7 @@ class ShapeScanner(LineScanner):
         """Whether it is a sign of expressions and words."""
         return c in "=+-*/,<>&|^!@"
 
-    def place(self, mark: int, value: float, end: int) -> None:
+    def add_mark(self, mark: int, value: float, end: int) -> None:
         """A number or comment that ends here."""
         self.text[self.length] = mark
         self.length += 1
@@ -297,7 +297,7 @@ class ShapeScanner(LineScanner):
             return -1
         if self.value == 0.0:
             return self.digits(line, i, end)
-        self.place(1, self.value, stop)
+        self.add_mark(1, self.value, stop)
         return stop
 
     def word(self, line: str, i: int, end: int) -> int:

@@ -61,7 +61,7 @@ _FIRST_VALUE = 1001
 _RUN_TEXT = "G1"
 
 #: The slots of a number.
-_SLOTS = tuple(getattr(Number, one.name) for one in dataclasses.fields(Number))
+_SLOTS = tuple(getattr(Number, field.name) for field in dataclasses.fields(Number))
 
 #: What the decoder evaluates, by its node: there an expression may be formed.
 _EVALUATED_FIELDS: dict[type[Any], tuple[str, ...]] = {
@@ -84,13 +84,13 @@ class ExpressionTemplate:
     """A compound expression of a shape: one object, whatever its numbers are.
 
     ``tree`` has the numbers of the shape's text; ``numbers``: which of them stand for which place.
-    ``recipe`` makes the expression of an occurrence, ``place`` its span.
+    ``recipe`` makes the expression of an occurrence, ``span`` its place.
     """
 
     tree: Expression
     numbers: dict[Span, recipes.NumberRecipe]
     recipe: Recipe
-    place: Recipe
+    span: Recipe
 
 
 class TemplateExpression(Expression):
@@ -104,14 +104,14 @@ class TemplateExpression(Expression):
     @property
     def span(self) -> Span:
         """Where it stands."""
-        made: Span = self.template.place.make(self.occurrence)
-        return made
+        span: Span = self.template.span.make(self.occurrence)
+        return span
 
     @property
     def tree(self) -> Expression:
         """The expression as the parser gives it."""
-        made: Expression = self.template.recipe.make(self.occurrence)
-        return made
+        tree: Expression = self.template.recipe.make(self.occurrence)
+        return tree
 
 
 def to_tree(node: _Node) -> _Node:
@@ -152,12 +152,14 @@ class Templates:
                 return None
             shape = scanner.shape
             if shape is not None:
-                made: Statement | None = self._book.made(shape, file, lines.number - lines.index)
-                if made is None:
+                statement: Statement | None = self._book.statement(
+                    shape, file, lines.number - lines.index
+                )
+                if statement is None:
                     self._learn(shape)
                     return None
                 lines.index += count
-                return made
+                return statement
             lines.index += count
         return None
 
@@ -168,8 +170,8 @@ class Templates:
 
     def _learn_runs(self, shape: Shape) -> None:
         for run in shape.runs:
-            for one in run:
-                self._learn(one)
+            for inner in run:
+                self._learn(inner)
 
     def skip_known(self, lines: list[str], index: int) -> int:
         """The first line from ``index`` on that has to be checked; its shape is the scanner's."""
@@ -187,8 +189,8 @@ class Templates:
             return
         self._valid_keys.add(shape.key)
         for run in shape.runs:
-            for one in run:
-                self.mark_valid(one)
+            for inner in run:
+                self.mark_valid(inner)
 
     def of(self, key: bytes) -> StatementTemplate | None:
         """The template of a shape; ``None`` for one that is new or has none."""
@@ -212,14 +214,14 @@ class Templates:
 
 def make_template(key: bytes) -> StatementTemplate | None:
     """The template of a shape, ``None`` where a number of it is not simply a number."""
-    lines, places, runs = _text_of(key)
-    found = Collector()
-    statements = [statement for _, statement in StatementReader(Source("", lines), found)]
-    if found.diagnostics or len(statements) != 1:
+    lines, placeholders, runs = _text_of(key)
+    collector = Collector()
+    statements = [statement for _, statement in StatementReader(Source("", lines), collector)]
+    if collector.diagnostics or len(statements) != 1:
         return None
-    writer = _RecipeWriter(places, runs)
+    writer = _RecipeWriter(placeholders, runs)
     recipe = writer.recipe(statements[0])
-    numbers = sum(place.number > 0.0 for place in places)
+    numbers = sum(placeholder.number > 0.0 for placeholder in placeholders)
     if len(writer.numbers) != numbers or len(writer.taken) != numbers:
         return None
     if sorted(writer.runs) != list(range(len(runs))):
@@ -240,7 +242,7 @@ class _Placeholder:
 def _text_of(key: bytes) -> tuple[list[str], list[_Placeholder], list[int]]:
     """NC text of this shape, the places in it, and which of its lines stand for runs."""
     lines: list[str] = []
-    places: list[_Placeholder] = []
+    placeholders: list[_Placeholder] = []
     runs: list[int] = []
     for number, shape in enumerate(key.split(b"\n")):
         text = ""
@@ -250,16 +252,16 @@ def _text_of(key: bytes) -> tuple[list[str], list[_Placeholder], list[int]]:
                 runs.append(number)
                 text = _RUN_TEXT
             elif code == NUMBER:
-                value = _FIRST_VALUE + len(places)
+                value = _FIRST_VALUE + len(placeholders)
                 text += str(value)
-                places.append(_Placeholder(number, start, len(text), float(value)))
+                placeholders.append(_Placeholder(number, start, len(text), float(value)))
             elif code == COMMENT:
                 text += "()"
-                places.append(_Placeholder(number, start, len(text), 0.0))
+                placeholders.append(_Placeholder(number, start, len(text), 0.0))
             else:
                 text += chr(code)
         lines.append(text)
-    return lines, places, runs
+    return lines, placeholders, runs
 
 
 class _RecipeWriter:
@@ -268,10 +270,10 @@ class _RecipeWriter:
     ``taken``: their places; ``runs``: those that it has found.
     """
 
-    def __init__(self, places: list[_Placeholder], runs: list[int]) -> None:
-        self._places = places
+    def __init__(self, placeholders: list[_Placeholder], runs: list[int]) -> None:
+        self._placeholders = placeholders
         self._runs = runs
-        self._order = [(place.line, place.end) for place in places]
+        self._order = [(placeholder.line, placeholder.end) for placeholder in placeholders]
         self.numbers: dict[Span, recipes.NumberRecipe] = {}
         self.taken: set[int] = set()
         self.runs: list[int] = []
@@ -337,9 +339,13 @@ class _RecipeWriter:
     def _number(self, node: Number) -> Recipe:
         span = self._span(node.span)
         slot, value_slot = _SLOTS
-        for index, place in enumerate(self._places):
-            if place.number and abs(node.value) == place.number and _covers(node.span, place):
-                value = recipes.NumberRecipe(index, node.value / place.number)
+        for index, placeholder in enumerate(self._placeholders):
+            if (
+                placeholder.number
+                and abs(node.value) == placeholder.number
+                and _covers(node.span, placeholder)
+            ):
+                value = recipes.NumberRecipe(index, node.value / placeholder.number)
                 self.numbers[node.span] = value
                 self.taken.add(index)
                 return recipes.NodeRecipe(Number, [(slot, span), (value_slot, value)])
@@ -356,14 +362,14 @@ class _RecipeWriter:
     def _anchor(self, line: int, column: int) -> tuple[int, int]:
         """The last place of the line in front of a column, and how far behind it that is."""
         index = bisect_right(self._order, (line, column)) - 1
-        if index < 0 or self._places[index].line != line:
+        if index < 0 or self._placeholders[index].line != line:
             return -1, column
-        return index, column - self._places[index].end
+        return index, column - self._placeholders[index].end
 
 
-def _covers(span: Span, place: _Placeholder) -> bool:
-    is_inside = span.column - 1 <= place.start and place.end <= span.end_column - 1
-    return span.line - 1 == place.line and is_inside
+def _covers(span: Span, placeholder: _Placeholder) -> bool:
+    is_inside = span.column - 1 <= placeholder.start and placeholder.end <= span.end_column - 1
+    return span.line - 1 == placeholder.line and is_inside
 
 
 def _is_template_value(expression: Expression) -> bool:
@@ -386,5 +392,7 @@ def _is_template_value(expression: Expression) -> bool:
         case Call():
             function = FUNCTIONS.get(expression.function)
             is_of_numbers = function is not None and not function.decoder_only
-            return is_of_numbers and all(_is_template_value(one) for one in expression.arguments)
+            return is_of_numbers and all(
+                _is_template_value(argument) for argument in expression.arguments
+            )
     return False

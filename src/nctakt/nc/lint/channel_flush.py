@@ -68,8 +68,8 @@ class FlushChecker:
                 self._access(variable, active)
 
     def _access(self, variable: Variable, active: str) -> None:
-        found = resolve(variable, self._names)
-        if isinstance(found, Location) and (found.synchronous or variable.synchronous):
+        location = resolve(variable, self._names)
+        if isinstance(location, Location) and (location.synchronous or variable.synchronous):
             self._findings.report(
                 FLUSH_DURING_COMPENSATION,
                 variable.span,
@@ -112,7 +112,7 @@ def _expressions(statement: Statement) -> Iterator[Expression]:
                 if isinstance(word, BracketCommand):
                     yield from _values(word.items)
                 else:
-                    yield from (one for one in _word_values(word) if one is not None)
+                    yield from (value for value in _word_values(word) if value is not None)
         case Assignment():
             if isinstance(statement.target, Variable):
                 yield from indices_of(statement.target)

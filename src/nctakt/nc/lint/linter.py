@@ -31,7 +31,7 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
 from nctakt.nc.lint.channel_flush import FlushChecker
 from nctakt.nc.lint.realtime_cycles import CycleLinter, KnownValue, StepLimits
-from nctakt.nc.lint.uses import element_text, integer_value, place_text
+from nctakt.nc.lint.uses import element_name, integer_value, operand_key
 from nctakt.nc.parse.open_structures import is_false
 from nctakt.nc.source import Source
 from nctakt.nc.tree import (
@@ -86,11 +86,11 @@ class GlobalCycles:
 
 def never_deleted(programs: Sequence[GlobalCycles], collector: Collector) -> None:
     """Report the GLOBAL cycles that none of these programs deletes."""
-    if any(one.deletes_any for one in programs):
+    if any(program.deletes_any for program in programs):
         return
-    deleted = {identity for one in programs for identity in one.deleted}
-    for one in programs:
-        for cycle in one.defined:
+    deleted = {identity for program in programs for identity in program.deleted}
+    for program in programs:
+        for cycle in program.defined:
             if cycle.identity not in deleted:
                 collector.report(
                     GLOBAL_CYCLE_NEVER_DELETED, cycle.span, cycle.line, id=cycle.identity
@@ -104,13 +104,13 @@ class _State:
     """
 
     compensation: str = ""
-    known: dict[str, KnownValue] = field(default_factory=dict)
+    values: dict[str, KnownValue] = field(default_factory=dict)
     lacks_radius: bool = False
     is_arc: bool = False
     is_inch: bool = False
 
     def copy(self) -> _State:
-        return replace(self, known=dict(self.known))
+        return replace(self, values=dict(self.values))
 
     def join(self, *others: _State) -> None:
         """Two ways meet here: certain is what is so on both."""
@@ -120,10 +120,10 @@ class _State:
             self.lacks_radius = self.lacks_radius and other.lacks_radius
             self.is_arc = self.is_arc and other.is_arc
             self.is_inch = self.is_inch and other.is_inch
-            self.known = {
-                number: known
-                for number, known in self.known.items()
-                if other.known.get(number) == known
+            self.values = {
+                number: value
+                for number, value in self.values.items()
+                if other.values.get(number) == value
             }
 
 
@@ -201,7 +201,7 @@ class Linter:
             case For() | While() | Do() | Repeat() | RealtimeLoop():
                 self._loop(statement)
             case SubprogramCall():
-                self._state.known.clear()
+                self._state.values.clear()
                 self._state.lacks_radius = False
                 self._state.is_arc = False
                 self._state.is_inch = False
@@ -235,12 +235,12 @@ class Linter:
         """Values may have changed in a round before; the body may not run at all."""
         if isinstance(loop, While) and is_false(loop.condition):
             return
-        self._state.known.clear()
+        self._state.values.clear()
         self._state.is_arc = False
         self._state.is_inch = False
         before = self._state.copy()
         self._all(loop.body)
-        self._state.known.clear()
+        self._state.values.clear()
         if isinstance(loop, For | While | RealtimeLoop):
             self._state.join(before)
 
@@ -251,16 +251,16 @@ class Linter:
         target = statement.target
         if isinstance(target, Parameter) and target.call:
             return
-        place = place_text(target)
-        root = place.split("[]")[0]
-        known = {
+        key = operand_key(target)
+        root = key.split("[]")[0]
+        values = {
             name: value
-            for name, value in self._state.known.items()
+            for name, value in self._state.values.items()
             if name != root and not name.startswith((f"{root}.", f"{root}["))
         }
-        if isinstance(statement.value, Number) and statement.operator == "=" and root == place:
-            known[place] = KnownValue(statement.value.value, statement.span.line)
-        self._state.known = known
+        if isinstance(statement.value, Number) and statement.operator == "=" and root == key:
+            values[key] = KnownValue(statement.value.value, statement.span.line)
+        self._state.values = values
 
     # --- realtime cycles -------------------------------------------------------------------------
 
@@ -269,7 +269,7 @@ class Linter:
         identity = self._identity(keywords.get("ID"))
         scope = keywords.get("SCOPE")
         name = scope.name if isinstance(scope, Name) else "PROG"
-        writes = self._cycles.cycle(cycle, self._state.known, is_inch=self._state.is_inch)
+        writes = self._cycles.cycle(cycle, self._state.values, is_inch=self._state.is_inch)
         self._writes(writes, _Writer(cycle.span.line, name, identity))
         if name == "GLOBAL" and identity is not None and identity > 0:
             line = self._source.line_of(cycle.span)
@@ -285,7 +285,7 @@ class Linter:
             if first.identity is None or first.identity != writer.identity:
                 common.setdefault(first, []).append(target)
         for first, targets in common.items():
-            names = ", ".join(element_text(target) for target in targets)
+            names = ", ".join(element_name(target) for target in targets)
             self._findings.report(
                 VARIABLE_WRITTEN_BY_SEVERAL_CYCLES, targets[0].span, names=names, line=first.line
             )
@@ -308,8 +308,8 @@ class Linter:
     def _identity(self, value: Expression | None) -> int | None:
         """The value of an ID where it is known; ``None`` for one that is not, or not given."""
         if isinstance(value, Parameter):
-            known = self._state.known.get(place_text(value))
-            return None if known is None or not isfinite(known.value) else int(known.value)
+            number = self._state.values.get(operand_key(value))
+            return None if number is None or not isfinite(number.value) else int(number.value)
         return integer_value(value)
 
     # --- tool radius compensation ----------------------------------------------------------------

@@ -37,11 +37,11 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.lint.uses import (
     always,
     comparisons_in,
-    element_text,
+    element_name,
     is_override,
     is_position,
+    operand_key,
     operands_of,
-    place_text,
     targets,
 )
 from nctakt.nc.tree import (
@@ -131,26 +131,26 @@ class CycleLinter:
         self._names = names
         self._findings = findings
         self._limits = limits
-        self._known: Mapping[str, KnownValue] = {}
+        self._values: Mapping[str, KnownValue] = {}
         self._reported: dict[str, None] = {}
         self._is_inch = False
 
     def cycle(
-        self, cycle: RealtimeCycle, known: Mapping[str, KnownValue], *, is_inch: bool
+        self, cycle: RealtimeCycle, values: Mapping[str, KnownValue], *, is_inch: bool
     ) -> dict[str, Variable]:
         """Report, and return the variables that the cycle writes, by their text.
 
         ``is_inch``: G70 is certainly active at the definition.
         """
-        self._known = known
+        self._values = values
         self._reported = {}
         self._is_inch = is_inch
-        if not any(isinstance(one, Keyword) and one.name == "SCOPE" for one in cycle.keywords):
+        if not any(isinstance(item, Keyword) and item.name == "SCOPE" for item in cycle.keywords):
             self._extension(SCOPE_LEFT_OUT, cycle.span)
         self._check_limits(cycle)
         self._all(cycle.body, _Surrounding())
         return {
-            element_text(target): target
+            element_name(target): target
             for target in targets(cycle.body)
             if isinstance(target, Variable)
         }
@@ -205,12 +205,12 @@ class CycleLinter:
         self, body: Sequence[Statement], asked: Sequence[Expression], around: _Surrounding
     ) -> None:
         """A plain branch: does it change what it was taken for?"""
-        written = {element_text(one) for one in targets(body) if isinstance(one, Variable)}
+        written = {element_name(target) for target in targets(body) if isinstance(target, Variable)}
         read = {
-            element_text(one)
+            element_name(operand)
             for condition in asked
-            for one in operands_of(condition, self._names)
-            if isinstance(one, Variable)
+            for operand in operands_of(condition, self._names)
+            if isinstance(operand, Variable)
         }
         resets = around.resets or not written.isdisjoint(read)
         self._all(body, replace(around, skipped=True, resets=resets))
@@ -287,7 +287,7 @@ class CycleLinter:
 
     def _condition(self, condition: Expression, frequency: str) -> None:
         operands = list(operands_of(condition, self._names))
-        frozen = [one for one in operands if self._is_frozen(one)]
+        frozen = [operand for operand in operands if self._is_frozen(operand)]
         if len(frozen) < len(operands) or (frozen and frequency == "ONCE"):
             for operand in frozen:
                 self._report_frozen(operand, in_condition=True)
@@ -301,7 +301,7 @@ class CycleLinter:
             self._compare(comparison)
 
     def _never_changes(self, condition: Expression, frozen: Sequence[Expression]) -> None:
-        names = list(dict.fromkeys(self._name(one) for one in frozen))
+        names = list(dict.fromkeys(self._name(operand) for operand in frozen))
         seen = _THOSE if len(names) > 1 else self._value(frozen[0])
         self._findings.report(
             CONDITION_NEVER_CHANGES,
@@ -333,10 +333,10 @@ class CycleLinter:
 
     def _range(self, comparison: Binary, variable: Variable, operator: str, value: float) -> None:
         """A integer_value number that its type lets never, or always, fulfil the comparison."""
-        found = resolve(variable, self._names)
-        if not isinstance(found, Location) or not is_live(variable, self._names):
+        location = resolve(variable, self._names)
+        if not isinstance(location, Location) or not is_live(variable, self._names):
             return
-        scalar = SCALARS[found.type]
+        scalar = SCALARS[location.type]
         if not scalar.is_integer:
             return
         truth = always(operator, value, scalar.low, scalar.high)
@@ -345,8 +345,8 @@ class CycleLinter:
         self._findings.report(
             COMPARISON_OUTSIDE_TYPE_RANGE,
             comparison.span,
-            name=found.name,
-            type=found.type,
+            name=location.name,
+            type=location.type,
             result=_ALWAYS_TRUE if truth else _NEVER_TRUE,
             low=int(scalar.low),
             high=int(scalar.high),
@@ -354,10 +354,12 @@ class CycleLinter:
 
     def _exact(self, left: Expression, right: Expression) -> None:
         """A position that changes in motion, compared with anything but the target position."""
-        for one, other in ((left, right), (right, left)):
-            if is_position(one, "ACT_POS", "CUR_POS") and not is_position(other, "CMD_POS"):
-                assert isinstance(one, Variable)
-                self._findings.report(EXACT_POSITION_COMPARISON, one.span, name=path_text(one))
+        for position, other in ((left, right), (right, left)):
+            if is_position(position, "ACT_POS", "CUR_POS") and not is_position(other, "CMD_POS"):
+                assert isinstance(position, Variable)
+                self._findings.report(
+                    EXACT_POSITION_COMPARISON, position.span, name=path_text(position)
+                )
                 return
 
     # --- frozen values ---------------------------------------------------------------------------
@@ -372,8 +374,8 @@ class CycleLinter:
             return not operand.call
         if not isinstance(operand, Variable) or operand.family not in _DECLARED:
             return False
-        found = resolve(operand, self._names)
-        return isinstance(found, Location) and not is_live(operand, self._names)
+        location = resolve(operand, self._names)
+        return isinstance(location, Location) and not is_live(operand, self._names)
 
     def _report_frozen(self, operand: Expression, *, in_condition: bool) -> None:
         """Each once in a cycle."""
@@ -394,16 +396,18 @@ class CycleLinter:
     def _value(self, operand: Expression) -> Text:
         """Return with which value it is read, where that can be said."""
         assert isinstance(operand, Variable | Parameter)
-        known = self._known.get(place_text(operand))
-        if known is not None:
-            value = f"{known.value:.15g}"
-            return Text(f"{value}, set in line {known.line}", f"{value} aus Zeile {known.line}")
+        known_value = self._values.get(operand_key(operand))
+        if known_value is not None:
+            value = f"{known_value.value:.15g}"
+            return Text(
+                f"{value}, set in line {known_value.line}", f"{value} aus Zeile {known_value.line}"
+            )
         return _THEN
 
 
 def _keyword(bracket: BracketCommand, name: str) -> Keyword:
     """Return the keyword of this name, which the command has."""
-    return next(one for one in bracket.items if isinstance(one, Keyword) and one.name == name)
+    return next(item for item in bracket.items if isinstance(item, Keyword) and item.name == name)
 
 
 def _inside(frequency: str, around: _Surrounding) -> _Surrounding:

@@ -37,7 +37,7 @@ def integer_value(expression: Expression | None) -> int | None:
     return int(expression.value)
 
 
-def element_text(variable: Variable) -> str:
+def element_name(variable: Variable) -> str:
     """The variable with its constant indices: what is written by two names is not found."""
     parts = []
     for part in variable.parts:
@@ -48,11 +48,11 @@ def element_text(variable: Variable) -> str:
     return ".".join((f"V.{variable.family}", *parts))
 
 
-def place_text(place: Variable | Parameter) -> str:
+def operand_key(target: Variable | Parameter) -> str:
     """A variable or parameter as a key; with ``[]`` in it where an index is computed."""
-    if isinstance(place, Variable):
-        return element_text(place)
-    number = integer_value(place.index)
+    if isinstance(target, Variable):
+        return element_name(target)
+    number = integer_value(target.index)
     return "P[]" if number is None else f"P[{number}]"
 
 

@@ -29,19 +29,19 @@ _START = re.compile(r"\s*%\s*(?:([Ll])\s+(?=\S))?(.*\S)?", re.DOTALL)
 
 def parse_head(text: BlockText) -> Head:
     """Skip level, number and label of the block."""
-    found = text.match(_HEAD)
-    assert found is not None
-    skip, digits, colon, name = found.groups()
+    match = text.match(_HEAD)
+    assert match is not None
+    skip, digits, colon, name = match.groups()
     if skip is None and digits is None and name is None:
         computed = text.match(_COMPUTED_NUMBER)
         return NO_HEAD if computed is None else Head(parse_expression(text, names=False))
     level = None if skip is None else int(skip[:3] or 1)
     if level is not None and not 1 <= level <= SKIP_LEVELS:
-        raise BlockError(INVALID_SKIP_LEVEL, *found.span(1), level=skip, limit=SKIP_LEVELS)
+        raise BlockError(INVALID_SKIP_LEVEL, *match.span(1), level=skip, limit=SKIP_LEVELS)
     number: Expression | None = None
     label = None if name is None else name.upper()
     if digits is not None:
-        number = number_at(text, *found.span(2))
+        number = number_at(text, *match.span(2))
         if colon and label is None:
             label = number_label(digits)
     return Head(number, level, label)
@@ -54,17 +54,17 @@ def number_label(digits: str) -> str:
 
 def parse_label(text: BlockText) -> str | None:
     """The label that a jump names."""
-    found = text.match(_LABEL)
-    if found is None:
+    match = text.match(_LABEL)
+    if match is None:
         return None
-    return number_label(found[1]) if found[1] is not None else found[2].upper()
+    return number_label(match[1]) if match[1] is not None else match[2].upper()
 
 
 def parse_program_start(text: BlockText) -> ProgramStart:
     """The ``%name`` or ``%L name`` that stands next; blanks inside the name belong to it."""
     start = text.skip_blanks()
-    found = text.match(_START)
-    assert found is not None
-    span = text.span(start, found.end())
+    match = text.match(_START)
+    assert match is not None
+    span = text.span(start, match.end())
     text.pos = len(text.text)
-    return ProgramStart(span, NO_HEAD, found[2] or "", found[1] is not None)
+    return ProgramStart(span, NO_HEAD, match[2] or "", match[1] is not None)

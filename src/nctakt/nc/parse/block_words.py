@@ -99,13 +99,13 @@ def parse_plain(text: BlockText, head: Head) -> Block | None:
     if len(text.pieces) > 1:
         return None
     content, file, line = text.text, text.file, text.line_number
-    match = _PLAIN_WORD.match
+    next_word = _PLAIN_WORD.match
     words: list[BlockWord] = []
     start = end = text.pos
-    while (found := match(content, end)) is not None:
-        letter, number = found.groups()
-        column = found.start(1) + 1
-        digits_at, end = found.span(2)
+    while (match := next_word(content, end)) is not None:
+        letter, number = match.groups()
+        column = match.start(1) + 1
+        digits_at, end = match.span(2)
         value = Number(Span(file, line, digits_at + 1, end + 1), float(number))
         make, name = _PLAIN_KINDS[letter]
         words.append(make(Span(file, line, column, end + 1), name, value))
@@ -130,10 +130,10 @@ def parse_content(text: BlockText, head: Head) -> list[Statement]:
 def parse_offsets(text: BlockText, head: Head) -> OffsetCommand | None:
     """The ``#`` command whose rest are words as in any block; ``None`` for any other command."""
     start = text.skip_blanks()
-    found = text.match(_OFFSETS)
-    if found is None:
+    match = text.match(_OFFSETS)
+    if match is None:
         return None
-    name = cast(OffsetCommandName, " ".join(found[1].upper().split()))
+    name = cast(OffsetCommandName, " ".join(match[1].upper().split()))
     kinds = parse_items(text) if text.looking_at(OPENING) is not None else ()
     words: list[BlockWord] = []
     while not text.at_end():
@@ -156,8 +156,8 @@ def _statement(text: BlockText, head: Head) -> Statement:
                 return _macro(text, head, start, quoted[1])
             span = text.span(quoted.start(1) - 1, quoted.end())
             words.append(StringWord(span, quoted[1]))
-        elif call is None and (found := text.match(_CALL)) is not None:
-            call = _call(text, local=len(found[1]) == 2)
+        elif call is None and (match := text.match(_CALL)) is not None:
+            call = _call(text, local=len(match[1]) == 2)
         else:
             words.append(_word(text))
     end = start + len(text.text[start : text.pos].rstrip())
@@ -171,11 +171,11 @@ def _assignment(text: BlockText, head: Head) -> Statement:
     start = text.pos
     target = parse_target(text)
     assert target is not None
-    found = text.match(_ASSIGN)
-    if found is None:
+    match = text.match(_ASSIGN)
+    if match is None:
         return VariableBlock(text.span(start, text.pos), head, target)
     value = parse_expression(text)
-    operator = cast(AssignmentOperator, found[1])
+    operator = cast(AssignmentOperator, match[1])
     return Assignment(text.span(start, text.pos), head, target, operator, value)
 
 
@@ -224,10 +224,10 @@ def _without_name(keywords: list[Keyword | Expression], start: int) -> BlockErro
 
 
 def _call_item(text: BlockText, depth: int) -> Keyword | Expression:
-    found = text.match(_NAME_KEYWORD)
-    if found is None:
+    match = text.match(_NAME_KEYWORD)
+    if match is None:
         return parse_item(text, depth)
-    return Keyword(text.span(*found.span(1)), "NAME", _called_name(text))
+    return Keyword(text.span(*match.span(1)), "NAME", _called_name(text))
 
 
 def _called_name(text: BlockText) -> Expression:
@@ -238,10 +238,10 @@ def _called_name(text: BlockText) -> Expression:
     variable = parse_variable(text)
     if variable is not None:
         return variable
-    found = text.match(_CALL_NAME)
-    if found is None:
+    match = text.match(_CALL_NAME)
+    if match is None:
         raise expected(text, NAME_EXPECTED)
-    return StringLiteral(text.span(*found.span(1)), found[1])
+    return StringLiteral(text.span(*match.span(1)), match[1])
 
 
 # --- words ---------------------------------------------------------------------------------------
@@ -281,8 +281,8 @@ def _word(text: BlockText) -> BlockWord:
 def _computed(text: BlockText, name: str, start: int, value: Expression | None) -> BlockWord:
     """``XP1``; ``M[P1]=5``, a function whose number is computed, with its own value."""
     if name.upper() in _FUNCTIONS and value is not None and text.match(EQUALS) is not None:
-        given = parse_expression(text, names=False)
-        return Word(text.span(start, text.pos), name.upper(), value, given)
+        additional = parse_expression(text, names=False)
+        return Word(text.span(start, text.pos), name.upper(), value, additional)
     return _make(text, name, start, value)
 
 

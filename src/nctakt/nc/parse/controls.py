@@ -100,21 +100,21 @@ class CurrentLine(NamedTuple):
 
 def control_line(text: BlockText, head: Head, structures: StructureStack) -> None:
     """A line that begins with ``$``."""
-    found = text.match(_DOLLAR_WORD)
-    assert found is not None
-    word = "$" + found[1].upper()
+    match = text.match(_DOLLAR_WORD)
+    assert match is not None
+    word = "$" + match[1].upper()
     handler = CONTROL_WORDS.get(word)
     if handler is None:
         suggestion = get_close_matches(word, CONTROL_WORDS, 1, 0.0)[0]
-        start = found.start(1) - 1
+        start = match.start(1) - 1
         raise BlockError(
             UNKNOWN_CONTROL_WORD,
             start,
-            found.end(),
-            word=shown("$" + found[1]),
+            match.end(),
+            word=shown("$" + match[1]),
             suggestion=suggestion,
         )
-    handler(CurrentLine(text, head, structures, found.start(1) - 1, word))
+    handler(CurrentLine(text, head, structures, match.start(1) - 1, word))
 
 
 def hash_line(text: BlockText, head: Head, structures: StructureStack) -> None:
@@ -162,8 +162,8 @@ def _value(current: CurrentLine) -> Expression:
 
 
 def _frequency(current: CurrentLine) -> Frequency | None:
-    found = current.text.match(_FREQUENCY)
-    return None if found is None else cast(Frequency, found[1].upper())
+    match = current.text.match(_FREQUENCY)
+    return None if match is None else cast(Frequency, match[1].upper())
 
 
 def _stray(current: CurrentLine, begin: str) -> None:
@@ -205,13 +205,13 @@ def _if(current: CurrentLine) -> None:
 
 def _one_line_body(text: BlockText) -> Statement:
     """What may stand behind the condition in the same line: a jump."""
-    found = text.match(_DOLLAR_WORD)
-    assert found is not None
-    start = found.start(1) - 1
-    make = _JUMPS.get("$" + found[1].upper())
+    match = text.match(_DOLLAR_WORD)
+    assert match is not None
+    start = match.start(1) - 1
+    make = _JUMPS.get("$" + match[1].upper())
     if make is None:
-        raise BlockError(UNEXPECTED_TEXT, start, found.end(), found=quoted("$" + found[1]))
-    return make(text, Head(), text.span(start, found.end()))
+        raise BlockError(UNEXPECTED_TEXT, start, match.end(), found=quoted("$" + match[1]))
+    return make(text, Head(), text.span(start, match.end()))
 
 
 def _preprocessor_if(current: CurrentLine) -> None:
@@ -421,8 +421,8 @@ def _realtime_cycle(current: CurrentLine, command: RawCommand) -> None:
     else:
         # Was it a definition, its end is still to come; it shall not be a second mistake.
         current.structures.expect_stray_cycle_end()
-        known = words[0] in CYCLE_ACTIONS and len(words) > 1
-        wrong = command.words[3 if known else 2]
+        has_action = words[0] in CYCLE_ACTIONS and len(words) > 1
+        wrong = command.words[3 if has_action else 2]
         raise BlockError(UNKNOWN_CYCLE_KEYWORD, 0, 0, wrong.span, keyword=shown(wrong.text))
 
 
@@ -438,8 +438,8 @@ def _end_realtime_cycle(current: CurrentLine, command: RawCommand) -> None:
         )
     rest = (*command.words[3:], *command.arguments)
     if rest:
-        found = quoted(current.text.text_of(rest[0].span))
-        raise BlockError(UNEXPECTED_TEXT, 0, 0, rest[0].span, found=found)
+        written = quoted(current.text.text_of(rest[0].span))
+        raise BlockError(UNEXPECTED_TEXT, 0, 0, rest[0].span, found=written)
 
 
 def _realtime_loop(current: CurrentLine, command: RawCommand) -> None:
@@ -450,8 +450,8 @@ def _realtime_loop(current: CurrentLine, command: RawCommand) -> None:
         raise BlockError(UNEXPECTED_TEXT, 0, 0, wrong.span, found=shown(wrong.text))
     for item in cycle_keywords(current.text, command):
         if not isinstance(item, Keyword) or item != Keyword(item.span, "MODULO", None):
-            found = shown(current.text.text_of(item.span))
-            raise BlockError(UNEXPECTED_TEXT, 0, 0, item.span, found=found)
+            written = shown(current.text.text_of(item.span))
+            raise BlockError(UNEXPECTED_TEXT, 0, 0, item.span, found=written)
         frame.modulo = True
 
 
@@ -461,8 +461,8 @@ def _end_realtime_loop(current: CurrentLine, command: RawCommand) -> None:
         raise BlockError(RT_WHILE_NESTED, command.start, command.end, found="#RT ENDWHILE")
     current.structures.close(frame)
     for wrong in (*command.words[2:], *command.arguments):
-        found = shown(current.text.text_of(wrong.span))
-        raise BlockError(UNEXPECTED_TEXT, 0, 0, wrong.span, found=found)
+        written = shown(current.text.text_of(wrong.span))
+        raise BlockError(UNEXPECTED_TEXT, 0, 0, wrong.span, found=written)
 
 
 def _variables(current: CurrentLine, _: RawCommand) -> None:

@@ -53,10 +53,10 @@ def parse_declaration(text: BlockText, head: Head) -> Declaration:
     size: Expression | None = None
     initial: Expression | None = None
     if text.match(_COLON) is not None:
-        found = text.match(_TYPE)
-        if found is None:
+        match = text.match(_TYPE)
+        if match is None:
             raise expected(text, NAME_EXPECTED)
-        type_name = found[1].upper()
+        type_name = match[1].upper()
         if text.looking_at(OPENING) is not None:
             size = parse_list(text)[0].node
     if text.match(EQUALS) is not None:

@@ -126,14 +126,14 @@ def expected(
     text: BlockText, message: Message = VALUE_EXPECTED, symbol: str | None = None
 ) -> BlockError:
     """The error that something is missing at the reading position, showing what stands there."""
-    found = text.looking_at(_NEXT_TOKEN)
+    token = text.looking_at(_NEXT_TOKEN)
     word: str | Text = END_OF_BLOCK
-    if found is None:
+    if token is None:
         start = len(text.text.rstrip())
         end = start + 1
     else:
-        start, end = found.span(1)
-        word = quoted(found[1])
+        start, end = token.span(1)
+        word = quoted(token[1])
     if symbol is None:
         return BlockError(message, start, end, found=word)
     return BlockError(message, start, end, found=word, symbol=symbol)
@@ -155,14 +155,14 @@ def unreadable(text: BlockText) -> BlockError:
     return expected(text, UNEXPECTED_TEXT)
 
 
-def shown(found: str) -> str:
+def shown(piece: str) -> str:
     """A piece of the text for a message: short, and nothing in it that does not print."""
-    return "".join(c if c.isprintable() else f"U+{ord(c):04X}" for c in found[:40])
+    return "".join(c if c.isprintable() else f"U+{ord(c):04X}" for c in piece[:40])
 
 
-def quoted(found: str) -> str:
+def quoted(piece: str) -> str:
     """The same in quotation marks."""
-    return f"'{shown(found)}'"
+    return f"'{shown(piece)}'"
 
 
 def require(text: BlockText, pattern: re.Pattern[str], symbol: str) -> None:
@@ -290,28 +290,28 @@ def _target(text: BlockText, depth: int) -> _SizedTarget | None:
     if variable is not None:
         start = variable.end() - len("Vs." if variable[1] else "V.")
         return _variable(text, start, variable[1] is not None, depth, False)
-    found = text.match(PARAMETER)
-    if found is None:
+    match = text.match(PARAMETER)
+    if match is None:
         return None
-    start, end = found.start(1), found.end()
-    if found[2] is not None:
-        index = Sized(number_at(text, *found.span(2)), 1)
+    start, end = match.start(1), match.end()
+    if match[2] is not None:
+        index = Sized(number_at(text, *match.span(2)), 1)
     else:
         items = parse_list(text, depth)
         if len(items) != 1:
             raise BlockError(UNEXPECTED_TEXT, end, end + 1, found=quoted("["))
         index = items[0]
-    parameter = Parameter(text.span(start, text.pos), index.node, bool(found[1]))
+    parameter = Parameter(text.span(start, text.pos), index.node, bool(match[1]))
     return _SizedTarget(parameter, _checked(text, index.height + 1))
 
 
 def parse_variable(text: BlockText, *, whole_family: bool = False) -> Variable | None:
     """A variable, if one stands next; ``whole_family``: ``V.E.`` may have no name behind it."""
-    found = text.match(VARIABLE)
-    if found is None:
+    match = text.match(VARIABLE)
+    if match is None:
         return None
-    start = found.end() - len("Vs." if found[1] else "V.")
-    node = _variable(text, start, found[1] is not None, 0, whole_family).node
+    start = match.end() - len("Vs." if match[1] else "V.")
+    node = _variable(text, start, match[1] is not None, 0, whole_family).node
     assert isinstance(node, Variable)
     return node
 

@@ -106,12 +106,12 @@ def _components(text: BlockText) -> Argument:
     while text.match(CLOSING) is None:
         if text.at_end():
             raise BlockError(BRACKET_NOT_CLOSED, start, start + 1)
-        place = text.skip_blanks()
+        position = text.skip_blanks()
         is_comma = text.match(COMMA) is not None
         if not is_comma:
             items.append(parse_item(text))
         elif is_gap:
-            items.append(Number(text.span(place, place + 1), 0.0))
+            items.append(Number(text.span(position, position + 1), 0.0))
         is_gap = is_comma
     return Bracket(text.span(start, text.pos), tuple(items))
 
@@ -142,8 +142,8 @@ def cycle_keywords(text: BlockText, command: RawCommand) -> tuple[Item, ...]:
             for index, argument in enumerate(command.arguments)
             if index or not isinstance(argument, Bracket)
         )
-        found = quoted(text.text_of(wrong.span))
-        raise BlockError(UNEXPECTED_TEXT, 0, 0, wrong.span, found=found)
+        written = quoted(text.text_of(wrong.span))
+        raise BlockError(UNEXPECTED_TEXT, 0, 0, wrong.span, found=written)
     return items
 
 

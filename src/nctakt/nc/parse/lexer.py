@@ -104,10 +104,10 @@ class BlockText:
 
     def match(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
         """Match at the reading position and go behind it, or stay."""
-        found = pattern.match(self.text, self.pos)
-        if found is not None:
-            self.pos = found.end()
-        return found
+        match = pattern.match(self.text, self.pos)
+        if match is not None:
+            self.pos = match.end()
+        return match
 
     def looking_at(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
         """Match at the reading position and stay."""
@@ -115,9 +115,9 @@ class BlockText:
 
     def skip_blanks(self) -> int:
         """Go to the next character that is no blank; its index, or the text's length."""
-        found = _BLANKS.match(self.text, self.pos)
-        assert found is not None
-        self.pos = found.end()
+        match = _BLANKS.match(self.text, self.pos)
+        assert match is not None
+        self.pos = match.end()
         return self.pos
 
     def at_end(self) -> bool:
@@ -138,13 +138,13 @@ def without_comments(line: str) -> str:
     ``( … )`` nest, and one that is not closed ends with the line. Inside a text in double quotes
     nothing is a comment.
     """
-    found = _COMMENT_START.search(line)
-    if found is None:
+    match = _COMMENT_START.search(line)
+    if match is None:
         return line
     parts = []
     done = 0
-    while found is not None:
-        at = found.start()
+    while match is not None:
+        at = match.start()
         if line[at] == ";":
             parts.append(line[done:at])
             return "".join(parts)
@@ -158,17 +158,17 @@ def without_comments(line: str) -> str:
             end = _end_of_parentheses(line, at)
             parts += (line[done:at], " " * (end - at))
         done = end
-        found = _COMMENT_START.search(line, done)
+        match = _COMMENT_START.search(line, done)
     parts.append(line[done:])
     return "".join(parts)
 
 
 def _end_of_parentheses(line: str, start: int) -> int:
     depth = 0
-    for found in _PARENTHESIS.finditer(line, start):
-        depth += 1 if found[0] == "(" else -1
+    for match in _PARENTHESIS.finditer(line, start):
+        depth += 1 if match[0] == "(" else -1
         if depth == 0:
-            return found.end()
+            return match.end()
     return len(line)
 
 

@@ -89,8 +89,8 @@ class StatementReader:
         structures.close_all()
         yield from self._ready(begin)
         if empty and not collector.has_errors:
-            place = Span(source.file, 1, 1, 2)
-            collector.report(PROGRAM_EMPTY, place, source.line_of(place))
+            span = Span(source.file, 1, 1, 2)
+            collector.report(PROGRAM_EMPTY, span, source.line_of(span))
 
     def _ready(self, begin: int) -> Iterator[tuple[int, Statement]]:
         """What is finished, counted as it is given."""
@@ -102,10 +102,10 @@ class StatementReader:
 
 def parse_program(source: Source, collector: Collector) -> Program:
     """The whole program; diagnostics in the order of the text."""
-    found = Collector()
-    program = _assemble(source, StatementReader(source, found), found)
-    found.diagnostics.sort(key=_place)
-    collector.diagnostics += found.diagnostics
+    found_errors = Collector()
+    program = _assemble(source, StatementReader(source, found_errors), found_errors)
+    found_errors.diagnostics.sort(key=_place)
+    collector.diagnostics += found_errors.diagnostics
     return program
 
 

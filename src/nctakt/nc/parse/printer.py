@@ -194,8 +194,8 @@ def format_word(word: BlockWord) -> str:
         return word.name
     if len(word.name) > 1 or word.name in "LP" or not isinstance(word.value, Number):
         if isinstance(word, Word) and word.additional is not None:
-            number, given = format_expression(word.value), format_expression(word.additional)
-            return f"{word.name}[{number}]={given}"
+            number, additional = format_expression(word.value), format_expression(word.additional)
+            return f"{word.name}[{number}]={additional}"
         return f"{word.name}={format_expression(word.value)}"
     text = word.name + format_number(word.value.value)
     if isinstance(word, Word) and word.additional is not None:

@@ -115,8 +115,8 @@ class AxisCommand:
     def expressions(self) -> list[Expression]:
         """What is computed in the tick, in the order of the computation."""
         direction = None if isinstance(self.direction, Name) else self.direction
-        found = [self.feed, self.position, direction]
-        return [one for one in found if one is not None]
+        values = [self.feed, self.position, direction]
+        return [value for value in values if value is not None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,25 +151,25 @@ def axis_commands_in(statements: Sequence[Statement]) -> Iterator[BracketCommand
 
 def read_axis_command(command: BracketCommand) -> tuple[AxisCommand, list[Finding]]:
     """The command, and what is wrong with it."""
-    wrong: list[Finding] = []
-    found = _sorted(command, wrong)
-    made = AxisCommand(
+    findings: list[Finding] = []
+    keywords = _sorted(command, findings)
+    parsed = AxisCommand(
         command.name,
         command.span,
-        "STOP" in found,
-        "BUFFERED" in found,
-        _offset(found.get("OFFSET"), wrong),
-        True if "G90" in found else False if "G91" in found else None,
-        True if "G00" in found else False if "G01" in found else None,
-        _value(found, "FEED"),
-        _value(found, "POS"),
-        _value(found, "DIR"),
+        "STOP" in keywords,
+        "BUFFERED" in keywords,
+        _offset(keywords.get("OFFSET"), findings),
+        True if "G90" in keywords else False if "G91" in keywords else None,
+        True if "G00" in keywords else False if "G01" in keywords else None,
+        _value(keywords, "FEED"),
+        _value(keywords, "POS"),
+        _value(keywords, "DIR"),
     )
-    if isinstance(made.direction, Name) and made.direction.name not in DIRECTIONS:
-        wrong.append(_unknown_choice(made.direction, "DIR", tuple(DIRECTIONS)))
-    if not wrong:
-        wrong += [refusal(command, number) for number in _combination(made, found)]
-    return made, wrong
+    if isinstance(parsed.direction, Name) and parsed.direction.name not in DIRECTIONS:
+        findings.append(_unknown_choice(parsed.direction, "DIR", tuple(DIRECTIONS)))
+    if not findings:
+        findings += [refusal(command, number) for number in _combination(parsed, keywords)]
+    return parsed, findings
 
 
 def refusal(command: BracketCommand, number: int) -> Finding:
@@ -181,15 +181,15 @@ def refusal(command: BracketCommand, number: int) -> Finding:
     )
 
 
-def _sorted(command: BracketCommand, wrong: list[Finding]) -> dict[str, Keyword]:
+def _sorted(command: BracketCommand, findings: list[Finding]) -> dict[str, Keyword]:
     """The keywords by name; G functions by their names, as ``G90``."""
-    found: dict[str, Keyword] = {}
+    keywords: dict[str, Keyword] = {}
     for item in command.items:
         name = item.name if isinstance(item, Keyword) else ""
         if isinstance(item, Keyword) and name == "G":
             name = _g_word(item)
             if not name:
-                wrong.append(
+                findings.append(
                     Finding(
                         INDP_KEYWORD_NOT_ALLOWED,
                         item.span,
@@ -198,18 +198,20 @@ def _sorted(command: BracketCommand, wrong: list[Finding]) -> dict[str, Keyword]
                 )
                 continue
         elif not isinstance(item, Keyword) or item.arguments or name not in _FLAGS + _VALUES:
-            wrong.append(Finding(UNKNOWN_INDP_KEYWORD, item.span, {"axis": command.name}, "word"))
+            findings.append(
+                Finding(UNKNOWN_INDP_KEYWORD, item.span, {"axis": command.name}, "word")
+            )
             continue
-        if name in found:
-            wrong.append(
+        if name in keywords:
+            findings.append(
                 Finding(DUPLICATE_INDP_KEYWORD, item.span, {"axis": command.name, "word": name})
             )
         elif name in _FLAGS and item.value is not None:
-            wrong.append(Finding(INDP_KEYWORD_WITH_VALUE, item.span, {"word": name}))
+            findings.append(Finding(INDP_KEYWORD_WITH_VALUE, item.span, {"word": name}))
         elif name in _VALUES and item.value is None:
-            wrong.append(Finding(WORD_VALUE_MISSING, item.span, {"word": name}))
-        found.setdefault(name, item)
-    return found
+            findings.append(Finding(WORD_VALUE_MISSING, item.span, {"word": name}))
+        keywords.setdefault(name, item)
+    return keywords
 
 
 def _g_word(keyword: Keyword) -> str:
@@ -221,18 +223,18 @@ def _shown(keyword: Keyword) -> str:
     return f"G{keyword.value.value:g}" if isinstance(keyword.value, Number) else "G"
 
 
-def _value(found: dict[str, Keyword], name: str) -> Expression | None:
-    keyword = found.get(name)
+def _value(keywords: dict[str, Keyword], name: str) -> Expression | None:
+    keyword = keywords.get(name)
     return None if keyword is None else keyword.value
 
 
-def _offset(keyword: Keyword | None, wrong: list[Finding]) -> str:
+def _offset(keyword: Keyword | None, findings: list[Finding]) -> str:
     if keyword is None or keyword.value is None:
         return ""
     value = keyword.value
     if isinstance(value, Name) and value.name in OFFSETS:
         return value.name
-    wrong.append(_unknown_choice(value, "OFFSET", OFFSETS))
+    findings.append(_unknown_choice(value, "OFFSET", OFFSETS))
     return ""
 
 
@@ -242,10 +244,10 @@ def _unknown_choice(value: Expression, word: str, names: tuple[str, ...]) -> Fin
     )
 
 
-def _combination(command: AxisCommand, found: dict[str, Keyword]) -> list[int]:
+def _combination(command: AxisCommand, keywords: dict[str, Keyword]) -> list[int]:
     """Numbers of ``REFUSALS`` that need no value."""
     if command.stops:
-        return [1] if len(found) > 2 else []
+        return [1] if len(keywords) > 2 else []
     refused = [
         number
         for number, pair in (
@@ -253,7 +255,7 @@ def _combination(command: AxisCommand, found: dict[str, Keyword]) -> list[int]:
             (3, ("G90", "G91")),
             (4, ("G00", "G01")),
         )
-        if all(word in found for word in pair)
+        if all(word in keywords for word in pair)
     ]
     if isinstance(command.feed, Number) and command.feed.value == 0.0:
         refused.append(8)

@@ -31,25 +31,25 @@ def leaf_cells(node: Node, path: str, cell: int) -> Iterator[tuple[str, Node, in
     stride = cells_of(node) // max(1, count)
     for index in range(max(1, count)):
         element = f"{path}[{index}]" if count else path
-        place = cell + index * stride
+        first = cell + index * stride
         if not node.members:
-            yield element, node, place
+            yield element, node, first
         for member in node.members:
-            yield from leaf_cells(member, f"{element}.{member.name}", place)
-            place += cells_of(member)
+            yield from leaf_cells(member, f"{element}.{member.name}", first)
+            first += cells_of(member)
 
 
-def same_type(one: Node, other: Node) -> bool:
+def same_type(node: Node, other: Node) -> bool:
     """Whether two variables can be assigned to each other as wholes (RC-310); names do not count.
 
     Structures are compared member by member: two lists may use one name for different ones.
     """
-    if (one.type, one.array_elements, one.size_bytes) != (
+    if (node.type, node.array_elements, node.size_bytes) != (
         other.type,
         other.array_elements,
         other.size_bytes,
     ):
         return False
-    if [member.name for member in one.members] != [member.name for member in other.members]:
+    if [member.name for member in node.members] != [member.name for member in other.members]:
         return False
-    return all(map(same_type, one.members, other.members))
+    return all(map(same_type, node.members, other.members))

@@ -29,8 +29,8 @@ class Conversion(NamedTuple):
 
 def conversions(text: str) -> Iterator[Conversion]:
     """Each place in the order of the text; ``%%`` is none but the sign itself."""
-    for found in _CONVERSION.finditer(text):
-        if found["kind"] is not None:
-            yield Conversion(found[0], True)
-        elif found["wrong"] is not None:
-            yield Conversion(found[0], False)
+    for match in _CONVERSION.finditer(text):
+        if match["kind"] is not None:
+            yield Conversion(match[0], True)
+        elif match["wrong"] is not None:
+            yield Conversion(match[0], False)

@@ -20,7 +20,7 @@ from nctakt.nc.tree import (
     Variable,
 )
 from nctakt.nc.vocabulary.operators import FUNCTIONS
-from nctakt.nc.vocabulary.variable_table import Location, NameTable, NotFound, Whole
+from nctakt.nc.vocabulary.variable_table import Aggregate, Location, NameTable, NotFound
 
 
 def resolve(variable: Variable, names: NameTable) -> Location | NotFound:
@@ -29,10 +29,10 @@ def resolve(variable: Variable, names: NameTable) -> Location | NotFound:
     return names.resolve(variable.family, parts)
 
 
-def resolve_whole(variable: Variable, names: NameTable) -> Whole | NotFound:
+def resolve_aggregate(variable: Variable, names: NameTable) -> Aggregate | NotFound:
     """The structure or whole array that a variable names, or why it names none."""
     parts = [(part.name, len(part.indices)) for part in variable.parts]
-    return names.resolve_whole(variable.family, parts)
+    return names.resolve_aggregate(variable.family, parts)
 
 
 #: Families of variables that programs make themselves.
@@ -68,8 +68,8 @@ def is_text(expression: Expression, names: NameTable) -> bool:
             function = FUNCTIONS.get(expression.function)
             return function is not None and function.is_text
         case Variable():
-            found = resolve(expression, names)
-            return isinstance(found, Location) and not found.is_numeric
+            location = resolve(expression, names)
+            return isinstance(location, Location) and not location.is_numeric
         case Binary(operator="+"):
             return is_text(expression.left, names) or is_text(expression.right, names)
     return False

@@ -78,13 +78,13 @@ def _function(word: Word | Keyword) -> int | None:
 
 
 def _bracket(command: BracketCommand) -> SpindleCommand:
-    found = SpindleCommand(command.name, command.span, [], None, None, [], [])
+    parsed = SpindleCommand(command.name, command.span, [], None, None, [], [])
     for item in command.items:
         if isinstance(item, Keyword):
-            _add(found, item)
+            _add(parsed, item)
         else:
-            found.wrong.append(item)
-    return found
+            parsed.wrong.append(item)
+    return parsed
 
 
 def _add(command: SpindleCommand, word: Word | Keyword) -> None:

@@ -42,7 +42,7 @@ class SystemVariable(NamedTuple):
     @property
     def indices(self) -> list[Expression]:
         """What has to be evaluated for it."""
-        return [one for one in (self.number, self.element) if one is not None]
+        return [index for index in (self.number, self.element) if index is not None]
 
 
 def system_variable(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:

@@ -134,7 +134,7 @@ class Location:
 
 
 @dataclass(frozen=True, slots=True)
-class Whole:
+class Aggregate:
     """A structure or a whole array, without its index values.
 
     ``node`` is its declaration, without ``array_elements`` where its own index is given. ``cell``
@@ -239,9 +239,9 @@ class Layout:
     def allocate(self, variable: Variable) -> int:
         """The first cell of a variable; GLOBAL ones are there once for all channels."""
         if variable.scope is VariableScope.GLOBAL:
-            known = self._global.get(variable.name)
-            if known is not None and known[0].node == variable.node:
-                return known[1]
+            existing = self._global.get(variable.name)
+            if existing is not None and existing[0].node == variable.node:
+                return existing[1]
         cell = self.size
         self.size += cells_of(variable.node)
         if variable.scope is VariableScope.GLOBAL:
@@ -299,24 +299,30 @@ class NameTable:
             return self._resolve_axis(parts)
         return NotFound(Problem.UNKNOWN, f"V.{family}")
 
-    def resolve_whole(self, family: str, parts: Sequence[tuple[str, int]]) -> Whole | NotFound:
+    def resolve_aggregate(
+        self, family: str, parts: Sequence[tuple[str, int]]
+    ) -> Aggregate | NotFound:
         """A structure or a whole array of V.E or V.CH: a path that ``resolve`` refuses as such."""
         if family not in self._variables:
             return NotFound(Problem.UNKNOWN, f"V.{family}")
         location = self.resolve(family, parts)
         if isinstance(location, Location):
             return NotFound(Problem.STRUCTURE, location.name)
-        found = self._walk(family, parts)
-        assert isinstance(found, NotFound) or found.node.members or found.node.array_elements
-        return found
+        aggregate = self._walk(family, parts)
+        assert (
+            isinstance(aggregate, NotFound)
+            or aggregate.node.members
+            or aggregate.node.array_elements
+        )
+        return aggregate
 
     def _resolve_external(
         self, family: str, parts: Sequence[tuple[str, int]]
     ) -> Location | NotFound:
-        found = self._walk(family, parts)
-        if isinstance(found, NotFound):
-            return found
-        node, text = found.node, found.name
+        aggregate = self._walk(family, parts)
+        if isinstance(aggregate, NotFound):
+            return aggregate
+        node, text = aggregate.node, aggregate.name
         if node.array_elements:
             return NotFound(Problem.INDICES, text, expected_indices=1)
         if node.members:
@@ -327,24 +333,24 @@ class NameTable:
             text,
             family,
             node.type,
-            found.cell,
-            found.dimensions,
+            aggregate.cell,
+            aggregate.dimensions,
             node.synchronous,
             access,
             access,
             size_bytes=0 if SCALARS[node.type].is_numeric else node.size_bytes,
         )
 
-    def _walk(self, family: str, parts: Sequence[tuple[str, int]]) -> Whole | NotFound:
+    def _walk(self, family: str, parts: Sequence[tuple[str, int]]) -> Aggregate | NotFound:
         """Follow a path; only its last part may lack an index."""
-        known = self._variables[family]
+        variables = self._variables[family]
         text = f"V.{family}"
-        if not parts or parts[0][0] not in known:
+        if not parts or parts[0][0] not in variables:
             name = parts[0][0] if parts else ""
             return NotFound(
-                Problem.UNKNOWN, f"{text}.{name}", _nearest(f"{text}.{name}", text, known)
+                Problem.UNKNOWN, f"{text}.{name}", _nearest(f"{text}.{name}", text, variables)
             )
-        node, cell = known[parts[0][0]]
+        node, cell = variables[parts[0][0]]
         dimensions: list[Dimension] = []
         for position, (name, indices) in enumerate(parts):
             if position:
@@ -358,17 +364,17 @@ class NameTable:
                     cell += cells_of(member)
                 node = members[name]
             text += f".{name}"
-            wanted = 1 if node.array_elements else 0
-            if wanted and not indices and position == len(parts) - 1:
+            expected = 1 if node.array_elements else 0
+            if expected and not indices and position == len(parts) - 1:
                 break
-            if indices != wanted:
-                return NotFound(Problem.INDICES, text, expected_indices=wanted)
-            if wanted:
+            if indices != expected:
+                return NotFound(Problem.INDICES, text, expected_indices=expected)
+            if expected:
                 stride = cells_of(node) // node.array_elements
                 dimensions.append(Dimension(node.array_elements, stride))
                 node = replace(node, array_elements=0)
                 text += "[]"
-        return Whole(text, node, cell, tuple(dimensions))
+        return Aggregate(text, node, cell, tuple(dimensions))
 
     def _resolve_channel(self, parts: Sequence[tuple[str, int]]) -> Location | NotFound:
         path = ".".join(name for name, _ in parts)
@@ -396,15 +402,15 @@ class NameTable:
             numbers = [int(number) for number in re.findall(r"\d+", indices)]
             parts.append((name, len(numbers)))
             values += numbers
-        found = self.resolve(match["family"].upper(), parts)
-        if isinstance(found, NotFound):
-            return found
-        cell = found.cell
-        for value, dimension in zip(values, found.dimensions, strict=True):
+        location = self.resolve(match["family"].upper(), parts)
+        if isinstance(location, NotFound):
+            return location
+        cell = location.cell
+        for value, dimension in zip(values, location.dimensions, strict=True):
             if value >= dimension.count:
-                return NotFound(Problem.INDICES, found.name, expected_indices=dimension.count)
+                return NotFound(Problem.INDICES, location.name, expected_indices=dimension.count)
             cell += value * dimension.stride
-        return found, cell
+        return location, cell
 
     def signals(self) -> Iterator[tuple[str, int, RealtimeVariable]]:
         """The trace signals of the channel and its axes: name, cell, row of the table."""
@@ -438,10 +444,10 @@ class NameTable:
 
     def values(self) -> Iterator[tuple[str, int, str]]:
         """Every number and string of V.E and V.CH: its name, its first cell, its type."""
-        for family, known in self._variables.items():
-            for name, (node, cell) in known.items():
-                for path, leaf, place in leaf_cells(node, f"V.{family}.{name}", cell):
-                    yield path, place, leaf.type
+        for family, variables in self._variables.items():
+            for name, (node, cell) in variables.items():
+                for path, leaf, first in leaf_cells(node, f"V.{family}.{name}", cell):
+                    yield path, first, leaf.type
 
 
 def _resolve_row(
@@ -455,16 +461,16 @@ def _resolve_row(
 ) -> Location | NotFound:
     """A row of one of the access tables."""
     name = f"V.{family}.{path}" + (f".{axis}" if axis else "")
-    known = {key: row for key, (row, _) in rows.items() if row.decoder or row.cycle}
-    if path not in known:
-        near = _nearest(path, "", known)
+    names = {key: row for key, (row, _) in rows.items() if row.decoder or row.cycle}
+    if path not in names:
+        near = _nearest(path, "", names)
         full = f"V.{family}.{near}" + (f".{axis}" if axis else "") if near else ""
         return NotFound(Problem.UNKNOWN, name, full)
     row, offset = rows[path]
     indices = sum(count for _, count in parts)
-    wanted = 1 if row.count else 0
-    if indices != wanted or (wanted and parts[-1][1] != 1):
-        return NotFound(Problem.INDICES, name, expected_indices=wanted)
+    expected = 1 if row.count else 0
+    if indices != expected or (expected and parts[-1][1] != 1):
+        return NotFound(Problem.INDICES, name, expected_indices=expected)
     dimensions = (Dimension(row.count, 1),) if row.count else ()
     return Location(
         name + ("[]" if row.count else ""),
@@ -488,9 +494,8 @@ def _offsets(rows: Sequence[RealtimeVariable]) -> dict[str, tuple[RealtimeVariab
     return table
 
 
-def _nearest(wanted: str, prefix: str, known: Iterable[str]) -> str:
-    names = [f"{prefix}.{name}" if prefix else name for name in known]
-    return nearest(wanted, names)
+def _nearest(name: str, prefix: str, names: Iterable[str]) -> str:
+    return nearest(name, [f"{prefix}.{other}" if prefix else other for other in names])
 
 
 _PART = re.compile(r"([A-Za-z_][A-Za-z0-9_]*)((?:\[\s*\d+\s*\])*)")

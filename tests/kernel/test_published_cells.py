@@ -9,7 +9,7 @@ from __future__ import annotations
 from kernel_rig import DEMO
 
 from nctakt.kernel.plc.panel import OVERRIDE
-from nctakt.nc.vocabulary.variable_table import AXIS_VARIABLES, CHANNEL_VARIABLES
+from nctakt.nc.vocabulary.realtime_variables import AXIS_VARIABLES, CHANNEL_VARIABLES
 from nctakt.run.controller import Controller, NcText
 
 PROGRAM = """#RT CYCLE [SCOPE=PROG]

@@ -13,7 +13,7 @@ from nctakt.nc.check import realtime_cycles
 from nctakt.nc.parse import hash_commands
 from nctakt.nc.vocabulary import axis_commands
 from nctakt.nc.vocabulary.keywords import KEYWORDS
-from nctakt.nc.vocabulary.variable_table import AXIS_VARIABLES, CHANNEL_VARIABLES
+from nctakt.nc.vocabulary.realtime_variables import AXIS_VARIABLES, CHANNEL_VARIABLES
 from nctakt.reference.article import Article, Topic
 from nctakt.reference.topics import TOPICS, explain, nearest_word
 

@@ -6,8 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.base.diagnostics import Text
-from nctakt.nc.vocabulary.realtime_variables import meaning_of
-from nctakt.nc.vocabulary.variable_table import (
+from nctakt.nc.vocabulary.realtime_variables import (
     AXIS_VARIABLES,
     CHANNEL_VARIABLES,
     Access,
@@ -48,7 +47,7 @@ def article(name: str, row: RealtimeVariable) -> Article:
     kind = Text("realtime variable of the channel", "Echtzeit-Variable des Kanals")
     if name.startswith("V.RTA"):
         kind = Text("realtime variable of an axis", "Echtzeit-Variable einer Achse")
-    return Article(name, kind, meaning_of(name, row), tuple(_facts(row)))
+    return Article(name, kind, row.meaning, tuple(_facts(row)))
 
 
 def _facts(row: RealtimeVariable) -> Iterator[Fact]:

@@ -56,7 +56,8 @@ from nctakt.messages.memory import (
     SHARED_MEMORY_NOT_AVAILABLE,
 )
 from nctakt.nc.vocabulary.cells import CELL_BYTES
-from nctakt.nc.vocabulary.variable_table import SPINDLE_VALUES, Layout
+from nctakt.nc.vocabulary.realtime_variables import SPINDLE_VALUES
+from nctakt.nc.vocabulary.variable_table import Layout
 
 #: What tells a Python process which warnings it prints.
 _WARNINGS = "PYTHONWARNINGS"

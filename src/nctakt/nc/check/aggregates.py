@@ -22,10 +22,10 @@ from nctakt.messages.memory import AGGREGATE_TYPE_MISMATCH
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Assignment, Expression, Parameter, Variable
 from nctakt.nc.vocabulary.cells import leaf_cells, same_type
+from nctakt.nc.vocabulary.realtime_variables import Access
 from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve, resolve_aggregate
 from nctakt.nc.vocabulary.variable_table import (
     RIGHTS,
-    Access,
     Aggregate,
     Location,
     NameTable,

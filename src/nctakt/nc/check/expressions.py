@@ -59,6 +59,7 @@ from nctakt.nc.vocabulary import strings, support_level
 from nctakt.nc.vocabulary.cells import leaf_cells
 from nctakt.nc.vocabulary.entries import Support
 from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS
+from nctakt.nc.vocabulary.realtime_variables import Access
 from nctakt.nc.vocabulary.resolution import (
     indices_of,
     is_program_variable,
@@ -72,7 +73,6 @@ from nctakt.nc.vocabulary.resolution import (
 from nctakt.nc.vocabulary.system_variables import system_variable
 from nctakt.nc.vocabulary.variable_table import (
     DECLARED,
-    Access,
     Aggregate,
     Location,
     NameTable,

@@ -3,8 +3,8 @@
 
 In: what the lists say of axes and variables. Out: ``Layout``, which gives each variable of the
 machine its place in the one memory, and ``NameTable``, one channel's view of it. Names are resolved
-once, when a program is checked or decoded; the tick knows only cells. Realtime variables: seed
-tables of 3.2 (RC-303, RC-304); V.E and V.CH: RC-301, RC-310.
+once, when a program is checked or decoded; the tick knows only cells. Realtime variables:
+``realtime_variables.py``; V.E and V.CH: RC-301, RC-310.
 """
 
 from __future__ import annotations
@@ -19,73 +19,12 @@ from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import AccessRights, Node, Variable, VariableScope
 from nctakt.nc.vocabulary.axis_commands import AxisTraits
 from nctakt.nc.vocabulary.cells import cells_of, leaf_cells
-
-
-class Access(enum.Flag):
-    """What a context may do with a variable."""
-
-    NONE = 0
-    READ = 1
-    WRITE = 2
-    BOTH = 3
-
-
-@dataclass(frozen=True, slots=True)
-class RealtimeVariable:
-    """A row of the access tables; ``path`` without prefix and axis.
-
-    ``unit``: ``mm`` for positions (degrees for rotary axes), ``%``, ``ms`` or nothing. ``count``:
-    elements of an array, 0 for none.
-    """
-
-    path: str
-    type: str
-    unit: str
-    decoder: Access
-    cycle: Access
-    count: int = 0
-
-
-#: Signals of a spindle, in the order of its cells (``kernel/axes/spindles.py``).
-SPINDLE_VALUES = (
-    RealtimeVariable("SPEED", "REAL64", "1/min", Access.NONE, Access.NONE),
-    RealtimeVariable("POSITION", "REAL64", "°", Access.NONE, Access.NONE),
-)
-
-#: V.RTG.*, in the order of the channel's cells (``kernel/tick/channel.py``). What has no access at
-#: all is the channel's state for the trace.
-CHANNEL_VARIABLES = (
-    RealtimeVariable("OVERRIDE.VEL.CYCLE", "UNS16", "%", Access.READ, Access.BOTH),
-    RealtimeVariable("OVERRIDE.VEL.TOTAL", "UNS32", "%", Access.READ, Access.READ),
-    RealtimeVariable("CYCLES.DIAG_LEVEL", "SGN32", "", Access.BOTH, Access.BOTH),
-    RealtimeVariable("MEAS_DELTA", "REAL64", "mm", Access.BOTH, Access.NONE),
-    RealtimeVariable("LOOP.ENABLED", "BOOLEAN", "", Access.BOTH, Access.BOTH),
-    RealtimeVariable("LOOP.COUNT", "SGN32", "", Access.BOTH, Access.BOTH),
-    RealtimeVariable("PATH.SPEED", "REAL64", "mm/s", Access.NONE, Access.NONE),
-    RealtimeVariable("BLOCK", "UNS32", "", Access.NONE, Access.NONE),
-    RealtimeVariable("CYCLES.ACTIVE", "UNS32", "", Access.NONE, Access.NONE),
-    RealtimeVariable("PATH.DIST_TO_GO", "REAL64", "mm", Access.NONE, Access.NONE),
-    RealtimeVariable("TIMER", "UNS32", "ms", Access.READ, Access.READ, 128),
-)
-
-_POSITION = ("REAL64", "mm", Access.READ, Access.READ)
-
-#: V.RTA.*.<axis>, in the order of an axis' cells (``kernel/axes/axes.py``).
-AXIS_VARIABLES = (
-    RealtimeVariable("ACS.ACT_POS", *_POSITION),
-    RealtimeVariable("ACS.CUR_POS", *_POSITION),
-    RealtimeVariable("ACS.CMD_POS", *_POSITION),
-    *(
-        RealtimeVariable(f"{system}.{name}", *_POSITION)
-        for system in ("MCS", "PCS", "IPO")
-        for name in ("ACT_POS", "CUR_POS", "CMD_POS", "DIST_TO_GO")
-    ),
-    RealtimeVariable("OVERRIDE.VEL.CYCLE", "UNS16", "%", Access.READ, Access.BOTH),
-    RealtimeVariable("OVERRIDE.VEL.TOTAL", "UNS16", "%", Access.READ, Access.READ),
-    RealtimeVariable("FIXED_STOP.ACTIVE", "BOOLEAN", "", Access.READ, Access.READ),
-    RealtimeVariable("FIXED_STOP.DETECTED", "BOOLEAN", "", Access.READ, Access.READ),
-    RealtimeVariable("FIXED_STOP.ACS.POS", *_POSITION),
-    RealtimeVariable("STATE", "UNS08", "", Access.NONE, Access.NONE),
+from nctakt.nc.vocabulary.realtime_variables import (
+    AXIS_VARIABLES,
+    CHANNEL_VARIABLES,
+    SPINDLE_VALUES,
+    Access,
+    RealtimeVariable,
 )
 
 #: Families whose variables the variables list declares, with rights of their own.

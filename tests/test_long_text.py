@@ -10,8 +10,9 @@ from pathlib import Path
 import pytest
 
 from nctakt.base import long_text
-from nctakt.base.long_text import LongText, read_lines
+from nctakt.base.long_text import LongText
 from nctakt.base.text import decode_text, split_lines
+from nctakt.files.access import FileAccess
 from nctakt.nc import outline
 from nctakt.run.controller import Controller
 
@@ -44,7 +45,7 @@ def test_lines_are_those_of_the_whole_text(tmp_path: Path, seed: int) -> None:
     assert [lines[number] for number in range(len(lines))] == expected
     for first in range(len(expected) + 1):
         assert list(lines.from_line(first)) == expected[first:]
-    assert list(read_lines(path)) == expected
+    assert list(FileAccess().read_lines(path)) == expected
     assert LongText(path) == lines
 
 
@@ -52,7 +53,7 @@ def test_a_text_of_two_bytes_a_character_is_read_at_once(tmp_path: Path) -> None
     """Its lines cannot be found by their bytes."""
     path = tmp_path / "p.nc"
     path.write_bytes("G01 X1\nM30\n".encode("utf-16"))
-    assert read_lines(path) == ["G01 X1", "M30"]
+    assert FileAccess().read_lines(path) == ["G01 X1", "M30"]
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,7 @@ import sys
 import threading
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -371,15 +372,15 @@ def test_what_may_not_be_read(check: Check) -> None:
 def test_a_file_that_fails_while_it_is_read(check: Check, monkeypatch: pytest.MonkeyPatch) -> None:
     """What the system says is told."""
 
-    read = Path.read_bytes
+    plain_open = Path.open
 
-    def fail(path: Path) -> bytes:
+    def fail(path: Path, *words: Any, **named: Any) -> Any:
         if path.suffix == ".nc":
             raise OSError(5, "Input/output error")
-        return read(path)
+        return plain_open(path, *words, **named)
 
     write("part.nc", GOOD)
-    monkeypatch.setattr(Path, "read_bytes", fail)
+    monkeypatch.setattr(Path, "open", fail)
     checked = check("part.nc")
     assert (checked.ids, checked.code) == ([900503], 2)
     assert "Input/output error" in checked.out

@@ -71,7 +71,9 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> Iterator[Asked]:
         channel_count = 1
         tick = 0
 
-        def __init__(self, machine: object = None, schedule: object = None) -> None:
+        def __init__(
+            self, machine: object = None, schedule: object = None, access: object = None
+        ) -> None:
             assert schedule is None
             noted.machine = machine
 

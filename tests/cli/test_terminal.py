@@ -3,14 +3,12 @@
 
 import io
 import os
-from pathlib import Path
 
 import pytest
 
-from nctakt.base.failure import Failure
 from nctakt.cli import terminal
 from nctakt.cli.request import split_names
-from nctakt.cli.terminal import OutputFile, ProgressBar, show_at_the_end
+from nctakt.cli.terminal import ProgressBar, show_at_the_end
 
 
 class Terminal(io.StringIO):
@@ -61,28 +59,6 @@ def test_the_bar_comes_goes_and_comes_back(monkeypatch: pytest.MonkeyPatch) -> N
 def test_names_are_divided_outside_brackets(text: str, names: tuple[str, ...]) -> None:
     """A comma between indices belongs to the name."""
     assert split_names(text) == names
-
-
-def test_a_file_keeps_what_was_there_until_something_is_written(tmp_path: Path) -> None:
-    """A command that fails before its run leaves the results of an earlier one alone."""
-    path = tmp_path / "said.txt"
-    path.write_text("of yesterday", encoding="utf-8")
-    OutputFile(str(path)).close()
-    assert path.read_text(encoding="utf-8") == "of yesterday"
-    file = OutputFile(str(path))
-    file.write("of ")
-    file.write("today")
-    file.close()
-    assert path.read_text(encoding="utf-8") == "of today"
-
-
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device of Linux")
-def test_a_full_disk_is_a_diagnostic() -> None:
-    """A file that takes no more says so, once."""
-    file = OutputFile("/dev/full")
-    with pytest.raises(Failure, match="error 900507"):
-        file.write("hello")
-    file.close()
 
 
 @pytest.mark.skipif(os.name != "posix", reason="pipes close in another way there")

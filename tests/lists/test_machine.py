@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -196,13 +197,14 @@ def test_list_that_is_a_folder(tmp_path: Path) -> None:
 def refuse(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
     """Make the operating system refuse to read files of that name."""
 
-    def read_bytes(path: Path) -> bytes:
+    plain_open = Path.open
+
+    def refusing_open(path: Path, *words: Any, **named: Any) -> Any:
         if path.name == name:
             raise PermissionError(13, "Permission denied")
-        with path.open("rb") as file:
-            return file.read()
+        return plain_open(path, *words, **named)
 
-    monkeypatch.setattr(Path, "read_bytes", read_bytes)
+    monkeypatch.setattr(Path, "open", refusing_open)
 
 
 def test_list_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -210,7 +212,7 @@ def test_list_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     folder = write(tmp_path, {})
     refuse(monkeypatch, "x.lis")
     machine, found = load(folder)
-    assert found == [900076, 900066]
+    assert found == [900503, 900066]
     assert "Permission denied" in machine.diagnostics[0].text("en")
 
 
@@ -218,7 +220,7 @@ def test_startup_list_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.Mo
     """Without its start-up list there is no machine."""
     folder = write(tmp_path, {})
     refuse(monkeypatch, "hochlauf.lis")
-    assert failure(folder) == [900076]
+    assert failure(folder) == [900503]
 
 
 def test_path_through_a_file(tmp_path: Path) -> None:

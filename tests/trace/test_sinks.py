@@ -274,12 +274,10 @@ def test_events_may_come_long_before_their_rows(tmp_path: Path, suffix: str) -> 
     assert_same(read_trace(path))
 
 
-def test_a_path_that_is_full_is_told_when_it_is_closed() -> None:
-    """What the system notices only at the end is a diagnostic, too."""
+def test_a_path_that_is_full_is_told() -> None:
+    """The first line that the system does not take is a diagnostic."""
     full = Path("/dev/full")
     if not full.exists():
         pytest.skip("a device of Linux")
-    sink = CsvSink(full)
-    sink.open(HEADER)
     with pytest.raises(Failure, match="900507"):
-        sink.close()
+        CsvSink(full).open(HEADER)

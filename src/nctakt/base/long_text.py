@@ -10,20 +10,25 @@ place.
 from __future__ import annotations
 
 import codecs
+import os
 import re
+import stat
 from array import array
 from collections.abc import Iterator, Sequence
 from itertools import accumulate
 from pathlib import Path
 from typing import BinaryIO, overload
 
-from nctakt.base.text import WINDOWS_1252, decode_text, split_lines
+from nctakt.base.text import WINDOWS_1252, split_lines
 
 #: Bytes of a file that is read at once.
 SHORT_FILE_BYTES = 1_000_000
 
-#: Lines between two places that are remembered.
+#: Lines between two places that are remembered, which are read together.
 LINES_PER_PLACE = 512
+
+#: Bytes of such lines at most.
+MAX_GROUP_BYTES = 64 << 20
 
 _CHUNK_BYTES = 1 << 20
 _LINE_END = re.compile(rb"\r\n|\n|\r")
@@ -31,19 +36,25 @@ _UTF8_MARK = b"\xef\xbb\xbf"
 _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
 
-def read_lines(path: Path) -> Sequence[str]:
-    """The lines of a file; raises ``OSError``."""
-    size = path.stat().st_size if path.is_file() else 0
-    if size > SHORT_FILE_BYTES:
-        with path.open("rb") as file:
-            long_enough = not file.read(2).startswith(_UTF16_MARKS)
-        if long_enough:
-            return LongText(path)
-    return split_lines(decode_text(path.read_bytes()).text)
+class LinesTooLong(Exception):
+    """Some lines of a file that are read together have more than ``MAX_GROUP_BYTES``."""
+
+
+def is_long(file: BinaryIO) -> bool:
+    """Return whether a file is read as ``LongText``: a plain one, long, and not UTF-16."""
+    state = os.fstat(file.fileno())
+    if not stat.S_ISREG(state.st_mode) or state.st_size <= SHORT_FILE_BYTES:
+        return False
+    is_utf16 = file.read(2).startswith(_UTF16_MARKS)
+    file.seek(0)
+    return not is_utf16
 
 
 class LongText(Sequence[str]):
-    """The lines of one file; equal to another if path, size and time of change are."""
+    """The lines of one file; equal to another if path, size and time of change are.
+
+    Raises ``OSError``, and ``LinesTooLong`` for a file that is no text of lines.
+    """
 
     def __init__(self, path: Path) -> None:
         self._path = path
@@ -84,6 +95,9 @@ class LongText(Sequence[str]):
         if line_begin < end:
             self._add_line(line_begin)
         self._places.append(end)
+        groups = zip(self._places, self._places[1:], strict=False)
+        if any(last - first > MAX_GROUP_BYTES for first, last in groups):
+            raise LinesTooLong
 
     def _add_line(self, begin: int) -> None:
         if self._count % LINES_PER_PLACE == 0:

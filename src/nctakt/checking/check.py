@@ -14,11 +14,11 @@ from pathlib import Path
 
 from nctakt.base.diagnostics import Diagnostic, Severity, Span, Text
 from nctakt.base.failure import Failure
-from nctakt.base.long_text import read_lines
 from nctakt.base.text import decode_text, split_lines
 from nctakt.checking.inputs import Found, gather
 from nctakt.checking.program import check_program
 from nctakt.checking.targets import Target, Targets
+from nctakt.files.access import BEGIN_BYTES
 from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import find_file, startup_list_around
@@ -32,7 +32,6 @@ from nctakt.messages.checking import (
     LIST_KIND_NOT_RECOGNISED,
     NOT_A_TEXT_FILE,
 )
-from nctakt.messages.files import FILE_NOT_READABLE
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.lint.linter import GlobalCycles, never_deleted
 from nctakt.nc.source import Source
@@ -44,8 +43,6 @@ PROGRAM = "program"
 
 _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 _ENCRYPTED_SUFFIX = ".ecy"
-#: A file is no text if there is a NUL among so many bytes at its start.
-_LOOKED_AT_BYTES = 8192
 
 
 _Key = tuple[str, int, int, int, str]
@@ -113,6 +110,7 @@ class _Checker:
         self, machine: AssembledMachine, detail: Detail, for_all: bool, rtconf: RtconfOptions
     ) -> None:
         self._targets = Targets(machine, for_all)
+        self._access = machine.file_access
         self._detail = detail
         self._rtconf = rtconf
         self._for_all = for_all
@@ -164,11 +162,11 @@ class _Checker:
     def _read(self, path: Path) -> bytes | None:
         """The bytes of a file of text; ``None`` where there are none, which is reported."""
         try:
-            data = path.read_bytes()
-        except OSError as error:
-            self._unreadable(path, error)
+            data = self._access.read_bytes(path)
+        except Failure as failure:
+            self._keep(path.as_posix(), failure.diagnostics)
             return None
-        return data if self._is_text(path, data[:_LOOKED_AT_BYTES]) else None
+        return data if self._is_text(path, data[:BEGIN_BYTES]) else None
 
     def _lines(self, path: Path) -> Sequence[str] | None:
         """The lines of a program, however long it is; ``None`` as above."""
@@ -176,16 +174,11 @@ class _Checker:
             data = self._read(path)
             return None if data is None else split_lines(decode_text(data).text)
         try:
-            with path.open("rb") as file:
-                begin = file.read(_LOOKED_AT_BYTES)
-            return read_lines(path) if self._is_text(path, begin) else None
-        except OSError as error:
-            self._unreadable(path, error)
+            begin = self._access.read_begin(path)
+            return self._access.read_lines(path) if self._is_text(path, begin) else None
+        except Failure as failure:
+            self._keep(path.as_posix(), failure.diagnostics)
             return None
-
-    def _unreadable(self, path: Path, error: OSError) -> None:
-        name, reason = path.as_posix(), error.strerror or str(error)
-        self._keep(name, [diagnostic(FILE_NOT_READABLE, file=name, reason=reason)])
 
     def _is_text(self, path: Path, begin: bytes) -> bool:
         """Whether a file is no binary one, by its first bytes; reported if it is."""
@@ -202,12 +195,14 @@ class _Checker:
         self._covered[startup.resolve()] = None
         self._files[startup.as_posix()] = "startup"
         try:
-            machine = load_machine(startup, detail=self._detail, rtconf=self._rtconf)
+            machine = load_machine(
+                startup, detail=self._detail, rtconf=self._rtconf, access=self._access
+            )
         except Failure as error:
             self._keep(startup.as_posix(), error.diagnostics)
             return
         for kind, reference in references(machine.startup):
-            path = find_file(reference.path, startup.parent)
+            path = find_file(reference.path, startup.parent, self._access)
             if path is not None:
                 self._covered[path.resolve()] = None
                 self._files[path.as_posix()] = kind
@@ -221,7 +216,7 @@ class _Checker:
             return
         self._around[startup] = None
         try:
-            machine = load_machine(startup, rtconf=self._rtconf)
+            machine = load_machine(startup, rtconf=self._rtconf, access=self._access)
         except Failure as error:
             self._keep(startup.as_posix(), error.diagnostics)
             return
@@ -251,7 +246,9 @@ class _Checker:
         self._files[path.as_posix()] = schema.kind
         collector = Collector()
         collector.report(LIST_CHECKED_ALONE, place, kind=schema.title)
-        check_list_alone(schema, path, data, collector, detail=self._detail, rtconf=self._rtconf)
+        check_list_alone(
+            schema, path, data, self._access, collector, detail=self._detail, rtconf=self._rtconf
+        )
         self._keep(path.as_posix(), collector.diagnostics)
 
     # --- programs --------------------------------------------------------------------------------
@@ -285,6 +282,7 @@ class _Checker:
             target.limits,
             collector,
             target.folder,
+            access=self._access,
             tools=target.tools,
             role=role,
         )

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.files.access import FileAccess
 from nctakt.lists.declared.tools import Tool
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
@@ -42,13 +43,15 @@ def check_program(
     collector: Collector,
     machine_folder: Path = Path(),
     *,
+    access: FileAccess,
     tools: Mapping[int, Tool],
     role: Role = "either",
 ) -> Checked:
     """Check a program with its local subprograms, each up to its end.
 
-    ``tools``: those of the channel. ``role``: ``called`` where only others begin it. The files that
-    it calls have to be there, and those that the channel list lets run with each main program.
+    ``access`` says which files may be read. ``tools``: those of the channel. ``role``: ``called``
+    where only others begin it. The files that it calls have to be there, and those that the channel
+    list lets run with each main program.
     """
     found = Collector()
     linter = Linter(source, names, limits, found, tools)
@@ -62,9 +65,10 @@ def check_program(
     folders = search_folders(source.file, channel, machine_folder)
     called: dict[Path, None] = {}
     for name, span in wanted:
-        path = find_program(name, folders)
+        path = find_program(name, folders, access)
         if path is None:
-            found.diagnostics.append(missing(name, folders, span, source.line_of(span)))
+            line = source.line_of(span)
+            found.diagnostics.append(missing(name, folders, access, span, line))
         else:
             called[path] = None
     found.diagnostics.sort(key=_place)

@@ -18,11 +18,15 @@ from collections.abc import Sequence
 import click
 
 from nctakt import __version__
+from nctakt.cli.terminal import complain, print_diagnostics, silence
 
 EXIT_RAN = 0
 EXIT_NC_ERROR = 1
 EXIT_USAGE = 2
 EXIT_INTERNAL = 3
+
+#: The number of standard error; standard input is 0.
+_HIGHEST_STREAM = 2
 
 #: Subcommands and the modules that hold them as ``command``.
 _COMMANDS = {
@@ -59,7 +63,20 @@ def group() -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; its exit code. ``arguments`` default to those of the process."""
+    _open_streams()
     _never_fail_at_a_character()
+    code = EXIT_RAN
+    try:
+        code = _run(arguments)
+        sys.stdout.flush()
+    except BrokenPipeError:  # nobody reads on
+        silence(sys.stdout)
+    except OSError as error:  # standard output takes no more
+        return _refused(error)
+    return code
+
+
+def _run(arguments: Sequence[str] | None) -> int:
     try:
         code = group.main(arguments, prog_name="nctakt", standalone_mode=False)
     except click.exceptions.NoArgsIsHelpError as error:
@@ -72,11 +89,40 @@ def main(arguments: Sequence[str] | None = None) -> int:
         tell_usage(error, words)
         return EXIT_USAGE
     except (click.Abort, KeyboardInterrupt):
-        click.echo("interrupted", err=True)
+        complain("interrupted")
         return EXIT_NC_ERROR
+    except OSError:
+        raise
     except Exception as error:  # noqa: BLE001 - the last resort, told as an error of our own
         return _internal_error(error)
     return code if isinstance(code, int) else EXIT_RAN
+
+
+def _open_streams() -> None:
+    """Let what was closed before the start lead nowhere: else a file would get its number."""
+    if None in (sys.stdin, sys.stdout, sys.stderr):
+        number = os.open(os.devnull, os.O_RDWR)
+        while number <= _HIGHEST_STREAM:
+            number = os.dup(number)
+        os.close(number)
+    if sys.stdout is None:
+        sys.stdout = open(1, "w", encoding="utf-8", closefd=False)
+    if sys.stderr is None:
+        sys.stderr = open(2, "w", encoding="utf-8", closefd=False)
+
+
+def _refused(error: OSError) -> int:
+    """Tell what the system refuses; exit code 2, since no fault of nctakt is told by it."""
+    from nctakt.messages import diagnostic  # noqa: PLC0415 - only a mistake needs it
+    from nctakt.messages.files import FILE_NOT_WRITABLE  # noqa: PLC0415
+
+    if os.environ.get("NCTAKT_DEBUG"):
+        traceback.print_exception(error)
+    silence(sys.stdout)
+    name = "standard output" if error.filename is None else str(error.filename)
+    reason = error.strerror or str(error)
+    print_diagnostics([diagnostic(FILE_NOT_WRITABLE, file=name, reason=reason)], "en")
+    return EXIT_USAGE
 
 
 def _never_fail_at_a_character() -> None:
@@ -91,10 +137,9 @@ def _internal_error(error: Exception) -> int:
     if os.environ.get("NCTAKT_DEBUG"):
         traceback.print_exception(error)
     told = traceback.format_exception_only(error)[-1].strip()
-    click.echo(f"internal error: {told}", err=True)
-    click.echo(
+    complain(f"internal error: {told}")
+    complain(
         "  This is a fault of nctakt, not of your program. Set NCTAKT_DEBUG=1 and run the same "
-        "command again for the traceback; please report it.",
-        err=True,
+        "command again for the traceback; please report it."
     )
     return EXIT_INTERNAL

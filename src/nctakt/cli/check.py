@@ -8,7 +8,7 @@ words of the command line goes to standard error.
 
 from __future__ import annotations
 
-import sys
+import contextlib
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -17,14 +17,16 @@ import click
 
 from nctakt.base.diagnostics import Language, Severity
 from nctakt.base.failure import Failure
-from nctakt.base.text import decode_text
 from nctakt.checking.check import CheckResult, check_files
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.file_options import CONFINE_OPTION, file_access, read_standard_input
 from nctakt.cli.formats import as_github, as_json, as_text, closing_line
 from nctakt.cli.sarif import as_sarif
 from nctakt.cli.schedule_options import RTCONF_OPTIONS, with_options
 from nctakt.cli.selection import Selection, read_selection
-from nctakt.cli.terminal import OutputFile, print_diagnostics, show_at_the_end
+from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.files.access import FileAccess
+from nctakt.files.output import OutputFile
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.machine import load_machine
 from nctakt.lists.machine.scheduling_profile import PROFILES, Convention, RtconfOptions
@@ -67,6 +69,7 @@ class Options:
     system: str
     convention: Convention
     functions: tuple[str, ...]
+    confined: tuple[str, ...]
 
 
 @click.command("check", epilog=_EPILOG, short_help="Find mistakes without running anything.")
@@ -99,6 +102,7 @@ class Options:
 @click.option("--verbose", is_flag=True, help="Name each list entry that has no effect.")
 @click.option("--quiet", is_flag=True, help="No notes and no closing line.")
 @click.option("--output", metavar="FILE", help="Write the findings to a file.")
+@CONFINE_OPTION
 def command(**words: Any) -> int:
     """Check NC programs, lists and folders with both in them."""
     options = Options(**words)
@@ -114,8 +118,21 @@ def _check(options: Options) -> int:
     selection = read_selection(options.select, options.ignore)
     if options.paths.count(_STANDARD_INPUT) > 1:
         raise Failure(diagnostic(STDIN_NAMED_TWICE))
-    machine = _machine(options)
-    output = None if options.output is None else OutputFile(options.output)
+    access = file_access(options.confined)
+    machine = _machine(options, access)
+    with contextlib.ExitStack() as files:
+        output = None
+        if options.output is not None:
+            for path in options.paths:
+                access.note(path)
+            output = files.enter_context(OutputFile(options.output, "--output", access))
+        return _tell(options, selection, machine, output)
+
+
+def _tell(
+    options: Options, selection: Selection, machine: AssembledMachine, output: OutputFile | None
+) -> int:
+    """Check and tell; the exit code."""
     inputs = [_standard_input() if path == _STANDARD_INPUT else path for path in options.paths]
     is_named = options.machine is not None
     checked = check_files(
@@ -144,11 +161,11 @@ def _detail(options: Options) -> Detail:
     return "effects" if options.effects else "summary"
 
 
-def _machine(options: Options) -> AssembledMachine:
+def _machine(options: Options, access: FileAccess) -> AssembledMachine:
     """The machine that programs are checked for; what is wrong with its lists is told, too."""
-    configuration = load_machine(options.machine, rtconf=_rtconf_options(options))
+    configuration = load_machine(options.machine, rtconf=_rtconf_options(options), access=access)
     print_diagnostics(configuration.diagnostics, options.language, Severity.ERROR)
-    return AssembledMachine(configuration)
+    return AssembledMachine(configuration, access)
 
 
 def _rtconf_options(options: Options) -> RtconfOptions:
@@ -156,8 +173,7 @@ def _rtconf_options(options: Options) -> RtconfOptions:
 
 
 def _standard_input() -> NcText:
-    data = sys.stdin.buffer.read() if sys.stdin is not None else b""
-    return NcText("<stdin>", decode_text(data).text)
+    return NcText("<stdin>", read_standard_input())
 
 
 def _selected(checked: CheckResult, selection: Selection, lowest: Severity) -> CheckResult:

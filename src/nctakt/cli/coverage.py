@@ -10,9 +10,7 @@ ran than ``--fail-under`` asks for.
 from __future__ import annotations
 
 import contextlib
-import errno
 import math
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,9 +19,12 @@ import click
 from nctakt.base.diagnostics import Language, Severity
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.file_options import file_access
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
-from nctakt.cli.terminal import OutputFile, print_diagnostics, show_at_the_end
+from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.files.access import FileAccess
+from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.coverage import (
     COVERAGE_BELOW_MINIMUM,
@@ -31,7 +32,6 @@ from nctakt.messages.coverage import (
     INVALID_COVERAGE_DATA,
     NOTHING_TO_COVER,
 )
-from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE, FOLDER_INSTEAD_OF_FILE
 
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
@@ -96,14 +96,15 @@ def _cover(
 
     if not options.programs and not options.others and data is None and not merge:
         raise Failure(diagnostic(NOTHING_TO_COVER))
-    before = [_read(file) for file in merge]
+    access = file_access(options.confined)
+    before = [_read(file, access) for file in merge]
     if data is not None and Path(data).exists():
-        before.insert(0, _read(data))
+        before.insert(0, _read(data, access, is_replaced=True))
     with contextlib.ExitStack() as files:
-        output = None if data is None else OutputFile(data)
-        if output is not None:
-            files.callback(output.close)
-        code, ran = _run(options)
+        output = None
+        if data is not None:
+            output = files.enter_context(OutputFile(data, "--data", access))
+        code, ran = _run(options, access)
         if code and ran is None:
             return code
         whole = _sum([*before, *(() if ran is None else (ran,))], options.language)
@@ -118,29 +119,23 @@ def _cover(
     return code
 
 
-def _read(path: str) -> Coverage:
+def _read(path: str, access: FileAccess, *, is_replaced: bool = False) -> Coverage:
     """The coverage in a file; raises ``Failure`` where there is none."""
     from nctakt.results.coverage_files import from_json  # noqa: PLC0415 - as above
 
     try:
-        return from_json(path, Path(path).read_text("utf-8"))
-    except FileNotFoundError as error:
-        raise Failure(diagnostic(FILE_MISSING, file=path)) from error
-    except IsADirectoryError as error:
-        raise Failure(diagnostic(FOLDER_INSTEAD_OF_FILE, file=path)) from error
+        text = access.read_bytes(Path(path), is_replaced=is_replaced).decode("utf-8")
     except UnicodeDecodeError as error:
         raise Failure(diagnostic(INVALID_COVERAGE_DATA, file=path)) from error
-    except OSError as error:
-        reason = os.strerror(error.errno or errno.EIO)
-        raise Failure(diagnostic(FILE_NOT_READABLE, file=path, reason=reason)) from error
+    return from_json(path, text)
 
 
-def _run(options: Options) -> tuple[int, Coverage | None]:
+def _run(options: Options, access: FileAccess) -> tuple[int, Coverage | None]:
     """The exit code of the run and what it covered; nothing where nothing is to be run."""
     if not options.programs and not options.others:
         return EXIT_RAN, None
-    request = read_request(options)
-    run = run_programs(options, request, start_controller(options), why=True)
+    request = read_request(options, access)
+    run = run_programs(options, request, start_controller(options, access), why=True)
     if run is None:
         return EXIT_NC_ERROR, None
     print_diagnostics(run.diagnostics, options.language, Severity.WARNING)

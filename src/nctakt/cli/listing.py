@@ -17,6 +17,7 @@ import click
 from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.file_options import file_access
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
@@ -53,8 +54,9 @@ def command(**words: Any) -> int:
 def _list(options: Options) -> int:
     """Run and list; raises ``Failure`` for what cannot be used."""
     choose_mode(options)
-    request = read_request(options)
-    controller = start_controller(options)
+    access = file_access(options.confined)
+    request = read_request(options, access)
+    controller = start_controller(options, access)
     lines: list[str] = []
     run = run_programs(options, request, controller, on_cycle=_lister(options, controller, lines))
     if lines:

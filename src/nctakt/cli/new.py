@@ -15,6 +15,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.terminal import print_diagnostics
+from nctakt.files.output import write_file
 from nctakt.machines.commented import commented_lists
 from nctakt.messages import diagnostic
 from nctakt.messages.folders import FOLDER_NOT_EMPTY, FOLDER_NOT_WRITABLE, LISTS_WRITTEN
@@ -56,7 +57,7 @@ def _write(folder: Path, lists: dict[str, str]) -> None:
         if any(folder.iterdir()):
             raise Failure(diagnostic(FOLDER_NOT_EMPTY, folder=str(folder)))
         for name, text in lists.items():
-            (folder / name).write_text(text, encoding="utf-8", newline="\n")
+            write_file(folder / name, text)
     except OSError as error:
         reason = error.strerror or str(error)
         raise Failure(diagnostic(FOLDER_NOT_WRITABLE, folder=str(folder), reason=reason)) from error

@@ -8,16 +8,11 @@ then the file.
 from __future__ import annotations
 
 import dataclasses
-import errno
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nctakt.base.failure import Failure
 from nctakt.cli.request import Options, Request
-from nctakt.messages import diagnostic
-from nctakt.messages.files import FILE_NOT_WRITABLE
 
 if TYPE_CHECKING:
     from nctakt.run.controller import Controller
@@ -35,10 +30,6 @@ class Plot:
         assert options.plot is not None
         picture.check_picture(options.plot)
         self._options = options
-        self._path = Path(options.plot)
-        if not self._path.parent.is_dir():
-            reason = os.strerror(errno.ENOENT)
-            raise Failure(diagnostic(FILE_NOT_WRITABLE, file=options.plot, reason=reason))
         self._controller = controller
         self._axes = controller.channel_axes
         self._defaults = controller.default_signals
@@ -58,18 +49,12 @@ class Plot:
         wanted = self._defaults if request.signals is None else request.signals
         return [*(FirstColumns(sink, len(wanted)) for sink in sinks), self._sink]
 
-    def draw(self) -> None:
-        """Write the file; raises ``Failure`` where that cannot be done."""
+    def draw(self, path: Path) -> None:
+        """Write the file; raises ``OSError``."""
         from nctakt.plots import motion, picture  # noqa: PLC0415 - as above
 
         title = ", ".join(Path(program).name for program in self._options.programs)
         curves = motion.motion_of(
             self._sink.trace, self._axes, limits_jerk=self._controller.has_limited_jerk
         )
-        try:
-            picture.write_picture(curves, self._path, title, self._options.language)
-        except OSError as error:
-            reason = error.strerror or str(error)
-            raise Failure(
-                diagnostic(FILE_NOT_WRITABLE, file=str(self._path), reason=reason)
-            ) from error
+        picture.write_picture(curves, path, title, self._options.language)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import errno
 import os
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,6 +16,8 @@ from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
+from nctakt.cli.file_options import read_standard_input
+from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import INVALID_SKIP_OPTION, RECORDING_WITHOUT_TRACE
@@ -71,6 +72,7 @@ class Options:
     load: str | None = None
     system: str | None = None
     quiet: bool = False
+    confined: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,8 +110,11 @@ class _Reader:
             return ()
 
 
-def read_request(options: Options) -> Request:
-    """Read every word; raises one ``Failure`` with everything that is wrong."""
+def read_request(options: Options, access: FileAccess) -> Request:
+    """Read every word; raises one ``Failure`` with everything that is wrong.
+
+    ``access`` takes the files that are named.
+    """
     reader = _Reader()
     words = (*options.programs, *(program for _, program in options.others))
     if not words:
@@ -117,15 +122,16 @@ def read_request(options: Options) -> Request:
     if words.count(STANDARD_INPUT) > 1:
         reader.found.append(diagnostic(STDIN_NAMED_TWICE))
     for program in dict.fromkeys(words):
-        reader.read(_check_program, program)
+        reader.read(_check_program, program, access)
     numbers = [reader.read(_channel_number, number) for number, _ in options.others]
     if options.machine is not None:
         reader.read(_check_machine, options.machine)
+        reader.read(access.check_admitted, options.machine)
     assignments = [reader.read(parse_assignment, text) for text in options.assignments]
     stimuli = [reader.read(parse_stimulus, *pair) for pair in options.stimuli]
     until = () if options.until is None else reader.read(read_time, options.until)
     after = reader.read(read_time, options.after)
-    plc = () if options.plc is None else reader.read(_load_plc, options.plc)
+    plc = () if options.plc is None else reader.read(_load_plc, options.plc, access)
     skip_levels = reader.read(_skip_levels, options.skip)
     if options.plc is not None and options.hli is not None:
         reader.found.append(diagnostic(PLC_AND_HLI_OPTIONS))
@@ -166,10 +172,11 @@ def _channel_number(text: str) -> int:
     return int(text)
 
 
-def _check_program(program: str) -> None:
+def _check_program(program: str, access: FileAccess) -> None:
     """Whether a program can be read; not by reading, since what a pipe gives comes only once."""
     if program == STANDARD_INPUT:
         return
+    access.note(program)
     if not Path(program).exists():
         raise Failure(diagnostic(FILE_MISSING, file=program))
     if Path(program).is_dir():
@@ -191,16 +198,15 @@ def _check_machine(machine: str) -> None:
 def _program(program: str) -> Path | NcText:
     if program != STANDARD_INPUT:
         return Path(program)
-    from nctakt.base.text import decode_text  # noqa: PLC0415
     from nctakt.run.controller import NcText  # noqa: PLC0415 - the mode is chosen before its import
 
-    data = sys.stdin.buffer.read() if sys.stdin is not None else b""
-    return NcText("<stdin>", decode_text(data).text)
+    return NcText("<stdin>", read_standard_input())
 
 
-def _load_plc(path: str) -> AnyPlc:
+def _load_plc(path: str, access: FileAccess) -> AnyPlc:
     from nctakt.plc import load_plc  # noqa: PLC0415 - the mode is chosen before its import
 
+    access.note(path)
     return load_plc(path)
 
 

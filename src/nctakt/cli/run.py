@@ -12,7 +12,6 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import time
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -20,17 +19,18 @@ import click
 from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.file_options import file_access
 from nctakt.cli.plotting import Plot
 from nctakt.cli.request import Options, Request, read_request
 from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
 from nctakt.cli.terminal import (
-    OutputFile,
     message_line,
     print_diagnostics,
     saved_message,
     show_at_the_end,
 )
 from nctakt.cli.waiting import waiter
+from nctakt.files.output import OutputFile
 
 if TYPE_CHECKING:
     from nctakt.results.report import DiagnosisSink
@@ -83,14 +83,21 @@ def command(**words: Any) -> int:
 def _run(options: Options) -> int:
     """Prepare, run, tell; raises ``Failure`` for what cannot be used."""
     choose_mode(options)
-    request = read_request(options)
-    controller = start_controller(options)
+    access = file_access(options.confined)
+    request = read_request(options, access)
+    controller = start_controller(options, access)
     with contextlib.ExitStack() as files:
+
+        def open_file(option: str, path: str | None) -> OutputFile | None:
+            """A file to write, or ``None`` when the option was not given."""
+            return None if path is None else files.enter_context(OutputFile(path, option, access))
+
         plot = None if options.plot is None else Plot(options, controller)
-        sinks = _open_trace(options, files)
-        messages = _open_file(options.messages, files)
-        report = _open_file(options.diagnosis, files)
-        log = _open_file(options.error_log, files)
+        picture = open_file("--plot", options.plot)
+        sinks = _open_trace(open_file("--trace", options.trace))
+        messages = open_file("--messages", options.messages)
+        report = open_file("--diagnosis", options.diagnosis)
+        log = open_file("--error-log", options.error_log)
         if log is not None:
             sinks.append(_error_log(controller, log))
         diagnosis = [] if report is None else _diagnosis(controller)
@@ -106,8 +113,8 @@ def _run(options: Options) -> int:
         if report is not None:
             texts = [one.report.render(options.language, diagnostics) for one in diagnosis]
             report.write("\n".join(texts))
-        if plot is not None and run is not None:
-            plot.draw()
+        if plot is not None and picture is not None and run is not None:
+            picture.fill(plot.draw)
     return EXIT_NC_ERROR if run is None else _tell(options, run, wall_s)
 
 
@@ -124,24 +131,11 @@ def _with_partner(
     return dataclasses.replace(request, plc=PartnerPlc(image, waiter(_PARTNER_ANSWERS_S)))
 
 
-def _open_trace(options: Options, files: contextlib.ExitStack) -> list[Sink]:
-    """The sink of ``--trace``; it is closed also when the run is broken off."""
+def _open_trace(file: OutputFile | None) -> list[Sink]:
+    """The sink of ``--trace``."""
     from nctakt.trace.sinks import file_sink  # noqa: PLC0415 - the mode is chosen before
 
-    if options.trace is None:
-        return []
-    sink = file_sink(Path(options.trace))
-    files.callback(sink.close)
-    return [sink]
-
-
-def _open_file(path: str | None, files: contextlib.ExitStack) -> OutputFile | None:
-    """A text file to write, or ``None`` when the option was not given."""
-    if path is None:
-        return None
-    file = OutputFile(path)
-    files.callback(file.close)
-    return file
+    return [] if file is None else [file_sink(file)]
 
 
 def _error_log(controller: Controller, file: OutputFile) -> Sink:

@@ -16,8 +16,10 @@ import click
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.cli.file_options import CONFINE_OPTION
 from nctakt.cli.request import Options, Request
 from nctakt.cli.terminal import InterruptRequest, ProgressBar, print_diagnostics
+from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import startup_list_around
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import (
@@ -92,6 +94,7 @@ def run_options(language_of: str) -> Callable[[_Command], _Command]:
             type=click.Choice(["rtx", "vxworks", "intime", "linux"]),
             help="Whose priorities the list of --rtconf has [default: rtx].",
         ),
+        CONFINE_OPTION,
         click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC."),
         click.option(
             "--lang",
@@ -130,13 +133,13 @@ def choose_mode(options: Options) -> None:
             print_diagnostics([diagnostic(RUNNING_UNCOMPILED)], options.language)
 
 
-def start_controller(options: Options) -> Controller:
+def start_controller(options: Options, access: FileAccess) -> Controller:
     """A controller of the machine that was asked for; a note where another one may be meant."""
     from nctakt.run.controller import Controller  # noqa: PLC0415 - the mode is chosen before
 
     if options.machine is None and not options.quiet:
         print_diagnostics(_machines_around(options), options.language)
-    return Controller(options.machine, _schedule(options))
+    return Controller(options.machine, _schedule(options, access), access)
 
 
 def _machines_around(options: Options) -> Iterator[Diagnostic]:
@@ -150,7 +153,7 @@ def _machines_around(options: Options) -> Iterator[Diagnostic]:
             )
 
 
-def _schedule(options: Options) -> RunSchedule | None:
+def _schedule(options: Options, access: FileAccess) -> RunSchedule | None:
     """The schedule of the words, if there is one; raises ``Failure``."""
     from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
     from nctakt.schedule.open_schedule import open_schedule  # noqa: PLC0415 - as above
@@ -161,7 +164,7 @@ def _schedule(options: Options) -> RunSchedule | None:
                 raise Failure(diagnostic(OPTION_WITHOUT_SCHEDULE, option=option))
         return None
     profile = PROFILES[options.system or "rtx"]
-    return open_schedule(options.rtconf, options.load, RtconfOptions(profile))
+    return open_schedule(options.rtconf, options.load, RtconfOptions(profile), access)
 
 
 def run_programs(

@@ -18,16 +18,15 @@ from nctakt.cli.schedule_options import (
     LIST_OPTIONS,
     MODEL_OPTIONS,
     OUTPUT_OPTIONS,
-    check_outputs,
     drawn_cycles,
     guarded,
     make_model,
+    open_outputs,
     publish,
     read_list,
     read_model_load,
     wanted_cycles,
     with_options,
-    write_outputs,
 )
 from nctakt.cli.schedule_run import run
 from nctakt.messages import Collector
@@ -100,13 +99,13 @@ def _simulate(words: dict[str, Any]) -> int:
     model = make_model(read, load, words, collector)
     cycles = wanted_cycles(model, words)
     drawn = drawn_cycles(model, words)
-    check_outputs(words)
+    outputs = open_outputs(read, words)
     run = run_model(model, max(cycles, drawn) if words["drawn"] else cycles, record=drawn)
     found = [*collector.diagnostics, *simulation_findings(run)]
     phases = simulate_worst_phases(run)
     report = simulation_report(run, phases, words["language"])
     code = publish(words, read.found, found, report, simulation_document(run, phases))
-    write_outputs(run, report, words)
+    outputs.write(run, report)
     return code
 
 

@@ -6,24 +6,28 @@ In: words of the command line. Out: the list, the model, how long, pictures and 
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import click
 
 from nctakt import __version__
-from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.base.diagnostics import Diagnostic, Language, Severity
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.file_options import CONFINE_OPTION, file_access
 from nctakt.cli.formats import diagnostics_as_json
 from nctakt.cli.selection import read_selection
 from nctakt.cli.terminal import print_diagnostics
-from nctakt.messages import Collector, diagnostic
-from nctakt.messages.files import FILE_NOT_WRITABLE
+from nctakt.files.access import FileAccess
+from nctakt.files.output import OutputFile
+from nctakt.messages import Collector
 
 if TYPE_CHECKING:
     from nctakt.lists.declared.rtconf import RtconfConfiguration
@@ -84,6 +88,7 @@ LIST_OPTIONS = (
         "--lang", "language", type=click.Choice(["en", "de"]), default="en", help="Language."
     ),
     click.option("--quiet", is_flag=True, help="No notes."),
+    CONFINE_OPTION,
 )
 MODEL_OPTIONS = (
     click.option("--load", metavar="FILE.toml", help="Execution times and interrupts."),
@@ -137,8 +142,9 @@ def with_options(*options: Callable[[Any], Any]) -> Callable[[Any], Any]:
 
 @dataclass(frozen=True, slots=True)
 class ListRead:
-    """A list that was read, and what was found in it."""
+    """A list that was read, and what was found in it; ``access`` has read it."""
 
+    access: FileAccess
     options: RtconfOptions
     configuration: RtconfConfiguration
     data: bytes
@@ -158,7 +164,6 @@ def read_list(words: dict[str, Any]) -> ListRead:
     """The list that the words name, and what was found in it; raises ``Failure``."""
     from nctakt.lists.machine.scheduling import load_rtconf  # noqa: PLC0415 - not for the help
     from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
-    from nctakt.schedule.open_schedule import read_file  # noqa: PLC0415
 
     read_selection((), words["ignore"])  # a word that fits no message is told before all else
     options = RtconfOptions(
@@ -170,10 +175,11 @@ def read_list(words: dict[str, Any]) -> ListRead:
         words["hal_timer"],
         words["lenient"],
     )
-    data = read_file(words["file"])
+    access = file_access(words["confined"])
+    data = access.read_bytes(Path(words["file"]))
     collector = Collector()
     configuration = load_rtconf(words["file"], data, collector, options)
-    return ListRead(options, configuration, data, collector.diagnostics)
+    return ListRead(access, options, configuration, data, collector.diagnostics)
 
 
 def publish(
@@ -215,11 +221,10 @@ def read_model_load(read: ListRead, words: dict[str, Any], collector: Collector)
     """The load that the words name, else the assumed one; raises ``Failure``."""
     from nctakt.base.text import decode_text  # noqa: PLC0415
     from nctakt.schedule.load import ASSUMED, read_load  # noqa: PLC0415
-    from nctakt.schedule.open_schedule import read_file  # noqa: PLC0415
 
     if words["load"] is None:
         return ASSUMED
-    text = decode_text(read_file(words["load"])).text
+    text = decode_text(read.access.read_bytes(Path(words["load"]))).text
     load = read_load(words["load"], text, collector)
     if collector.has_errors:
         raise Failure(*read.found, *collector.diagnostics)
@@ -260,29 +265,55 @@ def drawn_cycles(model: Model, words: dict[str, Any]) -> int:
     return words["drawn"] or min(hyperperiod(model), _MOST_DRAWN)
 
 
-def check_outputs(words: dict[str, Any]) -> None:
-    """Whether all files can be made, before anything is simulated; raises ``Failure``."""
-    from nctakt.schedule.draw import check_picture  # noqa: PLC0415
-    from nctakt.schedule.traces import check_vcd  # noqa: PLC0415
+class Outputs:
+    """The pictures and traces that the words name; also a context manager."""
 
-    if words["plot"] is not None:
-        check_picture(words["plot"])
-    if words["vcd"] is not None:
-        check_vcd()
+    def __init__(self, read: ListRead, words: dict[str, Any]) -> None:
+        from nctakt.schedule.draw import check_picture  # noqa: PLC0415 - not for the help
+        from nctakt.schedule.traces import check_vcd  # noqa: PLC0415
 
-
-def write_outputs(run: Simulation, report: str, words: dict[str, Any]) -> None:
-    """Pictures and traces; ``report``: the text beside a picture of HTML. Raises ``Failure``."""
-    from nctakt.schedule.draw import write_picture  # noqa: PLC0415
-    from nctakt.schedule.traces import write_csv, write_perfetto, write_vcd  # noqa: PLC0415
-
-    try:
+        self._language: Language = words["language"]
+        self._stack = contextlib.ExitStack()
         if words["plot"] is not None:
-            write_picture(run, Path(words["plot"]), words["language"], report)
-        for key, write in (("vcd", write_vcd), ("perfetto", write_perfetto), ("csv", write_csv)):
-            if words[key] is not None:
-                write(run, Path(words[key]))
-    except OSError as error:
-        name = str(error.filename or words["file"])
-        reason = error.strerror or str(error)
-        raise Failure(diagnostic(FILE_NOT_WRITABLE, file=name, reason=reason)) from error
+            check_picture(words["plot"])
+        if words["vcd"] is not None:
+            check_vcd()
+        with self._stack:
+            self._files = {
+                key: self._stack.enter_context(OutputFile(words[key], f"--{key}", read.access))
+                for key in ("plot", "vcd", "perfetto", "csv")
+                if words[key] is not None
+            }
+            self._stack = self._stack.pop_all()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._stack.close()
+
+    def write(self, run: Simulation, report: str) -> None:
+        """Write and close them; ``report``: the text beside a picture of HTML.
+
+        Raises ``Failure``.
+        """
+        from nctakt.schedule.draw import write_picture  # noqa: PLC0415
+        from nctakt.schedule.traces import write_csv, write_perfetto, write_vcd  # noqa: PLC0415
+
+        writers: dict[str, Callable[[Path], None]] = {
+            "plot": lambda path: write_picture(run, path, self._language, report),
+            "vcd": partial(write_vcd, run),
+            "perfetto": partial(write_perfetto, run),
+            "csv": partial(write_csv, run),
+        }
+        for key, file in self._files.items():
+            file.fill(writers[key])
+        self._stack.close()
+
+
+def open_outputs(read: ListRead, words: dict[str, Any]) -> Outputs:
+    """Open what the words name; what is not written is gone when the command ends.
+
+    Raises ``Failure`` where one of the files cannot be made, before anything is simulated.
+    """
+    return click.get_current_context().with_resource(Outputs(read, words))

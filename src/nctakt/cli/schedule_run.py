@@ -18,16 +18,15 @@ from nctakt.cli.schedule_options import (
     MODEL_OPTIONS,
     OUTPUT_OPTIONS,
     ListRead,
-    check_outputs,
     drawn_cycles,
     guarded,
     make_model,
+    open_outputs,
     publish,
     read_list,
     read_model_load,
     wanted_cycles,
     with_options,
-    write_outputs,
 )
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.linux_run import (
@@ -96,7 +95,7 @@ def _run(words: dict[str, Any]) -> int:
     if words["dry_run"]:
         text, document = plan_report(plan, language), plan_document(plan)
         return publish(words, read.found, collector.diagnostics, text, document)
-    check_outputs(words)
+    outputs = open_outputs(read, words)
     if names := remove_stale():
         collector.report(LEFTOVERS_REMOVED, None, names=", ".join(names))
     log = run_plan(plan, for_all_users=words["all_users"])
@@ -107,7 +106,7 @@ def _run(words: dict[str, Any]) -> int:
     simulated = simulate(model, measurement.run.cycles, record=0)
     report = run_report(measurement, plan, simulated, language)
     code = publish(words, read.found, found, report, run_document(measurement, simulated))
-    write_outputs(measurement.run, report, words)
+    outputs.write(measurement.run, report)
     return code
 
 

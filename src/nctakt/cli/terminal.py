@@ -10,21 +10,16 @@ from __future__ import annotations
 import contextlib
 import os
 import signal
-import stat
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterable
-from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Self, TextIO
 
 import click
 
 from nctakt.base.diagnostics import Diagnostic, Language, Severity
-from nctakt.base.failure import Failure
-from nctakt.messages import diagnostic
-from nctakt.messages.files import FILE_NOT_WRITABLE
 
 if TYPE_CHECKING:
     from rich.progress import Progress
@@ -47,9 +42,23 @@ def print_diagnostics(
     for found in diagnostics:
         if found.severity >= lowest:
             headline, *rest = found.render(language).split("\n")
-            click.secho(headline, err=True, fg=_COLOURS[found.severity])
+            complain(click.style(headline, fg=_COLOURS[found.severity]))
             for line in rest:
-                click.echo(line, err=True)
+                complain(line)
+
+
+def complain(line: str) -> None:
+    """Show a line on standard error; where that takes nothing, nobody can be told."""
+    try:
+        click.echo(line, err=True)
+    except OSError:
+        silence(sys.stderr)
+
+
+def silence(stream: TextIO) -> None:
+    """Let what a stream still holds, and what comes, go nowhere: it takes no more."""
+    with contextlib.suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def message_line(said: SaidMessage) -> str:
@@ -82,45 +91,7 @@ def show_at_the_end(show: Callable[[TextIO], None]) -> None:
         show(sys.stdout)
         sys.stdout.flush()
     except BrokenPipeError:  # nor may it become one when Python flushes at its end
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
-class OutputFile:
-    """A text file of results; it takes the place of what was there when ``write`` is first called.
-
-    So a command that fails before its run leaves the file of an earlier one alone, but one that
-    cannot write it is told before the run. Raises ``Failure`` (900507) then, and when the disk is
-    full.
-    """
-
-    def __init__(self, path: str) -> None:
-        self._path = path
-        try:
-            self._file = Path(path).open("a", encoding="utf-8", errors="backslashreplace")
-        except OSError as error:
-            raise self._unwritable(error) from error
-        self._is_new = False
-
-    def write(self, text: str) -> None:
-        """Append ``text`` to what this command has written."""
-        try:
-            if not self._is_new and stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
-                self._file.truncate(0)
-            self._is_new = True
-            self._file.write(text)
-            self._file.flush()
-        except OSError as error:
-            raise self._unwritable(error) from error
-
-    def close(self) -> None:
-        """Close the file; all that could be written has been."""
-        with contextlib.suppress(OSError):
-            self._file.close()
-
-    def _unwritable(self, error: OSError) -> Failure:
-        return Failure(
-            diagnostic(FILE_NOT_WRITABLE, file=self._path, reason=error.strerror or str(error))
-        )
+        silence(sys.stdout)
 
 
 class InterruptRequest:

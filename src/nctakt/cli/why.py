@@ -16,6 +16,7 @@ import click
 from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.file_options import file_access
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
@@ -65,9 +66,10 @@ def _why(options: Options, cycle: str | None, line: int | None, state: str | Non
     for time, assignment in options.stimuli:
         if "=" not in assignment:
             raise Failure(diagnostic(STIMULUS_WITHOUT_VALUE, time=time))
-    request = read_request(options)
+    access = file_access(options.confined)
+    request = read_request(options, access)
     moment = None if state is None else read_time(state)
-    controller = start_controller(options)
+    controller = start_controller(options, access)
     length_us = controller.cycle_time_us
     tick = None if moment is None else moment.us(length_us) // length_us
     if tick is not None:  # what comes behind that tick is of no interest

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, note
 
 FILE_MISSING = error(
     900500,
@@ -69,5 +69,64 @@ NOT_A_TRACE = error(
     de="{file} ist keine Aufzeichnung von nctakt",
     remedy_en="Name a file that nctakt run --trace made.",
     remedy_de="Eine Datei nennen, die nctakt run --trace geschrieben hat.",
+    file=("the path as it was given", "der Pfad, wie angegeben"),
+)
+OUTPUT_IS_READ = error(
+    900913,
+    en="{option} would overwrite {file}, which is read",
+    de="{option} würde {file} überschreiben, das gelesen wird",
+    remedy_en="Give another name for what is written.",
+    remedy_de="Für das, was geschrieben wird, einen anderen Namen angeben.",
+    cause_en="Links and other spellings of the path lead to the same file.",
+    cause_de="Verknüpfungen und andere Schreibweisen des Pfads führen zur selben Datei.",
+    option=("the option that names the output", "die Option, die die Ausgabe nennt"),
+    file=("the path as it was given", "der Pfad, wie angegeben"),
+)
+OUTPUTS_ARE_ONE_FILE = error(
+    900914,
+    en="{option} and {other} would write to the same file, {file}",
+    de="{option} und {other} würden in dieselbe Datei schreiben: {file}",
+    remedy_en="Give each of them a file of its own.",
+    remedy_de="Jeder von beiden eine eigene Datei geben.",
+    option=("the option that names the output", "die Option, die die Ausgabe nennt"),
+    other=("the other output", "die andere Ausgabe"),
+    file=("the path as it was given", "der Pfad, wie angegeben"),
+)
+FILE_TOO_LONG = error(
+    900915,
+    en="{file} is not read: more than {limit} bytes at once",
+    de="{file} wird nicht gelesen: mehr als {limit} Byte auf einmal",
+    remedy_en="Give a file of text; a long program can be read if it is a plain file with lines.",
+    remedy_de="Eine Textdatei angeben; ein langes Programm wird gelesen, wenn es eine gewöhnliche "
+    "Datei mit Zeilen ist.",
+    cause_en="Lists, pipes, devices and lines that stand together are read at once.",
+    cause_de="Listen, Pipes, Geräte und zusammenstehende Zeilen werden auf einmal gelesen.",
+    file=("the path as it was given", "der Pfad, wie angegeben"),
+    limit=("the limit in bytes", "die Grenze in Byte"),
+)
+FILE_OUTSIDE = error(
+    900917,
+    en="{file} is not read: it lies outside of {folders}",
+    de="{file} wird nicht gelesen: es liegt außerhalb von {folders}",
+    remedy_en="Only files in these folders may be read (--confine); move it there.",
+    remedy_de="Nur Dateien in diesen Ordnern dürfen gelesen werden (--confine); dorthin "
+    "verschieben.",
+    file=("the path as it was given", "der Pfad, wie angegeben"),
+    folders=("the folders that may be read", "die Ordner, die gelesen werden dürfen"),
+)
+OUTPUT_CUT_OFF = note(
+    900918,
+    en="what was written until then is in {file}",
+    de="was bis dahin geschrieben wurde, steht in {file}",
+    remedy_en="It can be read up to its last whole line.",
+    remedy_de="Es kann bis zur letzten ganzen Zeile gelesen werden.",
+    file=("the file", "die Datei"),
+)
+OUTPUT_IN_USE = error(
+    900919,
+    en="{file} is being written by another run",
+    de="{file} wird gerade von einem anderen Lauf geschrieben",
+    remedy_en="Wait for its end, or give another name.",
+    remedy_de="Dessen Ende abwarten oder einen anderen Namen angeben.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
 )

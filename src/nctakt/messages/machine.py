@@ -143,15 +143,6 @@ SOFTWARE_LIMITS_SWAPPED = warning(
     low=("kenngr.swe_neg as written", "kenngr.swe_neg, wie geschrieben"),
     high=("kenngr.swe_pos as written", "kenngr.swe_pos, wie geschrieben"),
 )
-LIST_NOT_READABLE = error(
-    900076,
-    en="{path} cannot be read: {reason}",
-    de="{path} kann nicht gelesen werden: {reason}",
-    remedy_en="Make the file readable.",
-    remedy_de="Die Datei lesbar machen.",
-    path=("the file", "die Datei"),
-    reason=("what the operating system says", "was das Betriebssystem sagt"),
-)
 MACHINE_WITHOUT_CHANNELS = error(
     900077,
     en="no channel has an axis or a list: nothing can be run",

@@ -17,6 +17,7 @@ from nctakt.decoder.blocks.spindles import names_of
 from nctakt.decoder.state.controller_data import controller_data
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.offsets import ActiveOffsets
+from nctakt.files.access import FileAccess
 from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base.record import Record
@@ -112,11 +113,12 @@ class AssembledMachine:
     """One machine's realtime part with its names.
 
     ``names``, ``parameters`` and ``members`` are those of the first channel. ``report`` takes what
-    is found while it runs; nobody does unless given.
+    is found while it runs; nobody does unless given. ``file_access`` reads the programs.
     """
 
-    def __init__(self, configuration: Machine) -> None:
+    def __init__(self, configuration: Machine, access: FileAccess | None = None) -> None:
         self.configuration = configuration
+        self.file_access = access or FileAccess()
         linear = frozenset(i for i, axis in enumerate(configuration.axes) if axis.is_linear)
         modulo = frozenset(i for i, axis in enumerate(configuration.axes) if axis.is_modulo)
         single = frozenset(

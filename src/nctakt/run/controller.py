@@ -15,6 +15,7 @@ from pathlib import Path
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.files.access import FileAccess
 from nctakt.kernel import kernel as reasons
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
@@ -56,23 +57,26 @@ class Controller:
 
     ``machine`` is a folder with lists, a configuration, or ``None`` for the demo machine.
     ``schedule`` gives its ticks their length, and decoder, interpolation and PLC their time
-    (``schedule.open_schedule.open_schedule``). Raises ``Failure`` where no machine results.
+    (``schedule.open_schedule.open_schedule``). ``access`` says which files may be read
+    (``FileAccess([folder])``: only those in a folder). Raises ``Failure`` where no machine results.
     """
 
     def __init__(
         self,
         machine: Machine | str | Path | None = None,
         schedule: RunSchedule | None = None,
+        access: FileAccess | None = None,
     ) -> None:
+        access = access or FileAccess()
         if not isinstance(machine, Machine):
-            machine = load_machine(machine)
+            machine = load_machine(machine, access=access)
         duties = None
         if schedule is not None:
             machine, duties = scheduled(machine, schedule)
         self.machine = machine
         self.cycle_time_us = machine.cycle_time_us
         self.diagnostics: list[Diagnostic] = list(machine.diagnostics)
-        self._machine = AssembledMachine(machine)
+        self._machine = AssembledMachine(machine, access)
         self._machine.report = self.diagnostics.append
         self._channels = [
             ChannelRun(self._machine, index, self.diagnostics.append)

@@ -14,13 +14,15 @@ from pathlib import Path, PureWindowsPath
 
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
-from nctakt.base.long_text import read_lines
 from nctakt.base.text import split_lines
 from nctakt.decoder.state.environment import DecodeError
+from nctakt.files.access import FileAccess
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.files import find_below, find_file
 from nctakt.messages import Collector, diagnostic
-from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE, FOLDER_INSTEAD_OF_FILE
+from nctakt.messages.files import (
+    FILE_OUTSIDE,
+)
 from nctakt.messages.program_structure import PROGRAM_NOT_FOUND
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.inspection import inspect
@@ -63,15 +65,20 @@ def program_folder(named: str, machine_folder: Path) -> Path:
     return above if not near.is_dir() and above.is_dir() else near
 
 
-def find_program(name: str, folders: list[Path]) -> Path | None:
-    """The file of this name in the first folder that has it."""
+def find_program(name: str, folders: list[Path], access: FileAccess) -> Path | None:
+    """The file of this name in the first folder that has it, as far as ``access`` allows."""
     if PureWindowsPath(name).drive or Path(name).is_absolute():
-        return find_file(name.replace("\\", "/"), Path())
-    return next((found for folder in folders if (found := find_below(name, folder))), None)
+        return find_file(name.replace("\\", "/"), Path(), access)
+    return next((found for folder in folders if (found := find_below(name, folder, access))), None)
 
 
-def missing(name: str, folders: list[Path], span: Span, line: str) -> Diagnostic:
-    """The diagnostic of a file that is in none of the folders."""
+def missing(
+    name: str, folders: list[Path], access: FileAccess, span: Span, line: str
+) -> Diagnostic:
+    """The diagnostic of a file that is in none of the folders, or outside of what may be read."""
+    plain = name.replace("\\", "/")
+    if not any(access.admits(folder / plain) for folder in folders):
+        return diagnostic(FILE_OUTSIDE, span, line, file=name, folders=access.shown_folders)
     if PureWindowsPath(name).drive or Path(name).is_absolute():
         searched = name
     else:
@@ -127,15 +134,16 @@ class LoadedProgram:
     def _find(self, name: str, caller: str, span: Span, collector: Collector) -> ProgramText | None:
         """The text of a file that is called; what is wrong goes to ``collector``."""
         folders = search_folders(caller, self.parameters, self._folder)
-        path = find_program(name, folders)
+        access = self._machine.file_access
+        path = find_program(name, folders, access)
         if path is None:
             line = self._machine.files.line_at(span)
-            collector.diagnostics.append(missing(name, folders, span, line))
+            collector.diagnostics.append(missing(name, folders, access, span, line))
             return None
         key = path.resolve()
         if key not in self._files:
             try:
-                source = Source(str(path), _read(path))
+                source = Source(str(path), access.read_lines(path))
             except Failure as failure:
                 collector.diagnostics += failure.diagnostics
                 return None
@@ -179,7 +187,7 @@ def load(
     if isinstance(program, NcText):
         lines: Sequence[str] = split_lines(program.text)
     else:
-        lines = _read(Path(program))
+        lines = machine.file_access.read_lines(Path(program))
     loaded = LoadedProgram(machine, channel)
     main = loaded.add(Source(name_of(program), lines), collector, "main")
     loaded.add_called(main, collector)
@@ -189,16 +197,3 @@ def load(
     if errors:
         raise Failure(*errors)
     return loaded
-
-
-def _read(path: Path) -> Sequence[str]:
-    """The lines of a program file; ``Failure`` where there is none."""
-    if not path.exists():
-        raise Failure(diagnostic(FILE_MISSING, file=str(path)))
-    if path.is_dir():
-        raise Failure(diagnostic(FOLDER_INSTEAD_OF_FILE, file=str(path)))
-    try:
-        return read_lines(path)
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise Failure(diagnostic(FILE_NOT_READABLE, file=str(path), reason=reason)) from error

@@ -14,12 +14,12 @@ from pathlib import Path
 from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
+from nctakt.files.access import FileAccess
 from nctakt.lists.declared.rtconf import RtconfConfiguration
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_profile import RtconfOptions
-from nctakt.messages import Collector, diagnostic
-from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE, FOLDER_INSTEAD_OF_FILE
+from nctakt.messages import Collector
 from nctakt.messages.schedule_results import CPU_MISSING, CPU_NOT_ASSIGNABLE
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.load import ASSUMED, Load, read_load
@@ -43,32 +43,23 @@ class RunSchedule:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def read_file(path: str | Path) -> bytes:
-    """The content of a file; raises ``Failure``."""
-    if not Path(path).exists():
-        raise Failure(diagnostic(FILE_MISSING, file=str(path)))
-    if Path(path).is_dir():
-        raise Failure(diagnostic(FOLDER_INSTEAD_OF_FILE, file=str(path)))
-    try:
-        return Path(path).read_bytes()
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise Failure(diagnostic(FILE_NOT_READABLE, file=str(path), reason=reason)) from error
-
-
 def open_schedule(
-    rtconf: str | Path, load: str | Path | None = None, options: RtconfOptions | None = None
+    rtconf: str | Path,
+    load: str | Path | None = None,
+    options: RtconfOptions | None = None,
+    access: FileAccess | None = None,
 ) -> RunSchedule:
     """Return the schedule of a list (rtconf.lis) and a load file, by default assumed times.
 
     Raises ``Failure`` with all that is wrong in both files.
     """
     options = options or RtconfOptions()
+    access = access or FileAccess()
     collector = Collector()
-    configuration = load_rtconf(str(rtconf), read_file(rtconf), collector, options)
+    configuration = load_rtconf(str(rtconf), access.read_bytes(Path(rtconf)), collector, options)
     times = ASSUMED
     if load is not None:
-        times = read_load(str(load), decode_text(read_file(load)).text, collector)
+        times = read_load(str(load), decode_text(access.read_bytes(Path(load))).text, collector)
     if collector.has_errors:
         raise Failure(*collector.diagnostics)
     model = assemble(configuration, times, options.profile, collector)

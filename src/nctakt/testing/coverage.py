@@ -14,9 +14,10 @@ from typing import Any
 
 import pytest
 
+from nctakt.base.failure import Failure
+from nctakt.files.output import write_file
 from nctakt.messages import diagnostic
 from nctakt.messages.coverage import UNKNOWN_COVERAGE_FORMAT
-from nctakt.messages.files import FILE_NOT_WRITABLE
 from nctakt.results.coverage import Coverage
 from nctakt.results.coverage_files import as_json, as_lcov, from_json
 from nctakt.results.coverage_text import CoverageText
@@ -84,12 +85,9 @@ class SessionCoverage:
             return
         for file in self._files:
             try:
-                file.write_text(_WRITERS[file.suffix](self.whole), "utf-8")
-            except OSError as error:
-                found = diagnostic(
-                    FILE_NOT_WRITABLE, file=file, reason=error.strerror or str(error)
-                )
-                self._unwritten.append(found.render())
+                write_file(file, _WRITERS[file.suffix](self.whole))
+            except Failure as failure:
+                self._unwritten += [found.render() for found in failure.diagnostics]
                 session.exitstatus = pytest.ExitCode.USAGE_ERROR
 
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Protocol, TextIO, cast
 
 from nctakt.base.failure import Failure
+from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_WRITABLE, UNKNOWN_TRACE_FORMAT
 from nctakt.trace.events import Event
@@ -72,38 +73,50 @@ class Sink(Protocol):
         """End; nothing is called after it."""
 
 
-def file_sink(path: Path) -> CsvSink | JsonlSink:
-    """A sink that writes the file ``path``, in the format that its suffix names.
-
-    Raises ``Failure`` for another suffix (900506). The file is opened with the trace.
-    """
+def check_suffix(path: Path) -> None:
+    """Raise ``Failure`` (900506) for a file whose suffix names no format."""
     if path.suffix.lower() not in SUFFIXES:
         raise Failure(
             diagnostic(UNKNOWN_TRACE_FORMAT, file=str(path), suffixes=" or ".join(SUFFIXES))
         )
-    return CsvSink(path) if path.suffix.lower() == ".csv" else JsonlSink(path)
+
+
+def file_sink(file: Path | OutputFile) -> CsvSink | JsonlSink:
+    """Return a sink that writes ``file``, in the format that its suffix names.
+
+    Raises ``Failure`` for another suffix (900506). A path is opened with the trace.
+    """
+    path = file if isinstance(file, Path) else Path(file.name)
+    check_suffix(path)
+    return CsvSink(file) if path.suffix.lower() == ".csv" else JsonlSink(file)
 
 
 class _FileSink(abc.ABC):
     """Writes pieces of text to ``file``, a path or an open file.
 
+    A path gets its file when the trace is closed; until then it stands beside it (``OutputFile``).
     Raises ``Failure`` (900507) when the path cannot be opened or the file takes no more.
     """
 
-    def __init__(self, file: Path | TextIO) -> None:
+    def __init__(self, file: Path | OutputFile | TextIO) -> None:
         self._target = file
-        self._file: TextIO | None = None if isinstance(file, Path) else file
+        self._file: OutputFile | TextIO | None = None
+        self._is_closed = False
         self._cycle_time_us = 0
         self._integral: tuple[bool, ...] = ()
         self._waiting: list[Event] = []
 
     def open(self, header: TraceHeader) -> None:
-        """Open the file, which takes the place of one that was there, and write the header."""
+        """Open the file and write the header."""
         self._cycle_time_us = header.cycle_time_us
         self._integral = tuple(signal.integral for signal in header.signals)
-        if isinstance(self._target, Path):
-            self._file = self._opened(self._target)
-        self._write(self._header_line(header))
+        self._file = OutputFile(self._target) if isinstance(self._target, Path) else self._target
+        self._is_closed = False
+        try:
+            self._write(self._header_line(header))
+        except Failure:
+            self.close()
+            raise
 
     def events(self, events: Sequence[Event]) -> None:
         """Keep the events for their rows; without signals, write them."""
@@ -113,8 +126,9 @@ class _FileSink(abc.ABC):
 
     def close(self) -> None:
         """Write events behind the last row, and close the file; again: nothing."""
-        if self._file is None or self._file.closed:
+        if self._file is None or self._is_closed:
             return
+        self._is_closed = True
         try:
             self._write_waiting()
         finally:
@@ -133,30 +147,27 @@ class _FileSink(abc.ABC):
     def _line_without_row(self, tick: int, together: Sequence[Event]) -> str:
         """The line of events in a tick that has no row."""
 
-    def _opened(self, path: Path) -> TextIO:
-        try:
-            return path.open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
-        except OSError as error:
-            raise self._unwritable(error) from error
-
     def _write(self, text: str) -> None:
         assert self._file is not None
         try:
             self._file.write(text)
+        except Failure:
+            self._waiting.clear()
+            raise
         except OSError as error:
             self._waiting.clear()
-            raise self._unwritable(error) from error
+            raise _unwritable(self._file, error) from error
 
-    def _close(self, file: TextIO) -> None:
+    def _close(self, file: OutputFile | TextIO) -> None:
         try:
             file.close()
         except OSError as error:
-            raise self._unwritable(error) from error
+            raise _unwritable(file, error) from error
 
-    def _unwritable(self, error: OSError) -> Failure:
-        name = self._target if isinstance(self._target, Path) else self._target.name
-        reason = error.strerror or str(error)
-        return Failure(diagnostic(FILE_NOT_WRITABLE, file=str(name), reason=reason))
+
+def _unwritable(file: OutputFile | TextIO, error: OSError) -> Failure:
+    reason = error.strerror or str(error)
+    return Failure(diagnostic(FILE_NOT_WRITABLE, file=str(file.name), reason=reason))
 
 
 class CsvSink(_FileSink):

@@ -10,20 +10,30 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
 from nctakt.lists.declared.startup import ListReference
 from nctakt.messages import Collector
-from nctakt.messages.machine import LIST_FILE_MISSING, LIST_NOT_READABLE, PATH_TAKEN_AS
+from nctakt.messages.files import FILE_OUTSIDE
+from nctakt.messages.machine import LIST_FILE_MISSING, PATH_TAKEN_AS
 
 #: How the start-up list of a machine's folder is called.
 STARTUP_NAMES = ("hochlauf.lis", "startup.lis")
 
 
-def find_list(reference: ListReference, folder: Path, collector: Collector) -> Path | None:
+def find_list(
+    reference: ListReference, folder: Path, access: FileAccess, collector: Collector
+) -> Path | None:
     """The file that ``reference`` in a list of ``folder`` means; reported if there is none."""
-    found = find_file(reference.path, folder)
+    found = find_file(reference.path, folder, access)
     place, line = reference.span, reference.line
     if found is None:
-        collector.report(LIST_FILE_MISSING, place, line, path=reference.path)
+        if access.admits(folder / reference.path):
+            collector.report(LIST_FILE_MISSING, place, line, path=reference.path)
+        else:
+            collector.report(
+                FILE_OUTSIDE, place, line, file=reference.path, folders=access.shown_folders
+            )
         return None
     plain = "/".join(part for part in reference.path.split("/") if part not in {"", "."})
     if not found.as_posix().endswith(plain):
@@ -31,27 +41,27 @@ def find_list(reference: ListReference, folder: Path, collector: Collector) -> P
     return found
 
 
-def find_file(path: str, folder: Path) -> Path | None:
-    """Search ``path`` in ``folder``, then in its parent."""
-    parts = path.replace("\\", "/").split("/")
+def find_file(path: str, folder: Path, access: FileAccess) -> Path | None:
+    """Search ``path`` in ``folder``, then in its parent, as far as ``access`` allows."""
     if Path(path).is_absolute():
-        absolute = Path(path)
-        return absolute if absolute.is_file() else None
+        return _admitted_file(Path(path), access)
     # '.' and '..' have no parent that their spelling shows.
     above = folder.parent if folder.name not in {"", ".."} else folder / ".."
-    for root in (folder, above):
-        found = _descend(root, parts)
-        if found is not None and found.is_file():
-            return found
-    return None
+    found = find_below(path, folder, access)
+    return find_below(path, above, access) if found is None else found
 
 
-def find_below(path: str, folder: Path) -> Path | None:
-    """Search ``path`` in ``folder`` alone."""
+def find_below(path: str, folder: Path, access: FileAccess) -> Path | None:
+    """Search ``path`` in ``folder`` alone, as far as ``access`` allows."""
     if Path(path).is_absolute():
-        return Path(path) if Path(path).is_file() else None
-    found = _descend(folder, path.replace("\\", "/").split("/"))
-    return found if found is not None and found.is_file() else None
+        return _admitted_file(Path(path), access)
+    plain = path.replace("\\", "/")
+    found = _descend(folder, plain.split("/")) if access.admits(folder / plain) else None
+    return None if found is None else _admitted_file(found, access)
+
+
+def _admitted_file(path: Path, access: FileAccess) -> Path | None:
+    return path if access.admits(path) and path.is_file() else None
 
 
 def _descend(root: Path, parts: list[str]) -> Path | None:
@@ -103,12 +113,10 @@ def startup_list_around(file: Path) -> Path | None:
     return None
 
 
-def read_file(path: Path, collector: Collector) -> bytes | None:
+def read_file(path: Path, access: FileAccess, collector: Collector) -> bytes | None:
     """The bytes of ``path``; reported if it cannot be read."""
     try:
-        return path.read_bytes()
-    except OSError as error:
-        collector.report(
-            LIST_NOT_READABLE, None, path=path.as_posix(), reason=error.strerror or str(error)
-        )
+        return access.read_bytes(path)
+    except Failure as failure:
+        collector.diagnostics += failure.diagnostics
         return None

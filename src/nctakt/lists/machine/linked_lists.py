@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from nctakt.base.text import is_binary
+from nctakt.files.access import FileAccess
 from nctakt.lists.declared.startup import STARTUP, ListReference, startup_configuration
 from nctakt.lists.format.list_check import check_list, in_order_of_lines, load_list
 from nctakt.lists.format.reader import read_list
@@ -28,15 +29,18 @@ from nctakt.messages.folders import CIRCULAR_LIST_REFERENCE, WRONG_LIST_KIND
 class LinkedLists:
     """The lists of one start-up list; ``detail``: how much is reported."""
 
-    def __init__(self, startup_file: Path, collector: Collector, *, detail: Detail) -> None:
+    def __init__(
+        self, startup_file: Path, access: FileAccess, collector: Collector, *, detail: Detail
+    ) -> None:
         self._startup_file = startup_file
+        self._access = access
         self._collector = collector
         self._detail = detail
 
     def startup(self) -> Values | None:
         """The values of the start-up list itself; ``None`` if it cannot be read."""
         path = self._startup_file
-        data = read_file(path, self._collector)
+        data = read_file(path, self._access, self._collector)
         if data is None or self._is_binary(path, data, None):
             return None
         return load_list(STARTUP, path.as_posix(), data, self._collector, detail=self._detail)
@@ -69,8 +73,8 @@ class LinkedLists:
 
     def _read(self, reference: ListReference) -> tuple[Path | None, bytes | None]:
         """Find and read a list; what is in the way is reported."""
-        path = find_list(reference, self._startup_file.parent, self._collector)
-        data = None if path is None else read_file(path, self._collector)
+        path = find_list(reference, self._startup_file.parent, self._access, self._collector)
+        data = None if path is None else read_file(path, self._access, self._collector)
         if path is None or data is None or self._is_binary(path, data, reference):
             return None, None
         return path, data
@@ -90,7 +94,7 @@ class LinkedLists:
         other = other_kind(schema, path.name, data)
         if other is None:
             return False
-        circle = find_circle(self._startup_file, path) if other is STARTUP else ()
+        circle = find_circle(self._startup_file, path, self._access) if other is STARTUP else ()
         if circle:
             way = " → ".join(one.name for one in circle)
             self._collector.report(
@@ -108,7 +112,7 @@ class LinkedLists:
         return True
 
 
-def find_circle(origin: Path, first: Path) -> tuple[Path, ...]:
+def find_circle(origin: Path, first: Path, access: FileAccess) -> tuple[Path, ...]:
     """The way from ``origin`` over the list ``first`` that it names back to it, if there is one."""
     ways: list[tuple[Path, ...]] = [(origin, first)]
     seen: dict[Path, None] = {}
@@ -119,18 +123,18 @@ def find_circle(origin: Path, first: Path) -> tuple[Path, ...]:
             return way
         if last not in seen:
             seen[last] = None
-            ways += [(*way, path) for path in _named_by(way[-1])]
+            ways += [(*way, path) for path in _named_by(way[-1], access)]
     return ()
 
 
-def _named_by(path: Path) -> Iterator[Path]:
+def _named_by(path: Path, access: FileAccess) -> Iterator[Path]:
     """The lists that a start-up list names; nothing of other lists."""
     unheard = Collector()
-    data = read_file(path, unheard)
+    data = read_file(path, access, unheard)
     if data is None or kind_of(path.name, data) is not STARTUP:
         return
     values = load_list(STARTUP, path.as_posix(), data, unheard)
     for _, reference in references(startup_configuration(values, unheard)):
-        found = find_file(reference.path, path.parent)
+        found = find_file(reference.path, path.parent, access)
         if found is not None:
             yield found

@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from nctakt.files.access import FileAccess
 from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.declared.rtconf import RTCONF
 from nctakt.lists.declared.startup import (
@@ -99,6 +100,7 @@ def check_list_alone(
     schema: Schema,
     path: Path,
     data: bytes,
+    access: FileAccess,
     collector: Collector,
     *,
     detail: Detail = "summary",
@@ -119,7 +121,7 @@ def check_list_alone(
             )
             return
         for _, reference in references(startup_configuration(values, collector)):
-            find_list(reference, path.parent, collector)
+            find_list(reference, path.parent, access, collector)
 
 
 def references(startup: StartupConfiguration) -> Iterator[tuple[str, ListReference]]:

@@ -15,6 +15,7 @@ from types import MappingProxyType
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
 from nctakt.lists.all_parameters import SCHEMA_BY_KIND
 from nctakt.lists.declared.axis import AXIS
 from nctakt.lists.declared.channel import CHANNEL
@@ -130,19 +131,20 @@ def load_machine(
     *,
     detail: Detail = "summary",
     rtconf: RtconfOptions = STANDARD_OPTIONS,
+    access: FileAccess | None = None,
 ) -> Machine:
     """Return the machine of ``folder``; without one, the built-in demo machine.
 
     ``detail``: how much is reported of entries without effect. ``rtconf``: how its scheduling list
-    is read. Raises ``Failure`` if the folder,
-    the start-up list or every channel list is missing; what is wrong otherwise stands in
-    ``Machine.diagnostics``.
+    is read. ``access`` remembers the files, and says which may be read; without it, all. Raises
+    ``Failure`` if the folder, the start-up list or every channel list is missing; what is wrong
+    otherwise stands in ``Machine.diagnostics``.
     """
     collector = Collector()
     startup_file = _DEMO / STARTUP_NAMES[0]
     if folder is not None:
         startup_file = _startup_file(Path(folder), collector)
-    return _Loader(startup_file, collector, detail, rtconf).machine()
+    return _Loader(startup_file, access or FileAccess(), collector, detail, rtconf).machine()
 
 
 def _startup_file(folder: Path, collector: Collector) -> Path:
@@ -166,11 +168,13 @@ class _Loader:
     def __init__(
         self,
         startup_file: Path,
+        access: FileAccess,
         collector: Collector,
         detail: Detail,
         rtconf_options: RtconfOptions,
     ) -> None:
         self.rtconf_options = rtconf_options
+        self.access = access
         self.startup_file = startup_file
         self.folder = startup_file.parent
         self.collector = collector
@@ -178,7 +182,7 @@ class _Loader:
         self.startup_values = Values(STARTUP, startup_file.as_posix())
         self.channel_values: list[Values] = []
         self.variable_values: list[Values] = []
-        self.lists = LinkedLists(startup_file, collector, detail=detail)
+        self.lists = LinkedLists(startup_file, access, collector, detail=detail)
 
     def machine(self) -> Machine:
         startup = self._startup()
@@ -197,7 +201,7 @@ class _Loader:
             self._channel(startup, index, parameters[index], variables[index], axes)
             for index in range(len(startup.channels))
         )
-        texts = user_texts(startup.error_texts, self.folder, self.collector)
+        texts = user_texts(startup.error_texts, self.folder, self.access, self.collector)
         return Machine(
             self.folder.resolve().name,
             self.folder,

@@ -11,6 +11,7 @@ import re
 from pathlib import Path
 
 from nctakt.base.text import decode_text, split_lines
+from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import find_file, read_file
 from nctakt.messages import Collector
 from nctakt.messages.user_errors import INVALID_USER_TEXT_LINE, USER_TEXTS_MISSING
@@ -20,15 +21,15 @@ HIGHEST_ID = 1000
 _LINE = re.compile(r"\s*(\d{1,4})\s+(\S.*?)\s*$")
 
 
-def user_texts(path: str, folder: Path, collector: Collector) -> dict[int, str]:
+def user_texts(path: str, folder: Path, access: FileAccess, collector: Collector) -> dict[int, str]:
     """The texts of the file that a list of ``folder`` names, none where it names none."""
     if not path:
         return {}
-    found = find_file(path, folder)
+    found = find_file(path, folder, access)
     if found is None:
         collector.report(USER_TEXTS_MISSING, None, path=path)
         return {}
-    data = read_file(found, collector)
+    data = read_file(found, access, collector)
     return {} if data is None else _texts(data, path, collector)
 
 

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""The users' files: read within bounds, written so that nothing is lost."""

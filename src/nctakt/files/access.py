@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: MIT
+"""Which files a command reads and writes, and which it must not.
+
+In: paths as users, lists and programs name them. Out: their bytes or lines, or a ``Failure``: what
+is read at once has a bound, what lies outside of the allowed folders stays unread, and no file is
+read and written by one command. Files are compared by device and number, whatever their names.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Sequence
+from pathlib import Path
+from typing import BinaryIO
+
+from nctakt.base.failure import Failure
+from nctakt.base.long_text import LinesTooLong, LongText, is_long
+from nctakt.base.text import decode_text, split_lines
+from nctakt.messages import diagnostic
+from nctakt.messages.files import (
+    FILE_MISSING,
+    FILE_NOT_READABLE,
+    FILE_OUTSIDE,
+    FILE_TOO_LONG,
+    FOLDER_INSTEAD_OF_FILE,
+    OUTPUT_IS_READ,
+    OUTPUTS_ARE_ONE_FILE,
+)
+
+#: Bytes that are read at once: a list, or a program that is not a plain file.
+MAX_BYTES = 64 << 20
+
+#: Bytes that tell whether a file is a text.
+BEGIN_BYTES = 8192
+
+#: The lists of the built-in machine, which may always be read.
+_BUILT_IN = os.path.realpath(Path(__file__).parent.parent / "machines")
+
+#: Device and number of a file.
+Identity = tuple[int, int]
+
+
+class FileAccess:
+    """The files of one command; ``folders``: only what lies in them is read, all without any."""
+
+    def __init__(self, folders: Sequence[str | Path] = ()) -> None:
+        self.folders = tuple(os.path.realpath(folder) for folder in folders)
+        self._read: dict[Identity, None] = {}
+        self._written: dict[Identity, str] = {}
+
+    # --- reading ---------------------------------------------------------------------------------
+
+    def admits(self, path: str | Path) -> bool:
+        """Return whether the file lies in one of the folders, links resolved."""
+        if not self.folders:
+            return True
+        real = Path(os.path.realpath(path))
+        return any(real.is_relative_to(folder) for folder in (*self.folders, _BUILT_IN))
+
+    @property
+    def shown_folders(self) -> str:
+        """The folders for a message."""
+        return ", ".join(Path(folder).as_posix() for folder in self.folders)
+
+    def check_admitted(self, path: str | Path) -> None:
+        """Raise ``Failure`` (900917) for a file outside of the folders, even for one not there."""
+        if not self.admits(path):
+            file = Path(path).as_posix()
+            raise Failure(diagnostic(FILE_OUTSIDE, file=file, folders=self.shown_folders))
+
+    def note(self, path: str | Path) -> None:
+        """Remember that a file is read, by whomever; raises ``Failure`` (900913, 900917)."""
+        self.check_admitted(path)
+        try:
+            self.note_state(Path(path).stat(), path)
+        except OSError:
+            return  # who reads it reports that
+
+    def note_state(self, state: os.stat_result, path: str | Path) -> None:
+        """Remember a file by its state; raises ``Failure`` where it is written as well (900913)."""
+        if not _can_be_lost(state):
+            return
+        identity = (state.st_dev, state.st_ino)
+        self._read[identity] = None
+        if identity in self._written:
+            raise Failure(
+                diagnostic(OUTPUT_IS_READ, option=self._written[identity], file=str(path))
+            )
+
+    def read_bytes(self, path: Path, *, is_replaced: bool = False) -> bytes:
+        """Return what is in a file of at most ``MAX_BYTES``.
+
+        ``is_replaced``: the command may write it again. Raises ``Failure``: not there (900500), a
+        folder (900501), unreadable (900503), read and written (900913), too long (900915), outside
+        of the folders (900917).
+        """
+        file = self._opened(path, is_replaced=is_replaced)
+        try:
+            with file:
+                return read_stream(file, str(path))
+        except OSError as error:
+            raise _unreadable(path, error) from error
+
+    def read_lines(self, path: Path) -> Sequence[str]:
+        """Return the lines of a file, of a long plain file as they are asked for.
+
+        Raises ``Failure`` as ``read_bytes``; a plain file may have any length, its lines may not.
+        """
+        file = self._opened(path)
+        try:
+            with file:
+                if is_long(file):
+                    return LongText(path)
+                return split_lines(decode_text(read_stream(file, str(path))).text)
+        except LinesTooLong as error:
+            raise _too_long(path) from error
+        except OSError as error:
+            raise _unreadable(path, error) from error
+
+    def read_begin(self, path: Path) -> bytes:
+        """Return the first ``BEGIN_BYTES`` of a file; raises ``Failure`` as ``read_bytes``."""
+        file = self._opened(path)
+        try:
+            with file:
+                return file.read(BEGIN_BYTES)
+        except OSError as error:
+            raise _unreadable(path, error) from error
+
+    def _opened(self, path: Path, *, is_replaced: bool = False) -> BinaryIO:
+        """Open a file and remember it."""
+        self.check_admitted(path)
+        try:
+            file = path.open("rb")
+        except FileNotFoundError as error:
+            raise Failure(diagnostic(FILE_MISSING, file=str(path))) from error
+        except IsADirectoryError as error:
+            raise Failure(diagnostic(FOLDER_INSTEAD_OF_FILE, file=str(path))) from error
+        except OSError as error:
+            raise _unreadable(path, error) from error
+        if not is_replaced:
+            try:
+                self.note_state(os.fstat(file.fileno()), path)
+            except Failure:
+                file.close()
+                raise
+        return file
+
+    # --- writing ---------------------------------------------------------------------------------
+
+    def claim(self, state: os.stat_result | None, path: str | Path, option: str) -> None:
+        """Let ``option`` write a file whose state is ``state``, ``None`` if it is not there yet.
+
+        Raises ``Failure`` where it is read (900913) or written (900914).
+        """
+        self.check_unread(state, path, option)
+        if state is None or not _can_be_lost(state):
+            return
+        identity = (state.st_dev, state.st_ino)
+        other = self._written.get(identity)
+        if other is not None:
+            raise Failure(
+                diagnostic(OUTPUTS_ARE_ONE_FILE, option=option, other=other, file=str(path))
+            )
+        self._written[identity] = option
+
+    def check_unread(self, state: os.stat_result | None, path: str | Path, option: str) -> None:
+        """Raise ``Failure`` (900913) where a file has been read by now."""
+        if state is not None and (state.st_dev, state.st_ino) in self._read:
+            raise Failure(diagnostic(OUTPUT_IS_READ, option=option, file=str(path)))
+
+
+def read_stream(file: BinaryIO, name: str) -> bytes:
+    """Return what a file gives; raises ``Failure`` (900915) beyond ``MAX_BYTES``."""
+    data = file.read(MAX_BYTES + 1)
+    if len(data) > MAX_BYTES:
+        raise _too_long(name)
+    return data
+
+
+def _can_be_lost(state: os.stat_result) -> bool:
+    """Return whether it is a file, and not a device such as /dev/null."""
+    return not stat.S_ISCHR(state.st_mode)
+
+
+def _too_long(name: str | Path) -> Failure:
+    return Failure(diagnostic(FILE_TOO_LONG, file=str(name), limit=MAX_BYTES))
+
+
+def _unreadable(path: Path, error: OSError) -> Failure:
+    reason = error.strerror or str(error)
+    return Failure(diagnostic(FILE_NOT_READABLE, file=str(path), reason=reason))

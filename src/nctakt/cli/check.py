@@ -57,7 +57,6 @@ class Options:
 
     paths: tuple[str, ...]
     machine: str | None
-    root: str | None
     format: Literal["text", "json", "github", "sarif"]
     language: Language
     select: tuple[str, ...]
@@ -77,11 +76,6 @@ class Options:
 @click.argument("paths", metavar="FILE|DIR...", nargs=-1, required=True)
 @click.option(
     "--machine", metavar="DIR", help="Folder with the lists of the programs' machine [demo]."
-)
-@click.option(
-    "--root",
-    metavar="DIR",
-    help="Controller's root folder, where lists name files.",
 )
 @click.option(
     "--format",
@@ -141,7 +135,6 @@ def _tell(
     """Check and tell; the exit code."""
     inputs = [_standard_input() if path == _STANDARD_INPUT else path for path in options.paths]
     is_named = options.machine is not None
-<<<<<<< HEAD
     checked = check_files(
         inputs,
         machine,
@@ -149,10 +142,6 @@ def _tell(
         for_all=is_named,
         rtconf=_rtconf_options(options),
     )
-=======
-    root = None if options.root is None else Path(options.root)
-    checked = check_files(inputs, machine, detail=_detail(options), root=root, for_all=is_named)
->>>>>>> 05a2c8b (Find lists anywhere in a tree and below a root folder, with one note for tolerated paths)
     lowest = Severity.WARNING if options.quiet else Severity.NOTE
     result = _selected(checked, selection, lowest)
     told = _told(result, options)
@@ -174,11 +163,7 @@ def _detail(options: Options) -> Detail:
 
 def _machine(options: Options, access: FileAccess) -> AssembledMachine:
     """The machine that programs are checked for; what is wrong with its lists is told, too."""
-<<<<<<< HEAD
     configuration = load_machine(options.machine, rtconf=_rtconf_options(options), access=access)
-=======
-    configuration = load_machine(options.machine, root=options.root)
->>>>>>> 05a2c8b (Find lists anywhere in a tree and below a root folder, with one note for tolerated paths)
     print_diagnostics(configuration.diagnostics, options.language, Severity.ERROR)
     return AssembledMachine(configuration, access)
 

@@ -50,7 +50,6 @@ class Options:
     programs: tuple[str, ...]
     others: tuple[tuple[str, str], ...] = ()
     machine: str | None
-    root: str | None = None
     assignments: tuple[str, ...]
     stimuli: tuple[tuple[str, str], ...]
     ticks: int | None
@@ -192,7 +191,7 @@ def _check_machine(machine: str) -> None:
     path = Path(machine)
     if not path.exists():
         raise Failure(diagnostic(FILE_MISSING, file=machine))
-    if not path.is_dir() and path.suffix.casefold() not in {".lis", ".xml"}:
+    if not path.is_dir() and path.suffix.casefold() != ".lis":
         raise Failure(diagnostic(NEITHER_FOLDER_NOR_LIST, folder=machine))
 
 

@@ -58,9 +58,6 @@ def run_options(language_of: str) -> Callable[[_Command], _Command]:
             "--machine", metavar="DIR", help="Folder with the machine's lists [default: demo]."
         ),
         click.option(
-            "--root", metavar="DIR", help="Controller's root folder, where lists name files."
-        ),
-        click.option(
             "--set",
             "assignments",
             metavar="NAME=VALUE",
@@ -138,17 +135,11 @@ def choose_mode(options: Options) -> None:
 
 def start_controller(options: Options, access: FileAccess) -> Controller:
     """A controller of the machine that was asked for; a note where another one may be meant."""
-    from nctakt.lists.machine.machine import load_machine  # noqa: PLC0415 - as below
     from nctakt.run.controller import Controller  # noqa: PLC0415 - the mode is chosen before
 
     if options.machine is None and not options.quiet:
         print_diagnostics(_machines_around(options), options.language)
-<<<<<<< HEAD
     return Controller(options.machine, _schedule(options, access), access)
-=======
-    machine = load_machine(options.machine, root=options.root)
-    return Controller(machine, _schedule(options))
->>>>>>> 05a2c8b (Find lists anywhere in a tree and below a root folder, with one note for tolerated paths)
 
 
 def _machines_around(options: Options) -> Iterator[Diagnostic]:

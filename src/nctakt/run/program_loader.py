@@ -18,7 +18,7 @@ from nctakt.base.text import split_lines
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.channel_configuration import ChannelParameters
-from nctakt.lists.machine.files import find_below
+from nctakt.lists.machine.files import find_below, find_file
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.files import (
     FILE_OUTSIDE,
@@ -68,14 +68,8 @@ def program_folder(named: str, machine_folder: Path) -> Path:
 def find_program(name: str, folders: list[Path], access: FileAccess) -> Path | None:
     """The file of this name in the first folder that has it, as far as ``access`` allows."""
     if PureWindowsPath(name).drive or Path(name).is_absolute():
-<<<<<<< HEAD
         return find_file(name.replace("\\", "/"), Path(), access)
     return next((found for folder in folders if (found := find_below(name, folder, access))), None)
-=======
-        path = Path(name.replace("\\", "/"))
-        return path if path.is_file() else None
-    return next((found for folder in folders if (found := find_below(name, folder))), None)
->>>>>>> 05a2c8b (Find lists anywhere in a tree and below a root folder, with one note for tolerated paths)
 
 
 def missing(

@@ -45,12 +45,15 @@ SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=undefined"]
 def typed_modules() -> list[Path]:
     """Return the modules that are compiled, sorted.
 
-    A .pxd of C functions alone is no module: it stands in for one wherever it is cimported.
+    A .pxd of C functions or of numbers alone is no module: it stands in for one wherever it is
+    cimported.
     """
-    types = [
-        path for path in SOURCES.rglob("*.pxd") if "cdef extern" not in path.read_text("utf-8")
-    ]
-    return sorted(path.with_suffix(".py") for path in types)
+    found = []
+    for path in SOURCES.rglob("*.pxd"):
+        text = path.read_text("utf-8")
+        if "cdef extern" not in text and "cdef enum" not in text:
+            found.append(path.with_suffix(".py"))
+    return sorted(found)
 
 
 def extensions() -> list[Extension]:

@@ -238,8 +238,8 @@ def put_segment(ring: CommandRing, command: Segment) -> None:
     """A block of the tree's way into the queue."""
     one = command
     ring.put_segment(
-        *(one.source, one.number, one.start, one.target, one.feed, one.exact_stop),
-        *(one.deviation, one.limits_jerk, one.arc),
+        *(one.source, one.number, one.start, one.target, one.motion, one.feed),
+        *(one.exact_stop, one.deviation, one.limits_jerk, one.arc),
     )
 
 

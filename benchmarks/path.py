@@ -17,6 +17,7 @@ import time
 
 from benchmarks.tick import LAWS, REPEATS, program
 from nctakt.base.mode import is_compiled
+from nctakt.kernel import rows
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
@@ -48,7 +49,8 @@ def blocks_per_second(
         begin = time.perf_counter()
         for i in range(CHUNK):
             channel.put_segment(
-                0, i, corners[i], corners[i + 1], 200.0, False, deviation, limits_jerk, None
+                *(0, i, corners[i], corners[i + 1], rows.FEED_MOTION, 200.0, False),
+                *(deviation, limits_jerk, None),
             )
         best = min(best, time.perf_counter() - begin)
     return CHUNK / best

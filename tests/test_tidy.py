@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import ast
 import re
+import runpy
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -21,14 +22,21 @@ from nctakt.nc.vocabulary.functions import G_FUNCTIONS, M_FUNCTIONS
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "nctakt"
 KERNEL = PACKAGE / "kernel"
+#: Modules of numbers: constants of C in what is compiled, and not compiled themselves.
+NUMBERS = ("decoder/contour/rows", "kernel/codes", "kernel/rows")
 #: The modules of the realtime part, relative to its folder and without an ending: ``path/path``.
 MODULES = sorted(
     path.relative_to(KERNEL).with_suffix("").as_posix()
     for path in KERNEL.rglob("*.py")
     if path.stem != "__init__"
+    and path.relative_to(PACKAGE).with_suffix("").as_posix() not in NUMBERS
 )
 SOURCES = sorted(PACKAGE.rglob("*.py"))
-PXD = sorted(PACKAGE.rglob("*.pxd"))
+PXD = sorted(
+    path
+    for path in PACKAGE.rglob("*.pxd")
+    if path.relative_to(PACKAGE).with_suffix("").as_posix() not in NUMBERS
+)
 
 #: Longer than a file should be, with the reason.
 LONG_FILES = {
@@ -116,8 +124,17 @@ def tick_functions(module: str) -> Iterator[tuple[str, ast.FunctionDef]]:
 
 def test_each_realtime_module_has_its_types() -> None:
     """Each module of the realtime part has a .pxd of the same name, and no .pxd is alone."""
-    typed = (path.relative_to(KERNEL).with_suffix("") for path in KERNEL.rglob("*.pxd"))
+    typed = (path.relative_to(KERNEL).with_suffix("") for path in PXD if KERNEL in path.parents)
     assert sorted(path.as_posix() for path in typed) == MODULES
+
+
+def test_numbers_are_the_same_in_c() -> None:
+    """The ``.pxd`` of each module of numbers is what ``scripts/constants`` writes."""
+    script = runpy.run_path(str(ROOT / "scripts" / "constants"))
+    assert script["MODULES"] == NUMBERS
+    for module in NUMBERS:
+        path = PACKAGE / f"{module}.py"
+        assert path.with_suffix(".pxd").read_text("utf-8") == script["text_of"](path), module
 
 
 @pytest.mark.parametrize("module", MODULES)
@@ -504,7 +521,6 @@ def test_numbers_of_the_queue_have_names() -> None:
     """The bounds of queue, record, interface, slots and ring are named where they stand."""
     bounds = {
         "kernel/tick/channel.py": ("LOW_WATER",),
-        "kernel/tick/command_queue.py": ("TIMED_KINDS",),
         "run/queue_feeder.py": ("HIGH_WATER",),
         "kernel/plc/technology_slots.py": ("SLOT_COUNT",),
         "lists/declared/startup.py": ("LEAST_BACKWARD_MEMORY",),

@@ -12,7 +12,7 @@ from decided import numbers
 
 import nctakt
 from nctakt.base.failure import Failure
-from nctakt.kernel.path import geometry
+from nctakt.decoder.axis_limits import history_blocks
 from nctakt.lists.declared.startup import LEAST_BACKWARD_MEMORY
 from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import Run
@@ -83,8 +83,8 @@ def test_too_little_memory_is_raised_and_said(tmp_path: Path) -> None:
     machine = with_memory(tmp_path, 1)
     assert [one.message.id for one in load_machine(machine).diagnostics] == [50450]
     controller = Controller(machine)
-    assert controller.hli.history_size == LEAST_BACKWARD_MEMORY // (8 * geometry.width(4))
-    assert Controller().hli.history_size == 0x200000 // (8 * geometry.width(4))
+    assert controller.hli.history_size == history_blocks(LEAST_BACKWARD_MEMORY, 4)
+    assert Controller().hli.history_size == history_blocks(0x200000, 4)
 
 
 def test_the_oldest_blocks_are_forgotten(tmp_path: Path) -> None:

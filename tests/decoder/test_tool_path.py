@@ -18,7 +18,7 @@ from random import Random
 import pytest
 from compensated import Point, Way, distance, places
 
-from nctakt.decoder.contour.chain import ARC, GAP, REACH
+from nctakt.decoder.contour.rows import ARC, GAP, NOTHING, REACH
 from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.decoder.state.arcs import arc_of_radius
 
@@ -114,13 +114,13 @@ def taken(tool: ToolPath, result: Passed, last: int) -> None:
         tool.crossed = 0
     begun = result.ways[-1][0] if result.ways else 1
     for number in range(begun, last + 1):
-        while kind := tool.take(number):
-            if kind == GAP:
+        while (shape := tool.take(number)) != NOTHING:
+            if shape == GAP:
                 result.misfits.append(number)
                 continue
             piece = tool.taken()
             way: Way = ((piece[0], piece[1]), (piece[2], piece[3]), None, 0.0)
-            if kind == ARC:
+            if shape == ARC:
                 way = (way[0], way[1], (piece[5], piece[6]), piece[7])
             result.ways.append((number, way))
             if tool.crossed:

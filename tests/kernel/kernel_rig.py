@@ -11,9 +11,9 @@ import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
+from nctakt.kernel import rows
 from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.cycles.instructions import Statement
-from nctakt.kernel.tick import command_queue as kinds
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller
@@ -45,23 +45,33 @@ class Rig:
     ) -> None:
         """Append a straight motion of X, forward."""
         start, self.end = self.end, self.end + length
-        row = [kinds.SEGMENT, 0, number, length, speed, RAPID, ACCELERATION, end_speed, exact_stop]
-        self.channel.put([*row, 0, 0, 0, start, 0, 0, 0, self.end, 0, 0, 0])
+        row = [0.0] * rows.segment_width(self.channel.path.count)
+        row[rows.KIND] = rows.SEGMENT
+        row[rows.BLOCK_NUMBER] = number
+        row[rows.LENGTH] = length
+        row[rows.SPEED] = speed
+        row[rows.MAX_SPEED] = RAPID
+        row[rows.ACCELERATION] = ACCELERATION
+        row[rows.END_SPEED] = end_speed
+        row[rows.EXACT_STOP] = exact_stop
+        row[rows.START] = start
+        row[rows.START + self.channel.path.count] = self.end
+        self.channel.put(row)
 
     def dwell(self, ticks: int) -> None:
         """Append a dwell."""
-        self.channel.put([kinds.DWELL, 0, 0, ticks])
+        self.channel.put([rows.DWELL, 0, 0, ticks])
 
     def flush(self) -> None:
         """Append a flush that nobody waits for."""
-        self.channel.put([kinds.FLUSH, 0, 0, 0, 0, 0])
+        self.channel.put([rows.FLUSH, 0, 0, 0])
 
     def cycle(self, scope: int, identity: int = 0) -> RealtimeCycle:
         """Append the definition of an empty cycle; its ``runs`` tell when it ran."""
         self._serials += 1
         made = RealtimeCycle(Statement(), self._serials, 3, 0)
         slot = self.channel.manager.load(made, identity, scope, 0)
-        self.channel.put([kinds.DEFINE_CYCLE, 0, 0, slot, 1])
+        self.channel.put([rows.DEFINE_CYCLE, 0, 0, slot, 1])
         return made
 
     def run(self, ticks: int) -> list[float]:

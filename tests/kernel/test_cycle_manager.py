@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 from kernel_rig import DEMO, Rig, controller_with
 
+from nctakt.kernel import rows
 from nctakt.kernel.base import record
 from nctakt.kernel.cycles import cycles
 from nctakt.kernel.cycles.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
 from nctakt.kernel.cycles.instructions import Statement
-from nctakt.kernel.tick import command_queue as kinds
 from nctakt.run.controller import Controller, NcText
 
 START, HOLD, CONTINUE, ABORT, DELETE = 1, 2, 3, 4, 5
@@ -27,11 +27,11 @@ class Managed(Rig):
         super().__init__()
         self.made = RealtimeCycle(Statement(), 1, 3, 0)
         self.slot = self.channel.manager.load(self.made, ID, scope, 0)
-        self.channel.put([kinds.DEFINE_CYCLE, 0, 0, self.slot, starts])
+        self.channel.put([rows.DEFINE_CYCLE, 0, 0, self.slot, starts])
 
     def command(self, action: int) -> None:
         """Append a management command for the cycle."""
-        self.channel.put([kinds.CONTROL_CYCLE, 0, 0, action, ID])
+        self.channel.put([rows.CONTROL_CYCLE, 0, 0, action, ID])
 
     def events(self) -> list[tuple[int, float]]:
         """Kind and first value of the events of one more tick."""
@@ -199,7 +199,7 @@ def test_end_of_program_ends_what_is_local() -> None:
     rig = Rig()
     made = {scope: rig.cycle(scope, identity=scope + 1) for scope in (BLOCK, PROG, GLOBAL)}
     rig.run(1)
-    rig.channel.put([kinds.PROGRAM_END, 0, 0, 0])
+    rig.channel.put([rows.PROGRAM_END, 0, 0, 0])
     rig.run(1)
     assert rig.channel.program_ended
     rig.channel.accept_end()

@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_rig import ACCELERATION, DEMO, RAPID, TICK_T, Rig, assert_within_limits
 
+from nctakt.kernel import rows
 from nctakt.kernel.cycles.cycles import BLOCK
 from nctakt.kernel.plc.panel import FEED_HOLD, OVERRIDE
 from nctakt.run.controller import Controller, NcText
@@ -300,4 +301,4 @@ def test_used_segments_stay_in_the_ring() -> None:
     controller.run(NcText("part.nc", "G00 X1\nG00 X3\nG00 X3 Y4\nM30"))
     path = controller._channels[0].channel.path
     assert path.used == 3
-    assert [path.segment_row(back)[3] for back in range(3)] == [4.0, 2.0, 1.0]
+    assert [path.segment_row(back)[rows.LENGTH] for back in range(3)] == [4.0, 2.0, 1.0]

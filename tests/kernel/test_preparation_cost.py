@@ -18,6 +18,7 @@ from nctakt.base.mode import is_compiled
 #: Puts so many blocks of a kind into the queue and counts the calls that each of them costs.
 COUNTING = """
 import math, sys
+from nctakt.kernel import rows
 from nctakt.run.assembly import AssembledMachine
 from nctakt.lists.machine.machine import load_machine
 
@@ -42,9 +43,9 @@ for number in range(blocks):
         arc = (0.0, 1.0, *centre, math.degrees(turn))
     else:
         place = (start[0] + length, start[1])
-    channel.put_segment(
-        0, number, (*start, 0.0, 0.0), (*place, 0.0, 0.0), 200.0, False, 0.0, kind == "smooth", arc
-    )
+    ends = (*start, 0.0, 0.0), (*place, 0.0, 0.0)
+    is_smooth = kind == "smooth"
+    channel.put_segment(0, number, *ends, rows.FEED_MOTION, 200.0, False, 0.0, is_smooth, arc)
 sys.setprofile(None)
 print(calls / blocks)
 """

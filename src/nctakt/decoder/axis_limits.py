@@ -12,7 +12,6 @@ from collections.abc import Sequence
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.base.record import Record
-from nctakt.kernel.path import geometry
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine
@@ -34,9 +33,14 @@ def look_ahead(
     return ahead
 
 
+#: Bytes of a block in the memory of backward motion, and of each axis of the channel in it (MO-7).
+BLOCK_BYTES = 304
+AXIS_BYTES = 24
+
+
 def history_blocks(memory_bytes: int, axis_count: int) -> int:
     """How many blocks behind the current one fit into the memory of backward motion (MO-7)."""
-    return memory_bytes // (8 * geometry.width(axis_count))
+    return memory_bytes // (BLOCK_BYTES + AXIS_BYTES * axis_count)
 
 
 def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxes:

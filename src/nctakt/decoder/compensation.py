@@ -24,7 +24,7 @@ from typing import NoReturn
 from nctakt.base.diagnostics import Span
 from nctakt.base.source_ids import NO_SOURCE, unpack
 from nctakt.decoder.blocks.path_motion import PathMotion
-from nctakt.decoder.contour.chain import ARC, GAP, REACH
+from nctakt.decoder.contour import rows as contour_rows
 from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.decoder.fast.compensated_lines import CompensatedLines
 from nctakt.decoder.fast.handover import PlainRun
@@ -33,7 +33,7 @@ from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM, Arc
 from nctakt.decoder.state.commands import Answer, Command, ProgramEnd, Segment, pack, waits
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.values.variables import Values
-from nctakt.kernel.tick.command_queue import TIMED_KINDS
+from nctakt.kernel import rows
 from nctakt.messages import diagnostic
 from nctakt.messages.tools import (
     ARC_REVERSED_BY_RADIUS,
@@ -82,7 +82,7 @@ class Compensation:
         self._pass_time = pass_time
         self.tool = ToolPath()
         self._motions: deque[PendingMotion] = deque()
-        self._spans: deque[tuple[int, Span]] = deque(maxlen=2 * REACH + 2)
+        self._spans: deque[tuple[int, Span]] = deque(maxlen=2 * contour_rows.REACH + 2)
         self._between = 0
         self._distance = 0.0
         self._at: tuple[float, float] | None = None
@@ -158,7 +158,7 @@ class Compensation:
         if tool.crossed:
             self._tell_crossing()
         if not self._is_closed_one:
-            yield from self._release(REACH if self._waits_for_loops else 0)
+            yield from self._release(contour_rows.REACH if self._waits_for_loops else 0)
         elif len(self._motions) > MAX_CLOSED:
             self._values.fail(CLOSED_CONTOUR_TOO_LONG, self._path.span, count=MAX_CLOSED)
         if wanted.mode == DEPART_WITHOUT_MOTION:
@@ -184,13 +184,14 @@ class Compensation:
         wanted = self._state.compensation
         tool.side = 1.0 if (d or before) > 0.0 else -1.0
         tool.masks = wanted.masks
+        is_feed = segment.motion == rows.FEED_MOTION
         if segment.arc is None:
             if d == before:
-                tool.line(*ends, d, d, segment.feed > 0.0)
+                tool.line(*ends, d, d, is_feed)
             elif d * before > 0.0:
-                tool.line(*ends, before, d, segment.feed > 0.0)
+                tool.line(*ends, before, d, is_feed)
             elif wanted.mode == APPROACH_PERPENDICULAR:
-                tool.line(*ends, d, d, segment.feed > 0.0)
+                tool.line(*ends, d, d, is_feed)
             else:
                 tool.line(*ends, 0.0, 0.0, False)
             return
@@ -234,7 +235,7 @@ class Compensation:
             self._values.fail(TOO_MANY_COMMANDS_IN_CONTOUR, self._path.span, count=MAX_BETWEEN)
         self._between += 1
         self._motions[-1].between.append(command)
-        if isinstance(command, Segment) or pack(command)[0] in TIMED_KINDS:
+        if isinstance(command, Segment) or pack(command)[rows.KIND] in rows.TIMED_KINDS:
             self._pass_time(command)
 
     def _moves_others(self, segment: Segment) -> bool:
@@ -369,7 +370,7 @@ class Compensation:
         lines.source, lines.number = held.source, held.number
         for place, (start, target) in enumerate(zip(held.start, held.target, strict=True)):
             lines.set_motion(place, start, target)
-        lines.feed_v = held.feed
+        lines.motion, lines.feed_v = held.motion, held.feed
         lines.stops = held.exact_stop
         lines.deviation = self._deviation
         lines.limits_jerk = self._state.limits_jerk
@@ -381,7 +382,7 @@ class Compensation:
         before, number = self._motions[0], self.tool.number
         if number == before.number:
             return
-        for one in range(max(before.number + 1, number - REACH), number):
+        for one in range(max(before.number + 1, number - contour_rows.REACH), number):
             self._spans.append((one, self._span_of(lines.source_of(one), file)))
         ways = [lines.motion_of(place) for place in range(lines.count)]
         segment = replace(
@@ -390,6 +391,7 @@ class Compensation:
             number=lines.number,
             start=tuple(start for start, _ in ways),
             target=tuple(target for _, target in ways),
+            motion=lines.motion,
             feed=lines.feed_v,
             exact_stop=lines.stops,
             deviation=0.0 if lines.stops else lines.deviation,
@@ -447,8 +449,8 @@ class Compensation:
     def _pieces(self, motion: PendingMotion) -> list[tuple[_Piece, float]]:
         """The pieces of a motion with their ways; none where it is swallowed."""
         found = []
-        while kind := self.tool.take(motion.number):
-            if kind == GAP:
+        while (shape := self.tool.take(motion.number)) != contour_rows.NOTHING:
+            if shape == contour_rows.GAP:
                 self._fail(motion)
             piece = self.tool.taken()
             found.append((piece, self.tool.taken_way()))
@@ -464,7 +466,8 @@ class Compensation:
         """The pieces of a motion; only the last one stops exactly."""
         first, second = PLANES[self._state.plane]
         segment = motion.segment
-        if motion.time_s > 0.0 and segment.feed > 0.0 and pieces:
+        is_feed = segment.motion == rows.FEED_MOTION
+        if motion.time_s > 0.0 and is_feed and pieces:
             lengths = [length for _, length in pieces]
             length = block_length(segment, lengths, self._environment.axes, (first, second))
             segment = replace(segment, feed=length / motion.time_s)
@@ -476,11 +479,11 @@ class Compensation:
             target[first], target[second] = piece[2:4]
             row = None
             feed = segment.feed
-            if piece[4] == ARC - 1:
+            if piece[contour_rows.SHAPE] == contour_rows.ARC:
                 arc = Arc(first, second, *piece[5:8])
                 row = arc.row
                 self._path.check_extremes(arc, start, motion.span)
-                if motion.adapts and feed > 0.0 and motion.time_s == 0.0:
+                if motion.adapts and is_feed and motion.time_s == 0.0:
                     feed *= share_of_contour(segment, row, start)
             self._path.check_limits(target, (first, second), motion.span)
             yield replace(

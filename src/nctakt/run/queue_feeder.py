@@ -18,7 +18,7 @@ from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.modal_state import state_at_program_start
 from nctakt.decoder.state.program_variables import Scopes
-from nctakt.kernel.tick.command_queue import TIMED_KINDS
+from nctakt.kernel import rows
 from nctakt.messages.realtime import TOO_MANY_CYCLES
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import Budget

@@ -39,6 +39,7 @@ from nctakt.decoder.state.coordinate_systems import MAIN_AXES
 from nctakt.decoder.state.offsets import ALL, ZERO_GROUPS
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
+from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.offsets import MOST_GROUPS
 from nctakt.lists.declared.technology_functions import TechnologyFunction
@@ -371,7 +372,7 @@ class BlockDecoder:
         self._state.positions = target
         if segment is None:
             return
-        if segment.feed > 0.0 and self.technology.awaits_feed:
+        if segment.motion == rows.FEED_MOTION and self.technology.awaits_feed:
             yield from self.technology.before_feed()
         yield segment
 

@@ -2,7 +2,7 @@
 """How fast a block goes: F under G93, G94, G95, and overrides of the program (MO-4, MO-5, MO-17).
 
 In: F, the G functions of the feed, ``#OVERRIDE``, ``X[OVERRIDE …]``, the way of a block. Out: its
-feed in mm/s, degrees/s where only rotary axes move, below 0 rapid, and a ``FeedModifiers`` where
+feed in mm/s, degrees/s where only rotary axes move, 0 for rapid, and a ``FeedModifiers`` where
 more than that counts. Each of G93 … G95 has an F of its own, which comes back with it.
 """
 
@@ -117,9 +117,7 @@ class FeedRate:
             override = feed_state.path_override[rapid]
             if feed_state.axis_overrides:
                 override *= self._min_axis_override(start, target, arc)
-        feed, spindle, spindle_v = (
-            (-1.0, -1, 0.0) if rapid else self._feed(start, target, arc, span)
-        )
+        feed, spindle, spindle_v = (0.0, -1, 0.0) if rapid else self._feed(start, target, arc, span)
         if override == 1.0 and not is_exempt and spindle < 0:
             return feed, None
         return feed, FeedModifiers(override, is_exempt, spindle, spindle_v)

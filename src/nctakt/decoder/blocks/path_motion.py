@@ -17,6 +17,7 @@ from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_r
 from nctakt.decoder.state.commands import Answer, Command, Segment
 from nctakt.decoder.state.offsets import ALL
 from nctakt.decoder.values.variables import Values
+from nctakt.kernel import rows
 from nctakt.messages.coordinate_systems import ARC_PLANE_ASKEW, WORD_IN_ROTATED_COORDINATE_SYSTEM
 from nctakt.messages.decoder import TARGET_OUTSIDE_LIMITS
 from nctakt.messages.motion import (
@@ -193,6 +194,7 @@ class PathMotion:
             number,
             start,
             target,
+            rows.RAPID_MOTION if state.rapid else rows.FEED_MOTION,
             feed,
             exact,
             state.path.deviation if rounds and not exact else 0.0,

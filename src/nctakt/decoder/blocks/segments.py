@@ -13,6 +13,7 @@ _SOURCE = Command.__dict__["source"]
 _NUMBER = Command.__dict__["number"]
 _START = Segment.__dict__["start"]
 _TARGET = Segment.__dict__["target"]
+_MOTION = Segment.__dict__["motion"]
 _FEED = Segment.__dict__["feed"]
 _EXACT_STOP = Segment.__dict__["exact_stop"]
 _DEVIATION = Segment.__dict__["deviation"]
@@ -27,6 +28,7 @@ def segment(
     number: int,
     start: list[float],
     target: list[float],
+    motion: int,
     feed: float,
     exact_stop: bool,
     deviation: float,
@@ -40,6 +42,7 @@ def segment(
     raw_nodes.set_field(_NUMBER, made, number)
     raw_nodes.set_field(_START, made, tuple(start))
     raw_nodes.set_field(_TARGET, made, tuple(target))
+    raw_nodes.set_field(_MOTION, made, motion)
     raw_nodes.set_field(_FEED, made, feed)
     raw_nodes.set_field(_EXACT_STOP, made, exact_stop)
     raw_nodes.set_field(_DEVIATION, made, deviation)

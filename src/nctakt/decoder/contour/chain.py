@@ -8,18 +8,8 @@ as the way may lead back behind it.
 
 from __future__ import annotations
 
-from nctakt.decoder.contour import pieces
+from nctakt.decoder.contour import pieces, rows
 from nctakt.decoder.contour.pieces import Crossing
-
-#: So many motions before a new one its way is compared with; of so many (``masks``) the way waits.
-REACH = 50
-
-#: Pieces that there is room for: of two reaches, with all that can join two motions, and as many
-#: of loops that were left out, each one with a row behind it (of kind 3).
-_ROOM = 1024
-
-#: What ``take`` gives: 0 nothing more of the motion, a line, an arc, the motion does not fit.
-NOTHING, LINE, ARC, GAP = range(4)
 
 
 class Chain:
@@ -31,8 +21,8 @@ class Chain:
 
     def __init__(self) -> None:
         self.crossings = Crossing()
-        self.rows = memoryview(bytearray(8 * 2 * _ROOM * pieces.WIDTH)).cast("d")
-        self.hidden = memoryview(bytearray(8 * 64 * 4)).cast("d")
+        self.rows = memoryview(bytearray(8 * 2 * rows.ROOM * rows.PIECE_WIDTH)).cast("d")
+        self.hidden = memoryview(bytearray(8 * rows.MAX_HIDDEN * rows.HIDDEN_WIDTH)).cast("d")
         self.hidden_count = 0
         self.left = 0
         self.count = 0
@@ -63,20 +53,20 @@ class Chain:
     # --- pieces ----------------------------------------------------------------------------------
 
     def put_line(
-        self, kind: int, x: float, y: float, x_2: float, y_2: float, is_contour: int
+        self, shape: int, x: float, y: float, x_2: float, y_2: float, is_contour: int
     ) -> None:
         """One more line of the latest motion."""
         self.make_room()
-        pieces.put_line(self.rows, self.count * 16, kind, x, y, x_2, y_2)
+        pieces.put_line(self.rows, self.count * rows.PIECE_WIDTH, shape, x, y, x_2, y_2)
         self.put(is_contour)
 
     def put(self, is_contour: int) -> None:
         """The row behind the pieces is one more piece of the latest motion."""
-        base = self.count * 16
-        self.rows[base + 9] = self.number
-        is_gap = self.rows[base + 4] == 2.0
-        self.rows[base + 10] = 1.0 if is_contour and not is_gap else 0.0
-        self.rows[base + 15] = 0.0
+        base = self.count * rows.PIECE_WIDTH
+        self.rows[base + rows.MOTION] = self.number
+        is_gap = self.rows[base + rows.SHAPE] == rows.GAP
+        self.rows[base + rows.IS_CONTOUR] = 1.0 if is_contour and not is_gap else 0.0
+        self.rows[base + rows.CROSSED] = 0.0
         pieces.bound(self.rows, base)
         self.count += 1
         if is_contour and not is_gap:
@@ -84,11 +74,11 @@ class Chain:
 
     def make_room(self) -> None:
         """Forget the pieces that are neither compared nor waited for, if there are many."""
-        if self.count < 500:
+        if self.count < rows.MANY:
             return
         first = self.oldest(self.out)
-        for i in range((self.count - first) * 16):
-            self.rows[i] = self.rows[first * 16 + i]
+        for i in range((self.count - first) * rows.PIECE_WIDTH):
+            self.rows[i] = self.rows[first * rows.PIECE_WIDTH + i]
         self.count -= first
         self.out -= first
         self.barrier = max(self.barrier - first, 0)
@@ -96,9 +86,16 @@ class Chain:
     def oldest(self, last: int) -> int:
         """The first piece up to ``last`` that is within reach of the latest motion."""
         first = last
-        while first > self.barrier and self.rows[first * 16 - 7] >= self.number - 50:
-            first -= 1
+        before = last - 1
+        while before >= self.barrier and self.is_in_reach(before):
+            first = before
+            before -= 1
         return first
+
+    def is_in_reach(self, one: int) -> int:
+        """Whether the latest motion may cross this piece."""
+        motion = self.rows[one * rows.PIECE_WIDTH + rows.MOTION]
+        return 1 if motion >= self.number - rows.REACH else 0
 
     # --- crossings -------------------------------------------------------------------------------
 
@@ -110,7 +107,7 @@ class Chain:
         last = self.count - 1
         found = self.search(last, 0.0)
         if found >= 0:
-            self.crossed = int(self.rows[found * 16 + 9])
+            self.crossed = int(self.rows[found * rows.PIECE_WIDTH + rows.MOTION])
             self.crossing = self.number
             self.barrier = last
 
@@ -131,89 +128,100 @@ class Chain:
                 break
             room -= 1
         if found >= 0:
-            self.rows[last * 16 + 15] = self.rows[found * 16 + 9]
+            self.cross(last, found)
         self.note(last)
 
     def note(self, last: int) -> None:
         """Note a crossing that closes no loop; one behind it may still leave out both."""
         found = self.search(last, 0.0)
         if found >= 0:
-            self.rows[last * 16 + 15] = self.rows[found * 16 + 9]
+            self.cross(last, found)
+
+    def cross(self, last: int, found: int) -> None:
+        """The latest piece crosses the motion of another one."""
+        motion = self.rows[found * rows.PIECE_WIDTH + rows.MOTION]
+        self.rows[last * rows.PIECE_WIDTH + rows.CROSSED] = motion
 
     def search(self, last: int, wanted: float) -> int:
         """The newest piece that the latest one crosses in this sense; -1: none.
 
         So the smallest loop is found first.
         """
-        rows = self.rows
         self.crossings.wanted = wanted
-        base = last * 16
+        base = last * rows.PIECE_WIDTH
         one = last - 1
-        if one >= 0 and rows[one * 16 + 4] != 2.0:
+        if one >= 0 and self.rows[one * rows.PIECE_WIDTH + rows.SHAPE] != rows.GAP:
             one -= 1  # the way goes on from this one
-        while one >= self.barrier and rows[one * 16 + 9] >= self.number - 50:
-            if rows[one * 16 + 10] != 0.0 and not pieces.are_apart(rows, one * 16, base):
-                if self.crossings.find(rows, one * 16, base):
-                    return one
+        while one >= self.barrier and self.is_in_reach(one):
+            if self.is_crossed(one, base):
+                return one
             one -= 1
         return -1
 
     def search_loops(self, last: int) -> int:
         """The piece of a loop behind which the latest piece leads; -1: none."""
-        rows = self.rows
         self.crossings.wanted = -self.side
-        base = last * 16
-        one = 1024 + self.left - 1
-        while one >= 1024:
-            if rows[one * 16 + 10] != 0.0 and rows[one * 16 + 9] >= self.number - 50:
-                if not pieces.are_apart(rows, one * 16, base):
-                    if self.crossings.find(rows, one * 16, base):
-                        return one
+        base = last * rows.PIECE_WIDTH
+        one = rows.ROOM + self.left - 1
+        while one >= rows.ROOM:
+            if self.is_in_reach(one) and self.is_crossed(one, base):
+                return one
             one -= 1
         return -1
+
+    def is_crossed(self, one: int, base: int) -> int:
+        """Whether the piece whose row begins at ``base`` crosses this one."""
+        begin = one * rows.PIECE_WIDTH
+        if self.rows[begin + rows.IS_CONTOUR] == 0.0:
+            return 0
+        if pieces.are_apart(self.rows, begin, base):
+            return 0
+        return self.crossings.find(self.rows, begin, base)
 
     def leave_out(self, first: int, last: int) -> None:
         """Leave out the loop between two pieces that cross, and the first one if nothing is left.
 
         The piece behind the loop keeps its end, so that it stays even where it has no length.
         """
-        rows = self.rows
+        row = self.rows
         x = self.crossings.x
         y = self.crossings.y
         self.keep_loop(first, last)
-        pieces.cut_end(rows, first * 16, x, y)
-        pieces.cut_start(rows, last * 16, x, y)
-        if pieces.length(rows, first * 16) > 1e-9:
+        pieces.cut_end(row, first * rows.PIECE_WIDTH, x, y)
+        pieces.cut_start(row, last * rows.PIECE_WIDTH, x, y)
+        if pieces.length(row, first * rows.PIECE_WIDTH) > 1e-9:
             first += 1
         self.copy(last, first)
         self.count = first + 1
 
     def keep_loop(self, first: int, last: int) -> None:
         """Keep the loop that is left out, and forget the oldest ones if there is no room."""
-        while self.left + last - first + 2 > 1024:
-            self.forget_loop(1024)
-        at = 1024 + self.left
+        while self.left + last - first + 2 > rows.ROOM:
+            self.forget_loop(rows.ROOM)
+        at = rows.ROOM + self.left
         for one in range(first, last + 1):
             self.copy(one, at)
             if one == first:
-                pieces.cut_start(self.rows, at * 16, self.crossings.x, self.crossings.y)
+                pieces.cut_start(
+                    self.rows, at * rows.PIECE_WIDTH, self.crossings.x, self.crossings.y
+                )
             elif one == last:
-                pieces.cut_end(self.rows, at * 16, self.crossings.x, self.crossings.y)
+                pieces.cut_end(self.rows, at * rows.PIECE_WIDTH, self.crossings.x, self.crossings.y)
             at += 1
-        self.rows[at * 16 + 4] = 3.0
-        self.rows[at * 16 + 10] = 0.0
-        self.left = at - 1023
+        self.rows[at * rows.PIECE_WIDTH + rows.SHAPE] = rows.LOOP_END
+        self.rows[at * rows.PIECE_WIDTH + rows.IS_CONTOUR] = 0.0
+        self.left = at + 1 - rows.ROOM
 
     def forget_loop(self, first: int) -> None:
         """The loop that begins with this row is left out for good."""
         behind = self.end_of_loop(first) + 1
-        for one in range(behind, 1024 + self.left):
+        for one in range(behind, rows.ROOM + self.left):
             self.copy(one, first + one - behind)
         self.left -= behind - first
 
     def end_of_loop(self, one: int) -> int:
         """The row behind the last piece of a loop."""
-        while self.rows[one * 16 + 4] != 3.0:
+        while self.rows[one * rows.PIECE_WIDTH + rows.SHAPE] != rows.LOOP_END:
             one += 1
         return one
 
@@ -222,28 +230,30 @@ class Chain:
 
         What of it is not way after all the rest of the latest piece will leave out.
         """
-        rows = self.rows
+        row = self.rows
         end = self.end_of_loop(found)
         first = found
-        while first > 1024 and rows[first * 16 - 12] != 3.0:
-            first -= 1
+        before = found - 1
+        while before >= rows.ROOM and row[before * rows.PIECE_WIDTH + rows.SHAPE] != rows.LOOP_END:
+            first = before
+            before -= 1
         rest = last + end - first + 2
-        if rest > 1000:
+        if rest > rows.FULL:
             return 0
         x = self.crossings.x
         y = self.crossings.y
         self.copy(last, rest)
-        pieces.cut_end(rows, last * 16, x, y)
-        pieces.cut_start(rows, rest * 16, x, y)
-        begin = last + 1 if pieces.length(rows, last * 16) > 1e-9 else last
+        pieces.cut_end(row, last * rows.PIECE_WIDTH, x, y)
+        pieces.cut_start(row, rest * rows.PIECE_WIDTH, x, y)
+        begin = last + 1 if pieces.length(row, last * rows.PIECE_WIDTH) > 1e-9 else last
         one = found
         for at in range(begin, begin + end - first + 1):
             self.copy(one, at)
-            rows[at * 16 + 9] = self.number
+            row[at * rows.PIECE_WIDTH + rows.MOTION] = self.number
             one = first if one == end - 1 else one + 1
         at = begin + end - first + 1
-        pieces.cut_start(rows, begin * 16, x, y)
-        pieces.cut_end(rows, (at - 1) * 16, x, y)
+        pieces.cut_start(row, begin * rows.PIECE_WIDTH, x, y)
+        pieces.cut_end(row, (at - 1) * rows.PIECE_WIDTH, x, y)
         self.copy(rest, at)
         self.count = at + 1
         self.forget_loop(first)
@@ -251,37 +261,37 @@ class Chain:
 
     def copy(self, one: int, other: int) -> None:
         """Copy a row."""
-        for i in range(16):
-            self.rows[other * 16 + i] = self.rows[one * 16 + i]
+        for i in range(rows.PIECE_WIDTH):
+            self.rows[other * rows.PIECE_WIDTH + i] = self.rows[one * rows.PIECE_WIDTH + i]
 
     # --- what is taken ---------------------------------------------------------------------------
 
     def take(self, number: int) -> int:
-        """Take the next piece of this motion, which is then told: ``NOTHING`` … ``GAP``."""
-        if self.out >= self.count or self.rows[self.out * 16 + 9] != number:
-            return 0
-        kind = int(self.rows[self.out * 16 + 4])
-        noted = self.rows[self.out * 16 + 15]
+        """Take the next piece of this motion; its shape, ``rows.NOTHING`` without one."""
+        if not self.goes_on(number):
+            return rows.NOTHING
+        base = self.out * rows.PIECE_WIDTH
+        noted = self.rows[base + rows.CROSSED]
         if noted > 0.0:
             self.crossed = int(noted)
             self.crossing = number
             for one in range(self.out, self.count):
-                self.rows[one * 16 + 15] = 0.0
-        elif self.hidden_count > 0 and self.rows[self.out * 16 + 10] != 0.0:
+                self.rows[one * rows.PIECE_WIDTH + rows.CROSSED] = 0.0
+        elif self.hidden_count > 0 and self.rows[base + rows.IS_CONTOUR] != 0.0:
             self.find_hidden()
         self.out += 1
-        return kind + 1
+        return int(self.rows[base + rows.SHAPE])
 
     def hide(self, x: float, y: float, radius: float) -> None:
         """The latest motion, an arc that the tool does not fit into, begins or ends here.
 
-        No way leads beside it, so that what is taken is compared with its ends; 64 are known.
+        No way leads beside it, so that what is taken is compared with its ends.
         """
-        at = self.hidden_count % 64 * 4
-        self.hidden[at] = x
-        self.hidden[at + 1] = y
-        self.hidden[at + 2] = radius
-        self.hidden[at + 3] = self.number
+        at = self.hidden_count % rows.MAX_HIDDEN * rows.HIDDEN_WIDTH
+        self.hidden[at + rows.HIDDEN_X] = x
+        self.hidden[at + rows.HIDDEN_Y] = y
+        self.hidden[at + rows.HIDDEN_RADIUS] = radius
+        self.hidden[at + rows.HIDDEN_MOTION] = self.number
         self.hidden_count += 1
 
     def find_hidden(self) -> None:
@@ -289,30 +299,35 @@ class Chain:
 
         A thousandth of the radius is left to rounding: ends of arcs, and corners that are none.
         """
-        base = self.out * 16
-        number = self.rows[base + 9]
-        for one in range(min(self.hidden_count, 64)):
-            at = one * 4
-            if number - 50 <= self.hidden[at + 3] <= number + 50:
-                off = pieces.distance(self.rows, base, self.hidden[at], self.hidden[at + 1])
-                if off < 0.999 * self.hidden[at + 2]:
-                    self.crossed = int(self.hidden[at + 3])
+        base = self.out * rows.PIECE_WIDTH
+        number = self.rows[base + rows.MOTION]
+        for one in range(min(self.hidden_count, rows.MAX_HIDDEN)):
+            at = one * rows.HIDDEN_WIDTH
+            motion = self.hidden[at + rows.HIDDEN_MOTION]
+            if number - rows.REACH <= motion <= number + rows.REACH:
+                x = self.hidden[at + rows.HIDDEN_X]
+                y = self.hidden[at + rows.HIDDEN_Y]
+                off = pieces.distance(self.rows, base, x, y)
+                if off < 0.999 * self.hidden[at + rows.HIDDEN_RADIUS]:
+                    self.crossed = int(motion)
                     self.crossing = int(number)
-                    self.hidden[at + 2] = 0.0
+                    self.hidden[at + rows.HIDDEN_RADIUS] = 0.0
 
     def goes_on(self, number: int) -> bool:
         """Whether there is one more piece of this motion."""
-        return self.out < self.count and self.rows[self.out * 16 + 9] == number
+        if self.out >= self.count:
+            return False
+        return self.rows[self.out * rows.PIECE_WIDTH + rows.MOTION] == number
 
     def taken(self) -> tuple[float, ...]:
-        """Start, end, kind, centre and angle of the piece that was taken last."""
-        base = (self.out - 1) * 16
-        return tuple([self.rows[base + i] for i in range(8)])
+        """The first columns of the piece that was taken last, up to its angle."""
+        base = (self.out - 1) * rows.PIECE_WIDTH
+        return tuple([self.rows[base + i] for i in range(rows.RADIUS)])
 
     def taken_place(self) -> int:
         """Where the row of the piece begins that was taken last."""
-        return (self.out - 1) * 16
+        return (self.out - 1) * rows.PIECE_WIDTH
 
     def taken_way(self) -> float:
         """Its length."""
-        return pieces.length(self.rows, (self.out - 1) * 16)
+        return pieces.length(self.rows, (self.out - 1) * rows.PIECE_WIDTH)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of corners.py.
 cimport cython
+from nctakt.decoder.contour cimport rows
 from nctakt.decoder.contour cimport pieces
 from nctakt.kernel.base cimport arithmetic
 
@@ -15,48 +16,48 @@ cdef class Corners:
     cdef double next_x
     cdef double next_y
 
-    @cython.locals(rows=double[::1], size=double)
+    @cython.locals(motions=double[::1], size=double)
     cdef void enter(self, Py_ssize_t at, double x, double y, double x_2, double y_2, double begin_d, double end_d) noexcept
-    @cython.locals(rows=double[::1], sense=double, end=Py_ssize_t, x=double, y=double, radius=double)
+    @cython.locals(motions=double[::1], sense=double, x=double, y=double, radius=double, is_too_small=bint)
     cdef void bend(self, Py_ssize_t at, double centre_x, double centre_y, double angle) noexcept
-    @cython.locals(rows=double[::1])
+    @cython.locals(motions=double[::1], distance=double)
     cdef void place_end(self, Py_ssize_t at) noexcept
-    @cython.locals(rows=double[::1])
+    @cython.locals(motions=double[::1], distance=double)
     cdef void place_start(self, Py_ssize_t at) noexcept
-    cdef void add_line(self, int kind, double x, double y, double x_2, double y_2) noexcept
-    @cython.locals(rows=double[::1], distance=double)
+    cdef void add_line(self, int shape, double x, double y, double x_2, double y_2) noexcept
+    @cython.locals(motions=double[::1], distance=double)
     cdef int join(self, Py_ssize_t one, Py_ssize_t other) noexcept
-    @cython.locals(rows=double[::1], x=double, y=double)
+    @cython.locals(motions=double[::1], x=double, y=double)
     cdef int join_contour(self, Py_ssize_t one, Py_ssize_t other, double distance) noexcept
     @cython.locals(x=double, y=double)
     cdef void part(self, Py_ssize_t one, Py_ssize_t other) noexcept
     @cython.locals(distance=double)
     cdef int meets_inside(self, Py_ssize_t one, Py_ssize_t other) noexcept
-    @cython.locals(motions=double[::1], x=double, y=double, end_x=double, end_y=double, centre_x=double, centre_y=double, angle=double)
-    cdef void put_rest(self, Py_ssize_t one, double[::1] rows, Py_ssize_t base) noexcept
+    @cython.locals(motions=double[::1], x=double, y=double, distance=double, end_x=double, end_y=double, centre_x=double, centre_y=double, angle=double)
+    cdef void put_rest(self, Py_ssize_t one, double[::1] row, Py_ssize_t base) noexcept
     cdef void meet(self, double x, double y) noexcept
-    @cython.locals(rows=double[::1], share=double)
+    @cython.locals(motions=double[::1], share=double, off_x=double, off_y=double)
     cdef void meet_between(self, Py_ssize_t one, Py_ssize_t other, double distance) noexcept
-    @cython.locals(rows=double[::1])
+    @cython.locals(motions=double[::1], along=double)
     cdef double cosine(self, Py_ssize_t one, Py_ssize_t other) noexcept
-    @cython.locals(rows=double[::1])
+    @cython.locals(motions=double[::1], across=double)
     cdef double sine(self, Py_ssize_t one, Py_ssize_t other) noexcept
     cdef int is_straight(self, Py_ssize_t one, Py_ssize_t other) noexcept
     @cython.locals(sine=double)
     cdef int is_outer(self, Py_ssize_t one, Py_ssize_t other, double distance) noexcept
     @cython.locals(x=double, y=double, reach=double)
     cdef int is_within(self, Py_ssize_t one, double low_x, double high_x, double low_y, double high_y) noexcept
-    @cython.locals(rows=double[::1], corner_x=double, corner_y=double, x=double, y=double, x_2=double, y_2=double, cosine=double, share=double, reach=double)
+    @cython.locals(motions=double[::1], corner_x=double, corner_y=double, x=double, y=double, x_2=double, y_2=double, cosine=double, share=double, reach=double)
     cdef void go_around(self, Py_ssize_t one, Py_ssize_t other, double distance) noexcept
-    @cython.locals(rows=double[::1], angle=double)
+    @cython.locals(motions=double[::1], angle=double)
     cdef void add_arc(self, Py_ssize_t one, Py_ssize_t other, double distance) noexcept
-    @cython.locals(rows=double[::1], arc=Py_ssize_t, x=double, y=double, off_x=double, off_y=double, across=double, middle=double, radius=double, half2=double, half=double, way=double)
+    @cython.locals(motions=double[::1], arc=Py_ssize_t, x=double, y=double, off_x=double, off_y=double, across=double, middle=double, radius=double, half2=double, half=double, way=double, at_x=double)
     cdef int meet_nearest(self, Py_ssize_t one, Py_ssize_t other, double distance) noexcept
-    @cython.locals(rows=double[::1], x=double, y=double, apart=double, radius=double, radius_2=double, along=double, half2=double, half=double, off_x=double, off_y=double)
+    @cython.locals(motions=double[::1], x=double, y=double, apart=double, radius=double, radius_2=double, along=double, half2=double, half=double, off_x=double, off_y=double)
     cdef int meet_of_arcs(self, Py_ssize_t one, Py_ssize_t other, double distance) noexcept
     @cython.locals(sense=double)
     cdef double shifted_radius(self, Py_ssize_t at, double distance) noexcept
     @cython.locals(motions=double[::1], x=double, y=double, way=double)
-    cdef int put_own(self, Py_ssize_t at, double[::1] rows, Py_ssize_t base) noexcept
+    cdef int put_own(self, Py_ssize_t at, double[::1] row, Py_ssize_t base) noexcept
     @cython.locals(motions=double[::1], centre_x=double, centre_y=double, sense=double, whole=double, distance=double, angle=double, way=double)
-    cdef int put_own_arc(self, Py_ssize_t at, double[::1] rows, Py_ssize_t base) noexcept
+    cdef int put_own_arc(self, Py_ssize_t at, double[::1] row, Py_ssize_t base) noexcept

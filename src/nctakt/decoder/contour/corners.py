@@ -1,30 +1,17 @@
 # SPDX-License-Identifier: MIT
 """Two motions of a contour, and how the ways beside them are joined at their corner (MO-9).
 
-The tool's centre goes at a signed distance to the left of a motion. At an inner corner the ways
-beside both motions cut each other, at an outer one further pieces join them. A motion is a row of
-float64, lengths in mm, angles in degrees:
-
-====== =============================================================================
-0 … 3  start, end
-4 … 8  whether it is an arc, its centre, angle (negative clockwise), radius
-9, 10  the distance at its start and at its end; both 0: it leads to a contour or from it
-11 …   its direction at the start and at the end
-15, 16 where the tool begins it
-17     whether it is an arc that is too small for the tool
-18     whether it is part of a contour
-====== =============================================================================
+The tool's centre goes at a signed distance to the left of a motion, which is a row (``rows.py``).
+At an inner corner the ways beside both motions cut each other, at an outer one further pieces join
+them.
 
 A change of direction below 0.01° is none: ends and centres of arcs are rounded.
 """
 
 from __future__ import annotations
 
-from nctakt.decoder.contour import pieces
+from nctakt.decoder.contour import pieces, rows
 from nctakt.kernel.base import arithmetic
-
-#: Numbers of a row.
-WIDTH = 20
 
 
 class Corners:
@@ -37,8 +24,8 @@ class Corners:
     """
 
     def __init__(self) -> None:
-        self.motions = memoryview(bytearray(8 * 3 * WIDTH)).cast("d")
-        self.way = memoryview(bytearray(8 * 3 * pieces.WIDTH)).cast("d")
+        self.motions = memoryview(bytearray(8 * rows.MOTIONS * rows.MOTION_WIDTH)).cast("d")
+        self.way = memoryview(bytearray(8 * 3 * rows.PIECE_WIDTH)).cast("d")
         self.way_count = 0
         self.by_arc = False
         self.is_direct = False
@@ -58,75 +45,81 @@ class Corners:
         end_d: float,
     ) -> None:
         """A line with its distances, which is not nothing."""
-        rows = self.motions
-        rows[at] = x
-        rows[at + 1] = y
-        rows[at + 2] = x_2
-        rows[at + 3] = y_2
-        rows[at + 4] = 0.0
-        rows[at + 9] = begin_d
-        rows[at + 10] = end_d
+        motions = self.motions
+        motions[at + rows.START_X] = x
+        motions[at + rows.START_Y] = y
+        motions[at + rows.END_X] = x_2
+        motions[at + rows.END_Y] = y_2
+        motions[at + rows.SHAPE] = rows.LINE
+        motions[at + rows.START_DISTANCE] = begin_d
+        motions[at + rows.END_DISTANCE] = end_d
         x = x_2 - x
         y = y_2 - y
         size = arithmetic.square_root(x * x + y * y)
-        rows[at + 11] = x / size
-        rows[at + 12] = y / size
-        rows[at + 13] = rows[at + 11]
-        rows[at + 14] = rows[at + 12]
-        rows[at + 17] = 0.0
+        motions[at + rows.START_COSINE] = x / size
+        motions[at + rows.START_SINE] = y / size
+        motions[at + rows.END_COSINE] = motions[at + rows.START_COSINE]
+        motions[at + rows.END_SINE] = motions[at + rows.START_SINE]
+        motions[at + rows.IS_TOO_SMALL] = 0.0
 
     def bend(self, at: int, centre_x: float, centre_y: float, angle: float) -> None:
         """Make the motion an arc; its start and end stand in it, and one distance."""
-        rows = self.motions
-        rows[at + 4] = 1.0
-        rows[at + 5] = centre_x
-        rows[at + 6] = centre_y
-        rows[at + 7] = angle
+        motions = self.motions
+        motions[at + rows.SHAPE] = rows.ARC
+        motions[at + rows.CENTRE_X] = centre_x
+        motions[at + rows.CENTRE_Y] = centre_y
+        motions[at + rows.ANGLE] = angle
         sense = 1.0 if angle > 0.0 else -1.0
-        for end in range(2):
-            x = rows[at + 2 * end] - centre_x
-            y = rows[at + 2 * end + 1] - centre_y
-            radius = arithmetic.square_root(x * x + y * y)
-            if end == 0:
-                rows[at + 8] = radius
-            rows[at + 11 + 2 * end] = -y / radius * sense
-            rows[at + 12 + 2 * end] = x / radius * sense
-        rows[at + 17] = 1.0 if rows[at + 8] - sense * rows[at + 9] <= 1e-7 else 0.0
+        x = motions[at + rows.END_X] - centre_x
+        y = motions[at + rows.END_Y] - centre_y
+        radius = arithmetic.square_root(x * x + y * y)
+        motions[at + rows.END_COSINE] = -y / radius * sense
+        motions[at + rows.END_SINE] = x / radius * sense
+        x = motions[at + rows.START_X] - centre_x
+        y = motions[at + rows.START_Y] - centre_y
+        radius = arithmetic.square_root(x * x + y * y)
+        motions[at + rows.START_COSINE] = -y / radius * sense
+        motions[at + rows.START_SINE] = x / radius * sense
+        motions[at + rows.RADIUS] = radius
+        is_too_small = radius - sense * motions[at + rows.START_DISTANCE] <= 1e-7
+        motions[at + rows.IS_TOO_SMALL] = 1.0 if is_too_small else 0.0
 
     def place_end(self, at: int) -> None:
         """Let the tool pass the motion up to beside its end: nothing joins it."""
-        rows = self.motions
+        motions = self.motions
         self.way_count = 0
-        self.end_x = rows[at + 2] - rows[at + 14] * rows[at + 10]
-        self.end_y = rows[at + 3] + rows[at + 13] * rows[at + 10]
+        distance = motions[at + rows.END_DISTANCE]
+        self.end_x = motions[at + rows.END_X] - motions[at + rows.END_SINE] * distance
+        self.end_y = motions[at + rows.END_Y] + motions[at + rows.END_COSINE] * distance
         self.next_x = self.end_x
         self.next_y = self.end_y
 
     def place_start(self, at: int) -> None:
         """Let the tool begin the motion beside its start."""
-        rows = self.motions
-        self.next_x = rows[at] - rows[at + 12] * rows[at + 9]
-        self.next_y = rows[at + 1] + rows[at + 11] * rows[at + 9]
+        motions = self.motions
+        distance = motions[at + rows.START_DISTANCE]
+        self.next_x = motions[at + rows.START_X] - motions[at + rows.START_SINE] * distance
+        self.next_y = motions[at + rows.START_Y] + motions[at + rows.START_COSINE] * distance
 
-    def add_line(self, kind: int, x: float, y: float, x_2: float, y_2: float) -> None:
+    def add_line(self, shape: int, x: float, y: float, x_2: float, y_2: float) -> None:
         """One more piece of the way between both."""
-        pieces.put_line(self.way, self.way_count * 16, kind, x, y, x_2, y_2)
+        pieces.put_line(self.way, self.way_count * rows.PIECE_WIDTH, shape, x, y, x_2, y_2)
         self.way_count += 1
 
     def join(self, one: int, other: int) -> int:
         """Join two motions; 0: the ways beside them do not meet, there is a gap between them."""
-        rows = self.motions
-        distance = rows[one + 10]
+        motions = self.motions
+        distance = motions[one + rows.END_DISTANCE]
         self.way_count = 0
-        if distance != 0.0 and rows[other + 9] != 0.0:
+        if distance != 0.0 and motions[other + rows.START_DISTANCE] != 0.0:
             return self.join_contour(one, other, distance)
         if distance == 0.0:
-            distance = rows[other + 9]
+            distance = motions[other + rows.START_DISTANCE]
         if distance == 0.0:
             self.place_end(one)
         elif self.is_outer(one, other, distance) and not self.is_direct:
             self.go_around(one, other, distance)
-        elif rows[one + 10] != 0.0:
+        elif motions[one + rows.END_DISTANCE] != 0.0:
             self.place_end(one)
         else:
             self.place_start(other)
@@ -136,11 +129,11 @@ class Corners:
 
     def join_contour(self, one: int, other: int, distance: float) -> int:
         """Both motions have the same distance at their corner."""
-        rows = self.motions
+        motions = self.motions
         if self.is_outer(one, other, distance):
             self.go_around(one, other, distance)
             return 1
-        if rows[one + 17] == 0.0 and rows[other + 17] == 0.0:
+        if motions[one + rows.IS_TOO_SMALL] == 0.0 and motions[other + rows.IS_TOO_SMALL] == 0.0:
             if self.is_straight(one, other):
                 self.place_start(other)
                 x = self.next_x
@@ -148,7 +141,7 @@ class Corners:
                 self.place_end(one)
                 self.meet((self.end_x + x) / 2.0, (self.end_y + y) / 2.0)
                 return 1
-            if rows[one + 4] == 0.0 and rows[other + 4] == 0.0:
+            if motions[one + rows.SHAPE] == rows.LINE and motions[other + rows.SHAPE] == rows.LINE:
                 self.meet_between(one, other, distance)
                 return 1
             if self.meet_nearest(one, other, distance):
@@ -162,33 +155,36 @@ class Corners:
         x = self.next_x
         y = self.next_y
         self.place_end(one)
-        self.add_line(2, self.end_x, self.end_y, x, y)
+        self.add_line(rows.GAP, self.end_x, self.end_y, x, y)
         self.next_x = x
         self.next_y = y
 
     def meets_inside(self, one: int, other: int) -> int:
         """Whether ``join`` let both motions meet at an inner corner."""
-        distance = self.motions[one + 10]
-        if distance == 0.0 or self.motions[other + 9] == 0.0 or self.way_count > 0:
+        distance = self.motions[one + rows.END_DISTANCE]
+        if distance == 0.0 or self.motions[other + rows.START_DISTANCE] == 0.0:
+            return 0
+        if self.way_count > 0:
             return 0
         if self.is_straight(one, other) or self.is_outer(one, other, distance):
             return 0
         return 1
 
-    def put_rest(self, one: int, rows: memoryview[float], base: int) -> None:
+    def put_rest(self, one: int, row: memoryview[float], base: int) -> None:
         """Put the way beside a motion from where ``join`` ends it to beside its end into a row."""
         motions = self.motions
         x = self.end_x
         y = self.end_y
-        end_x = motions[one + 2] - motions[one + 14] * motions[one + 10]
-        end_y = motions[one + 3] + motions[one + 13] * motions[one + 10]
-        pieces.put_line(rows, base, 0, x, y, end_x, end_y)
-        if motions[one + 4] == 0.0:
+        distance = motions[one + rows.END_DISTANCE]
+        end_x = motions[one + rows.END_X] - motions[one + rows.END_SINE] * distance
+        end_y = motions[one + rows.END_Y] + motions[one + rows.END_COSINE] * distance
+        pieces.put_line(row, base, rows.LINE, x, y, end_x, end_y)
+        if motions[one + rows.SHAPE] == rows.LINE:
             return
-        centre_x = motions[one + 5]
-        centre_y = motions[one + 6]
+        centre_x = motions[one + rows.CENTRE_X]
+        centre_y = motions[one + rows.CENTRE_Y]
         angle = pieces.turn(x - centre_x, y - centre_y, end_x - centre_x, end_y - centre_y)
-        pieces.put_arc(rows, base, centre_x, centre_y, angle)
+        pieces.put_arc(row, base, centre_x, centre_y, angle)
 
     def meet(self, x: float, y: float) -> None:
         """The tool goes from one motion on to the other at this place."""
@@ -199,22 +195,23 @@ class Corners:
 
     def meet_between(self, one: int, other: int, distance: float) -> None:
         """Where the lines beside the directions at a corner cut each other."""
-        rows = self.motions
+        motions = self.motions
         share = distance / (1.0 + self.cosine(one, other))
-        self.meet(
-            rows[one + 2] - (rows[one + 14] + rows[other + 12]) * share,
-            rows[one + 3] + (rows[one + 13] + rows[other + 11]) * share,
-        )
+        off_x = (motions[one + rows.END_SINE] + motions[other + rows.START_SINE]) * share
+        off_y = (motions[one + rows.END_COSINE] + motions[other + rows.START_COSINE]) * share
+        self.meet(motions[one + rows.END_X] - off_x, motions[one + rows.END_Y] + off_y)
 
     def cosine(self, one: int, other: int) -> float:
         """Of the change of direction at the corner."""
-        rows = self.motions
-        return rows[one + 13] * rows[other + 11] + rows[one + 14] * rows[other + 12]
+        motions = self.motions
+        along = motions[one + rows.END_COSINE] * motions[other + rows.START_COSINE]
+        return along + motions[one + rows.END_SINE] * motions[other + rows.START_SINE]
 
     def sine(self, one: int, other: int) -> float:
         """Of the change of direction at the corner, above 0 to the left."""
-        rows = self.motions
-        return rows[one + 13] * rows[other + 12] - rows[one + 14] * rows[other + 11]
+        motions = self.motions
+        across = motions[one + rows.END_COSINE] * motions[other + rows.START_SINE]
+        return across - motions[one + rows.END_SINE] * motions[other + rows.START_COSINE]
 
     def is_straight(self, one: int, other: int) -> int:
         """Whether there is no corner."""
@@ -238,9 +235,9 @@ class Corners:
         y = self.end_y
         reach = 0.0
         if self.way_count > 0:
-            x = self.motions[one + 2]
-            y = self.motions[one + 3]
-            reach = 1.5 * self.motions[one + 10]
+            x = self.motions[one + rows.END_X]
+            y = self.motions[one + rows.END_Y]
+            reach = 1.5 * self.motions[one + rows.END_DISTANCE]
             if reach < 0.0:
                 reach = -reach
         if not low_x <= x - reach or not x + reach <= high_x:
@@ -256,13 +253,13 @@ class Corners:
         sharp corners no farther than the distance, and then across; what goes on straight is part
         of the line that it continues.
         """
-        rows = self.motions
-        corner_x = rows[one + 2]
-        corner_y = rows[one + 3]
-        self.end_x = corner_x - rows[one + 14] * distance
-        self.end_y = corner_y + rows[one + 13] * distance
-        self.next_x = corner_x - rows[other + 12] * distance
-        self.next_y = corner_y + rows[other + 11] * distance
+        motions = self.motions
+        corner_x = motions[one + rows.END_X]
+        corner_y = motions[one + rows.END_Y]
+        self.end_x = corner_x - motions[one + rows.END_SINE] * distance
+        self.end_y = corner_y + motions[one + rows.END_COSINE] * distance
+        self.next_x = corner_x - motions[other + rows.START_SINE] * distance
+        self.next_y = corner_y + motions[other + rows.START_COSINE] * distance
         if self.by_arc:
             self.add_arc(one, other, distance)
             return
@@ -273,52 +270,63 @@ class Corners:
         cosine = self.cosine(one, other)
         if cosine >= 0.0:
             share = distance / (1.0 + cosine)
-            x = corner_x - (rows[one + 14] + rows[other + 12]) * share
-            y = corner_y + (rows[one + 13] + rows[other + 11]) * share
+            x = corner_x - (motions[one + rows.END_SINE] + motions[other + rows.START_SINE]) * share
+            y = (
+                corner_y
+                + (motions[one + rows.END_COSINE] + motions[other + rows.START_COSINE]) * share
+            )
             x_2 = x
             y_2 = y
         else:
             reach = distance if distance > 0.0 else -distance
-            x += rows[one + 13] * reach
-            y += rows[one + 14] * reach
-            x_2 -= rows[other + 11] * reach
-            y_2 -= rows[other + 12] * reach
-        if rows[one + 4] == 0.0 and rows[one + 10] != 0.0:
+            x += motions[one + rows.END_COSINE] * reach
+            y += motions[one + rows.END_SINE] * reach
+            x_2 -= motions[other + rows.START_COSINE] * reach
+            y_2 -= motions[other + rows.START_SINE] * reach
+        if motions[one + rows.SHAPE] == rows.LINE and motions[one + rows.END_DISTANCE] != 0.0:
             self.end_x = x
             self.end_y = y
         else:
-            self.add_line(0, self.end_x, self.end_y, x, y)
+            self.add_line(rows.LINE, self.end_x, self.end_y, x, y)
         if cosine < 0.0:
-            self.add_line(0, x, y, x_2, y_2)
-        if rows[other + 4] == 0.0 and rows[other + 9] != 0.0:
+            self.add_line(rows.LINE, x, y, x_2, y_2)
+        if motions[other + rows.SHAPE] == rows.LINE and motions[other + rows.START_DISTANCE] != 0.0:
             self.next_x = x_2
             self.next_y = y_2
         else:
-            self.add_line(0, x_2, y_2, self.next_x, self.next_y)
+            self.add_line(rows.LINE, x_2, y_2, self.next_x, self.next_y)
 
     def add_arc(self, one: int, other: int, distance: float) -> None:
         """About the corner; where the contour goes back by half a turn around its end."""
-        rows = self.motions
-        angle = pieces.turn(rows[one + 13], rows[one + 14], rows[other + 11], rows[other + 12])
+        motions = self.motions
+        angle = pieces.turn(
+            motions[one + rows.END_COSINE],
+            motions[one + rows.END_SINE],
+            motions[other + rows.START_COSINE],
+            motions[other + rows.START_SINE],
+        )
         if (angle > 179.99 and distance > 0.0) or (angle < -179.99 and distance < 0.0):
             angle = -angle
-        pieces.put_line(self.way, 0, 0, self.end_x, self.end_y, self.next_x, self.next_y)
-        pieces.put_arc(self.way, 0, rows[one + 2], rows[one + 3], angle)
+        pieces.put_line(self.way, 0, rows.LINE, self.end_x, self.end_y, self.next_x, self.next_y)
+        pieces.put_arc(self.way, 0, motions[one + rows.END_X], motions[one + rows.END_Y], angle)
         self.way_count = 1
 
     # --- inner corners with arcs -----------------------------------------------------------------
 
     def meet_nearest(self, one: int, other: int, distance: float) -> int:
         """Where the whole lines or circles beside two motions cut each other next to the corner."""
-        if self.motions[one + 4] == 1.0 and self.motions[other + 4] == 1.0:
+        if (
+            self.motions[one + rows.SHAPE] == rows.ARC
+            and self.motions[other + rows.SHAPE] == rows.ARC
+        ):
             return self.meet_of_arcs(one, other, distance)
-        rows = self.motions
-        arc = one if rows[one + 4] == 1.0 else other
-        x = rows[other + 11] if arc == one else rows[one + 13]
-        y = rows[other + 12] if arc == one else rows[one + 14]
+        motions = self.motions
+        arc = one if motions[one + rows.SHAPE] == rows.ARC else other
+        x = motions[other + rows.START_COSINE] if arc == one else motions[one + rows.END_COSINE]
+        y = motions[other + rows.START_SINE] if arc == one else motions[one + rows.END_SINE]
         # a place on the line beside the other motion, from the centre
-        off_x = rows[one + 2] - y * distance - rows[arc + 5]
-        off_y = rows[one + 3] + x * distance - rows[arc + 6]
+        off_x = motions[one + rows.END_X] - y * distance - motions[arc + rows.CENTRE_X]
+        off_y = motions[one + rows.END_Y] + x * distance - motions[arc + rows.CENTRE_Y]
         across = x * off_y - y * off_x
         middle = -(x * off_x + y * off_y)
         radius = self.shifted_radius(arc, distance)
@@ -328,14 +336,15 @@ class Corners:
         half = arithmetic.square_root(half2)
         # the foot of the line is on the corner's perpendicular: the nearer one is the shorter way
         way = middle + half if middle < 0.0 else middle - half
-        self.meet(rows[arc + 5] + off_x + x * way, rows[arc + 6] + off_y + y * way)
+        at_x = motions[arc + rows.CENTRE_X] + off_x + x * way
+        self.meet(at_x, motions[arc + rows.CENTRE_Y] + off_y + y * way)
         return 1
 
     def meet_of_arcs(self, one: int, other: int, distance: float) -> int:
         """Two arcs."""
-        rows = self.motions
-        x = rows[other + 5] - rows[one + 5]
-        y = rows[other + 6] - rows[one + 6]
+        motions = self.motions
+        x = motions[other + rows.CENTRE_X] - motions[one + rows.CENTRE_X]
+        y = motions[other + rows.CENTRE_Y] - motions[one + rows.CENTRE_Y]
         apart = arithmetic.square_root(x * x + y * y)
         if apart <= 1e-7:
             return 0
@@ -349,61 +358,62 @@ class Corners:
         x /= apart
         y /= apart
         # the corner lies on one side of the line through both centres, and so does the nearer place
-        off_x = rows[one + 2] - rows[one + 5]
-        off_y = rows[one + 3] - rows[one + 6]
+        off_x = motions[one + rows.END_X] - motions[one + rows.CENTRE_X]
+        off_y = motions[one + rows.END_Y] - motions[one + rows.CENTRE_Y]
         if x * off_y - y * off_x < 0.0:
             half = -half
         self.meet(
-            rows[one + 5] + x * along - y * half,
-            rows[one + 6] + y * along + x * half,
+            motions[one + rows.CENTRE_X] + x * along - y * half,
+            motions[one + rows.CENTRE_Y] + y * along + x * half,
         )
         return 1
 
     def shifted_radius(self, at: int, distance: float) -> float:
         """The radius of the circle beside an arc."""
-        sense = 1.0 if self.motions[at + 7] > 0.0 else -1.0
-        return self.motions[at + 8] - sense * distance
+        sense = 1.0 if self.motions[at + rows.ANGLE] > 0.0 else -1.0
+        return self.motions[at + rows.RADIUS] - sense * distance
 
     # --- a motion itself -------------------------------------------------------------------------
 
-    def put_own(self, at: int, rows: memoryview[float], base: int) -> int:
+    def put_own(self, at: int, row: memoryview[float], base: int) -> int:
         """Put the tool's way beside the motion into a row, up to its end: 0 it goes backwards."""
         motions = self.motions
-        x = motions[at + 15]
-        y = motions[at + 16]
-        pieces.put_line(rows, base, 0, x, y, self.end_x, self.end_y)
-        if motions[at + 9] == 0.0 and motions[at + 10] == 0.0:
+        x = motions[at + rows.TOOL_X]
+        y = motions[at + rows.TOOL_Y]
+        pieces.put_line(row, base, rows.LINE, x, y, self.end_x, self.end_y)
+        if motions[at + rows.START_DISTANCE] == 0.0 and motions[at + rows.END_DISTANCE] == 0.0:
             return 1
-        if motions[at + 17] != 0.0:
+        if motions[at + rows.IS_TOO_SMALL] != 0.0:
             return 0
-        if motions[at + 4] == 0.0:
-            way = (self.end_x - x) * motions[at + 11] + (self.end_y - y) * motions[at + 12]
+        if motions[at + rows.SHAPE] == rows.LINE:
+            way = (self.end_x - x) * motions[at + rows.START_COSINE]
+            way += (self.end_y - y) * motions[at + rows.START_SINE]
             return 1 if way >= -1e-7 else 0
-        return self.put_own_arc(at, rows, base)
+        return self.put_own_arc(at, row, base)
 
-    def put_own_arc(self, at: int, rows: memoryview[float], base: int) -> int:
+    def put_own_arc(self, at: int, row: memoryview[float], base: int) -> int:
         """As ``put_own``: the angle is the motion's less what is cut off, or more, at both ends."""
         motions = self.motions
-        centre_x = motions[at + 5]
-        centre_y = motions[at + 6]
-        sense = 1.0 if motions[at + 7] > 0.0 else -1.0
-        whole = sense * motions[at + 7]
-        distance = motions[at + 9]
+        centre_x = motions[at + rows.CENTRE_X]
+        centre_y = motions[at + rows.CENTRE_Y]
+        sense = 1.0 if motions[at + rows.ANGLE] > 0.0 else -1.0
+        whole = sense * motions[at + rows.ANGLE]
+        distance = motions[at + rows.START_DISTANCE]
         angle = whole - sense * pieces.turn(
-            motions[at] - motions[at + 12] * distance - centre_x,
-            motions[at + 1] + motions[at + 11] * distance - centre_y,
-            rows[base] - centre_x,
-            rows[base + 1] - centre_y,
+            motions[at + rows.START_X] - motions[at + rows.START_SINE] * distance - centre_x,
+            motions[at + rows.START_Y] + motions[at + rows.START_COSINE] * distance - centre_y,
+            row[base + rows.START_X] - centre_x,
+            row[base + rows.START_Y] - centre_y,
         )
         angle -= sense * pieces.turn(
             self.end_x - centre_x,
             self.end_y - centre_y,
-            motions[at + 2] - motions[at + 14] * distance - centre_x,
-            motions[at + 3] + motions[at + 13] * distance - centre_y,
+            motions[at + rows.END_X] - motions[at + rows.END_SINE] * distance - centre_x,
+            motions[at + rows.END_Y] + motions[at + rows.END_COSINE] * distance - centre_y,
         )
         way = angle * self.shifted_radius(at, distance) * 0.017453292519943295
         if way < -1e-7 or angle > whole + 0.01:
             return 0
         if way >= 1e-7:
-            pieces.put_arc(rows, base, centre_x, centre_y, sense * angle)
+            pieces.put_arc(row, base, centre_x, centre_y, sense * angle)
         return 1

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of tool_path.py.
 cimport cython
+from nctakt.decoder.contour cimport rows
 from nctakt.decoder.contour cimport pieces
 from nctakt.decoder.contour.chain cimport Chain
 from nctakt.decoder.contour.corners cimport Corners
@@ -27,7 +28,7 @@ cdef class ToolPath(Chain):
     cpdef bint arc(self, double x, double y, double x_2, double y_2, double distance, double centre_x, double centre_y, double angle) noexcept
     @cython.locals(at=Py_ssize_t)
     cpdef void begin(self, double x, double y, bint is_perpendicular) noexcept
-    @cython.locals(number=cython.longlong, meets=int, x=double, y=double, one=Py_ssize_t, base=Py_ssize_t)
+    @cython.locals(number=cython.longlong, first=Py_ssize_t, distance=double, meets=int, x=double, y=double, one=Py_ssize_t, base=Py_ssize_t)
     cpdef long long enclose(self) noexcept
     @cython.locals(at=Py_ssize_t, meets=int, i=Py_ssize_t)
     cpdef bint add(self) noexcept
@@ -39,9 +40,9 @@ cdef class ToolPath(Chain):
     cdef void open(self, Py_ssize_t at) noexcept
     @cython.locals(corners=Corners, at=Py_ssize_t, is_contour=int, base=Py_ssize_t, fits=int, k=int, i=Py_ssize_t)
     cdef int put_motion(self, int meets, Py_ssize_t other) noexcept
-    @cython.locals(corners=Corners, base=Py_ssize_t, i=Py_ssize_t, x=double, y=double, next_x=double, next_y=double, radius=double)
+    @cython.locals(corners=Corners, base=Py_ssize_t, i=Py_ssize_t, x=double, y=double, next_x=double, next_y=double, motions=double[::1], radius=double)
     cdef void part(self, Py_ssize_t at, Py_ssize_t other, int is_contour) noexcept
-    @cython.locals(motions=double[::1])
+    @cython.locals(motions=double[::1], off=double)
     cdef void note_ends(self, Py_ssize_t at, int is_contour) noexcept
     cpdef bint closes_contour(self) noexcept
     cdef void keep_rest(self, Py_ssize_t at, Py_ssize_t other) noexcept

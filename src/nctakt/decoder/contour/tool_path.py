@@ -12,7 +12,7 @@ which is found when its motion is taken.
 
 from __future__ import annotations
 
-from nctakt.decoder.contour import pieces
+from nctakt.decoder.contour import pieces, rows
 from nctakt.decoder.contour.chain import Chain
 from nctakt.decoder.contour.corners import Corners
 
@@ -29,7 +29,7 @@ class ToolPath(Chain):
     def __init__(self) -> None:
         super().__init__()
         self.corners = Corners()
-        self.rest = memoryview(bytearray(8 * pieces.WIDTH)).cast("d")
+        self.rest = memoryview(bytearray(8 * rows.PIECE_WIDTH)).cast("d")
         self.rest_number = 0
         self.is_open = False
         self.latest = 0
@@ -60,9 +60,9 @@ class ToolPath(Chain):
         is_contour: bool,
     ) -> None:
         """The next motion is a line; ``is_contour``: its way is compared with others."""
-        at = 20 - self.latest
+        at = rows.SECOND_MOTION - self.latest
         self.corners.enter(at, x, y, x_2, y_2, begin_d, end_d)
-        self.corners.motions[at + 18] = is_contour
+        self.corners.motions[at + rows.IS_OF_CONTOUR] = is_contour
 
     def arc(
         self,
@@ -76,46 +76,46 @@ class ToolPath(Chain):
         angle: float,
     ) -> bool:
         """The next motion is an arc: false where its radius is not greater than the tool's."""
-        at = 20 - self.latest
+        at = rows.SECOND_MOTION - self.latest
         motions = self.corners.motions
-        motions[at] = x
-        motions[at + 1] = y
-        motions[at + 2] = x_2
-        motions[at + 3] = y_2
-        motions[at + 9] = distance
-        motions[at + 10] = distance
-        motions[at + 18] = 1.0
+        motions[at + rows.START_X] = x
+        motions[at + rows.START_Y] = y
+        motions[at + rows.END_X] = x_2
+        motions[at + rows.END_Y] = y_2
+        motions[at + rows.START_DISTANCE] = distance
+        motions[at + rows.END_DISTANCE] = distance
+        motions[at + rows.IS_OF_CONTOUR] = 1.0
         self.corners.bend(at, centre_x, centre_y, angle)
-        return motions[at + 17] == 0.0
+        return motions[at + rows.IS_TOO_SMALL] == 0.0
 
     def begin(self, x: float, y: float, is_perpendicular: bool) -> None:
         """The motion is the first one: the tool is here; it may first go beside its start."""
-        at = 20 - self.latest
+        at = rows.SECOND_MOTION - self.latest
         self.open(at)
         self.begun = 0
         self.first = self.number
         if is_perpendicular:
             self.corners.place_start(at)
-            self.put_line(0, x, y, self.corners.next_x, self.corners.next_y, 0)
+            self.put_line(rows.LINE, x, y, self.corners.next_x, self.corners.next_y, 0)
             x = self.corners.next_x
             y = self.corners.next_y
-        self.corners.motions[at + 15] = x
-        self.corners.motions[at + 16] = y
+        self.corners.motions[at + rows.TOOL_X] = x
+        self.corners.motions[at + rows.TOOL_Y] = y
         self.at_x = x
         self.at_y = y
 
     def add(self) -> bool:
         """Join the motion with the one before it: false where that one does not fit."""
-        at = 20 - self.latest
+        at = rows.SECOND_MOTION - self.latest
         meets = self.corners.join(self.latest, at)
         if not self.put_motion(meets, at):
             return False
-        self.corners.motions[at + 15] = self.at_x
-        self.corners.motions[at + 16] = self.at_y
+        self.corners.motions[at + rows.TOOL_X] = self.at_x
+        self.corners.motions[at + rows.TOOL_Y] = self.at_y
         self.open(at)
         if self.number == self.first + 1:
-            for i in range(20):
-                self.corners.motions[40 + i] = self.corners.motions[at + i]
+            for i in range(rows.MOTION_WIDTH):
+                self.corners.motions[rows.FIRST_OF_CONTOUR + i] = self.corners.motions[at + i]
         return True
 
     def try_add(self, low_x: float, high_x: float, low_y: float, high_y: float) -> bool:
@@ -124,7 +124,7 @@ class ToolPath(Chain):
         False, and all is as it was: that one does not fit, or its way crosses another one, or it
         may come near to these bounds.
         """
-        at = 20 - self.latest
+        at = rows.SECOND_MOTION - self.latest
         if not self.corners.join(self.latest, at):
             return False
         if not self.corners.is_within(self.latest, low_x, high_x, low_y, high_y):
@@ -135,8 +135,8 @@ class ToolPath(Chain):
         x = self.at_x
         y = self.at_y
         if self.put_motion(1, at) and self.crossed == 0:
-            self.corners.motions[at + 15] = self.at_x
-            self.corners.motions[at + 16] = self.at_y
+            self.corners.motions[at + rows.TOOL_X] = self.at_x
+            self.corners.motions[at + rows.TOOL_Y] = self.at_y
             self.open(at)
             return True
         self.import_from(count, barrier)
@@ -151,9 +151,9 @@ class ToolPath(Chain):
         if not self.put_motion(1, -1):
             return False
         if is_perpendicular:
-            end_x = self.corners.motions[self.latest + 2]
-            end_y = self.corners.motions[self.latest + 3]
-            self.put_line(0, self.at_x, self.at_y, end_x, end_y, 0)
+            end_x = self.corners.motions[self.latest + rows.END_X]
+            end_y = self.corners.motions[self.latest + rows.END_Y]
+            self.put_line(rows.LINE, self.at_x, self.at_y, end_x, end_y, 0)
             self.at_x = end_x
             self.at_y = end_y
         return True
@@ -165,8 +165,10 @@ class ToolPath(Chain):
         The first motion has led there, and nothing is taken yet.
         """
         number = self.number
-        meets = self.corners.join(self.latest, 40)
-        if self.corners.is_outer(self.latest, 40, self.corners.motions[self.latest + 10]):
+        first = rows.FIRST_OF_CONTOUR
+        distance = self.corners.motions[self.latest + rows.END_DISTANCE]
+        meets = self.corners.join(self.latest, first)
+        if self.corners.is_outer(self.latest, first, distance):
             self.corners.place_end(self.latest)
         x = self.corners.end_x
         y = self.corners.end_y
@@ -174,17 +176,17 @@ class ToolPath(Chain):
         self.corners.meet(x, y)
         if not meets or not self.put_motion(1, -1):
             return number
-        if self.corners.is_outer(self.latest, 40, self.corners.motions[self.latest + 10]):
+        if self.corners.is_outer(self.latest, first, distance):
             return 0
         one = 0
-        while one < self.count and self.rows[one * 16 + 9] <= self.first:
+        while one < self.count and self.rows[one * rows.PIECE_WIDTH + rows.MOTION] <= self.first:
             one += 1
-        base = one * 16
-        if one < 1 or one >= self.count or self.rows[base + 9] != self.first + 1:
+        base = one * rows.PIECE_WIDTH
+        if one < 1 or one >= self.count or self.rows[base + rows.MOTION] != self.first + 1:
             return self.first + 1
         if self.crossings.way_to(self.rows, base, x, y) < -1.0:
             return self.first + 1
-        pieces.cut_end(self.rows, base - 16, x, y)
+        pieces.cut_end(self.rows, base - rows.PIECE_WIDTH, x, y)
         pieces.cut_start(self.rows, base, x, y)
         return 0
 
@@ -195,7 +197,7 @@ class ToolPath(Chain):
 
     def latest_fits(self) -> bool:
         """Whether the latest motion is no arc that is too small for the tool."""
-        return self.corners.motions[self.latest + 17] == 0.0
+        return self.corners.motions[self.latest + rows.IS_TOO_SMALL] == 0.0
 
     def give_up(self) -> None:
         """The latest motion is none."""
@@ -218,23 +220,23 @@ class ToolPath(Chain):
         self.make_room()
         self.is_open = False
         at = self.latest
-        is_contour = 1 if corners.motions[at + 18] != 0.0 else 0
+        is_contour = 1 if corners.motions[at + rows.IS_OF_CONTOUR] != 0.0 else 0
         self.note_ends(at, is_contour)
-        base = self.count * 16
+        base = self.count * rows.PIECE_WIDTH
         fits = corners.put_own(at, self.rows, base)
         if not self.masks and not (fits and meets):
             return 0
         if not fits:
             self.part(at, other, is_contour)
-            base = self.count * 16
+            base = self.count * rows.PIECE_WIDTH
         if self.masks:
             self.keep_rest(at, other)
         if pieces.length(self.rows, base) > 0.0:
             self.put(is_contour)
         for k in range(corners.way_count):
-            base = self.count * 16
-            for i in range(9):
-                self.rows[base + i] = corners.way[k * 16 + i]
+            base = self.count * rows.PIECE_WIDTH
+            for i in range(rows.FURTHER):
+                self.rows[base + i] = corners.way[k * rows.PIECE_WIDTH + i]
             self.put(is_contour)
         self.at_x = corners.next_x
         self.at_y = corners.next_y
@@ -251,30 +253,31 @@ class ToolPath(Chain):
         """
         corners = self.corners
         if self.rest_number == self.number:
-            base = self.count * 16
-            for i in range(9):
+            base = self.count * rows.PIECE_WIDTH
+            for i in range(rows.FURTHER):
                 self.rows[base + i] = self.rest[i]
-            x = self.rest[2]
-            y = self.rest[3]
+            x = self.rest[rows.END_X]
+            y = self.rest[rows.END_Y]
             self.put(is_contour)
             next_x = corners.next_x
             next_y = corners.next_y
             corners.place_start(at)
-            corners.motions[at + 15] = corners.next_x
-            corners.motions[at + 16] = corners.next_y
-            self.put_line(2, x, y, corners.next_x, corners.next_y, is_contour)
+            corners.motions[at + rows.TOOL_X] = corners.next_x
+            corners.motions[at + rows.TOOL_Y] = corners.next_y
+            self.put_line(rows.GAP, x, y, corners.next_x, corners.next_y, is_contour)
             corners.next_x = next_x
             corners.next_y = next_y
         if other >= 0 and corners.meets_inside(at, other):
             corners.part(at, other)
-        base = self.count * 16
+        base = self.count * rows.PIECE_WIDTH
         if not corners.put_own(at, self.rows, base):
-            self.rows[base + 4] = 2.0
-            radius = corners.motions[at + 9]
+            self.rows[base + rows.SHAPE] = rows.GAP
+            motions = corners.motions
+            radius = motions[at + rows.START_DISTANCE]
             if radius < 0.0:
                 radius = -radius
-            self.hide(corners.motions[at], corners.motions[at + 1], radius)
-            self.hide(corners.motions[at + 2], corners.motions[at + 3], radius)
+            self.hide(motions[at + rows.START_X], motions[at + rows.START_Y], radius)
+            self.hide(motions[at + rows.END_X], motions[at + rows.END_Y], radius)
 
     def note_ends(self, at: int, is_contour: int) -> None:
         """Note where the contour begins, and which motion ends there."""
@@ -283,10 +286,13 @@ class ToolPath(Chain):
             self.begun = 0
         elif self.begun == 0:
             self.begun = self.number
-            self.begun_x = motions[at]
-            self.begun_y = motions[at + 1]
-        elif abs(motions[at + 2] - self.begun_x) + abs(motions[at + 3] - self.begun_y) <= 1e-6:
-            self.closed = self.number
+            self.begun_x = motions[at + rows.START_X]
+            self.begun_y = motions[at + rows.START_Y]
+        else:
+            off = abs(motions[at + rows.END_X] - self.begun_x)
+            off += abs(motions[at + rows.END_Y] - self.begun_y)
+            if off <= 1e-6:
+                self.closed = self.number
 
     def closes_contour(self) -> bool:
         """Whether what crosses is the begin of a closed contour and its end."""

@@ -8,7 +8,9 @@ hands its contour over and takes it back. A line with which there is something t
 
 from __future__ import annotations
 
+from nctakt.decoder.contour import rows as contour_rows
 from nctakt.decoder.contour.tool_path import ToolPath
+from nctakt.kernel import rows
 from nctakt.kernel.tick.command_queue import CommandRing
 
 
@@ -34,11 +36,12 @@ class CompensatedLines:
         self.target = memoryview(bytearray(size)).cast("d")
         self.begin = memoryview(bytearray(size)).cast("d")
         self.end = memoryview(bytearray(size)).cast("d")
-        self.arc = memoryview(bytearray(8 * 5)).cast("d")
+        self.arc = memoryview(bytearray(8 * rows.ARC_WIDTH)).cast("d")
         #: The places of the latest motions, by the last digits of their numbers.
         self.sources = memoryview(bytearray(8 * 64)).cast("d")
         self.source = 0
         self.number = 0
+        self.motion = rows.FEED_MOTION
         self.feed_v = 0.0
         self.stops = False
         self.deviation = 0.0
@@ -48,6 +51,7 @@ class CompensatedLines:
         self.next_target = memoryview(bytearray(size)).cast("d")
         self.next_source = 0
         self.next_number = 0
+        self.next_motion = rows.FEED_MOTION
         self.next_feed_v = 0.0
         self.next_stops = False
 
@@ -95,9 +99,9 @@ class CompensatedLines:
         """
         before = self.tool.number - 1
         while ring.timed_count < timed:
-            kind = self.tool.take(before)
-            if kind != 0:
-                self.emit_piece(ring, kind, before)
+            shape = self.tool.take(before)
+            if shape != contour_rows.NOTHING:
+                self.emit_piece(ring, shape, before)
             if not self.tool.goes_on(before):
                 self.advance(before)
                 return 1
@@ -110,48 +114,52 @@ class CompensatedLines:
         self.has_first_piece = False
         self.source = self.next_source
         self.number = self.next_number
+        self.motion = self.next_motion
         self.feed_v = self.next_feed_v
         self.stops = self.next_stops
         for i in range(self.count):
             self.start[i] = self.target[i]
             self.target[i] = self.next_target[i]
 
-    def emit_piece(self, ring: CommandRing, kind: int, before: int) -> None:
+    def emit_piece(self, ring: CommandRing, shape: int, before: int) -> None:
         """One piece; other axes move on the first one, and only the last one stops exactly."""
-        place = self.tool.taken_place()
+        base = self.tool.taken_place()
         for i in range(self.count):
             self.begin[i] = self.target[i] if self.has_first_piece else self.start[i]
             self.end[i] = self.target[i]
         self.has_first_piece = True
-        self.begin[self.first] = self.tool.rows[place]
-        self.begin[self.second] = self.tool.rows[place + 1]
-        self.end[self.first] = self.tool.rows[place + 2]
-        self.end[self.second] = self.tool.rows[place + 3]
+        self.begin[self.first] = self.tool.rows[base + contour_rows.START_X]
+        self.begin[self.second] = self.tool.rows[base + contour_rows.START_Y]
+        self.end[self.first] = self.tool.rows[base + contour_rows.END_X]
+        self.end[self.second] = self.tool.rows[base + contour_rows.END_Y]
         goes_on = self.tool.goes_on(before)
         stops = self.stops and not goes_on
         deviation = 0.0 if self.stops else self.deviation
-        if kind == 1:
+        if shape == contour_rows.LINE:
             ring.put_line(
                 self.source,
                 self.number,
                 self.begin,
                 self.end,
+                self.motion,
                 self.feed_v,
                 stops,
                 deviation,
                 self.limits_jerk,
             )
         else:
-            self.arc[0] = self.first
-            self.arc[1] = self.second
-            for i in range(3):
-                self.arc[2 + i] = self.tool.rows[place + 5 + i]
+            self.arc[rows.PLANE_FIRST] = self.first
+            self.arc[rows.PLANE_SECOND] = self.second
+            self.arc[rows.CENTRE_FIRST] = self.tool.rows[base + contour_rows.CENTRE_X]
+            self.arc[rows.CENTRE_SECOND] = self.tool.rows[base + contour_rows.CENTRE_Y]
+            self.arc[rows.ANGLE] = self.tool.rows[base + contour_rows.ANGLE]
             ring.put_arc(
                 self.source,
                 self.number,
                 self.begin,
                 self.end,
                 self.arc,
+                self.motion,
                 self.feed_v,
                 stops,
                 deviation,
@@ -161,12 +169,19 @@ class CompensatedLines:
             ring.block_goes_on()
 
     def set_next(
-        self, source: int, number: int, target: memoryview[float], feed_v: float, stops: int
+        self,
+        source: int,
+        number: int,
+        target: memoryview[float],
+        motion: int,
+        feed_v: float,
+        stops: int,
     ) -> None:
         """A line has come, to be held when the one before it is in the queue."""
         self.has_next = True
         self.next_source = source
         self.next_number = number
+        self.next_motion = motion
         self.next_feed_v = feed_v
         self.next_stops = stops != 0
         for i in range(self.count):

@@ -2,6 +2,7 @@
 # C types of lines.py.
 cimport cython
 from nctakt.decoder.fast.compensated_lines cimport CompensatedLines
+from nctakt.kernel cimport rows
 from nctakt.kernel.tick.command_queue cimport CommandRing
 from nctakt.nc.fast.plain_lines cimport PlainScanner
 
@@ -30,7 +31,7 @@ cdef class PlainLines:
     cdef public Py_ssize_t max_blocks
     cdef readonly long long source
 
-    @cython.locals(end=Py_ssize_t, what=int, feed_v=double, stops=bint)
+    @cython.locals(end=Py_ssize_t, what=int, is_rapid=bint, motion=int, feed_v=double, stops=bint)
     cpdef Py_ssize_t fill(self, CommandRing ring, Py_ssize_t timed, list lines, Py_ssize_t index, long long number) except -1
     cpdef bint resume(self, CommandRing ring, Py_ssize_t timed)
     @cython.locals(scanner=PlainScanner, what=int, motion=int, feed_v=double, moves=int, i=Py_ssize_t)

@@ -10,6 +10,7 @@ taken.
 from __future__ import annotations
 
 from nctakt.decoder.fast.compensated_lines import CompensatedLines
+from nctakt.kernel import rows
 from nctakt.kernel.tick.command_queue import CommandRing
 from nctakt.nc.fast.plain_lines import PlainScanner
 from nctakt.nc.vocabulary.functions import RAPID
@@ -80,13 +81,13 @@ class PlainLines:
             index += 1
             number += 1
             if what == 2:
-                feed_v = -1.0 if self.motion == self.rapid else self.feed_v
-                stops = self.stops_exactly or (
-                    self.motion == self.rapid and self.rapid_stops_exactly
-                )
+                is_rapid = self.motion == self.rapid
+                motion = rows.RAPID_MOTION if is_rapid else rows.FEED_MOTION
+                feed_v = 0.0 if is_rapid else self.feed_v
+                stops = self.stops_exactly or (is_rapid and self.rapid_stops_exactly)
                 if self.compensated.is_on:
                     self.compensated.set_next(
-                        self.source, self.scanner.number, self.target, feed_v, stops
+                        self.source, self.scanner.number, self.target, motion, feed_v, stops
                     )
                     if not self.compensated.emit(ring, timed):
                         return index
@@ -96,6 +97,7 @@ class PlainLines:
                         self.scanner.number,
                         self.start,
                         self.target,
+                        motion,
                         feed_v,
                         stops,
                         0.0 if stops else self.deviation,

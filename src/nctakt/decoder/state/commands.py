@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What goes down the queue to the realtime part: plain data, no text, no names.
 
-``pack`` turns a command into the row that ``kernel/tick/command_queue.py`` holds. A command that
+``pack`` turns a command into a row of the queue (``kernel/rows.py``). A command that
 ``waits`` is answered through the decoder's ``yield``: with the value that was read, or the axes'
 positions.
 """
@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from nctakt.kernel import rows
 from nctakt.kernel.cycles.cycles import RealtimeCycle
-from nctakt.kernel.tick import command_queue
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class FeedModifiers:
 
     @property
     def row(self) -> tuple[float, ...]:
-        """What the realtime part needs of it (``kernel/path/geometry.py``)."""
+        """What the realtime part needs of it: the columns from ``rows.SPEED_OVERRIDE`` on."""
         return (self.override, self.is_exempt, self.spindle + 1, self.spindle_v)
 
 
@@ -48,14 +48,15 @@ class FeedModifiers:
 class Segment(Command):
     """A motion of the path's axes, mm or degrees, not packed but prepared in the queue.
 
-    ``feed`` in mm/s, below 0 rapid. ``deviation``: how far the path may pass the
-    target, 0 not at all. ``limits_jerk``: its slope is an S-curve. ``arc``: first and second axis
-    of its plane, centre, angle; ``None`` for a line. ``modifiers``: ``None`` where the feed
-    is all. ``goes_on``: the block goes on with the next segment.
+    ``motion``: ``rows.FEED_MOTION`` with ``feed`` mm/s, or ``rows.RAPID_MOTION``. ``deviation``:
+    how far the path may pass the target, 0 not at all. ``limits_jerk``: its slope is an S-curve.
+    ``arc``: first and second axis of its plane, centre, angle; ``None`` for a line. ``modifiers``:
+    ``None`` where the feed is all. ``goes_on``: the block goes on with the next segment.
     """
 
     start: tuple[float, ...]
     target: tuple[float, ...]
+    motion: int
     feed: float
     exact_stop: bool
     deviation: float = 0.0
@@ -381,82 +382,82 @@ def pack(command: Command, place: int = 0) -> list[float]:
     row: list[float]
     match command:
         case Dwell():
-            return [command_queue.DWELL, *head, command.ticks]
+            return [rows.DWELL, *head, command.ticks]
         case LoadCycle():
-            return [command_queue.DEFINE_CYCLE, *head, place, not command.definition_only]
+            return [rows.DEFINE_CYCLE, *head, place, not command.definition_only]
         case CycleControl():
-            return [command_queue.CONTROL_CYCLE, *head, command.action, command.identity]
+            return [rows.CONTROL_CYCLE, *head, command.action, command.identity]
         case TechnologyOutput():
-            row = [command_queue.TECHNOLOGY, *head, command.function, command.ticks]
+            row = [rows.TECHNOLOGY, *head, command.function, command.ticks]
             return [*row, command.value is not None, command.value or 0]
         case AwaitAcknowledge():
-            return [command_queue.AWAIT_ACKNOWLEDGE, *head, command.function]
+            return [rows.AWAIT_ACKNOWLEDGE, *head, command.function]
         case SpindleJob():
-            row = [command_queue.SPINDLE, *head, command.spindle, command.function, command.speed_v]
+            row = [rows.SPINDLE, *head, command.spindle, command.function, command.speed_v]
             return [*row, command.position, command.direction, command.ticks]
         case AwaitSpindle():
-            return [command_queue.AWAIT_SPINDLE, *head, command.spindle]
+            return [rows.AWAIT_SPINDLE, *head, command.spindle]
         case WriteVariable():
-            return [command_queue.WRITE, *head, command.cell, command.value, command.is_reported]
+            return [rows.WRITE_VARIABLE, *head, command.cell, command.value, command.is_reported]
         case WriteText():
-            row = [command_queue.WRITE, *head, command.cell, command.first, len(command.data), True]
+            row = [rows.WRITE_TEXT, *head, command.cell, command.first, len(command.data)]
             return [*row, command.zeros, *command.data]
         case UserMessage():
-            return [command_queue.MESSAGE, *head, place]
+            return [rows.MESSAGE, *head, place]
         case SetOffset():
-            return [command_queue.SET_OFFSET, *head, command.axis, command.kind, command.value]
+            return [rows.SET_OFFSET, *head, command.axis, command.kind, command.value]
         case SetOrigin():
-            return [command_queue.SET_ORIGIN, *head, command.axis, command.value]
+            return [rows.SET_ORIGIN, *head, command.axis, command.value]
         case SetTurn():
             first, second, third = command.axes
             if not command.matrix:
-                return [command_queue.SET_TURN, *head, first]
-            return [command_queue.SET_TURN, *head, first, second + 1, third + 1, *command.matrix]
+                return [rows.SET_TURN, *head, first]
+            return [rows.SET_TURN, *head, first, second + 1, third + 1, *command.matrix]
         case Freeze():
-            return [command_queue.FREEZE, *head, command.serial, place, command.value]
+            return [rows.FREEZE, *head, command.serial, place, command.value]
         case UserErrorReport():
-            return [command_queue.USER_ERROR, *head, command.identity, command.reaction]
+            return [rows.USER_ERROR, *head, command.identity, command.reaction]
         case UserErrorValue():
-            row = [command_queue.USER_VALUE, *head, command.code, command.content]
-            return [*row, command.is_text]
+            kind = rows.USER_TEXT if command.is_text else rows.USER_VALUE
+            return [kind, *head, command.code, command.content]
         case UserErrorStop():
-            return [command_queue.USER_STOP, *head, command.reaction]
+            return [rows.USER_STOP, *head, command.reaction]
         case Flush():
-            return [command_queue.FLUSH, *head, 0, 0, command.waits]
+            return [rows.FLUSH, *head, command.waits]
         case ReadRealtime():
-            return [command_queue.READ, *head, command.cell, 0, True]
+            return [rows.READ, *head, True, command.cell]
         case PositionRequest():
-            return [command_queue.POSITIONS, *head, 0, 0, True, len(command.axes), *command.axes]
+            return [rows.POSITIONS, *head, True, len(command.axes), *command.axes]
         case BlockMark():
-            return [command_queue.BLOCK_MARK, *head, place]
+            return [rows.BLOCK_MARK, *head, place]
         case WaitMark():
-            return [command_queue.WAIT_MARK, *head, command.reason, command.cell]
+            return [rows.WAIT_MARK, *head, command.reason, command.cell]
         case ProgramTimer():
-            return [command_queue.TIMER, *head, command.timer, command.action]
+            return [rows.TIMER, *head, command.timer, command.action]
         case FixedStop():
-            row = [command_queue.FIXED_STOP, *head, command.axis, command.is_on, command.limit]
+            row = [rows.FIXED_STOP, *head, command.axis, command.is_on, command.limit]
             return [*row, command.ticks, command.begin, command.end, command.needed]
         case Measure():
-            row = [command_queue.MEASURE, *head, command.function, command.ticks, command.residual]
+            row = [rows.MEASURE, *head, command.function, command.ticks, command.residual]
             return [*row, command.value is not None, command.value or 0]
         case ClearHistory():
-            return [command_queue.CLEAR_HISTORY, *head]
+            return [rows.CLEAR_HISTORY, *head]
         case MeasureEnd():
-            return [command_queue.MEASURE_END, *head]
+            return [rows.MEASURE_END, *head]
         case FixedStopEnd():
-            return [command_queue.FIXED_STOP_END, *head]
+            return [rows.FIXED_STOP_END, *head]
         case LoopBegin():
-            return [command_queue.LOOP_BEGIN, *head]
+            return [rows.LOOP_BEGIN, *head]
         case LoopPass():
-            return [command_queue.LOOP_PASS, *head]
+            return [rows.LOOP_PASS, *head]
         case LoopEnd():
-            return [command_queue.LOOP_END, *head, 0, 0, True]
+            return [rows.LOOP_END, *head, True]
         case ProgramEnd():
-            return [command_queue.PROGRAM_END, *head, place]
+            return [rows.PROGRAM_END, *head, place]
         case ProgramStop():
-            return [command_queue.PROGRAM_STOP, *head, command.is_optional]
+            return [rows.PROGRAM_STOP, *head, command.is_optional]
         case GiveUp():
-            return [command_queue.GIVE_UP, *head, command.message]
+            return [rows.GIVE_UP, *head, command.message]
     raise AssertionError(command)
 
 
@@ -465,7 +466,7 @@ def write_text(
 ) -> Iterator[WriteText]:
     """The commands that give the string at ``cell`` all its bytes, zeros at its end included."""
     text = data.rstrip(b"\0")
-    room = command_queue.characters_in_row(axis_count)
+    room = rows.text_width(axis_count)
     for first in range(0, max(1, len(text)), room):
         part = text[first : first + room]
         is_last = first + room >= len(text)

@@ -10,6 +10,7 @@ Without a transformation MCS and IPO are ACS. Each axis has one offset of each o
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.base.bounds import check_index
 
 # Kinds of offsets.
@@ -76,13 +77,11 @@ class Turns:
         self.matrix = memoryview(bytearray(8 * 9 * count)).cast("d")
 
     def set(self, row: memoryview[float], base: int) -> None:
-        """From the numbers at ``base``: the first axis, second and third one counted from 1, the
-        second one 0 where nothing is turned; then the matrix, row by row.
-        """
-        first = int(row[base])
+        """Take the turn of the command at ``base``."""
+        first = int(row[base + rows.TURN_FIRST])
         before = 1 if self.second[first] else 0
-        self.second[first] = int(row[base + 1])
-        self.third[first] = int(row[base + 2])
+        self.second[first] = int(row[base + rows.TURN_SECOND])
+        self.third[first] = int(row[base + rows.TURN_THIRD])
         self.active += (1 if self.second[first] else 0) - before
         for i in range(9):
-            self.matrix[9 * first + i] = row[base + 3 + i]
+            self.matrix[9 * first + i] = row[base + rows.TURN_MATRIX + i]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of single_axes.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.axes.axis_motions cimport AxisMotions
 
 @cython.final

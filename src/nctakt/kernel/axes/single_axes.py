@@ -8,6 +8,7 @@ number: 0 nobody, channel * 1024 + slot + 1 a realtime cycle, 1000000 the PLC. E
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.axes.axis_motions import AxisMotions
 from nctakt.kernel.base.bounds import check_finite, check_index, check_range
 
@@ -194,8 +195,8 @@ class SingleAxes(AxisMotions):
 
     def asked(self, queue: memoryview[float], base: int) -> int:
         """``obstacle`` of the axes in a position request: that of the first which has one."""
-        for i in range(int(queue[base + 6])):
-            self.asked_axis = int(queue[base + 7 + i])
+        for i in range(int(queue[base + rows.POSITIONS_COUNT])):
+            self.asked_axis = int(queue[base + rows.POSITIONS_AXES + i])
             message = self.obstacle(self.asked_axis)
             if message:
                 return message

@@ -16,29 +16,32 @@ on to the border ahead, so that braking there is always possible (``reach``).
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index
-
-#: Pieces of a full circle: 120, and 6 more where the first and the last one are divided.
-MOST_PIECES = 126
 
 
 class ArcLimits:
     """The limits on one arc at a time, over ``count`` axes with their limits of speed and feed.
 
-    ``borders``: for each border of the pieces, of both axes of the plane: part of the way, change
-    of that part per way. ``keeps``: the share of the axes' acceleration that may be used on each
-    piece. ``ends``: the way up to each border.
+    At each border of the pieces, for both axes of the plane: ``first_parts``, ``second_parts``
+    their parts of the way, ``first_bends``, ``second_bends`` the change of these per way.
+    ``keeps``: the share of the axes' acceleration that may be used on each piece. ``ends``: the way
+    up to each border.
     """
 
     def __init__(self, count: int) -> None:
         self.count = count
         self.most_v = memoryview(bytearray(8 * max(1, count))).cast("d")
         self.most_a = memoryview(bytearray(8 * max(1, count))).cast("d")
-        self.borders = memoryview(bytearray(32 * (MOST_PIECES + 1))).cast("d")
-        self.caps = memoryview(bytearray(8 * MOST_PIECES)).cast("d")
-        self.keeps = memoryview(bytearray(8 * MOST_PIECES)).cast("d")
-        self.ends = memoryview(bytearray(8 * (MOST_PIECES + 1))).cast("d")
+        borders = 8 * (rows.MAX_PIECES + 1)
+        self.first_parts = memoryview(bytearray(borders)).cast("d")
+        self.second_parts = memoryview(bytearray(borders)).cast("d")
+        self.first_bends = memoryview(bytearray(borders)).cast("d")
+        self.second_bends = memoryview(bytearray(borders)).cast("d")
+        self.caps = memoryview(bytearray(8 * rows.MAX_PIECES)).cast("d")
+        self.keeps = memoryview(bytearray(8 * rows.MAX_PIECES)).cast("d")
+        self.ends = memoryview(bytearray(borders)).cast("d")
         self.pieces = 0
         self.first_a = 0.0
         self.second_a = 0.0
@@ -52,32 +55,33 @@ class ArcLimits:
         self.most_a = most_a
 
     def open(self, row: memoryview[float], base: int) -> None:
-        """Take the arc of the segment in ``row`` (``geometry.py``)."""
-        tail = base + 12 + 2 * self.count
-        first = int(row[tail + 7])
-        second = int(row[tail + 8])
-        x = row[base + 12 + first] - row[tail + 9]
-        y = row[base + 12 + second] - row[tail + 10]
+        """Take the arc of the segment in ``row``."""
+        first = int(row[base + rows.ARC_FIRST_AXIS])
+        second = int(row[base + rows.ARC_SECOND_AXIS])
+        x = row[base + rows.START + first] - row[base + rows.ARC_FIRST_CENTRE]
+        y = row[base + rows.START + second] - row[base + rows.ARC_SECOND_CENTRE]
+        angle = row[base + rows.ARC_ANGLE]
         radius = arithmetic.square_root(x * x + y * y)
         x /= radius
         y /= radius
-        turn = row[tail + 11] * 0.017453292519943295
-        part = radius * turn / row[base + 3]
+        turn = angle * 0.017453292519943295
+        part = radius * turn / row[base + rows.LENGTH]
         bend = part * part / radius
-        self.pieces = int(row[tail + 17])
+        self.pieces = int(row[base + rows.ARC_PIECES])
         for j in range(self.pieces + 1):
             share = self.border(j)
-            cosine = arithmetic.cosine(row[tail + 11] * share)
-            sine = arithmetic.sine(row[tail + 11] * share)
-            self.ends[j] = row[base + 3] * share
-            self.borders[4 * j] = 0.0 - (x * sine + y * cosine) * part
-            self.borders[4 * j + 1] = (x * cosine - y * sine) * part
-            self.borders[4 * j + 2] = 0.0 - (x * cosine - y * sine) * bend
-            self.borders[4 * j + 3] = 0.0 - (x * sine + y * cosine) * bend
+            cosine = arithmetic.cosine(angle * share)
+            sine = arithmetic.sine(angle * share)
+            self.ends[j] = row[base + rows.LENGTH] * share
+            self.first_parts[j] = 0.0 - (x * sine + y * cosine) * part
+            self.second_parts[j] = (x * cosine - y * sine) * part
+            self.first_bends[j] = 0.0 - (x * cosine - y * sine) * bend
+            self.second_bends[j] = 0.0 - (x * sine + y * cosine) * bend
         self.first_a = self.most_a[first]
         self.second_a = self.most_a[second]
         self.open_outer(row, base, first, second)
-        keep = arithmetic.cosine(0.5 * row[tail + 11] / (self.pieces - 6.0))
+        even = self.pieces - rows.MORE_PIECES
+        keep = arithmetic.cosine(0.5 * angle / even)
         for k in range(self.pieces):
             self.keeps[k] = keep * (1.0 - self.used_on(row, base, k))
             cap = min(self.cap_at(k, first, second, keep), self.cap_at(k + 1, first, second, keep))
@@ -89,7 +93,7 @@ class ArcLimits:
     def border(self, j: int) -> float:
         """Which share of the arc lies before a border; the pieces at both ends grow evenly."""
         behind = self.pieces - j
-        even = self.pieces - 6.0
+        even = self.pieces - rows.MORE_PIECES
         if j < 4:
             return j * j / (16.0 * even)
         if behind < 4:
@@ -100,31 +104,33 @@ class ArcLimits:
         """The limits of the axes that a helix moves outside of its plane."""
         self.outer_a = 1e300
         self.outer_v = 1e150
+        start = base + rows.START
+        target = start + self.count
         for i in range(self.count):
-            way = row[base + 12 + self.count + i] - row[base + 12 + i]
+            way = row[target + i] - row[start + i]
             if way != 0.0 and i not in (first, second):
-                part = (way if way > 0.0 else 0.0 - way) / row[base + 3]
+                part = (way if way > 0.0 else 0.0 - way) / row[base + rows.LENGTH]
                 self.outer_a = min(self.outer_a, self.most_a[i] / part)
                 self.outer_v = min(self.outer_v, self.most_v[i] / part)
 
     def used_on(self, row: memoryview[float], base: int, k: int) -> float:
         """The share of the acceleration that corners at the arc's ends use on a piece."""
-        tail = base + 12 + 2 * self.count
-        used = row[tail + 20]
-        if self.ends[k] < row[tail]:
-            used = max(used, row[tail + 18])
-        if self.ends[k + 1] > row[base + 3] - row[tail + 1]:
-            used = max(used, row[tail + 19])
+        behind = k + 1
+        used = row[base + rows.ARC_SHARE]
+        if self.ends[k] < row[base + rows.ENTRY_LENGTH]:
+            used = max(used, row[base + rows.ARC_ENTRY_SHARE])
+        if self.ends[behind] > row[base + rows.LENGTH] - row[base + rows.EXIT_LENGTH]:
+            used = max(used, row[base + rows.ARC_EXIT_SHARE])
         return used
 
     def cap_at(self, j: int, first: int, second: int, keep: float) -> float:
         """The square of the speed that the axes' limits of speed allow at a border."""
         cap = 1e300
-        part = self.borders[4 * j]
+        part = self.first_parts[j]
         if part * part > 1e-18:
             speed = self.most_v[first] * keep / part
             cap = speed * speed
-        part = self.borders[4 * j + 1]
+        part = self.second_parts[j]
         if part * part > 1e-18:
             speed = self.most_v[second] * keep / part
             cap = min(cap, speed * speed)
@@ -132,8 +138,8 @@ class ArcLimits:
 
     def centre_cap(self, k: int, j: int) -> float:
         """The square of the speed that may be kept on piece ``k``, seen from one of its borders."""
-        first = self.borders[4 * j + 2]
-        second = self.borders[4 * j + 3]
+        first = self.first_bends[j]
+        second = self.second_bends[j]
         first = first if first > 0.0 else 0.0 - first
         second = second if second > 0.0 else 0.0 - second
         cap = 1e300
@@ -149,20 +155,25 @@ class ArcLimits:
         ``direction``: 1 speeding up, -1 braking. The acceleration is kept until the square of the
         speed has grown by ``growth`` (below 0: fallen) times the acceleration.
         """
-        keep = self.keeps[k]
-        most = self.outer_a * keep
-        most = min(most, self.axis_rate(4 * k, self.first_a * keep, speed2, growth, direction))
-        most = min(most, self.axis_rate(4 * k + 1, self.second_a * keep, speed2, growth, direction))
-        most = min(most, self.axis_rate(4 * k + 4, self.first_a * keep, speed2, growth, direction))
-        most = min(most, self.axis_rate(4 * k + 5, self.second_a * keep, speed2, growth, direction))
-        return most
+        most = self.outer_a * self.keeps[k]
+        most = min(most, self.border_rate(k, self.keeps[k], speed2, growth, direction))
+        return min(most, self.border_rate(k + 1, self.keeps[k], speed2, growth, direction))
+
+    def border_rate(
+        self, j: int, keep: float, speed2: float, growth: float, direction: float
+    ) -> float:
+        """``rate`` at one border, with the share ``keep`` of the axes' acceleration."""
+        part = direction * self.first_parts[j]
+        bend = self.first_bends[j]
+        most = self.axis_rate(part, bend, self.first_a * keep, speed2, growth)
+        part = direction * self.second_parts[j]
+        bend = self.second_bends[j]
+        return min(most, self.axis_rate(part, bend, self.second_a * keep, speed2, growth))
 
     def axis_rate(
-        self, place: int, limit_a: float, speed2: float, growth: float, direction: float
+        self, part: float, bend: float, limit_a: float, speed2: float, growth: float
     ) -> float:
-        """``rate`` of one axis at one border: the part of the way stands at ``place``."""
-        part = direction * self.borders[place]
-        bend = self.borders[place + 2]
+        """``rate`` of one axis at one border, from its part of the way and the change of that."""
         if part < 0.0:
             part = 0.0 - part
             bend = 0.0 - bend
@@ -181,7 +192,8 @@ class ArcLimits:
 
     def before(self, k: int, speed2: float) -> float:
         """The square of the highest speed at the begin of a piece, from that at its end."""
-        width = 2.0 * (self.ends[k + 1] - self.ends[k])
+        behind = k + 1
+        width = 2.0 * (self.ends[behind] - self.ends[k])
         speed2 = min(speed2, self.caps[k])
         speed2 += width * self.rate(k, speed2, width, -1.0)
         return min(speed2, self.caps[k])
@@ -200,4 +212,5 @@ class ArcLimits:
 
     def end_cap(self, at_end: int) -> float:
         """The highest speed on the first or the last piece."""
-        return arithmetic.square_root(self.caps[self.pieces - 1 if at_end else 0])
+        last = self.pieces - 1
+        return arithmetic.square_root(self.caps[last if at_end else 0])

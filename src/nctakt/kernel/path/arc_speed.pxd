@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of arc_speed.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.path.arc_limits cimport ArcLimits
 from nctakt.kernel.path.trapezoid_profile cimport Profile
@@ -16,24 +17,23 @@ cdef class ArcSpeed(ArcLimits):
     cdef double known_v
     cdef double known_wanted_v
 
-    @cython.locals(tail=Py_ssize_t)
     cdef void begin(self, double[::1] row, Py_ssize_t base) noexcept nogil
     @cython.locals(end_v=double, feed_v=double)
     cdef void look_ahead(self, Py_ssize_t stage, double rest_d, double start_v, double factor, double ahead, double rest_v) noexcept nogil
     cdef void survey(self, double most_v, double wanted_v) noexcept nogil
-    @cython.locals(k=Py_ssize_t)
+    @cython.locals(k=Py_ssize_t, before=Py_ssize_t, speed2=double)
     cdef void fill(self, double[::1] borders, double end_v) noexcept nogil
-    @cython.locals(width=double, speed2=double)
+    @cython.locals(width=double, border=Py_ssize_t, speed2=double)
     cdef int is_met(self, Py_ssize_t stage, double rest_d, double start_v) noexcept nogil
-    @cython.locals(start2=double, limit2=double, end2=double)
+    @cython.locals(border=Py_ssize_t, start2=double, limit2=double, end2=double)
     cdef void plan(self, Py_ssize_t stage, double rest_d, double start_v, double limit_v) noexcept nogil
     @cython.locals(most=double, longer=double)
     cdef double change(self, Py_ssize_t stage, double from2, double to2, double width, double direction) noexcept nogil
-    @cython.locals(start2=double, rate=double, first_d=double, end2=double, last_d=double, last=double)
+    @cython.locals(border=Py_ssize_t, start2=double, rate=double, first_d=double, end2=double, last_d=double, last=double)
     cdef void slow_down(self, Py_ssize_t stage, double rest_d, double start_v, double limit2) noexcept nogil
-    @cython.locals(start2=double, width=double, rate=double, end2=double)
+    @cython.locals(border=Py_ssize_t, start2=double, width=double, rate=double, end2=double)
     cdef void brake(self, Py_ssize_t stage, double rest_d, double start_v, double wanted2) noexcept nogil
-    @cython.locals(start2=double, width=double, end2=double, last=double, first=double, top2=double, first_d=double, last_d=double)
+    @cython.locals(border=Py_ssize_t, start2=double, width=double, end2=double, last=double, first=double, top2=double, first_d=double, last_d=double)
     cdef void speed_up(self, Py_ssize_t stage, double rest_d, double start_v, double limit2) noexcept nogil
     @cython.locals(top_v=double, end_v=double)
     cdef void follow(self, double rest_d, double start_v, double first_d, double top2, double last_d, double end2) noexcept nogil

@@ -10,8 +10,9 @@ are such as ``arc_limits.py`` allows at each speed that occurs.
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
-from nctakt.kernel.path.arc_limits import MOST_PIECES, ArcLimits
+from nctakt.kernel.path.arc_limits import ArcLimits
 from nctakt.kernel.path.trapezoid_profile import Profile
 
 
@@ -21,8 +22,8 @@ class ArcSpeed(ArcLimits):
     def __init__(self, count: int, profile: Profile) -> None:
         super().__init__(count)
         self.profile = profile
-        self.highs = memoryview(bytearray(8 * (MOST_PIECES + 1))).cast("d")
-        self.lows = memoryview(bytearray(8 * (MOST_PIECES + 1))).cast("d")
+        self.highs = memoryview(bytearray(8 * (rows.MAX_PIECES + 1))).cast("d")
+        self.lows = memoryview(bytearray(8 * (rows.MAX_PIECES + 1))).cast("d")
         self.prepared_v = 0.0
         self.next_feed_v = 0.0
         self.free_v = 0.0
@@ -32,10 +33,9 @@ class ArcSpeed(ArcLimits):
     def begin(self, row: memoryview[float], base: int) -> None:
         """The arc in ``row`` is the current one."""
         self.open(row, base)
-        tail = base + 12 + 2 * self.count
-        self.prepared_v = row[base + 7]
-        self.next_feed_v = row[tail + 12]
-        self.free_v = max(row[tail + 13], row[base + 7])
+        self.prepared_v = row[base + rows.END_SPEED]
+        self.next_feed_v = row[base + rows.NEXT_SPEED]
+        self.free_v = max(row[base + rows.FREE_END_SPEED], row[base + rows.END_SPEED])
         self.known_v = -1.0
         self.known_wanted_v = -1.0
 
@@ -58,7 +58,7 @@ class ArcSpeed(ArcLimits):
         end_v = self.prepared_v
         if factor > 1.0:
             end_v = max(end_v, min(end_v * factor, self.free_v))
-        feed_v = max(self.next_feed_v, 0.0 - self.next_feed_v) * ahead
+        feed_v = self.next_feed_v * ahead
         if 0.0 < feed_v < end_v:
             end_v = feed_v
         if rest_v >= 0.0:
@@ -78,18 +78,22 @@ class ArcSpeed(ArcLimits):
 
     def fill(self, borders: memoryview[float], end_v: float) -> None:
         """The squares of the highest speeds at all borders from which the end's can be kept."""
-        k = self.pieces
-        borders[k] = min(end_v * end_v, self.caps[k - 1])
-        while k > 0:
-            k -= 1
-            borders[k] = self.before(k, borders[k + 1])
-            if k > 0:
-                borders[k] = min(borders[k], self.caps[k - 1])
+        k = self.pieces - 1
+        speed2 = min(end_v * end_v, self.caps[k])
+        borders[self.pieces] = speed2
+        while k >= 0:
+            speed2 = self.before(k, speed2)
+            before = k - 1
+            if before >= 0:
+                speed2 = min(speed2, self.caps[before])
+            borders[k] = speed2
+            k = before
 
     def is_met(self, stage: int, rest_d: float, start_v: float) -> int:
         """Whether the path, ``rest_d`` before the end of a piece, can still keep the survey."""
         width = 2.0 * rest_d
-        speed2 = self.highs[stage + 1]
+        border = stage + 1
+        speed2 = self.highs[border]
         speed2 += width * self.rate(stage, speed2, width, -1.0)
         return 1 if start_v * start_v <= 1.000001 * speed2 else 0
 
@@ -98,7 +102,8 @@ class ArcSpeed(ArcLimits):
         start2 = start_v * start_v
         limit2 = min(limit_v * limit_v, self.caps[stage])
         if rest_d <= 0.0:
-            end2 = min(start2, self.highs[stage + 1])
+            border = stage + 1
+            end2 = min(start2, self.highs[border])
             self.profile.plan(0.0, start_v, arithmetic.square_root(end2), limit_v, 1.0)
         elif start2 > limit2 * 1.000000000001:
             self.slow_down(stage, rest_d, start_v, limit2)
@@ -126,7 +131,8 @@ class ArcSpeed(ArcLimits):
             self.brake(stage, rest_d, start_v, limit2)
             return
         first_d = 0.5 * (start2 - limit2) / rate
-        end2 = min(limit2, self.lows[stage + 1])
+        border = stage + 1
+        end2 = min(limit2, self.lows[border])
         last_d = 0.0
         if end2 < limit2:
             last = self.rate(stage, limit2, 0.0, -1.0)
@@ -143,14 +149,16 @@ class ArcSpeed(ArcLimits):
         width = 2.0 * rest_d
         rate = self.rate(stage, start2, 0.0 - width, -1.0)
         end2 = max(wanted2, start2 - width * rate)
-        end2 = min(end2, self.highs[stage + 1], start2)
+        border = stage + 1
+        end2 = min(end2, self.highs[border], start2)
         self.follow(rest_d, start_v, 0.0, start2, rest_d, end2)
 
     def speed_up(self, stage: int, rest_d: float, start_v: float, limit2: float) -> None:
         """The path may be faster: up to the limit, or as far as it can still brake."""
         start2 = start_v * start_v
         width = 2.0 * rest_d
-        end2 = min(self.lows[stage + 1], limit2)
+        border = stage + 1
+        end2 = min(self.lows[border], limit2)
         last = 0.0
         if end2 < limit2:
             last = self.change(stage, end2, limit2, width, -1.0)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 # C types of backward.py.
 cimport cython
+from nctakt.kernel cimport codes
+from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.history cimport History
@@ -41,6 +43,7 @@ cdef class Retrace(History):
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
     cdef void leave(self) noexcept nogil
     cdef void turn(self, int wanted) noexcept nogil
+    @cython.locals(source=cython.longlong)
     cdef void go(self, int direction) noexcept nogil
     cdef void return_to_front(self, double covered_d) noexcept nogil
     @cython.locals(factor=double, speed=double)
@@ -55,8 +58,11 @@ cdef class Retrace(History):
     cdef double border_speed(self, int is_free) noexcept nogil
     @cython.locals(end_v=double, feed_v=double, speed2=double, least2=double)
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
-    @cython.locals(rest_d=double, limit_a=double, end_v=double)
+    @cython.locals(rest_d=double, speed_v=double, is_single=bint, limit_a=double, end_v=double)
     cdef void replan(self, double limit_v) noexcept nogil
+    @cython.locals(is_backward=bint)
+    cdef int first_stage(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(is_inside=bint)
     cdef int next_stage(self, Py_ssize_t base, int stage) noexcept nogil
     cdef int enter_stage(self) noexcept nogil
     @cython.locals(way=double, i=int)
@@ -76,7 +82,6 @@ cdef class Retrace(History):
     cdef void stop_between(self) noexcept nogil
     @cython.locals(first=cython.longlong)
     cdef int is_inside(self) noexcept nogil
-    cdef void replan_smoothly(self, double rest_d, double limit_v) noexcept nogil
     @cython.locals(over_t=double)
     cdef int has_ended(self, double now_t) noexcept nogil
     @cython.locals(is_over=int)

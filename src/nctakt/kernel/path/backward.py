@@ -12,6 +12,7 @@ had stopped it stops again. Under a jerk limit it walks stretches (``history.py`
 
 from __future__ import annotations
 
+from nctakt.kernel import codes, rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.path import geometry
@@ -95,7 +96,7 @@ class Retrace(History):
         is_changed = factor != self.factor or self.path.is_single != self.is_single
         if self.note_foreign():
             is_changed = True
-            if self.path.ring[self.path.base + 10] > 0.0:
+            if self.path.ring[self.path.base + rows.JERK] > 0.0:
                 self.survey(0)
         if limit_v != self.path.limit_v or is_changed:
             self.factor = factor
@@ -144,7 +145,8 @@ class Retrace(History):
         self.path.smooth.acceleration_a = 0.0
         self.path.limit_v = -1.0
         self.is_blocked = False
-        self.record.retraced(int(self.path.ring[self.path.base + 1]), 0 if direction < 0 else 1)
+        source = int(self.path.ring[self.path.base + rows.SOURCE])
+        self.record.retraced(source, 0 if direction < 0 else 1)
         if self.path.covered_d > 0.0 or direction > 0:
             self.path.claim_again()
             if self.enter_stage():
@@ -155,7 +157,7 @@ class Retrace(History):
         """The path is where it was before it turned, and its own master again."""
         self.panel.is_paused = self.was_paused
         self.panel.is_released = self.was_released
-        self.record.retraced(int(self.path.ring[self.path.front + 1]), 3)
+        self.record.retraced(int(self.path.ring[self.path.front + rows.SOURCE]), 3)
         self.path.release()
         self.path.rest()
         self.path.is_active = not self.path.is_front_over
@@ -169,19 +171,19 @@ class Retrace(History):
 
     def feed_speed(self, base: int, is_free: int) -> float:
         """The speed limit of a segment with its override; ``is_free``: what the axes can do."""
-        speed = self.path.ring[base + 5]
-        if geometry.pieces(self.path.ring, base, self.path.count) > 0:
-            speed = self.path.ring[base + 12 + 2 * self.path.count + 21]
+        speed = self.path.ring[base + rows.MAX_SPEED]
+        if geometry.pieces(self.path.ring, base) > 0:
+            speed = self.path.ring[base + rows.BACKWARD_SPEED]
         if is_free:
             return speed
         factor = self.overrides.factor(self.path.ring, base)
-        return min(self.path.ring[base + 4] * factor, speed)
+        return min(self.path.ring[base + rows.SPEED] * factor, speed)
 
     def stage_speed(self, base: int, stage: int, is_free: int) -> float:
         """The speed limit of a stage: that of its segment, on a curve that of the curve as well."""
         speed = self.feed_speed(base, is_free)
-        if stage == 3:
-            speed = min(speed, self.path.ring[base + 12 + 2 * self.path.count + 5])
+        if stage == codes.CURVE:
+            speed = min(speed, self.path.ring[base + rows.CURVE_SPEED])
         return speed
 
     def corner_speed(self, place: int, other: int, is_free: int) -> float:
@@ -189,27 +191,27 @@ class Retrace(History):
         if other < self.path.oldest or (self.path.is_single and not is_free):
             return 0.0
         first = self.path.row_of(place if self.path.direction > 0 else other)
-        if self.path.ring[first + 10] > 0.0:
+        if self.path.ring[first + rows.JERK] > 0.0:
             return 0.0
         if other == self.front_place:
-            return min(self.front_speed(is_free), self.path.ring[first + 11])
+            return min(self.front_speed(is_free), self.path.ring[first + rows.CORNER_SPEED])
         second = self.path.row_of(other if self.path.direction > 0 else place)
-        if self.path.ring[second + 10] > 0.0 or self.is_shut(self.path.row_of(other)):
+        if self.path.ring[second + rows.JERK] > 0.0 or self.is_shut(self.path.row_of(other)):
             return 0.0
-        return self.path.ring[first + 11]
+        return self.path.ring[first + rows.CORNER_SPEED]
 
     def front_speed(self, is_free: int) -> float:
         """The highest speed into the segment at the front; 0 where it is over or a dwell."""
         base = self.path.front
         if (
             self.path.is_front_over
-            or self.path.ring[base] == 2.0
-            or self.path.ring[base + 10] > 0.0
+            or self.path.ring[base + rows.KIND] == rows.DWELL
+            or self.path.ring[base + rows.JERK] > 0.0
         ):
             return 0.0
-        end_v = self.path.ring[base + 7]
+        end_v = self.path.ring[base + rows.END_SPEED]
         limit_v = self.feed_speed(base, is_free)
-        return geometry.entry_speed(self.path.ring, base, self.path.count, 0, end_v, limit_v)
+        return geometry.entry_speed(self.path.ring, base, codes.ENTRY_ZONE, end_v, limit_v)
 
     def border_speed(self, is_free: int) -> float:
         """The highest speed at the end of the stage from which all that follows can be kept.
@@ -232,13 +234,13 @@ class Retrace(History):
                     return arithmetic.square_root(min(most2, speed * speed + gained2))
                 place = other
                 base = self.path.row_of(place)
-                stage = self.next_stage(base, 4 if self.path.direction < 0 else -1)
+                stage = self.first_stage(base)
             speed = min(speed, self.stage_speed(base, stage, is_free))
             most2 = min(most2, speed * speed + gained2)
             if gained2 >= most2:
                 return arithmetic.square_root(most2)
-            limit_a = geometry.stage_acceleration(self.path.ring, base, self.path.count, stage)
-            d = geometry.stage_way(self.path.ring, base, self.path.count, stage)
+            limit_a = geometry.stage_acceleration(self.path.ring, base, stage)
+            d = geometry.stage_way(self.path.ring, base, stage)
             gained2 += 2.0 * limit_a * d
 
     def end_speed(self, rest_d: float, limit_a: float) -> float:
@@ -259,48 +261,45 @@ class Retrace(History):
         self.plan_d = self.path.covered_d
         self.ticks = 0
         rest_d = (self.stage_d - self.path.covered_d) * self.path.direction
-        if self.path.ring[self.path.base + 10] > 0.0:
-            self.replan_smoothly(rest_d, limit_v)
+        if self.path.ring[self.path.base + rows.JERK] > 0.0:
+            speed_v, is_single = self.path.speed_v, self.path.is_single
+            self.path.smooth.plan(
+                self.goal_row, 0, rest_d, speed_v, limit_v, self.factor, is_single
+            )
             return
-        limit_a = geometry.stage_acceleration(
-            self.path.ring, self.path.base, self.path.count, self.stage
-        )
+        limit_a = geometry.stage_acceleration(self.path.ring, self.path.base, self.stage)
         limit_v = min(limit_v, self.stage_speed(self.path.base, self.stage, 0))
         end_v = self.end_speed(rest_d, limit_a)
         self.profile.plan(rest_d, self.path.speed_v, end_v, limit_v, limit_a)
 
-    def replan_smoothly(self, rest_d: float, limit_v: float) -> None:
-        """``replan`` with a limit of the jerk, up to the goal of the stretch."""
-        self.path.smooth.plan(
-            self.goal_row,
-            0,
-            12 + 2 * self.path.count,
-            rest_d,
-            self.path.speed_v,
-            limit_v,
-            self.factor,
-            self.path.is_single,
-        )
-
     # --- the way --------------------------------------------------------------------------------
 
+    def first_stage(self, base: int) -> int:
+        """The first stage of a segment in the walk's direction."""
+        is_backward = self.path.direction < 0
+        return self.next_stage(base, codes.BEHIND_STAGES if is_backward else codes.BEFORE_STAGES)
+
     def next_stage(self, base: int, stage: int) -> int:
-        """The stage with a way that follows in the walk's direction, after -1 or 4; -1: none."""
-        if self.path.ring[base + 10] > 0.0:
-            return 1 if not 0 <= stage <= 3 else -1
+        """The stage with a way that follows in the walk's direction; ``BEFORE_STAGES``: none.
+
+        With a limit of the jerk a segment has one stage.
+        """
+        is_inside = codes.ENTRY_ZONE <= stage <= codes.CURVE
+        if self.path.ring[base + rows.JERK] > 0.0:
+            return codes.BEFORE_STAGES if is_inside else codes.MIDDLE
         stage += self.path.direction
-        while 0 <= stage <= 3:
-            if geometry.stage_way(self.path.ring, base, self.path.count, stage) > 0.0:
+        while codes.ENTRY_ZONE <= stage <= codes.CURVE:
+            if geometry.stage_way(self.path.ring, base, stage) > 0.0:
                 return stage
             stage += self.path.direction
-        return -1
+        return codes.BEFORE_STAGES
 
     def enter_stage(self) -> int:
         """Settle the stage from where the path is: 0 where its segment has none ahead."""
-        if self.path.ring[self.path.base + 10] > 0.0:
+        if self.path.ring[self.path.base + rows.JERK] > 0.0:
             self.path.smooth.begin()
             self.survey(1 if self.path.speed_v == 0.0 else 0)
-        self.stage = self.next_stage(self.path.base, 4 if self.path.direction < 0 else -1)
+        self.stage = self.first_stage(self.path.base)
         while self.stage >= 0:
             self.stage_d = self.border(self.stage)
             if (self.stage_d - self.path.covered_d) * self.path.direction > 0.0:
@@ -310,26 +309,24 @@ class Retrace(History):
 
     def border(self, stage: int) -> float:
         """The way from the segment's start to where a stage ends in the walk's direction."""
-        if self.path.ring[self.path.base + 10] > 0.0:
-            return (
-                0.0
-                if self.path.direction < 0
-                else geometry.whole_way(self.path.ring, self.path.base, self.path.count)
-            )
+        if self.path.ring[self.path.base + rows.JERK] > 0.0:
+            if self.path.direction < 0:
+                return 0.0
+            return geometry.whole_way(self.path.ring, self.path.base)
         way = 0.0
         for i in range(stage):
-            way += geometry.stage_way(self.path.ring, self.path.base, self.path.count, i)
+            way += geometry.stage_way(self.path.ring, self.path.base, i)
         if self.path.direction > 0:
-            way += geometry.stage_way(self.path.ring, self.path.base, self.path.count, stage)
+            way += geometry.stage_way(self.path.ring, self.path.base, stage)
         return way
 
     def length(self) -> float:
         """The way of all stages of the current segment, as they are added up one by one."""
-        if self.path.ring[self.path.base + 10] > 0.0:
-            return geometry.whole_way(self.path.ring, self.path.base, self.path.count)
+        if self.path.ring[self.path.base + rows.JERK] > 0.0:
+            return geometry.whole_way(self.path.ring, self.path.base)
         way = 0.0
-        for i in range(4):
-            way += geometry.stage_way(self.path.ring, self.path.base, self.path.count, i)
+        for i in range(codes.BEHIND_STAGES):
+            way += geometry.stage_way(self.path.ring, self.path.base, i)
         return way
 
     def cross(self) -> int:
@@ -339,9 +336,9 @@ class Retrace(History):
         """
         other = self.neighbour(self.place, self.path.direction)
         if self.path.direction > 0:
-            self.path.put_axes(geometry.end_place(self.path.ring, self.path.base, self.path.count))
+            self.path.put_axes(geometry.end_column(self.path.ring, self.path.base, self.path.count))
         else:
-            self.path.put_axes(self.path.base + 12)
+            self.path.put_axes(self.path.base + rows.START)
         refusal = self.refusal_into(other)
         if refusal and (self.path.speed_v == 0.0 or other < self.path.oldest):
             self.stay(refusal)
@@ -359,10 +356,10 @@ class Retrace(History):
         self.path.rest()
         self.path.base = self.path.row_of(other)
         if self.path.direction > 0:
-            self.path.claim_free(self.path.base + 12)
+            self.path.claim_free(self.path.base + rows.START)
         else:
             self.path.claim_free(
-                geometry.end_place(self.path.ring, self.path.base, self.path.count)
+                geometry.end_column(self.path.ring, self.path.base, self.path.count)
             )
         self.path.covered_d = 0.0 if self.path.direction > 0 else self.length()
         self.enter_stage()
@@ -384,13 +381,13 @@ class Retrace(History):
         if place < self.path.oldest:
             return -1
         if place == self.front_place and (
-            self.path.is_front_over or self.path.ring[self.path.front] == 2.0
+            self.path.is_front_over or self.path.ring[self.path.front + rows.KIND] == rows.DWELL
         ):
             return 0
         base = self.path.row_of(place)
         if self.path.direction > 0:
             return self.path.refusal(base, self.path.ring)
-        end = geometry.end_place(self.path.ring, base, self.path.count)
+        end = geometry.end_column(self.path.ring, base, self.path.count)
         for i in range(self.path.count):
             if geometry.moves(self.path.ring, base, self.path.count, i):
                 axis = self.path.members[i]
@@ -405,13 +402,13 @@ class Retrace(History):
         """The walk stands, and cannot go on: backward that is the start of the history."""
         self.is_blocked = True
         self.path.speed_v = 0.0
-        source = int(self.path.ring[self.path.base + 1])
+        source = int(self.path.ring[self.path.base + rows.SOURCE])
         if self.path.direction < 0:
             self.record.retraced(source, 2)
         else:
             other = self.neighbour(self.place, 1)
             self.fault = refusal
-            self.fault_source = int(self.path.ring[self.path.row_of(other) + 1])
+            self.fault_source = int(self.path.ring[self.path.row_of(other) + rows.SOURCE])
 
     def fail(self, refusal: int, place: int) -> None:
         """With speed left the walk brakes on a segment that it may not enter (MO-1, MO-13).
@@ -421,7 +418,7 @@ class Retrace(History):
         if not self.has_failed:
             self.has_failed = True
             self.fault = refusal
-            self.fault_source = int(self.path.ring[self.path.row_of(place) + 1])
+            self.fault_source = int(self.path.ring[self.path.row_of(place) + rows.SOURCE])
 
     def advance(self, is_stopping: int) -> int:
         """Go to where the plan is at the end of this tick, as ``Path.advance``."""
@@ -454,16 +451,16 @@ class Retrace(History):
             self.path.limit_v = -1.0
             if self.path.is_single and not self.is_inside():
                 self.panel.is_paused = True
-                self.record.paused(int(self.path.ring[self.path.base + 1]))
+                self.record.paused(int(self.path.ring[self.path.base + rows.SOURCE]))
 
     def is_inside(self) -> int:
         """Whether the walk, which has just come to a segment, is inside of a block with it."""
         first = self.place - 1 if self.path.direction > 0 else self.place
-        return 1 if self.path.ring[self.path.row_of(first) + 8] < 0.0 else 0
+        return 1 if self.path.ring[self.path.row_of(first) + rows.CONTINUES] > 0.0 else 0
 
     def has_ended(self, now_t: float) -> int:
         """Whether the stage has ended by then; else the axes are put where the plan is."""
-        if self.path.ring[self.path.base + 10] > 0.0:
+        if self.path.ring[self.path.base + rows.JERK] > 0.0:
             return self.has_ended_smoothly(now_t)
         over_t = now_t - self.profile.duration_t
         if self.profile.is_endless or over_t < -1e-6 * self.path.cycle_time_t:

@@ -18,6 +18,7 @@ override and hold need: the path comes with none to either end, if it can (``jer
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.path.jerk_lookahead import JerkAhead
 
@@ -31,9 +32,9 @@ class Bends(JerkAhead):
         None is made either where the path is as fast without. ``spare`` keeps both segments as they
         were; ``back``: how many commands lie between them.
         """
-        if row[base + 10] == 0.0 or self.last_deviation <= 0.0:
+        if row[base + rows.JERK] == 0.0 or self.last_deviation <= 0.0:
             return 0
-        if row[before + 9] != 0.0 or row[base + 9] != 0.0:
+        if row[before + rows.SHAPE] != rows.LINE or row[base + rows.SHAPE] != rows.LINE:
             return 0
         half = self.half_bend(row, before, base)
         if half <= 1e-6:
@@ -41,7 +42,7 @@ class Bends(JerkAhead):
         speed = self.bend_speed(row, before, base, half)
         if speed <= 0.0 or not self.saves_time(row, before, base, half, speed):
             return 0
-        row[base + 12 + 2 * self.count + 14] = back
+        row[base + rows.PREDECESSOR] = back
         for i in range(self.width):
             self.spare[i] = row[base + i]
             self.spare[self.width + i] = row[before + i]
@@ -64,12 +65,13 @@ class Bends(JerkAhead):
         size = arithmetic.square_root(size2)
         if size < 1e-6 or size > 1.99:
             return 0.0
-        half = min(6.0 * self.last_deviation / size, 0.49 * min(self.last_length, row[base + 3]))
-        return min(half, row[before + 3] - 3.0 * self.tick_t * self.last_corner_v)
+        shorter = min(self.last_length, row[base + rows.LENGTH])
+        half = min(6.0 * self.last_deviation / size, 0.49 * shorter)
+        return min(half, row[before + rows.LENGTH] - 3.0 * self.tick_t * self.last_corner_v)
 
     def bend_speed(self, row: memoryview[float], before: int, base: int, half: float) -> float:
         """The highest speed on the bend; 0 where the corner lets the path pass as fast."""
-        shortest = min(row[before + 3], row[base + 3])
+        shortest = min(row[before + rows.LENGTH], row[base + rows.LENGTH])
         speed = min(self.speed_of(row, before), self.speed_of(row, base))
         corner_v = 1e300
         for i in range(self.count):
@@ -90,10 +92,10 @@ class Bends(JerkAhead):
         What a ramp takes more than the same way with its higher speed is compared. That speed is
         one from which the path can stop on half of each line.
         """
-        limit_a = min(row[before + 6], row[base + 6])
-        limit_j = min(row[before + 10], row[base + 10])
+        limit_a = min(row[before + rows.ACCELERATION], row[base + rows.ACCELERATION])
+        limit_j = min(row[before + rows.JERK], row[base + rows.JERK])
         top_v = min(self.speed_of(row, before), self.speed_of(row, base))
-        room = min(row[before + 3], row[base + 3])
+        room = min(row[before + rows.LENGTH], row[base + rows.LENGTH])
         time = self.ramp_time(top_v, limit_a, limit_j)
         while top_v > speed and top_v * time > room:
             top_v *= 0.9
@@ -120,8 +122,8 @@ class Bends(JerkAhead):
         self, row: memoryview[float], before: int, base: int, half: float, speed: float
     ) -> None:
         """Speed, acceleration and jerk of the bend."""
-        limit_a = min(row[before + 6], row[base + 6])
-        limit_j = min(row[before + 10], row[base + 10])
+        limit_a = min(row[before + rows.ACCELERATION], row[base + rows.ACCELERATION])
+        limit_j = min(row[before + rows.JERK], row[base + rows.JERK])
         for i in range(self.count):
             step = self.steps[i]
             part = max(self.leaving[i], 0.0 - self.leaving[i])
@@ -134,39 +136,43 @@ class Bends(JerkAhead):
             if part > 0.0:
                 limit_a = min(limit_a, left_a / part)
                 limit_j = min(limit_j, left_j / part)
-        self.bend_row[5] = speed
-        self.bend_row[6] = limit_a
-        self.bend_row[10] = limit_j
+        self.bend_row[rows.MAX_SPEED] = speed
+        self.bend_row[rows.ACCELERATION] = limit_a
+        self.bend_row[rows.JERK] = limit_j
 
     def put_bend(self, row: memoryview[float], before: int, base: int, half: float) -> None:
         """Shorten both lines by the bend, and put it between them."""
         bend = self.bend_row
-        tail = 12 + 2 * self.count
-        bend[0] = row[before]
-        bend[1] = row[before + 1]
-        bend[2] = row[before + 2]
-        bend[3] = 2.0 * half
-        bend[4] = row[before + 4]
-        bend[8] = row[before + 8]
-        bend[9] = 2.0
-        bend[11] = 1e300
-        bend[tail + 14] = 1.0
+        bend[rows.KIND] = rows.SEGMENT
+        bend[rows.SOURCE] = row[before + rows.SOURCE]
+        bend[rows.BLOCK_NUMBER] = row[before + rows.BLOCK_NUMBER]
+        bend[rows.LENGTH] = 2.0 * half
+        bend[rows.SHAPE] = rows.ROUNDING
+        bend[rows.EXACT_STOP] = row[before + rows.EXACT_STOP]
+        bend[rows.CONTINUES] = row[before + rows.CONTINUES]
+        bend[rows.HAS_JERK_LIMIT] = 1.0
+        bend[rows.SPEED] = row[before + rows.SPEED]
+        for i in range(rows.PACE_WIDTH):
+            bend[rows.SPEED_OVERRIDE + i] = row[before + rows.SPEED_OVERRIDE + i]
+        bend[rows.PREDECESSOR] = 1.0
+        bend[rows.CORNER_SPEED] = 1e300
+        start = rows.START
+        target = start + self.count
+        corners = target + self.count + self.count
         for i in range(self.count):
-            corner = row[base + 12 + i]
-            bend[12 + i] = corner - half * self.leaving[i]
-            bend[12 + self.count + i] = corner + half * self.entering[i]
-            bend[tail + 22 + i] = corner
-            row[before + 12 + self.count + i] = bend[12 + i]
-            row[base + 12 + i] = bend[12 + self.count + i]
-        for i in range(4):
-            bend[self.width - 4 + i] = row[before + self.width - 4 + i]
-        row[before + 3] -= half
-        row[base + 3] -= half
-        row[before + 8] = -1.0
-        row[before + 11] = 1e300
-        row[before + tail + 5] = bend[3]
-        row[before + tail + 6] = bend[6]
-        row[before + tail + 7] = bend[10]
+            corner = row[base + start + i]
+            bend[start + i] = corner - half * self.leaving[i]
+            bend[target + i] = corner + half * self.entering[i]
+            bend[corners + i] = corner
+            row[before + target + i] = bend[start + i]
+            row[base + start + i] = bend[target + i]
+        row[before + rows.LENGTH] -= half
+        row[base + rows.LENGTH] -= half
+        row[before + rows.CONTINUES] = 1.0
+        row[before + rows.CORNER_SPEED] = 1e300
+        row[before + rows.ROUNDING_LENGTH] = bend[rows.LENGTH]
+        row[before + rows.ROUNDING_ACCELERATION] = bend[rows.ACCELERATION]
+        row[before + rows.ROUNDING_JERK] = bend[rows.JERK]
         self.stand_at_end(row, before)
         self.stand_at_end(bend, 0)
         self.is_bent = True

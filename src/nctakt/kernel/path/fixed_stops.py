@@ -8,6 +8,7 @@ shows it in its cells FIXED_STOP.ACTIVE, DETECTED and ACS.POS (``axes.py``).
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.path.path import Path
 
@@ -35,16 +36,16 @@ class FixedStops:
         self.found = 0
 
     def arm(self, i: int, source: int, row: memoryview[float], base: int) -> None:
-        """Monitor an axis; from ``base`` on: limit, ticks, begin and end as parts, needed."""
+        """Monitor an axis as the command at ``base`` says."""
         self.disarm(i)
         self.count += 1
         self.active[i] = 1
         self.sources[i] = source
-        self.limit_d[i] = row[base]
-        self.least_ticks[i] = int(row[base + 1])
-        self.from_part[i] = row[base + 2]
-        self.to_part[i] = row[base + 3]
-        self.needed[i] = int(row[base + 4])
+        self.limit_d[i] = row[base + rows.FIXED_STOP_LIMIT]
+        self.least_ticks[i] = int(row[base + rows.FIXED_STOP_TICKS])
+        self.from_part[i] = row[base + rows.FIXED_STOP_FROM]
+        self.to_part[i] = row[base + rows.FIXED_STOP_TO]
+        self.needed[i] = int(row[base + rows.FIXED_STOP_IS_NEEDED])
         self.show(i, 0.0)
 
     def disarm(self, i: int) -> None:

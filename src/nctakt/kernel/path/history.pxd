@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of history.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.lookahead cimport LookAhead
 from nctakt.kernel.path.path cimport Path
@@ -12,6 +13,7 @@ cdef class History:
     cdef long long place
     cdef long long front_place
     cdef long long[::1] stretch
+    cdef Py_ssize_t max_stretch
     cdef long long stretch_end
     cdef double[::1] goal_row
     cdef double limit_a
@@ -26,9 +28,9 @@ cdef class History:
     cdef int note_foreign(self) noexcept nogil
     @cython.locals(first=Py_ssize_t, second=Py_ssize_t)
     cdef double passing_speed(self, long long place, long long other) noexcept nogil
-    @cython.locals(tail=Py_ssize_t, count=Py_ssize_t, place=cython.longlong, other=cython.longlong)
+    @cython.locals(count=Py_ssize_t, place=cython.longlong, other=cython.longlong)
     cdef void survey(self, int is_new) noexcept nogil
-    @cython.locals(tail=Py_ssize_t, i=Py_ssize_t, base=Py_ssize_t, before=Py_ssize_t, first=Py_ssize_t)
+    @cython.locals(last=Py_ssize_t, base=Py_ssize_t, before=Py_ssize_t, first=Py_ssize_t, corner_v=double)
     cdef void find_goal(self, Py_ssize_t count) noexcept nogil
     @cython.locals(own_a=double, own_j=double, fades_d=double)
     cdef void borrow(self, Py_ssize_t before, Py_ssize_t base) noexcept nogil

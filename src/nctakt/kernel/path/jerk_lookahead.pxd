@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of jerk_lookahead.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.segment_limits cimport SegmentLimits
@@ -13,17 +14,17 @@ cdef class JerkAhead(SegmentLimits):
     cdef double corner_speed(self, Py_ssize_t i, double shortest, double turn) noexcept nogil
     cdef double axis_jerk(self, Py_ssize_t index) noexcept nogil
     cdef double least_jerk(self, double[::1] row, Py_ssize_t before, Py_ssize_t base) noexcept nogil
-    @cython.locals(i=Py_ssize_t, part=double, least_a=double)
+    @cython.locals(i=Py_ssize_t, part=double, least_a=double, left_a=double, left_j=double)
     cdef void use(self, double[::1] row, Py_ssize_t base, double[::1] parts) noexcept nogil
     cdef double speed_of(self, double[::1] row, Py_ssize_t base) noexcept nogil
-    @cython.locals(tail=Py_ssize_t, base=Py_ssize_t, here=Py_ssize_t, before=Py_ssize_t, is_less=int, passed=Py_ssize_t, lent=int, back=Py_ssize_t)
+    @cython.locals(base=Py_ssize_t, before=Py_ssize_t, is_less=int, passed=Py_ssize_t, lent=int, goal_a=double)
     cdef int spread_smoothly(self, double[::1] row, Py_ssize_t number, Py_ssize_t oldest, int is_promised) noexcept nogil
-    @cython.locals(way=double)
-    cdef int is_far(self, double[::1] row, Py_ssize_t here, double speed) noexcept nogil
+    @cython.locals(goal_a=double, goal_j=double, way=double)
+    cdef int is_far(self, double[::1] row, Py_ssize_t base, double speed) noexcept nogil
     @cython.locals(is_new=int)
-    cdef int keep(self, double[::1] row, Py_ssize_t here) noexcept nogil
+    cdef int keep(self, double[::1] row, Py_ssize_t base) noexcept nogil
     cdef void stop_before(self, double[::1] row, Py_ssize_t before, Py_ssize_t base) noexcept nogil
-    @cython.locals(is_feed=double, leaves=int, is_other=bint)
+    @cython.locals(goal_kind=int, is_exempt=bint, is_other=bint, feed_v=double, is_rounding=bint)
     cdef void stop_at(self, double[::1] row, Py_ssize_t before, Py_ssize_t base, double top_v) noexcept nogil
     @cython.locals(change=double, ramp_t=double, ramp_v=double, time=double, way=double, from_v=double)
     cdef double reach(self, double speed) noexcept nogil
@@ -31,7 +32,6 @@ cdef class JerkAhead(SegmentLimits):
     cdef double slowing_way(self, double speed, double goal_v, double limit_a, double limit_j) noexcept nogil
     @cython.locals(low=double, high=double, middle=double, _=int)
     cdef double safe_speed(self, double top_v) noexcept nogil
-    @cython.locals(here=Py_ssize_t)
     cdef void lend(self, double[::1] row, Py_ssize_t before, Py_ssize_t base) noexcept nogil
-    @cython.locals(here=Py_ssize_t, old_a=double, old_j=double)
+    @cython.locals(old_a=double, old_j=double)
     cdef int borrow(self, double[::1] row, Py_ssize_t before) noexcept nogil

@@ -21,6 +21,7 @@ with no acceleration, whatever is commanded.
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.segment_limits import SegmentLimits
@@ -44,7 +45,7 @@ class JerkAhead(SegmentLimits):
         at most once, one of the acceleration 3/4; several corners in a tick add up.
         """
         geometry.curve(row, base, self.count, 0, self.entering_curve)
-        shortest = min(row[before + 3], row[base + 3])
+        shortest = min(row[before + rows.LENGTH], row[base + rows.LENGTH])
         speed = 1e300
         for i in range(self.count):
             turn = self.entering_curve[i] - self.leaving_curve[i]
@@ -52,11 +53,11 @@ class JerkAhead(SegmentLimits):
             self.turns[i] = turn
             speed = min(speed, self.corner_speed(i, shortest, turn))
         if self.last_is_bent:
-            speed = min(speed, row[before + 3] / (3.0 * self.tick_t))
+            speed = min(speed, row[before + rows.LENGTH] / (3.0 * self.tick_t))
         if speed < 4.0 * self.least_jerk(row, before, base) * self.tick_t * self.tick_t:
-            row[before + 11] = 0.0
+            row[before + rows.CORNER_SPEED] = 0.0
             return
-        row[before + 11] = speed
+        row[before + rows.CORNER_SPEED] = speed
         speed = min(speed, self.speed_of(row, before), self.speed_of(row, base))
         self.corner_v = speed
         passed = speed * self.tick_t / shortest
@@ -96,22 +97,24 @@ class JerkAhead(SegmentLimits):
 
     def least_jerk(self, row: memoryview[float], before: int, base: int) -> float:
         """The lesser jerk along the path."""
-        return min(row[before + 10], row[base + 10])
+        return min(row[before + rows.JERK], row[base + rows.JERK])
 
     def use(self, row: memoryview[float], base: int, parts: memoryview[float]) -> None:
         """A corner uses acceleration and jerk of the axes: less is left along a segment."""
-        if row[base + 9] == 1.0:
+        if row[base + rows.SHAPE] == rows.ARC:
             self.smooth_arc(row, base, 1)
         for i in range(self.count):
             part = parts[i] if parts[i] >= 0.0 else 0.0 - parts[i]
             if part > 0.0 and not self.in_plane(row, base, i):
                 least_a = min(self.rapid_slope_a[i], self.feed_slope_a[i])
-                row[base + 6] = min(row[base + 6], (least_a - self.shares[i]) / part)
-                row[base + 10] = min(row[base + 10], (self.axis_jerk(i) - self.turns[i]) / part)
+                left_a = (least_a - self.shares[i]) / part
+                left_j = (self.axis_jerk(i) - self.turns[i]) / part
+                row[base + rows.ACCELERATION] = min(row[base + rows.ACCELERATION], left_a)
+                row[base + rows.JERK] = min(row[base + rows.JERK], left_j)
 
     def speed_of(self, row: memoryview[float], base: int) -> float:
         """The highest speed that a segment is ever driven with."""
-        return min(row[base + 4] * self.most_factor, row[base + 5])
+        return min(row[base + rows.SPEED] * self.most_factor, row[base + rows.MAX_SPEED])
 
     # --- goals ----------------------------------------------------------------------------------
 
@@ -124,20 +127,18 @@ class JerkAhead(SegmentLimits):
         segment has been promised (``is_promised``) more than can be kept: some segment behind it
         has less acceleration or jerk by now.
         """
-        tail = 12 + 2 * self.count
         base = number % self.capacity * self.width
-        here = base + tail
         self.stand_at_end(row, base)
         is_less = 0
         passed = 0
-        while row[here + 14] > 0.0:
-            self.way = row[base + 3] + row[here + 15]
-            self.goal_v = row[here + 16]
-            self.goal_a = min(row[here + 17], row[here + 19])
-            self.goal_j = min(row[here + 18], row[here + 20])
-            self.is_feed = row[here + 21]
-            back = int(row[here + 14])
-            number = number - back
+        while row[base + rows.PREDECESSOR] > 0.0:
+            self.way = row[base + rows.LENGTH] + row[base + rows.GOAL_LENGTH]
+            self.goal_v = row[base + rows.GOAL_SPEED]
+            goal_a = row[base + rows.GOAL_ACCELERATION]
+            self.goal_a = min(goal_a, row[base + rows.CARRIED_ACCELERATION])
+            self.goal_j = min(row[base + rows.GOAL_JERK], row[base + rows.CARRIED_JERK])
+            self.goal_kind = int(row[base + rows.GOAL_KIND])
+            number = number - int(row[base + rows.PREDECESSOR])
             if number < oldest:
                 return 0 if is_less and is_promised else 1
             before = number % self.capacity * self.width
@@ -145,50 +146,55 @@ class JerkAhead(SegmentLimits):
             lent = self.borrow(row, before)
             self.stop_before(row, before, base)
             is_less = 1 if lent < 0 else is_less
-            here = before + tail
             if is_less == 0 and passed & 7 == 7:
-                if passed >= self.blocks or self.is_far(row, here, self.speed_of(row, before)):
+                if passed >= self.blocks or self.is_far(row, before, self.speed_of(row, before)):
                     return 1
-            if self.keep(row, here) == 0 and lent == 0 and passed > 0:
+            if self.keep(row, before) == 0 and lent == 0 and passed > 0:
                 return 1
             base = before
-            passed += 0 if row[base + 9] == 2.0 else 1
+            passed += 0 if row[base + rows.SHAPE] == rows.ROUNDING else 1
         return 1
 
-    def is_far(self, row: memoryview[float], here: int, speed: float) -> int:
+    def is_far(self, row: memoryview[float], base: int, speed: float) -> int:
         """Whether the goal of a segment is so far away that the speed on it depends on no goal."""
-        way = self.slowing_way(speed, row[here + 16], row[here + 17], row[here + 18])
-        return 1 if way <= row[here + 15] else 0
+        goal_a = row[base + rows.GOAL_ACCELERATION]
+        goal_j = row[base + rows.GOAL_JERK]
+        way = self.slowing_way(speed, row[base + rows.GOAL_SPEED], goal_a, goal_j)
+        return 1 if way <= row[base + rows.GOAL_LENGTH] else 0
 
-    def keep(self, row: memoryview[float], here: int) -> int:
+    def keep(self, row: memoryview[float], base: int) -> int:
         """Keep the goal at the end of a segment: whether it is another one."""
         is_new = 0
-        if row[here + 15] != self.way or row[here + 16] != self.goal_v:
+        if row[base + rows.GOAL_LENGTH] != self.way or row[base + rows.GOAL_SPEED] != self.goal_v:
             is_new = 1
-        elif row[here + 17] != self.goal_a or row[here + 18] != self.goal_j:
+        elif row[base + rows.GOAL_ACCELERATION] != self.goal_a:
             is_new = 1
-        row[here + 15] = self.way
-        row[here + 16] = self.goal_v
-        row[here + 17] = self.goal_a
-        row[here + 18] = self.goal_j
-        row[here + 21] = self.is_feed
+        elif row[base + rows.GOAL_JERK] != self.goal_j:
+            is_new = 1
+        row[base + rows.GOAL_LENGTH] = self.way
+        row[base + rows.GOAL_SPEED] = self.goal_v
+        row[base + rows.GOAL_ACCELERATION] = self.goal_a
+        row[base + rows.GOAL_JERK] = self.goal_j
+        row[base + rows.GOAL_KIND] = self.goal_kind
         return is_new
 
     def stop_before(self, row: memoryview[float], before: int, base: int) -> None:
         """Make the place between two segments the goal where the one ahead does not suffice."""
-        self.stop_at(row, before, base, row[before + 11])
+        self.stop_at(row, before, base, row[before + rows.CORNER_SPEED])
 
     def stop_at(self, row: memoryview[float], before: int, base: int, top_v: float) -> None:
         """``stop_before``; ``top_v``: the highest speed from the one segment into the other."""
-        is_feed = 0.0
-        leaves = geometry.leaves_operator(row, base, self.count)
-        is_other = leaves != geometry.leaves_operator(row, before, self.count)
-        if row[base + 5] < self.speed_of(row, before):
-            top_v = min(top_v, row[base + 5])
-        if (row[base + 4] < row[before + 4] or is_other) and row[base + 4] < top_v:
-            top_v = row[base + 4]
-            is_feed = 2.0 if leaves else 1.0
-        if row[before + 9] == 2.0 or row[base + 9] == 2.0:
+        goal_kind = rows.LIMIT_GOAL
+        is_exempt = row[base + rows.IGNORES_OVERRIDE] > 0.0
+        is_other = is_exempt != (row[before + rows.IGNORES_OVERRIDE] > 0.0)
+        feed_v = row[base + rows.SPEED]
+        if row[base + rows.MAX_SPEED] < self.speed_of(row, before):
+            top_v = min(top_v, row[base + rows.MAX_SPEED])
+        if (feed_v < row[before + rows.SPEED] or is_other) and feed_v < top_v:
+            top_v = feed_v
+            goal_kind = rows.EXEMPT_FEED_GOAL if is_exempt else rows.FEED_GOAL
+        is_rounding = row[before + rows.SHAPE] == rows.ROUNDING
+        if is_rounding or row[base + rows.SHAPE] == rows.ROUNDING:
             top_v = min(top_v, self.speed_of(row, before), self.speed_of(row, base))
         elif top_v > 1e299 or self.way <= self.reach(top_v):
             return
@@ -196,7 +202,7 @@ class JerkAhead(SegmentLimits):
         self.way = 0.0
         self.goal_a = 1e300
         self.goal_j = 1e300
-        self.is_feed = is_feed
+        self.goal_kind = goal_kind
 
     def reach(self, speed: float) -> float:
         """From how far before the goal on the path that brakes for it is not faster than this."""
@@ -249,30 +255,28 @@ class JerkAhead(SegmentLimits):
 
         It has faded at the end of ``base``, unless that is short.
         """
-        here = base + 12 + 2 * self.count
-        self.lent_a = row[base + 6]
-        self.lent_j = row[base + 10]
-        if row[base + 3] * self.lent_j < self.speed_of(row, base) * self.lent_a:
-            self.lent_a = min(self.lent_a, row[here + 19])
-            self.lent_j = min(self.lent_j, row[here + 20])
-            if row[here + 5] > 0.0:
-                self.lent_a = min(self.lent_a, row[here + 6])
-                self.lent_j = min(self.lent_j, row[here + 7])
-        if row[before + 11] == 0.0:
+        self.lent_a = row[base + rows.ACCELERATION]
+        self.lent_j = row[base + rows.JERK]
+        if row[base + rows.LENGTH] * self.lent_j < self.speed_of(row, base) * self.lent_a:
+            self.lent_a = min(self.lent_a, row[base + rows.CARRIED_ACCELERATION])
+            self.lent_j = min(self.lent_j, row[base + rows.CARRIED_JERK])
+            if row[base + rows.ROUNDING_LENGTH] > 0.0:
+                self.lent_a = min(self.lent_a, row[base + rows.ROUNDING_ACCELERATION])
+                self.lent_j = min(self.lent_j, row[base + rows.ROUNDING_JERK])
+        if row[before + rows.CORNER_SPEED] == 0.0:
             self.lent_a = 1e300
             self.lent_j = 1e300
 
     def borrow(self, row: memoryview[float], before: int) -> int:
         """Acceleration and jerk of the segment before: -1 they become less, 1 more, 0 they stay."""
-        self.lent_a = min(self.lent_a, row[before + 6])
-        self.lent_j = min(self.lent_j, row[before + 10])
-        here = before + 12 + 2 * self.count
-        if row[here + 5] > 0.0:
+        self.lent_a = min(self.lent_a, row[before + rows.ACCELERATION])
+        self.lent_j = min(self.lent_j, row[before + rows.JERK])
+        if row[before + rows.ROUNDING_LENGTH] > 0.0:
             return 0
-        old_a = row[here + 19]
-        old_j = row[here + 20]
-        row[here + 19] = self.lent_a
-        row[here + 20] = self.lent_j
+        old_a = row[before + rows.CARRIED_ACCELERATION]
+        old_j = row[before + rows.CARRIED_JERK]
+        row[before + rows.CARRIED_ACCELERATION] = self.lent_a
+        row[before + rows.CARRIED_JERK] = self.lent_j
         if self.lent_a < old_a or self.lent_j < old_j:
             return -1
         return 0 if self.lent_a == old_a and self.lent_j == old_j else 1

@@ -2,6 +2,7 @@
 # C types of jerk_profile.py.
 cimport cython
 from libc cimport math
+from nctakt.kernel cimport rows
 from nctakt.kernel.axes.trajectory cimport Trajectories
 
 @cython.final
@@ -19,7 +20,7 @@ cdef class SmoothSpeed:
 
     cdef void begin(self) noexcept nogil
     @cython.locals(limit_a=double, limit_j=double, way=double, goal_v=double, goal_a=double, goal_j=double, is_met=int, settles=bint)
-    cdef void plan(self, double[::1] row, Py_ssize_t head, Py_ssize_t tail, double rest_d, double speed_v, double limit_v, double factor, int is_single) noexcept nogil
+    cdef void plan(self, double[::1] row, Py_ssize_t base, double rest_d, double speed_v, double limit_v, double factor, int is_single) noexcept nogil
     @cython.locals(stop_d=double)
     cdef int can_stop(self, double speed_v, double limit_a, double limit_j) noexcept nogil
     @cython.locals(is_met=int)

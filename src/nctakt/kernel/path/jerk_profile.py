@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 
+from nctakt.kernel import rows
 from nctakt.kernel.axes.trajectory import Trajectories
 
 
@@ -39,8 +40,7 @@ class SmoothSpeed:
     def plan(
         self,
         row: memoryview[float],
-        head: int,
-        tail: int,
+        base: int,
         rest_d: float,
         speed_v: float,
         limit_v: float,
@@ -49,19 +49,18 @@ class SmoothSpeed:
     ) -> None:
         """Plan what is left of a segment, and up to its goal; to a stand where ``limit_v`` is 0.
 
-        ``head``, ``tail``: where the two parts of the segment's row begin
-        (``geometry.py``). In single block the segment's end is the goal if the path can
-        still stop there; it brakes with the segment's own limits, and so may come too fast to the
-        goal ahead, which asks for less, when single block is taken away: then it stands at the end
-        nevertheless. It does not once the goal has come within reach, since it then leaves the way
-        on which it could stand there.
+        ``base``: where the segment's row begins. In single block the segment's end is the goal if
+        the path can still stop there; it brakes with the segment's own limits, and so may come too
+        fast to the goal ahead, which asks for less, when single block is taken away: then it stands
+        at the end nevertheless. It does not once the goal has come within reach, since it then
+        leaves the way on which it could stand there.
         """
-        limit_a = row[tail + 19]
-        limit_j = row[tail + 20]
-        self.own_j = row[head + 10]
+        limit_a = row[base + rows.CARRIED_ACCELERATION]
+        limit_j = row[base + rows.CARRIED_JERK]
+        self.own_j = row[base + rows.JERK]
         self.rest_d = rest_d
         self.ends_in_time = False
-        settles = row[tail + 5] > 0.0
+        settles = row[base + rows.ROUNDING_LENGTH] > 0.0
         if limit_v <= 0.0:
             if settles and not self.can_stop(speed_v, limit_a, limit_j):
                 self.fade_by_end(0.0, speed_v, limit_a, limit_j)
@@ -73,13 +72,13 @@ class SmoothSpeed:
             if self.stands_at_end:
                 self.stand_at_end(speed_v, limit_v, limit_a, limit_j)
                 return
-        way = row[tail + 15]
-        goal_v = row[tail + 16]
-        if row[tail + 21] > 0.0 and factor < 1.0:
+        way = row[base + rows.GOAL_LENGTH]
+        goal_v = row[base + rows.GOAL_SPEED]
+        if row[base + rows.GOAL_KIND] != rows.LIMIT_GOAL and factor < 1.0:
             goal_v *= factor
         goal_v = min(goal_v, limit_v)
-        goal_a = min(limit_a, row[tail + 17])
-        goal_j = min(limit_j, row[tail + 18])
+        goal_a = min(limit_a, row[base + rows.GOAL_ACCELERATION])
+        goal_j = min(limit_j, row[base + rows.GOAL_JERK])
         is_met = self.head_for(rest_d + way, goal_v, speed_v, limit_v, goal_a, goal_j)
         self.ends_in_time = is_met > 0 and way == 0.0
         self.stands_at_end = self.stands_at_end and not is_met

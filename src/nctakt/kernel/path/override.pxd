@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 # C types of override.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.cycles.context cimport Context
 
 cdef class Overrides:
     cdef Context context
-    cdef Py_ssize_t width
     cdef double most_pct
     cdef double operator_pct
     cdef double cycle_pct
@@ -14,5 +14,5 @@ cdef class Overrides:
     @cython.locals(operator=double)
     cdef double parts(self, int leaves_operator) noexcept nogil
     cdef double none(self) noexcept nogil
-    @cython.locals(pace=Py_ssize_t, pct=double, spindle=Py_ssize_t, speed_v=double)
+    @cython.locals(pct=double, spindle=Py_ssize_t, speed_v=double)
     cdef double factor(self, double[::1] row, Py_ssize_t base) noexcept nogil

@@ -8,19 +8,18 @@ follows the spindle's.
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.cycles.context import Context
 
 
 class Overrides:
     """The override of one channel with the operator's and the CYCLE part of this tick, in percent.
 
-    ``width``: that of a segment's row (``geometry.py``). ``total_pct``: all parts together,
-    of the segment that was asked for last.
+    ``total_pct``: all parts together, of the segment that was asked for last.
     """
 
-    def __init__(self, context: Context, width: int) -> None:
+    def __init__(self, context: Context) -> None:
         self.context = context
-        self.width = width
         self.most_pct = 100.0
         self.operator_pct = 100.0
         self.cycle_pct = 100.0
@@ -38,15 +37,16 @@ class Overrides:
 
     def factor(self, row: memoryview[float], base: int) -> float:
         """The factor of a segment."""
-        pace = base + self.width - 4
-        pct = self.parts(row[pace + 1] != 0.0)
+        pct = self.parts(row[base + rows.IGNORES_OVERRIDE] != 0.0)
         self.total_pct = pct
-        if row[pace] == 0.0:
+        if row[base + rows.SPEED_OVERRIDE] == 0.0:
             return pct / 100.0
-        self.total_pct = pct * row[pace]
-        spindle = int(row[pace + 2])
+        self.total_pct = pct * row[base + rows.SPEED_OVERRIDE]
+        spindle = int(row[base + rows.FEED_SPINDLE])
         if spindle > 0:
             speed_v = self.context.spindles.speed_v[spindle - 1]
-            pct *= (speed_v if speed_v > 0.0 else 0.0 - speed_v) / row[pace + 3]
+            pct *= (speed_v if speed_v > 0.0 else 0.0 - speed_v) / row[
+                base + rows.FEED_SPINDLE_SPEED
+            ]
             pct = min(pct, max(100.0, self.most_pct))
         return pct / 100.0

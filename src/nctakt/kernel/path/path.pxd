@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 # C types of path.py.
 cimport cython
+from nctakt.kernel cimport codes
+from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.arc_speed cimport ArcSpeed
@@ -58,11 +60,11 @@ cdef class Path(PathAxes):
     cdef double rest_speed(self) noexcept nogil
     cdef long long block_serial(self) noexcept nogil
     cdef void enter_stages(self) noexcept nogil
-    @cython.locals(way=double)
+    @cython.locals(border=Py_ssize_t, way=double)
     cdef int next_stage(self) noexcept nogil
     @cython.locals(limit_v=double)
     cdef int step(self, double factor, int is_stopping) noexcept nogil
-    @cython.locals(goal=Py_ssize_t)
+    @cython.locals(goal=double)
     cdef int runs_on(self) noexcept nogil
     cdef void set_single(self, bint is_single) noexcept nogil
     cdef int step_carried(self, double factor, int is_stopping) noexcept nogil
@@ -74,7 +76,7 @@ cdef class Path(PathAxes):
     cdef double factor_ahead(self, int leaves_operator) noexcept nogil
     @cython.locals(end_v=double, rest_v=double, stop_v=double, brake2=double, free_v=double)
     cdef double block_end_speed(self, double rest_d, double limit_a) noexcept nogil
-    @cython.locals(rest_d=double, tail=Py_ssize_t, speed_v=double, limit_a=double, limit_j=double, need_d=double)
+    @cython.locals(rest_d=double, speed_v=double, limit_a=double, limit_j=double, need_d=double)
     cdef int stands_smoothly(self, double limit_v) noexcept nogil
     @cython.locals(now_t=double, is_over=int)
     cdef int advance_smoothly(self) noexcept nogil
@@ -87,7 +89,7 @@ cdef class Path(PathAxes):
     cdef void abandon(self) noexcept nogil
     cdef int stands(self) noexcept nogil
     cdef double rest_d(self) noexcept nogil
-    cdef double promised_speed(self, Py_ssize_t place) noexcept nogil
+    cdef double promised_speed(self, Py_ssize_t column) noexcept nogil
     cdef double block_number(self) noexcept nogil
     cdef double covered_way(self) noexcept nogil
     @cython.locals(acceleration=double, way=double)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The path: a ring of prepared segments -> command positions, one increment a tick (MO-1 … MO-6).
 
-A segment is a row of the command queue; ``geometry.py`` says what is in it and where the
-axes are on it. The path decides what only the tick knows: override, hold and stop. Every change of
+A segment is a row of the command queue (``rows.py``); ``geometry.py`` says where the axes are on
+it. The path decides what only the tick knows: override, hold and stop. Every change of
 the speed limit plans the rest of the present stage of the segment anew from the present speed;
 position and speed come from the plan in closed form. Time left over in a tick when a segment ends
 without a stop is carried into the next one. Segments that were used stay in the ring until they are
@@ -11,6 +11,7 @@ overwritten: ``backward.py`` walks back over them (MO-7).
 
 from __future__ import annotations
 
+from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index
@@ -36,7 +37,7 @@ class Path(PathAxes):
         super().__init__(axes, members)
         self.cycle_time_t = cycle_time_us / 1e6
         self.cycle_time_us = cycle_time_us
-        self.width = geometry.width(len(members))
+        self.width = rows.segment_width(len(members))
         self.history_size = history_size
         self.ring_size = history_size + 1
         self.ring = memoryview(bytearray(8 * self.ring_size * self.width)).cast("d")
@@ -82,8 +83,8 @@ class Path(PathAxes):
             self.remember()
         self.used += 1
         self.is_active = True
-        self.is_dwell = self.ring[self.base] == 2.0
-        self.dwell_ticks = int(self.ring[self.base + 3]) if self.is_dwell else 0
+        self.is_dwell = self.ring[self.base + rows.KIND] == rows.DWELL
+        self.dwell_ticks = int(self.ring[self.base + rows.DWELL_TICKS]) if self.is_dwell else 0
         self.covered_d = 0.0
         self.plan_d = 0.0
         self.limit_v = -1.0
@@ -97,9 +98,9 @@ class Path(PathAxes):
     def enter_stages(self) -> None:
         """Be before the first stage of the segment."""
         self.smooth.begin()
-        self.stage = -1
+        self.stage = codes.BEFORE_STAGES
         self.stage_end_d = 0.0
-        self.pieces = geometry.pieces(self.ring, self.base, self.count)
+        self.pieces = geometry.pieces(self.ring, self.base)
         if self.pieces > 0:
             self.arc.begin(self.ring, self.base)
 
@@ -107,11 +108,11 @@ class Path(PathAxes):
         """The segment goes into the history; a new one where an axis was moved otherwise."""
         if self.used - self.oldest > self.history_size:
             self.oldest += 1
-        if self.ring[self.base] == 2.0:
+        if self.ring[self.base + rows.KIND] == rows.DWELL:
             return
-        end = geometry.end_place(self.ring, self.base, self.count)
+        end = geometry.end_column(self.ring, self.base, self.count)
         for i in range(self.count):
-            if self.ring[self.base + 12 + i] != self.ends[i]:
+            if self.ring[self.base + rows.START + i] != self.ends[i]:
                 self.oldest = self.used
             self.ends[i] = self.ring[end + i]
 
@@ -127,7 +128,7 @@ class Path(PathAxes):
         self.limit_v = -1.0
         self.offset_t = 0.0
         self.ticks = 0
-        self.is_dwell = self.ring[self.base] == 2.0
+        self.is_dwell = self.ring[self.base + rows.KIND] == rows.DWELL
         if self.is_dwell:
             return
         self.covered_d = covered_d
@@ -142,18 +143,21 @@ class Path(PathAxes):
 
     def goes_on(self) -> bool:
         """Whether the block of the segment that was taken last goes on with the next one."""
-        return self.ring[self.front + 8] < 0.0
+        return self.ring[self.front + rows.CONTINUES] > 0.0
 
     def leave_rest(self, rest: float) -> None:
         """What is left of the block behind the segment that was taken last.
 
         With a limit of the jerk its way, else the highest speed that ends in a stand at its end.
         """
-        self.ring[self.front + 8] = -1.0 - rest
+        if self.ring[self.front + rows.JERK] > 0.0:
+            self.ring[self.front + rows.REMAINING_LENGTH] = rest
+        else:
+            self.ring[self.front + rows.REMAINING_SPEED] = rest
 
     def rest_speed(self) -> float:
         """The highest speed at the segment's end from which its block can end with a stand."""
-        return -1.0 - self.ring[self.base + 8] if self.ring[self.base + 8] < 0.0 else 0.0
+        return self.ring[self.base + rows.REMAINING_SPEED]
 
     def block_serial(self) -> int:
         """The running number of the current block, 0 between two blocks."""
@@ -168,11 +172,12 @@ class Path(PathAxes):
             if self.stage + 1 == self.pieces:
                 return 0
             self.stage += 1
-            self.stage_end_d = self.arc.ends[self.stage + 1]
+            border = self.stage + 1
+            self.stage_end_d = self.arc.ends[border]
             return 1
-        while self.stage < 3:
+        while self.stage < codes.CURVE:
             self.stage += 1
-            way = geometry.stage_way(self.ring, self.base, self.count, self.stage)
+            way = geometry.stage_way(self.ring, self.base, self.stage)
             if way > 0.0:
                 self.stage_end_d += way
                 return 1
@@ -209,8 +214,8 @@ class Path(PathAxes):
 
     def runs_on(self) -> int:
         """Whether the current segment does not end with a stand."""
-        goal = self.base + 12 + 2 * self.count + 15
-        return 1 if self.ring[self.base + 7] + self.ring[goal] + self.ring[goal + 1] > 0.0 else 0
+        goal = self.ring[self.base + rows.GOAL_LENGTH] + self.ring[self.base + rows.GOAL_SPEED]
+        return 1 if self.ring[self.base + rows.END_SPEED] + goal > 0.0 else 0
 
     def step_carried(self, factor: float, is_stopping: int) -> int:
         """The rest of a tick in the segment that has just begun: 1 when that has ended, too."""
@@ -222,7 +227,9 @@ class Path(PathAxes):
         self.factor = factor
         if is_stopping:
             return 0.0
-        return min(self.ring[self.base + 4] * factor, self.ring[self.base + 5])
+        return min(
+            self.ring[self.base + rows.SPEED] * factor, self.ring[self.base + rows.MAX_SPEED]
+        )
 
     def replan(self, limit_v: float) -> None:
         """Plan what is left of the stage from the present speed."""
@@ -230,29 +237,28 @@ class Path(PathAxes):
         self.planned_factor = self.common_factor
         self.plan_d = self.covered_d
         self.ticks = 0
-        if self.ring[self.base + 10] > 0.0:
+        if self.ring[self.base + rows.JERK] > 0.0:
             self.smooth.plan(
                 self.ring,
                 self.base,
-                self.base + 12 + 2 * self.count,
                 self.stage_end_d - self.covered_d,
                 self.speed_v,
                 limit_v,
-                self.factor_ahead(self.ring[self.base + 33 + 2 * self.count] > 1.0),
+                self.factor_ahead(self.ring[self.base + rows.GOAL_KIND] == rows.EXEMPT_FEED_GOAL),
                 self.is_single and self.stands_smoothly(limit_v),
             )
             return
         rest_d = self.stage_end_d - self.covered_d
         if self.pieces > 0:
             rest_v = self.rest_speed() if self.is_single else -1.0
-            ahead = self.factor_ahead(self.ring[self.base + 24 + 2 * self.count] < 0.0)
+            ahead = self.factor_ahead(self.ring[self.base + rows.NEXT_IGNORES_OVERRIDE] > 0.0)
             self.arc.look_ahead(self.stage, rest_d, self.speed_v, self.factor, ahead, rest_v)
             self.arc.plan(self.stage, rest_d, self.speed_v, limit_v)
             return
-        limit_a = geometry.stage_acceleration(self.ring, self.base, self.count, self.stage)
+        limit_a = geometry.stage_acceleration(self.ring, self.base, self.stage)
         end_v = self.end_speed(rest_d, limit_a)
-        if self.stage == 3:
-            limit_v = min(limit_v, self.ring[self.base + 12 + 2 * self.count + 5])
+        if self.stage == codes.CURVE:
+            limit_v = min(limit_v, self.ring[self.base + rows.CURVE_SPEED])
         self.profile.plan(rest_d, self.speed_v, end_v, limit_v, limit_a)
 
     def advance_smoothly(self) -> int:
@@ -271,13 +277,11 @@ class Path(PathAxes):
     def end_speed(self, rest_d: float, limit_a: float) -> float:
         """The highest speed at the end of the stage, ``rest_d`` from here."""
         end_v = self.block_end_speed(rest_d, limit_a)
-        if geometry.whole_way(self.ring, self.base, self.count) > self.stage_end_d:
-            limit_v = self.ring[self.base + 5]
-            return geometry.entry_speed(
-                self.ring, self.base, self.count, self.stage + 1, end_v, limit_v
-            )
-        feed_v = self.ring[self.base + 24 + 2 * self.count]
-        feed_v = max(feed_v, 0.0 - feed_v) * self.factor_ahead(feed_v < 0.0)
+        if geometry.whole_way(self.ring, self.base) > self.stage_end_d:
+            limit_v = self.ring[self.base + rows.MAX_SPEED]
+            return geometry.entry_speed(self.ring, self.base, self.stage + 1, end_v, limit_v)
+        feed_v = self.ring[self.base + rows.NEXT_SPEED]
+        feed_v *= self.factor_ahead(self.ring[self.base + rows.NEXT_IGNORES_OVERRIDE] > 0.0)
         if 0.0 < feed_v < end_v:
             least2 = self.speed_v * self.speed_v - 2.0 * limit_a * rest_d
             end_v = min(end_v, max(feed_v, arithmetic.square_root(max(least2, 0.0))))
@@ -288,7 +292,7 @@ class Path(PathAxes):
 
         What a spindle does to its pace counts as for the current segment.
         """
-        if leaves_operator == geometry.leaves_operator(self.ring, self.base, self.count):
+        if leaves_operator == (self.ring[self.base + rows.IGNORES_OVERRIDE] > 0.0):
             return self.factor
         return self.bare_factor if leaves_operator else self.common_factor
 
@@ -300,15 +304,13 @@ class Path(PathAxes):
         its own lower speed, as far as braking at the limit comes; with more the prepared speed
         grows, as far as the axes allow.
         """
-        end_v = self.ring[self.base + 7]
+        end_v = self.ring[self.base + rows.END_SPEED]
         if self.factor > 1.0:
-            free_v = self.ring[self.base + 25 + 2 * self.count]
+            free_v = self.ring[self.base + rows.FREE_END_SPEED]
             end_v = max(end_v, min(end_v * self.factor, free_v))
         if self.is_single:
             rest_v = self.rest_speed()
-            stop_v = geometry.entry_speed(
-                self.ring, self.base, self.count, self.stage + 1, rest_v, 1e300
-            )
+            stop_v = geometry.entry_speed(self.ring, self.base, self.stage + 1, rest_v, 1e300)
             brake2 = self.speed_v * self.speed_v - stop_v * stop_v
             if brake2 <= 2.0 * limit_a * rest_d * 1.000001:
                 end_v = min(end_v, rest_v)
@@ -319,22 +321,22 @@ class Path(PathAxes):
 
         Where the block goes on it does so only if it could not stand at the block's end.
         """
-        rest_d = -1.0 - self.ring[self.base + 8]
-        if rest_d < 0.0:
+        if self.ring[self.base + rows.CONTINUES] == 0.0:
             return 1
-        tail = self.base + 12 + 2 * self.count
+        rest_d = self.ring[self.base + rows.REMAINING_LENGTH]
         speed_v = max(limit_v, self.speed_v)
-        limit_a = self.ring[tail + 19]
-        limit_j = self.ring[tail + 20]
-        if self.ring[tail + 5] > 0.0:
-            speed_v = min(speed_v, self.ring[tail + 16])
-            limit_a, limit_j = self.ring[tail + 6], self.ring[tail + 7]
+        limit_a = self.ring[self.base + rows.CARRIED_ACCELERATION]
+        limit_j = self.ring[self.base + rows.CARRIED_JERK]
+        if self.ring[self.base + rows.ROUNDING_LENGTH] > 0.0:
+            speed_v = min(speed_v, self.ring[self.base + rows.GOAL_SPEED])
+            limit_a = self.ring[self.base + rows.ROUNDING_ACCELERATION]
+            limit_j = self.ring[self.base + rows.ROUNDING_JERK]
         need_d = self.smooth.course.stopping_d(speed_v, 0.0, limit_a, limit_j)
         return 1 if rest_d < need_d else 0
 
     def advance(self) -> int:
         """Go to where the plan is at the end of this tick; 1 when the segment ended before."""
-        if self.ring[self.base + 10] > 0.0:
+        if self.ring[self.base + rows.JERK] > 0.0:
             return self.advance_smoothly()
         while True:
             now_t = self.offset_t + self.ticks * self.cycle_time_us / 1e6
@@ -360,9 +362,9 @@ class Path(PathAxes):
         may have to wait, and must not stop the path in a step (MO-1).
         """
         self.is_active = False
-        self.put_axes(geometry.end_place(self.ring, self.base, self.count))
+        self.put_axes(geometry.end_column(self.ring, self.base, self.count))
         self.release()
-        if self.ring[self.base + 8] > 0.0:
+        if self.ring[self.base + rows.EXACT_STOP] > 0.0:
             return 0
         return 1 if self.left_t > 0.0 or self.speed_v > 0.0 else 0
 
@@ -379,7 +381,7 @@ class Path(PathAxes):
         self.is_active = False
         self.is_away = False
         self.direction = 1
-        self.ring[self.front + 8] = 0.0  # the block is over, with all its pieces
+        self.ring[self.front + rows.CONTINUES] = 0.0  # the block is over, with all its pieces
         self.forget()
         self.speed_v = 0.0
         self.smooth.acceleration_a = 0.0
@@ -405,17 +407,17 @@ class Path(PathAxes):
             return 0.0
         if self.direction < 0:
             return self.covered_d
-        return geometry.way_with_bend(self.ring, self.base, self.count) - self.covered_d
+        return geometry.way_with_rounding(self.ring, self.base) - self.covered_d
 
-    def promised_speed(self, place: int) -> float:
-        """The end speed at ``place`` of the latest segment's row; 0: a dwell, or it is over."""
-        if self.ring[self.front] == 2.0 or (self.is_away and self.is_front_over):
+    def promised_speed(self, column: int) -> float:
+        """The end speed in ``column`` of the latest segment's row; 0: a dwell, or it is over."""
+        if self.ring[self.front + rows.KIND] == rows.DWELL or (self.is_away and self.is_front_over):
             return 0.0
-        return self.ring[self.front + place]
+        return self.ring[self.front + column]
 
     def block_number(self) -> float:
         """The N number of the current block."""
-        return self.ring[self.base + 2]
+        return self.ring[self.base + rows.BLOCK_NUMBER]
 
     def segment_row(self, back: int) -> list[float]:
         """A segment of the ring, ``back`` segments before the latest one: for Python's side."""
@@ -429,14 +431,14 @@ class Path(PathAxes):
 
     def brake_way(self) -> float:
         """How far the path goes on the current segment if it brakes from now on."""
-        acceleration = self.ring[self.base + 6]
+        acceleration = self.ring[self.base + rows.ACCELERATION]
         way = 0.5 * self.speed_v * self.speed_v / acceleration
-        if self.ring[self.base + 10] > 0.0:
-            way += self.speed_v * acceleration / self.ring[self.base + 10]
+        if self.ring[self.base + rows.JERK] > 0.0:
+            way += self.speed_v * acceleration / self.ring[self.base + rows.JERK]
         return way
 
     def covered_part(self) -> float:
         """How much of the current segment's way is covered, from 0 to 1."""
         if not self.is_active or self.is_dwell:
             return 1.0
-        return self.covered_d / geometry.whole_way(self.ring, self.base, self.count)
+        return self.covered_d / geometry.whole_way(self.ring, self.base)

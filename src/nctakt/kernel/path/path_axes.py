@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.path import geometry
@@ -48,7 +49,7 @@ class PathAxes:
             return 0
         if self.axes.independent[self.members[i]]:
             return 900435
-        if queue[queue_base + 12 + i] != self.axes.command[self.members[i]]:
+        if queue[queue_base + rows.START + i] != self.axes.command[self.members[i]]:
             return 900420
         return 0
 
@@ -88,7 +89,7 @@ class PathAxes:
             self.moved[self.moved_count] = i
             self.moved_count += 1
             axis = self.members[i]
-            end = self.base + 12 + (self.count if self.direction > 0 else 0)
+            end = self.base + rows.START + (self.count if self.direction > 0 else 0)
             self.axes.target[axis] = self.ring[end + i]
             self.axes.on_path[axis] = 1
             self.axes.show_state(axis, 6)

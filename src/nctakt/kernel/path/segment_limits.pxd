@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of segment_limits.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.arc_limits cimport ArcLimits
@@ -45,32 +46,29 @@ cdef class SegmentLimits:
     cdef double goal_v
     cdef double goal_a
     cdef double goal_j
-    cdef double is_feed
+    cdef int goal_kind
     cdef double lent_a
     cdef double lent_j
     cdef readonly bint has_smooth
 
-    cdef void measure(self, double[::1] row, Py_ssize_t base, double feed_v) noexcept nogil
-    @cython.locals(limit_a=double, limit_j=double, i=Py_ssize_t, way=double, part=double, slope_a=double, slope_j=double)
-    cdef void smooth(self, double[::1] row, Py_ssize_t base, double feed_v) noexcept nogil
-    @cython.locals(tail=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, turn=double, way=double, part=double, first_a=double, second_a=double, left_j=double, plane_a=double, plane_j=double, most_v=double, outer_a=double, outer_j=double, best_t=double, speed=double, centre_a=double, turned_j=double, free_a=double, ramp_a=double, crossing_j=double, jerk=double, time=double, _=int)
+    cdef void measure(self, double[::1] row, Py_ssize_t base) noexcept nogil
+    @cython.locals(is_rapid=bint, start=Py_ssize_t, target=Py_ssize_t, limit_a=double, limit_j=double, i=Py_ssize_t, way=double, part=double, slope_a=double, slope_j=double)
+    cdef void smooth(self, double[::1] row, Py_ssize_t base) noexcept nogil
+    @cython.locals(first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, turn=double, way=double, part=double, first_a=double, second_a=double, left_j=double, plane_a=double, plane_j=double, most_v=double, outer_a=double, outer_j=double, best_t=double, speed=double, centre_a=double, turned_j=double, free_a=double, ramp_a=double, crossing_j=double, jerk=double, time=double, _=int)
     cdef void smooth_arc(self, double[::1] row, Py_ssize_t base, int at_corner) noexcept nogil
     @cython.locals(ramp=double, half=double, peak=double)
     cdef double smooth_time(self, double way, double speed, double limit_a, double limit_j) noexcept nogil
-    @cython.locals(here=Py_ssize_t)
     cdef void stand_at_end(self, double[::1] row, Py_ssize_t base) noexcept nogil
-    @cython.locals(linear2=double, rotary2=double, i=Py_ssize_t, way=double)
+    @cython.locals(start=Py_ssize_t, target=Py_ssize_t, linear2=double, rotary2=double, i=Py_ssize_t, way=double)
     cdef double straight_way(self, double[::1] row, Py_ssize_t base) noexcept nogil
-    @cython.locals(highest=double, limit_a=double, rapid=double, i=Py_ssize_t, way=double, part=double)
-    cdef void bound(self, double[::1] row, Py_ssize_t base, double feed_v) noexcept nogil
-    cdef double acceleration(self, Py_ssize_t index, double feed_v) noexcept nogil
-    @cython.locals(tail=Py_ssize_t)
+    @cython.locals(is_rapid=bint, start=Py_ssize_t, target=Py_ssize_t, highest=double, limit_a=double, rapid=double, i=Py_ssize_t, way=double, part=double)
+    cdef void bound(self, double[::1] row, Py_ssize_t base) noexcept nogil
     cdef int in_plane(self, double[::1] row, Py_ssize_t base, Py_ssize_t index) noexcept nogil
-    @cython.locals(tail=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, angle=double, way=double, length2=double, i=Py_ssize_t, rise=double, length=double, part=double, plane_a=double, highest=double, wanted=double, share=double, speed=double, limit_a=double, by_speed=bint)
-    cdef void measure_arc(self, double[::1] row, Py_ssize_t base, double feed_v) noexcept nogil
+    @cython.locals(start=Py_ssize_t, target=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, angle=double, way=double, length2=double, i=Py_ssize_t, rise=double, length=double, part=double, plane_a=double, highest=double, wanted=double, share=double, speed=double, limit_a=double, by_speed=bint)
+    cdef void measure_arc(self, double[::1] row, Py_ssize_t base) noexcept nogil
     @cython.locals(slower=double)
     cdef int is_even(self, double[::1] row, Py_ssize_t base, double wanted_v) noexcept nogil
     @cython.locals(limit_a=double, i=Py_ssize_t, part=double)
     cdef double straight_acceleration(self, double[::1] parts) noexcept nogil
-    @cython.locals(tail=Py_ssize_t, angle=double, pieces=Py_ssize_t)
+    @cython.locals(angle=double, pieces=Py_ssize_t)
     cdef void divide(self, double[::1] row, Py_ssize_t base, double piece) noexcept nogil

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The limits of one segment: its way, and what keeps every axis on it within its own (MO-1, MO-4).
 
-``geometry.py`` says what is in a segment's row. Lines: of each axis its part of the way.
+A segment is a row (``rows.py``). Lines: of each axis its part of the way.
 Arcs: of the acceleration that both axes of the plane have, the centripetal part takes a share.
 
 With a limit of the jerk an arc of radius r with the speed v, the acceleration a and the jerk j
@@ -12,6 +12,7 @@ are taken that are fastest over the arc from rest to rest.
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.path import geometry
@@ -30,7 +31,7 @@ class SegmentLimits:
         self.blocks = blocks
         self.most_factor = max(1.0, most_factor)
         self.tick_t = cycle_time_us / 1e6
-        self.width = geometry.width(count)
+        self.width = rows.segment_width(count)
         self.capacity = 0
         room = max(1, count)
         self.linear = memoryview(bytearray(8 * room)).cast("q")
@@ -67,7 +68,7 @@ class SegmentLimits:
         self.goal_v = 0.0
         self.goal_a = 0.0
         self.goal_j = 0.0
-        self.is_feed = 0.0
+        self.goal_kind = rows.LIMIT_GOAL
         self.lent_a = 0.0
         self.lent_j = 0.0
         self.has_smooth = False
@@ -95,38 +96,41 @@ class SegmentLimits:
 
     # --- the limits of a segment ----------------------------------------------------------------
 
-    def measure(self, row: memoryview[float], base: int, feed_v: float) -> None:
-        """Way, speeds and acceleration of the segment in ``row``; ``feed_v`` below 0: rapid."""
+    def measure(self, row: memoryview[float], base: int) -> None:
+        """Way, speeds and acceleration of the segment in ``row``."""
         self.bend = 0.0
         self.corner_v = 0.0
         self.is_bent = False
-        row[base + 3] = self.straight_way(row, base)
-        if row[base + 9] == 1.0:
-            self.measure_arc(row, base, feed_v)
+        row[base + rows.LENGTH] = self.straight_way(row, base)
+        if row[base + rows.SHAPE] == rows.ARC:
+            self.measure_arc(row, base)
         else:
-            self.bound(row, base, feed_v)
-        if row[base + 10] > 0.0:
-            self.smooth(row, base, feed_v)
-        row[base + 11] = 0.0
+            self.bound(row, base)
+        if row[base + rows.HAS_JERK_LIMIT] > 0.0:
+            self.smooth(row, base)
+        row[base + rows.CORNER_SPEED] = 0.0
         geometry.direct(row, base, self.count, 0, self.entering)
 
-    def smooth(self, row: memoryview[float], base: int, feed_v: float) -> None:
+    def smooth(self, row: memoryview[float], base: int) -> None:
         """Acceleration and jerk of the jerk-limited slope."""
         self.has_smooth = True
+        is_rapid = row[base + rows.MOTION] == rows.RAPID_MOTION
+        start = base + rows.START
+        target = start + self.count
         limit_a = 1e300
         limit_j = 1e300
         for i in range(self.count):
-            way = row[base + 12 + self.count + i] - row[base + 12 + i]
+            way = row[target + i] - row[start + i]
             if way == 0.0 or self.in_plane(row, base, i):
                 continue
-            part = (way if way > 0.0 else 0.0 - way) / row[base + 3]
-            slope_a = self.rapid_slope_a[i] if feed_v < 0.0 else self.feed_slope_a[i]
-            slope_j = self.rapid_j[i] if feed_v < 0.0 else self.feed_j[i]
+            part = (way if way > 0.0 else 0.0 - way) / row[base + rows.LENGTH]
+            slope_a = self.rapid_slope_a[i] if is_rapid else self.feed_slope_a[i]
+            slope_j = self.rapid_j[i] if is_rapid else self.feed_j[i]
             limit_a = min(limit_a, slope_a / part)
             limit_j = min(limit_j, slope_j / part)
-        row[base + 6] = min(row[base + 6], limit_a)
-        row[base + 10] = limit_j
-        if row[base + 9] == 1.0:
+        row[base + rows.ACCELERATION] = min(row[base + rows.ACCELERATION], limit_a)
+        row[base + rows.JERK] = limit_j
+        if row[base + rows.SHAPE] == rows.ARC:
             self.smooth_arc(row, base, 0)
         self.stand_at_end(row, base)
 
@@ -135,15 +139,14 @@ class SegmentLimits:
 
         ``at_corner``: a corner uses ``shares`` of accelerations, ``turns`` of jerks.
         """
-        tail = base + 12 + 2 * self.count
-        first = int(row[tail + 7])
-        second = int(row[tail + 8])
-        x = row[base + 12 + first] - row[tail + 9]
-        y = row[base + 12 + second] - row[tail + 10]
+        first = int(row[base + rows.ARC_FIRST_AXIS])
+        second = int(row[base + rows.ARC_SECOND_AXIS])
+        x = row[base + rows.START + first] - row[base + rows.ARC_FIRST_CENTRE]
+        y = row[base + rows.START + second] - row[base + rows.ARC_SECOND_CENTRE]
         radius = arithmetic.square_root(x * x + y * y)
-        turn = row[tail + 11] * 0.017453292519943295
+        turn = row[base + rows.ARC_ANGLE] * 0.017453292519943295
         way = radius * (turn if turn > 0.0 else 0.0 - turn)
-        part = way / row[base + 3]
+        part = way / row[base + rows.LENGTH]
         first_a = min(self.feed_a[first], self.feed_slope_a[first])
         second_a = min(self.feed_a[second], self.feed_slope_a[second])
         plane_a = min(first_a, second_a)
@@ -152,11 +155,11 @@ class SegmentLimits:
             plane_a = min(first_a - self.shares[first], second_a - self.shares[second])
             left_j = self.feed_j[first] - self.turns[first]
             plane_j = min(left_j, self.feed_j[second] - self.turns[second])
-        most_v = min(row[base + 4] * self.most_factor, row[base + 5]) * part
+        most_v = min(row[base + rows.SPEED] * self.most_factor, row[base + rows.MAX_SPEED]) * part
         most_v = min(most_v, arithmetic.square_root(0.97 * plane_a * radius))
         most_v = min(most_v, arithmetic.power(0.97 * plane_j * radius * radius, 1.0 / 3.0))
-        outer_a = row[base + 6] * part
-        outer_j = row[base + 10] * part
+        outer_a = row[base + rows.ACCELERATION] * part
+        outer_j = row[base + rows.JERK] * part
         best_t = 1e300
         speed = most_v
         for _ in range(8):
@@ -173,9 +176,9 @@ class SegmentLimits:
                         time = self.smooth_time(way, speed, ramp_a, jerk)
                         if time < best_t:
                             best_t = time
-                            row[base + 5] = speed / part
-                            row[base + 6] = ramp_a / part
-                            row[base + 10] = jerk / part
+                            row[base + rows.MAX_SPEED] = speed / part
+                            row[base + rows.ACCELERATION] = ramp_a / part
+                            row[base + rows.JERK] = jerk / part
                 ramp_a *= 0.7
             speed *= 0.88
 
@@ -197,24 +200,25 @@ class SegmentLimits:
 
     def stand_at_end(self, row: memoryview[float], base: int) -> None:
         """A segment that nothing goes on from: it ends with a stand."""
-        here = base + 12 + 2 * self.count
-        row[here + 15] = 0.0
-        row[here + 16] = 0.0
-        row[here + 17] = 1e300
-        row[here + 18] = 1e300
-        row[here + 19] = row[base + 6]
-        row[here + 20] = row[base + 10]
-        row[here + 21] = 0.0
+        row[base + rows.GOAL_LENGTH] = 0.0
+        row[base + rows.GOAL_SPEED] = 0.0
+        row[base + rows.GOAL_ACCELERATION] = 1e300
+        row[base + rows.GOAL_JERK] = 1e300
+        row[base + rows.GOAL_KIND] = rows.LIMIT_GOAL
+        row[base + rows.CARRIED_ACCELERATION] = row[base + rows.ACCELERATION]
+        row[base + rows.CARRIED_JERK] = row[base + rows.JERK]
 
     def straight_way(self, row: memoryview[float], base: int) -> float:
         """The way in the linear axes, or in the rotary ones where no linear axis moves.
 
         What rounding leaves of a linear way, less than a nanometre, is none.
         """
+        start = base + rows.START
+        target = start + self.count
         linear2 = 0.0
         rotary2 = 0.0
         for i in range(self.count):
-            way = row[base + 12 + self.count + i] - row[base + 12 + i]
+            way = row[target + i] - row[start + i]
             if self.linear[i]:
                 linear2 += way * way
             else:
@@ -223,70 +227,74 @@ class SegmentLimits:
             return arithmetic.square_root(rotary2)
         return arithmetic.square_root(linear2)
 
-    def bound(self, row: memoryview[float], base: int, feed_v: float) -> None:
+    def bound(self, row: memoryview[float], base: int) -> None:
         """Speeds and acceleration on a line, or of the axes outside of an arc's plane."""
+        is_rapid = row[base + rows.MOTION] == rows.RAPID_MOTION
+        start = base + rows.START
+        target = start + self.count
         highest = 1e300
         limit_a = 1e300
         rapid = 1e300
         for i in range(self.count):
-            way = row[base + 12 + self.count + i] - row[base + 12 + i]
+            way = row[target + i] - row[start + i]
             if way == 0.0 or self.in_plane(row, base, i):
                 continue
-            part = (way if way > 0.0 else 0.0 - way) / row[base + 3]
+            part = (way if way > 0.0 else 0.0 - way) / row[base + rows.LENGTH]
             rapid = min(rapid, self.rapid_v[i] / part)
             highest = min(highest, self.most_v[i] / part)
-            limit_a = min(limit_a, self.acceleration(i, feed_v) / part)
-        row[base + 4] = rapid if feed_v < 0.0 else feed_v
-        row[base + 5] = highest
-        row[base + 6] = limit_a
-
-    def acceleration(self, index: int, feed_v: float) -> float:
-        """The acceleration of an axis at rapid or feed."""
-        return self.rapid_a[index] if feed_v < 0.0 else self.feed_a[index]
+            limit_a = min(limit_a, (self.rapid_a[i] if is_rapid else self.feed_a[i]) / part)
+        if is_rapid:
+            row[base + rows.SPEED] = rapid
+        row[base + rows.MAX_SPEED] = highest
+        row[base + rows.ACCELERATION] = limit_a
 
     def in_plane(self, row: memoryview[float], base: int, index: int) -> int:
         """Whether an axis is one of the two of the arc."""
-        if row[base + 9] != 1.0:
+        if row[base + rows.SHAPE] != rows.ARC:
             return 0
-        tail = base + 12 + 2 * self.count
-        return 1 if row[tail + 7] == index or row[tail + 8] == index else 0
+        if row[base + rows.ARC_FIRST_AXIS] == index:
+            return 1
+        return 1 if row[base + rows.ARC_SECOND_AXIS] == index else 0
 
-    def measure_arc(self, row: memoryview[float], base: int, feed_v: float) -> None:
+    def measure_arc(self, row: memoryview[float], base: int) -> None:
         """``measure`` for an arc, a helix where further axes move.
 
         Of the acceleration ``a`` that both axes of the plane have, the centripetal part takes a
         share ``s``, so that along the path ``a * sqrt(1 - s²)`` is left all along. Where that would
         limit the speed or lose time, the limits go by the angle (``arc_limits.py``).
         """
-        tail = base + 12 + 2 * self.count
-        first = int(row[tail + 7])
-        second = int(row[tail + 8])
-        x = row[base + 12 + first] - row[tail + 9]
-        y = row[base + 12 + second] - row[tail + 10]
+        start = base + rows.START
+        target = start + self.count
+        first = int(row[base + rows.ARC_FIRST_AXIS])
+        second = int(row[base + rows.ARC_SECOND_AXIS])
+        x = row[start + first] - row[base + rows.ARC_FIRST_CENTRE]
+        y = row[start + second] - row[base + rows.ARC_SECOND_CENTRE]
         radius = arithmetic.square_root(x * x + y * y)
-        angle = row[tail + 11] * 0.017453292519943295
+        angle = row[base + rows.ARC_ANGLE] * 0.017453292519943295
         way = radius * (angle if angle > 0.0 else 0.0 - angle)
         length2 = way * way
         for i in range(self.count):
             if self.linear[i] and not self.in_plane(row, base, i):
-                rise = row[base + 12 + self.count + i] - row[base + 12 + i]
+                rise = row[target + i] - row[start + i]
                 length2 += rise * rise
         length = arithmetic.square_root(length2)
-        row[base + 3] = length
-        self.bound(row, base, feed_v)
+        row[base + rows.LENGTH] = length
+        self.bound(row, base)
         part = way / length
         plane_a = min(self.feed_a[first], self.feed_a[second])
-        highest = min(row[base + 5], min(self.most_v[first], self.most_v[second]) / part)
-        if row[base + 10] > 0.0:
-            row[base + 5] = highest
+        highest = min(
+            row[base + rows.MAX_SPEED], min(self.most_v[first], self.most_v[second]) / part
+        )
+        if row[base + rows.HAS_JERK_LIMIT] > 0.0:
+            row[base + rows.MAX_SPEED] = highest
             return
-        wanted = feed_v * self.most_factor
+        wanted = row[base + rows.SPEED] * self.most_factor
         share = wanted * part * wanted * part / (radius * plane_a)
         self.bend = min(share, 0.5)
         speed = min(arithmetic.square_root(self.bend * radius * plane_a) / part, wanted)
         limit_a = plane_a * arithmetic.square_root(1.0 - self.bend * self.bend) / part
-        row[base + 6] = min(limit_a, row[base + 6])
-        row[base + 5] = min(highest, speed)
+        row[base + rows.ACCELERATION] = min(limit_a, row[base + rows.ACCELERATION])
+        row[base + rows.MAX_SPEED] = min(highest, speed)
         if share > 0.5 or wanted > highest or not self.is_even(row, base, wanted):
             by_speed = wanted > highest and highest * highest < radius * plane_a
             self.divide(row, base, 3.0 if by_speed else 6.0)
@@ -297,12 +305,12 @@ class SegmentLimits:
         What ramps at both ends lose beside the acceleration that the axes have there is compared
         with the time of the whole way at the wanted speed.
         """
-        slower = 1.0 / row[base + 6]
+        slower = 1.0 / row[base + rows.ACCELERATION]
         geometry.direct(row, base, self.count, 0, self.entering)
         slower -= 0.5 / self.straight_acceleration(self.entering)
         geometry.direct(row, base, self.count, 1, self.entering)
         slower -= 0.5 / self.straight_acceleration(self.entering)
-        return 1 if wanted_v * wanted_v * slower <= 0.01 * row[base + 3] else 0
+        return 1 if wanted_v * wanted_v * slower <= 0.01 * row[base + rows.LENGTH] else 0
 
     def straight_acceleration(self, parts: memoryview[float]) -> float:
         """What the axes can do together with a feed in a direction."""
@@ -318,11 +326,10 @@ class SegmentLimits:
 
         Backward it is walked with one speed and acceleration for all of it.
         """
-        tail = base + 12 + 2 * self.count
-        angle = row[tail + 11] if row[tail + 11] > 0.0 else 0.0 - row[tail + 11]
-        pieces = int(angle / piece - 1e-9)
-        row[tail + 17] = max(pieces + 1, 2) + 6
-        row[tail + 21] = row[base + 5]
-        row[base + 6] *= 0.99
+        angle = row[base + rows.ARC_ANGLE]
+        pieces = int((angle if angle > 0.0 else 0.0 - angle) / piece - 1e-9)
+        row[base + rows.ARC_PIECES] = max(pieces + 1, 2) + rows.MORE_PIECES
+        row[base + rows.BACKWARD_SPEED] = row[base + rows.MAX_SPEED]
+        row[base + rows.ACCELERATION] *= 0.99
         self.arcs.open(row, base)
-        row[base + 5] = self.arcs.highest_speed()
+        row[base + rows.MAX_SPEED] = self.arcs.highest_speed()

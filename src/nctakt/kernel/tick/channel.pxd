@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of channel.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.tick.command_execution cimport Commands
 
@@ -38,19 +39,20 @@ cdef class Channel(Commands):
     cdef void tell_wait(self) noexcept nogil
     @cython.locals(number=double)
     cdef void publish_block(self) noexcept nogil
+    @cython.locals(source=cython.longlong)
     cdef void watch_spindle(self, double factor) noexcept nogil
     @cython.locals(spindle=Py_ssize_t)
     cdef Py_ssize_t resting_spindle(self) noexcept nogil
-    @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int, message=int)
+    @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int, message=int, source=cython.longlong)
     cdef void go_on(self, int stops) noexcept nogil
     @cython.locals(message=int)
     cdef void report_axes(self) noexcept nogil
-    @cython.locals(state=int)
+    @cython.locals(state=int, base=Py_ssize_t)
     cdef void end_tick(self) noexcept nogil
     cdef void begin_reset(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void end_reset(self) noexcept nogil
-    @cython.locals(message=int, base=Py_ssize_t)
+    @cython.locals(message=int, base=Py_ssize_t, source=cython.longlong)
     cdef int axes_stand(self) noexcept nogil
     @cython.locals(base=Py_ssize_t, cell=Py_ssize_t)
     cdef void answer_waiting(self) noexcept nogil

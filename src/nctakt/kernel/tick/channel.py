@@ -10,6 +10,7 @@ and events tell it.
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.record import Record
@@ -96,7 +97,7 @@ class Channel(Commands):
         Empty where nothing does: the path moves, or a dwell goes on.
         """
         base = self.head % self.capacity * self.width
-        queued = int(self.queue[base + 1]) if self.head < self.tail else self.taken_source
+        queued = int(self.queue[base + rows.SOURCE]) if self.head < self.tail else self.taken_source
         if self.is_stopped or self.is_resetting:
             return ("reset" if self.is_stopped else "", queued, 0)
         if not self.panel.is_running:
@@ -107,12 +108,13 @@ class Channel(Commands):
             return ("forward", queued, 0)
         if self.panel.is_paused:
             before = (self.head - 1) % self.capacity * self.width
-            is_programmed = self.head > 0 and self.queue[before] == 53.0
-            is_programmed = is_programmed and int(self.queue[before + 1]) == self.taken_source
+            kind, source = self.queue[before + rows.KIND], self.queue[before + rows.SOURCE]
+            is_programmed = self.head > 0 and kind == rows.PROGRAM_STOP
+            is_programmed = is_programmed and int(source) == self.taken_source
             return ("programmed stop" if is_programmed else "single block", self.taken_source, 0)
         if self.path.is_active:
             word, detail = self.path_awaits()
-            return (word, int(self.path.ring[self.path.base + 1]), detail)
+            return (word, int(self.path.ring[self.path.base + rows.SOURCE]), detail)
         if self.head == self.tail:
             return ("", queued, 0)
         word, detail = self.command_awaits(base)
@@ -124,7 +126,7 @@ class Channel(Commands):
             return ("feed hold", 0)
         if self.path.is_dwell:
             return ("", 0)
-        is_free = self.path.ring[self.path.base + self.path.width - 3] != 0.0
+        is_free = self.path.ring[self.path.base + rows.IGNORES_OVERRIDE] != 0.0
         if self.panel.override_pct == 0.0 and not is_free:
             return ("override", 0)
         if self.overrides.cycle_pct == 0.0:
@@ -138,19 +140,19 @@ class Channel(Commands):
 
     def command_awaits(self, base: int) -> tuple[str, int]:
         """What holds up the command at the head of the queue, while the path stands."""
-        kind = int(self.queue[base])
-        if kind == 5:
-            return ("free place", int(self.queue[base + 3]))
-        if kind == 6:
-            return ("acknowledgement", int(self.queue[base + 3]))
-        if 23 <= kind <= 24:
-            spindle = int(self.queue[base + 3])
+        kind = int(self.queue[base + rows.KIND])
+        if kind == rows.TECHNOLOGY:
+            return ("free place", int(self.queue[base + rows.TECHNOLOGY_FUNCTION]))
+        if kind == rows.AWAIT_ACKNOWLEDGE:
+            return ("acknowledgement", int(self.queue[base + rows.AWAITED_FUNCTION]))
+        if kind in (rows.SPINDLE, rows.AWAIT_SPINDLE):
+            spindle = int(self.queue[base + rows.SPINDLE_INDEX])
             is_plc = self.context.spindles.has_plc(spindle)
             word = "spindle acknowledged" if is_plc else "spindle"
             return (word, self.context.spindles.first_number + spindle)
-        if kind == 76:
+        if kind == rows.MEASURE_END:
             return ("acknowledgement", self.edge.function)
-        if kind == 13 and self.context.single_axes.asked(self.queue, base):
+        if kind == rows.POSITIONS and self.context.single_axes.asked(self.queue, base):
             return ("axis", self.context.single_axes.asked_axis)
         return ("", 0)
 
@@ -253,13 +255,14 @@ class Channel(Commands):
             self.has_told_spindle = False
         elif not self.has_told_spindle and self.resting_spindle() > 0:
             self.has_told_spindle = True
-            self.record.error(int(self.path.ring[self.path.base + 1]), 0, 900819, 0.0)
+            source = int(self.path.ring[self.path.base + rows.SOURCE])
+            self.record.error(source, 0, 900819, 0.0)
 
     def resting_spindle(self) -> int:
         """Counted from 1 the spindle that rests while the path stands and follows it; else 0."""
         if not self.path.is_active or self.path.is_dwell or self.path.speed_v != 0.0:
             return 0
-        spindle = int(self.path.ring[self.path.base + self.path.width - 2])
+        spindle = int(self.path.ring[self.path.base + rows.FEED_SPINDLE])
         return spindle if spindle > 0 and self.context.spindles.rests(spindle - 1) else 0
 
     def watch_stops(self) -> None:
@@ -314,7 +317,7 @@ class Channel(Commands):
         if waits and not self.has_told_wait and not self.is_stopped and not self.is_resetting:
             self.has_told_wait = True
             base = self.head % self.capacity * self.width
-            self.record.error(int(self.queue[base + 1]), 0, 900890, 0.0)
+            self.record.error(int(self.queue[base + rows.SOURCE]), 0, 900890, 0.0)
 
     def publish_block(self) -> None:
         """The N number of the block that is current in this tick, its last one included."""
@@ -332,13 +335,14 @@ class Channel(Commands):
             return
         while position < self.tail:
             base = position % self.capacity * self.width
-            kind = int(self.queue[base])
-            if kind == 1:
+            kind = int(self.queue[base + rows.KIND])
+            if kind == rows.SEGMENT:
                 message = self.path.refusal(base, self.queue)
                 if message:
                     if self.path.speed_v == 0.0:
                         return
-                    self.report(int(self.queue[base + 1]), message, self.path.refused_axis)
+                    source = int(self.queue[base + rows.SOURCE])
+                    self.report(source, message, self.path.refused_axis)
                     stops = 1
                 self.begun = position
                 self.path.begin(base, self.queue, self.path.left_t)
@@ -357,9 +361,10 @@ class Channel(Commands):
         state = 3 if self.is_resetting else 2 if self.is_stopped else 0
         if self.path.stands():
             if not self.is_stopped and not self.path.is_away:
-                if self.waiting == 71:
-                    self.leave_loop(int(self.queue[self.head % self.capacity * self.width + 1]))
-                if self.waiting in (9, 10, 71) or self.axes_stand():
+                if self.waiting == rows.LOOP_END:
+                    base = self.head % self.capacity * self.width
+                    self.leave_loop(int(self.queue[base + rows.SOURCE]))
+                if self.waiting in (rows.FLUSH, rows.READ, rows.LOOP_END) or self.axes_stand():
                     self.answer_waiting()
             if self.is_resetting:
                 self.end_reset()
@@ -382,22 +387,23 @@ class Channel(Commands):
 
     def axes_stand(self) -> int:
         """Whether the axes of a waiting position request stand; one that never will is an error."""
-        if self.waiting != 13:
+        if self.waiting != rows.POSITIONS:
             return 0
         base = self.head % self.capacity * self.width
         message = self.context.single_axes.asked(self.queue, base)
         if message > 1:
-            self.report(int(self.queue[base + 1]), message, self.context.single_axes.asked_axis)
+            source = int(self.queue[base + rows.SOURCE])
+            self.report(source, message, self.context.single_axes.asked_axis)
         return 1 if message == 0 else 0
 
     def answer_waiting(self) -> None:
         """Flush and synchronous read at the head: answered with the values of now."""
         base = self.head % self.capacity * self.width
         self.answer = 0.0
-        if self.waiting == 10:
-            cell = int(self.queue[base + 3])
+        if self.waiting == rows.READ:
+            cell = int(self.queue[base + rows.READ_CELL])
             self.answer = self.cells[cell]
-        if self.queue[base + 5] != 0.0:
+        if self.queue[base + rows.IS_ANSWERED] != 0.0:
             self.answer_ready = True
         self.waiting = 0
         self.head += 1

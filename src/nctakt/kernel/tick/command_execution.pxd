@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of command_execution.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.cycles.cycles cimport CycleManager
 from nctakt.kernel.path.edge_probe cimport EdgeProbe
@@ -43,16 +44,20 @@ cdef class Commands(CommandRing):
     cdef readonly bint is_fatal
     cdef readonly bint is_resetting
 
-    @cython.locals(base=Py_ssize_t)
+    @cython.locals(base=Py_ssize_t, kind=int)
     cdef void take_commands(self, long long tick) noexcept nogil
     @cython.locals(stands=bint)
     cdef int is_at_stand(self) noexcept nogil
     cdef int goes_back(self) noexcept nogil
     cdef void take_loop(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(member=Py_ssize_t)
+    cdef void take_fixed_stop(self, Py_ssize_t base) noexcept nogil
     @cython.locals(source=cython.longlong, member=Py_ssize_t)
-    cdef void take_fixed_stop(self, Py_ssize_t base, int kind) noexcept nogil
-    @cython.locals(source=cython.longlong, function=cython.longlong, ticks=cython.longlong, found=int)
-    cdef int take_measuring(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
+    cdef void take_fixed_stop_end(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(source=cython.longlong, function=cython.longlong, ticks=cython.longlong)
+    cdef void take_measure(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(found=int)
+    cdef int take_measure_end(self, long long tick, Py_ssize_t base) noexcept nogil
     cdef int goes_round(self) noexcept nogil
     cdef void prolong_loop(self) noexcept nogil
     cdef void leave_loop(self, long long source) noexcept nogil
@@ -60,16 +65,23 @@ cdef class Commands(CommandRing):
     @cython.locals(source=cython.longlong, line=cython.longlong, is_begun=bint)
     cdef int enter_block(self, Py_ssize_t base) noexcept nogil
     @cython.locals(kind=int)
-    cdef int take(self, long long tick, Py_ssize_t base) noexcept nogil
-    @cython.locals(is_current=bint, message=int)
+    cdef bint is_motion(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(timer=int, message=int)
+    cdef int take(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
+    @cython.locals(source=cython.longlong, serial=cython.longlong, name=cython.longlong, number=cython.longlong, reason=int)
+    cdef void take_event(self, Py_ssize_t base, int kind) noexcept nogil
+    @cython.locals(is_current=bint, message=int, source=cython.longlong)
     cdef int take_block(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(kind=double)
     cdef int counts_of(self, Py_ssize_t base) noexcept nogil
     @cython.locals(last=cython.longlong, base=Py_ssize_t, rest=double, limit_v=double)
     cdef double rest_of_block(self, long long position) noexcept nogil
-    @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int, detail=double)
-    cdef int take_cycle(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
-    @cython.locals(function=cython.longlong, value=cython.longlong, has_value=cython.bint)
+    @cython.locals(base=Py_ssize_t)
+    cdef int continues(self, long long position) noexcept nogil
+    @cython.locals(slot=Py_ssize_t, message=int, source=cython.longlong)
+    cdef int take_definition(self, long long tick, Py_ssize_t base) noexcept nogil
+    @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)
+    cdef int take_control(self, long long tick, Py_ssize_t base) noexcept nogil
+    @cython.locals(function=cython.longlong, ticks=cython.longlong, value=cython.longlong, has_value=cython.bint)
     cdef int take_technology(self, long long tick, Py_ssize_t base) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, ticks=cython.longlong)
     cdef int take_spindle(self, long long tick, Py_ssize_t base) noexcept nogil
@@ -78,15 +90,12 @@ cdef class Commands(CommandRing):
     @cython.locals(cell=Py_ssize_t)
     cdef void take_write(self, Py_ssize_t base) noexcept nogil
     @cython.locals(first=Py_ssize_t, count=Py_ssize_t, zeros=Py_ssize_t, i=Py_ssize_t)
-    cdef void take_characters(self, Py_ssize_t base, Py_ssize_t place) noexcept nogil
-    @cython.locals(axis=Py_ssize_t)
+    cdef void take_characters(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(axis=Py_ssize_t, offset=int)
     cdef void take_offset(self, Py_ssize_t base, int kind) noexcept nogil
-    @cython.locals(source=cython.longlong, name=cython.longlong)
-    cdef void take_frozen(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(source=cython.longlong, subject=cython.longlong)
-    cdef void take_mark(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
+    @cython.locals(program=cython.longlong)
     cdef int take_program_end(self, long long tick, Py_ssize_t base) noexcept nogil
-    @cython.locals(source=cython.longlong)
+    @cython.locals(source=cython.longlong, reaction=double, keyword=int)
     cdef void take_user_error(self, Py_ssize_t base, int kind) noexcept nogil
     cdef void stop_for_user(self, int reaction) noexcept nogil
     cdef void enter_error(self, int message) noexcept nogil

@@ -8,6 +8,7 @@ The channel's cells stand from ``first_cell`` on in the order of ``nc/vocabulary
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base.record import Record
@@ -52,7 +53,7 @@ class Commands(CommandRing):
         self.is_at_stop = False
         self.edge = EdgeProbe(path, hli, record, memory, first_cell + 3)
         self.context = Context(memory, record, hli, timers, single_axes)
-        self.overrides = Overrides(self.context, path.width)
+        self.overrides = Overrides(self.context)
         self.retrace = Retrace(path, hli.panel, record, ahead, self.overrides)
         self.program_timers = timers
         self.waiting = 0
@@ -85,17 +86,18 @@ class Commands(CommandRing):
             if self.path.is_active and self.begun < self.head:
                 return
             base = self.head % self.capacity * self.width
-            if self.queue[base] == 71.0 and self.goes_round():
+            kind = int(self.queue[base + rows.KIND])
+            if kind == rows.LOOP_END and self.goes_round():
                 self.repeat_body()
                 continue
             if self.is_between and not self.goes_round() and self.is_at_stand():
                 self.is_skipping = True
-            if self.is_skipping and self.queue[base] != 71.0:
+            if self.is_skipping and kind != rows.LOOP_END:
                 self.timed_count -= self.counts_of(base)
-            elif not self.enter_block(base) or not self.take(tick, base):
+            elif not self.enter_block(base) or not self.take(tick, base, kind):
                 return
             else:
-                self.is_between = self.queue[base] == 72.0
+                self.is_between = kind == rows.LOOP_PASS
             self.head += 1
 
     def is_at_stand(self) -> int:
@@ -113,80 +115,97 @@ class Commands(CommandRing):
 
     def enter_block(self, base: int) -> int:
         """Whether the command at ``base`` may be taken: single block stops in front of a block."""
-        source = int(self.queue[base + 1])
+        source = int(self.queue[base + rows.SOURCE])
         self.taken_source = source
         line = source >> 20  # file and line (``base/source_ids.py``)
         is_begun = self.head <= self.begun or self.path.speed_v > 0.0
         if self.path.goes_on():
             return 1
-        if self.panel.lets_go(line, self.queue[base] <= 2.0, is_begun):
+        if self.panel.lets_go(line, self.is_motion(base), is_begun):
             return 1
         self.record.paused(source)
         return 0
 
-    def take(self, tick: int, base: int) -> int:
+    def is_motion(self, base: int) -> bool:
+        """Whether a command is a segment or a dwell."""
+        kind = int(self.queue[base + rows.KIND])
+        return kind in (rows.SEGMENT, rows.DWELL)
+
+    def take(self, tick: int, base: int, kind: int) -> int:
         """Take the command at ``base``: 0 when it stays at the head of the queue."""
-        kind = int(self.queue[base])
-        if kind <= 2:
+        if kind in (rows.SEGMENT, rows.DWELL):
             return self.take_block(base)
-        if kind <= 4:
-            return self.take_cycle(tick, base, kind)
-        if kind == 5:
+        if kind == rows.DEFINE_CYCLE:
+            return self.take_definition(tick, base)
+        if kind == rows.CONTROL_CYCLE:
+            return self.take_control(tick, base)
+        if kind == rows.TECHNOLOGY:
             return self.take_technology(tick, base)
-        if kind == 6:
-            if self.hli.program.is_waiting(int(self.queue[base + 3])):
+        if kind == rows.AWAIT_ACKNOWLEDGE:
+            if self.hli.program.is_waiting(int(self.queue[base + rows.AWAITED_FUNCTION])):
                 return 0
             self.timed_count -= 1
-            return 1
-        if kind == 7:
+        elif kind == rows.WRITE_VARIABLE:
             self.take_write(base)
-            return 1
-        if kind == 8:
-            self.record.message(int(self.queue[base + 1]), int(self.queue[base + 3]))
-            return 1
-        if kind == 11:
+        elif kind == rows.WRITE_TEXT:
+            self.take_characters(base)
+        elif kind == rows.PROGRAM_END:
             return self.take_program_end(tick, base)
-        if 50 <= kind <= 52:
+        elif kind in (rows.SET_OFFSET, rows.SET_ORIGIN, rows.SET_TURN):
             self.take_offset(base, kind)
-            return 1
-        if kind == 60:
-            self.take_frozen(base)
-            return 1
-        if 20 <= kind <= 22:
+        elif kind in (rows.USER_ERROR, rows.USER_VALUE, rows.USER_TEXT, rows.USER_STOP):
             self.take_user_error(base, kind)
-            return 1
-        if kind == 23:
+        elif kind == rows.SPINDLE:
             return self.take_spindle(tick, base)
-        if kind == 24:
+        elif kind == rows.AWAIT_SPINDLE:
             return self.take_spindle_wait(base)
-        if 30 <= kind <= 32:
-            self.take_mark(tick, base, kind)
-            return 1
-        if kind == 77:
+        elif kind == rows.TIMER:
+            timer = int(self.queue[base + rows.TIMER_NUMBER])
+            self.program_timers.command(int(self.queue[base + rows.TIMER_ACTION]), timer, tick)
+        elif kind == rows.CLEAR_HISTORY:
             self.path.forget()
-            return 1
-        if 75 <= kind <= 76:
-            return self.take_measuring(tick, base, kind)
-        if 73 <= kind <= 74:
-            self.take_fixed_stop(base, kind)
-            return 1
-        if kind == 70:
+        elif kind == rows.MEASURE:
+            self.take_measure(base)
+        elif kind == rows.MEASURE_END:
+            return self.take_measure_end(tick, base)
+        elif kind == rows.FIXED_STOP:
+            self.take_fixed_stop(base)
+        elif kind == rows.FIXED_STOP_END:
+            self.take_fixed_stop_end(base)
+        elif kind == rows.LOOP_BEGIN:
             self.take_loop(base)
-            return 1
-        if kind == 72:
+        elif kind == rows.LOOP_PASS:
             self.cells[self.first_cell + 5] += 1.0
-            return 1
-        if kind == 53:
+        elif kind == rows.PROGRAM_STOP:
             self.timed_count -= 1
-            if self.panel.stop_for_program(self.queue[base + 3] != 0.0):
-                self.record.paused(int(self.queue[base + 1]))
-            return 1
-        if kind == 12:
+            if self.panel.stop_for_program(self.queue[base + rows.STOP_IS_OPTIONAL] != 0.0):
+                self.record.paused(int(self.queue[base + rows.SOURCE]))
+        elif kind == rows.GIVE_UP:
             self.timed_count -= 1
-            self.report(int(self.queue[base + 1]), int(self.queue[base + 3]), 0.0)
-            return 1
-        self.waiting = kind
-        return 0
+            message = int(self.queue[base + rows.GIVE_UP_MESSAGE])
+            self.report(int(self.queue[base + rows.SOURCE]), message, 0.0)
+        elif kind in (rows.MESSAGE, rows.FREEZE, rows.BLOCK_MARK, rows.WAIT_MARK):
+            self.take_event(base, kind)
+        else:
+            self.waiting = kind
+            return 0
+        return 1
+
+    def take_event(self, base: int, kind: int) -> None:
+        """A command that is nothing but an event."""
+        source = int(self.queue[base + rows.SOURCE])
+        if kind == rows.MESSAGE:
+            self.record.message(source, int(self.queue[base + rows.MESSAGE_TEXT]))
+        elif kind == rows.FREEZE:
+            serial = int(self.queue[base + rows.FROZEN_CYCLE])
+            name = int(self.queue[base + rows.FROZEN_NAME])
+            self.record.frozen(source, serial, name, self.queue[base + rows.FROZEN_VALUE])
+        elif kind == rows.BLOCK_MARK:
+            number = int(self.queue[base + rows.BLOCK_NUMBER])
+            self.record.block(source, number, int(self.queue[base + rows.MARK_TICK]))
+        else:
+            reason = int(self.queue[base + rows.WAIT_REASON])
+            self.record.wait(source, reason, int(self.queue[base + rows.WAIT_CELL]))
 
     def take_block(self, base: int) -> int:
         """A segment or dwell: current from now on, unless the path has passed its start already.
@@ -200,10 +219,11 @@ class Commands(CommandRing):
             if self.head == self.begun:
                 self.begun = -1
             return 1
-        if self.queue[base] == 1.0:
+        if self.queue[base + rows.KIND] == rows.SEGMENT:
             message = self.path.refusal(base, self.queue)
             if message:
-                self.report(int(self.queue[base + 1]), message, self.path.refused_axis)
+                source = int(self.queue[base + rows.SOURCE])
+                self.report(source, message, self.path.refused_axis)
                 return 1
         self.path.begin(base, self.queue, 0.0)
         if self.path.goes_on():
@@ -213,121 +233,126 @@ class Commands(CommandRing):
 
     def counts_of(self, base: int) -> int:
         """How much a segment or dwell counts among the commands that take time."""
-        kind = self.queue[base]
-        if kind > 2.0:
-            return 0
-        return 0 if kind == 1.0 and self.queue[base + 9] == 2.0 else 1
+        if self.queue[base + rows.KIND] == rows.SEGMENT:
+            return 0 if self.queue[base + rows.SHAPE] == rows.ROUNDING else 1
+        return 1 if self.queue[base + rows.KIND] == rows.DWELL else 0
 
     def rest_of_block(self, position: int) -> float:
         """What ``Path.leave_rest`` wants of a segment whose block goes on; 0: it is not known."""
         last = position
-        while self.queue[last % self.capacity * self.width + 8] < 0.0:
+        while self.continues(last):
             last += 1
             if last >= self.tail:
                 return 0.0
         rest = 0.0
         while last > position:
             base = last % self.capacity * self.width
-            if self.queue[base + 10] > 0.0:
-                rest += geometry.whole_way(self.queue, base, self.path.count)
+            if self.queue[base + rows.JERK] > 0.0:
+                rest += geometry.whole_way(self.queue, base)
             else:
-                limit_v = self.queue[base + 5]
+                limit_v = self.queue[base + rows.MAX_SPEED]
                 rest = self.ahead.entry_speed(self.queue, base, rest, limit_v)
             last -= 1
         return rest
 
-    def take_cycle(self, tick: int, base: int, kind: int) -> int:
-        """A definition or a management command; DELETE and HOLD may have to wait (RC-004)."""
-        source = int(self.queue[base + 1])
-        if kind == 3:
-            message = self.manager.define(
-                int(self.queue[base + 3]), int(self.queue[base + 4]), tick
-            )
-        else:
-            action = int(self.queue[base + 3])
-            identity = int(self.queue[base + 4])
-            if (action in (2, 5)) and self.manager.is_fresh(identity, tick):
-                return 0
-            message = self.manager.control(action, identity, tick, source)
+    def continues(self, position: int) -> int:
+        """Whether a command is a segment whose block continues with the next one."""
+        base = position % self.capacity * self.width
+        if self.queue[base + rows.KIND] != rows.SEGMENT:
+            return 0
+        return 1 if self.queue[base + rows.CONTINUES] > 0.0 else 0
+
+    def take_definition(self, tick: int, base: int) -> int:
+        """The definition of a realtime cycle."""
+        slot = int(self.queue[base + rows.CYCLE_SLOT])
+        message = self.manager.define(slot, int(self.queue[base + rows.CYCLE_STARTS]), tick)
         if message != 0:
-            detail = self.queue[base + 4]
-            if kind == 3:
-                detail = self.manager.wanted(int(self.queue[base + 3]), message)
-            self.report(source, message, detail)
+            source = int(self.queue[base + rows.SOURCE])
+            self.report(source, message, self.manager.wanted(slot, message))
+        return 1
+
+    def take_control(self, tick: int, base: int) -> int:
+        """A management command; DELETE and HOLD may have to wait (RC-004)."""
+        source = int(self.queue[base + rows.SOURCE])
+        action = int(self.queue[base + rows.CONTROL_ACTION])
+        identity = int(self.queue[base + rows.CONTROL_IDENTITY])
+        if action in (2, 5) and self.manager.is_fresh(identity, tick):
+            return 0
+        message = self.manager.control(action, identity, tick, source)
+        if message != 0:
+            self.report(source, message, identity)
         return 1
 
     def take_technology(self, tick: int, base: int) -> int:
         """An M or H function of the main program; waits while no slot is free."""
-        function = int(self.queue[base + 3])
-        if self.hli.program.issue(function, tick, int(self.queue[base + 4])) <= 0:
+        function = int(self.queue[base + rows.TECHNOLOGY_FUNCTION])
+        ticks = int(self.queue[base + rows.TECHNOLOGY_TICKS])
+        if self.hli.program.issue(function, tick, ticks) <= 0:
             return 0
-        value = int(self.queue[base + 6])
+        value = int(self.queue[base + rows.TECHNOLOGY_VALUE])
         self.hli.program.give_value(value)
-        has_value = self.queue[base + 5] != 0.0
-        self.record.technology(int(self.queue[base + 1]), function, has_value, value)
+        has_value = self.queue[base + rows.TECHNOLOGY_HAS_VALUE] != 0.0
+        self.record.technology(int(self.queue[base + rows.SOURCE]), function, has_value, value)
         return 1
 
     def take_spindle(self, tick: int, base: int) -> int:
         """A spindle's job of the main program; waits until the spindle can take it."""
-        spindle = int(self.queue[base + 3])
+        spindle = int(self.queue[base + rows.SPINDLE_INDEX])
         if not self.context.spindles.is_ready(spindle, tick):
             return 0
         self.context.spindles.command(
             spindle,
-            int(self.queue[base + 4]),
-            self.queue[base + 5],
-            self.queue[base + 6],
-            int(self.queue[base + 7]),
+            int(self.queue[base + rows.SPINDLE_FUNCTION]),
+            self.queue[base + rows.SPINDLE_SPEED],
+            self.queue[base + rows.SPINDLE_POSITION],
+            int(self.queue[base + rows.SPINDLE_DIRECTION]),
             0,
             tick,
         )
-        self.context.spindles.tell(spindle, int(self.queue[base + 1]), 0)
-        ticks = int(self.queue[base + 8])
+        self.context.spindles.tell(spindle, int(self.queue[base + rows.SOURCE]), 0)
+        ticks = int(self.queue[base + rows.SPINDLE_TICKS])
         self.context.spindles.hand_over(spindle, tick + ticks)
         return 1
 
     def take_spindle_wait(self, base: int) -> int:
         """Speed or position of a spindle is waited for; a held job would never have them."""
-        spindle = int(self.queue[base + 3])
+        spindle = int(self.queue[base + rows.SPINDLE_INDEX])
         if self.context.spindles.is_busy(spindle):
             if not self.context.spindles.is_held[spindle]:
                 return 0
             number = self.context.spindles.first_number + spindle
-            self.report(int(self.queue[base + 1]), 900811, number)
+            self.report(int(self.queue[base + rows.SOURCE]), 900811, number)
         self.timed_count -= 1
         return 1
 
     def take_write(self, base: int) -> None:
         """A synchronous variable written by the decoder (RC-308)."""
-        cell = int(self.queue[base + 3])
-        if self.queue[base + 6] != 0.0:
-            self.take_characters(base, 8 * cell)
-            return
-        self.cells[cell] = self.queue[base + 4]
-        if self.queue[base + 5] != 0.0:
-            self.record.written(int(self.queue[base + 1]), 0, cell, self.cells[cell])
+        cell = int(self.queue[base + rows.VARIABLE_CELL])
+        self.cells[cell] = self.queue[base + rows.VARIABLE_VALUE]
+        if self.queue[base + rows.VARIABLE_IS_REPORTED] != 0.0:
+            self.record.written(int(self.queue[base + rows.SOURCE]), 0, cell, self.cells[cell])
 
-    def take_characters(self, base: int, place: int) -> None:
-        """Part of a string: from the byte (4) on so many characters (5), then so many zeros (7)."""
-        first = int(self.queue[base + 4])
-        count = int(self.queue[base + 5])
-        zeros = int(self.queue[base + 7])
-        first += place
+    def take_characters(self, base: int) -> None:
+        """Part of a string, and zeros behind it."""
+        first = 8 * int(self.queue[base + rows.TEXT_CELL]) + int(self.queue[base + rows.TEXT_FIRST])
+        count = int(self.queue[base + rows.TEXT_COUNT])
+        zeros = int(self.queue[base + rows.TEXT_ZEROS])
         for i in range(count):
-            self.characters[first + i] = int(self.queue[base + 8 + i])
+            self.characters[first + i] = int(self.queue[base + rows.TEXT_CHARACTERS + i])
         for i in range(count, count + zeros):
             self.characters[first + i] = 0
 
     def take_offset(self, base: int, kind: int) -> None:
         """An offset, the origin or the turn of a system: the cycles of this tick see it (MO-8)."""
-        if kind == 52:
-            self.path.axes.turn(self.queue, base + 3)
-            return
-        axis = int(self.queue[base + 3])
-        if kind == 51:
-            self.path.axes.set_origin(axis, self.queue[base + 4])
+        if kind == rows.SET_TURN:
+            self.path.axes.turn(self.queue, base)
+        elif kind == rows.SET_ORIGIN:
+            axis = int(self.queue[base + rows.ORIGIN_AXIS])
+            self.path.axes.set_origin(axis, self.queue[base + rows.ORIGIN_VALUE])
         else:
-            self.path.axes.set_offset(axis, int(self.queue[base + 4]), self.queue[base + 5])
+            axis = int(self.queue[base + rows.OFFSET_AXIS])
+            offset = int(self.queue[base + rows.OFFSET_KIND])
+            self.path.axes.set_offset(axis, offset, self.queue[base + rows.OFFSET_VALUE])
 
     def take_loop(self, base: int) -> None:
         """The begin of a realtime loop: without its condition it is passed over."""
@@ -335,7 +360,7 @@ class Commands(CommandRing):
         self.is_skipping = self.cells[self.first_cell + 4] == 0.0
         self.is_looping = not self.is_skipping
         self.panel.show_loop(self.is_looping)
-        self.record.loop(int(self.queue[base + 1]), 1 if self.is_skipping else 0)
+        self.record.loop(int(self.queue[base + rows.SOURCE]), 1 if self.is_skipping else 0)
         self.prolong_loop()
 
     def prolong_loop(self) -> None:
@@ -344,37 +369,39 @@ class Commands(CommandRing):
             while self.needs_pass():
                 self.repeat_body()
 
-    def take_fixed_stop(self, base: int, kind: int) -> None:
-        """An axis is monitored from now on or no longer; the block that needs a stop is over."""
-        source = int(self.queue[base + 1])
-        if kind == 73:
-            member = int(self.queue[base + 3])
-            if self.queue[base + 4] != 0.0:
-                self.stops.arm(member, source, self.queue, base + 5)
-            else:
-                self.stops.disarm(member)
-            return
+    def take_fixed_stop(self, base: int) -> None:
+        """An axis is monitored from now on, or no longer."""
+        member = int(self.queue[base + rows.FIXED_STOP_AXIS])
+        if self.queue[base + rows.FIXED_STOP_IS_ON] != 0.0:
+            self.stops.arm(member, int(self.queue[base + rows.SOURCE]), self.queue, base)
+        else:
+            self.stops.disarm(member)
+
+    def take_fixed_stop_end(self, base: int) -> None:
+        """The block that moves to a fixed stop is over."""
         self.timed_count -= 1
         member = self.stops.missing()
         if member >= 0:
+            source = int(self.queue[base + rows.SOURCE])
             self.report(source, 50885, self.path.members[member])
 
-    def take_measuring(self, tick: int, base: int, kind: int) -> int:
-        """The next block is measured in; it is over, and its function was acknowledged."""
-        source = int(self.queue[base + 1])
-        if kind == 75:
-            function = int(self.queue[base + 3])
-            ticks = int(self.queue[base + 4])
-            self.edge.arm(source, function, ticks, self.queue[base + 5])
-            self.edge.has_value = self.queue[base + 6] != 0.0
-            self.edge.value = int(self.queue[base + 7])
-            return 1
+    def take_measure(self, base: int) -> None:
+        """Start measuring in the next block."""
+        source = int(self.queue[base + rows.SOURCE])
+        function = int(self.queue[base + rows.MEASURE_FUNCTION])
+        ticks = int(self.queue[base + rows.MEASURE_TICKS])
+        self.edge.arm(source, function, ticks, self.queue[base + rows.MEASURE_RESIDUAL])
+        self.edge.has_value = self.queue[base + rows.MEASURE_HAS_VALUE] != 0.0
+        self.edge.value = int(self.queue[base + rows.MEASURE_VALUE])
+
+    def take_measure_end(self, tick: int, base: int) -> int:
+        """Finish measuring in a block: 0 while its function waits for the PLC."""
         found = self.edge.finish(tick)
         if found == 0:
             return 0
         self.timed_count -= 1
         if found < 0:
-            self.report(source, 50891, 0.0)
+            self.report(int(self.queue[base + rows.SOURCE]), 50891, 0.0)
         return 1
 
     def goes_round(self) -> int:
@@ -395,23 +422,6 @@ class Commands(CommandRing):
         self.panel.show_loop(False)
         self.body.give_up()
 
-    def take_frozen(self, base: int) -> None:
-        """What the definition before it has frozen: told where it is taken (RC-302)."""
-        source = int(self.queue[base + 1])
-        name = int(self.queue[base + 4])
-        self.record.frozen(source, int(self.queue[base + 3]), name, self.queue[base + 5])
-
-    def take_mark(self, tick: int, base: int, kind: int) -> None:
-        """Where a block is carried out, why the decoder waits, a timer of the program."""
-        source = int(self.queue[base + 1])
-        subject = int(self.queue[base + 3])
-        if kind == 30:
-            self.record.block(source, int(self.queue[base + 2]), subject)
-        elif kind == 31:
-            self.record.wait(source, subject, int(self.queue[base + 4]))
-        else:
-            self.program_timers.command(int(self.queue[base + 4]), subject, tick)
-
     def take_program_end(self, tick: int, base: int) -> int:
         """M30; not in the tick in which a cycle that it deletes was started (RC-004, RC-106)."""
         if self.manager.has_fresh(tick):
@@ -421,23 +431,27 @@ class Commands(CommandRing):
         self.stops.clear()
         self.edge.clear()
         self.manager.end_program()
-        self.record.program_end(int(self.queue[base + 1]), int(self.queue[base + 3]))
+        program = int(self.queue[base + rows.PROGRAM_NUMBER])
+        self.record.program_end(int(self.queue[base + rows.SOURCE]), program)
         self.program_ended = True
-        self.waiting = 11
+        self.waiting = rows.PROGRAM_END
         return 1
 
     def take_user_error(self, base: int, kind: int) -> None:
         """``#ERROR`` of the main program: told, then its values, then it may stop the channel."""
-        source = int(self.queue[base + 1])
-        if kind == 20:
-            self.record.user_error(source, 0, self.queue[base + 3], self.queue[base + 4])
-        elif kind == 22:
+        source = int(self.queue[base + rows.SOURCE])
+        if kind == rows.USER_ERROR:
+            reaction = self.queue[base + rows.ERROR_REACTION]
+            self.record.user_error(source, 0, self.queue[base + rows.ERROR_IDENTITY], reaction)
+        elif kind == rows.USER_STOP:
             self.timed_count -= 1
-            self.stop_for_user(int(self.queue[base + 3]))
-        elif self.queue[base + 5] != 0.0:
-            self.record.user_text(source, 0, int(self.queue[base + 3]), int(self.queue[base + 4]))
+            self.stop_for_user(int(self.queue[base + rows.STOP_REACTION]))
+        elif kind == rows.USER_TEXT:
+            keyword = int(self.queue[base + rows.VALUE_KEYWORD])
+            self.record.user_text(source, 0, keyword, int(self.queue[base + rows.VALUE_NUMBER]))
         else:
-            self.record.user_value(source, 0, int(self.queue[base + 3]), self.queue[base + 4])
+            keyword = int(self.queue[base + rows.VALUE_KEYWORD])
+            self.record.user_value(source, 0, keyword, self.queue[base + rows.VALUE_NUMBER])
 
     def stop_for_user(self, reaction: int) -> None:
         """An ``#ERROR`` with RC from 1 on: error state until a reset, with RC 7 for good."""

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of command_queue.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.path.lookahead cimport LookAhead
 from nctakt.kernel.tick.loop_body cimport LoopBody
 from nctakt.kernel.path.path cimport Path
@@ -20,7 +21,7 @@ cdef class CommandRing:
     cdef double[::1] end_row
 
     @cython.locals(length=double, oldest=Py_ssize_t, before=Py_ssize_t, back=Py_ssize_t)
-    cdef void prepare(self, Py_ssize_t base, double feed_v, double deviation) noexcept nogil
+    cdef void prepare(self, Py_ssize_t base) noexcept nogil
     @cython.locals(promised_v=double, promised_free_v=double)
     cdef void connect(self, Py_ssize_t back, Py_ssize_t oldest) noexcept nogil
     @cython.locals(number=Py_ssize_t, bend=Py_ssize_t, base=Py_ssize_t, i=Py_ssize_t, before=Py_ssize_t)
@@ -28,21 +29,23 @@ cdef class CommandRing:
     @cython.locals(base=Py_ssize_t, target=Py_ssize_t, i=Py_ssize_t)
     cdef void copy_row(self, Py_ssize_t number, Py_ssize_t to) noexcept nogil
     @cython.locals(i=Py_ssize_t)
-    cdef void begin_segment(self, Py_ssize_t base, double source, double number, int exact_stop, int limits_jerk) noexcept nogil
-    @cython.locals(i=Py_ssize_t)
+    cdef void begin_segment(self, Py_ssize_t base, double source, double number, int motion, int exact_stop, int limits_jerk) noexcept nogil
+    @cython.locals(first=Py_ssize_t, i=Py_ssize_t)
     cdef void put_ends(self, Py_ssize_t base, double[::1] start, double[::1] target) noexcept nogil
-    cdef void end_segment(self, Py_ssize_t base, double feed_v, int exact_stop, double deviation) noexcept nogil
+    @cython.locals(exact_stop=bint)
+    cdef void end_segment(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(base=Py_ssize_t)
+    cdef void put_line(self, double source, double number, double[::1] start, double[::1] target, int motion, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
     @cython.locals(base=Py_ssize_t, i=Py_ssize_t)
-    cdef void put_line(self, double source, double number, double[::1] start, double[::1] target, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
-    @cython.locals(base=Py_ssize_t, i=Py_ssize_t)
-    cdef void put_arc(self, double source, double number, double[::1] start, double[::1] target, double[::1] arc, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
+    cdef void put_arc(self, double source, double number, double[::1] start, double[::1] target, double[::1] arc, int motion, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
+    @cython.locals(base=Py_ssize_t)
     cpdef void block_goes_on(self) noexcept
     @cython.locals(before=Py_ssize_t, limits_jerk=bint)
     cdef int is_like(self, Py_ssize_t number, Py_ssize_t base) noexcept nogil
     cdef int passes(self, int kind) noexcept nogil
     @cython.locals(count=Py_ssize_t, way=double, need=double, position=Py_ssize_t, base=Py_ssize_t)
     cdef int needs_pass(self) noexcept nogil
-    @cython.locals(speed=double, acceleration=double, way=double)
+    @cython.locals(fastest_v=double, speed=double, acceleration=double, way=double)
     cdef double brake_way_in(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(end=Py_ssize_t, i=Py_ssize_t, k=Py_ssize_t, base=Py_ssize_t, place=Py_ssize_t, exact_stop=bint, deviation=double)
+    @cython.locals(end=Py_ssize_t, i=Py_ssize_t, k=Py_ssize_t, base=Py_ssize_t, kept=Py_ssize_t)
     cdef void repeat_body(self) noexcept nogil

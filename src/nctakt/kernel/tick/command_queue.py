@@ -1,79 +1,20 @@
 # SPDX-License-Identifier: MIT
 """The commands that wait for a channel: a ring of rows of float64.
 
-A command (``decoder/state/commands.py`` packs it) is a row: kind, source ID, block number, then
-what the kind needs; ``geometry.py`` has that of a segment. A segment is prepared as it
-comes, so that those before it may go faster. Commands that take time are counted (``timed_count``);
-a bend, which belongs to the segment in front of it, is not.
+A command (``decoder/state/commands.py`` packs it) is a row (``rows.py``). A segment is prepared as
+it comes, so that those before it may go faster. Commands that take time are counted
+(``timed_count``); a rounding, which belongs to the segment in front of it, is not.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nctakt.kernel import rows
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.tick.loop_body import LoopBody
-
-# Kinds of commands.
-SEGMENT = 1
-DWELL = 2
-DEFINE_CYCLE = 3
-CONTROL_CYCLE = 4
-TECHNOLOGY = 5
-AWAIT_ACKNOWLEDGE = 6
-WRITE = 7
-MESSAGE = 8
-FLUSH = 9
-READ = 10
-PROGRAM_END = 11
-GIVE_UP = 12
-POSITIONS = 13
-USER_ERROR = 20
-USER_VALUE = 21
-USER_STOP = 22
-SPINDLE = 23
-AWAIT_SPINDLE = 24
-BLOCK_MARK = 30
-WAIT_MARK = 31
-TIMER = 32
-SET_OFFSET = 50
-SET_ORIGIN = 51
-SET_TURN = 52
-PROGRAM_STOP = 53
-FREEZE = 60
-LOOP_BEGIN = 70
-LOOP_END = 71
-LOOP_PASS = 72
-FIXED_STOP = 73
-FIXED_STOP_END = 74
-MEASURE = 75
-MEASURE_END = 76
-CLEAR_HISTORY = 77
-
-#: The kinds that take or may take time.
-TIMED_KINDS = (
-    SEGMENT,
-    DWELL,
-    AWAIT_ACKNOWLEDGE,
-    FLUSH,
-    READ,
-    PROGRAM_END,
-    GIVE_UP,
-    USER_STOP,
-    AWAIT_SPINDLE,
-    POSITIONS,
-    LOOP_END,
-    FIXED_STOP_END,
-    MEASURE_END,
-    PROGRAM_STOP,
-)
-
-
-def characters_in_row(axis_count: int) -> int:
-    """How many characters of a string a command takes."""
-    return 4 + 2 * axis_count
 
 
 class CommandRing:
@@ -107,12 +48,13 @@ class CommandRing:
         for i in range(len(row), self.width):
             self.queue[base + i] = 0.0
         self.tail += 1
-        if row[0] in TIMED_KINDS:
+        kind = int(row[rows.KIND])
+        if kind in rows.TIMED_KINDS:
             self.timed_count += 1
-        if not self.passes(int(row[0])):
+        if not self.passes(kind):
             self.latest = -1
         if self.body.is_open:
-            self.body.keep(self.row(self.tail - 1), 0.0, 0.0)
+            self.body.keep(self.row(self.tail - 1))
 
     def begin_loop(self, row: list[float]) -> None:
         """Append the begin of a realtime loop; what comes up to its end is its body."""
@@ -134,6 +76,7 @@ class CommandRing:
         number: int,
         start: Sequence[float],
         target: Sequence[float],
+        motion: int,
         feed_v: float,
         exact_stop: bool,
         deviation: float,
@@ -143,40 +86,31 @@ class CommandRing:
     ) -> None:
         """Append a segment, and let the path go on into it from the one before.
 
-        ``feed_v``: mm/s, below 0 rapid. ``deviation``: how far the path may pass its target, 0 not
-        at all. ``limits_jerk``: the slope is an S-curve; the path stops where the slope changes.
-        ``arc``: first and second axis of the plane, centre, angle in degrees.
-        ``pace``: the last numbers of a segment (``geometry.py``); the override
-        in it counts in its speed from here on.
+        ``motion``: ``rows.FEED_MOTION`` with ``feed_v``, mm/s, or ``rows.RAPID_MOTION``.
+        ``deviation``: how far the path may pass its target, 0 not at all. ``limits_jerk``: the
+        slope is an S-curve; the path stops where the slope changes. ``arc``: first and second axis
+        of the plane, centre, angle in degrees. ``pace``: the columns of a segment from
+        ``rows.SPEED_OVERRIDE`` on; the override in it counts in its speed from here on.
         """
-        if self.body.is_open:
-            self.keep_segment(
-                source,
-                number,
-                start,
-                target,
-                feed_v,
-                exact_stop,
-                deviation,
-                limits_jerk,
-                arc,
-                pace,
-            )
         base = self.next_row()
-        self.begin_segment(base, source, number, exact_stop, limits_jerk)
+        self.begin_segment(base, source, number, motion, exact_stop, limits_jerk)
+        self.queue[base + rows.SPEED] = feed_v
+        self.queue[base + rows.DEVIATION] = deviation
+        first = base + rows.START
         for i in range(self.path.count):
-            self.queue[base + 12 + i] = start[i]
-            self.queue[base + 12 + self.path.count + i] = target[i]
+            self.queue[first + i] = start[i]
+            self.queue[first + self.path.count + i] = target[i]
         if arc is not None:
-            self.queue[base + 9] = 1.0
-            for i in range(5):
-                self.queue[base + 12 + 2 * self.path.count + 7 + i] = arc[i]
+            self.queue[base + rows.SHAPE] = rows.ARC
+            for i in range(rows.ARC_WIDTH):
+                self.queue[base + rows.ARC_FIRST_AXIS + i] = arc[i]
         if pace is not None:
-            for i in range(4):
-                self.queue[base + self.width - 4 + i] = pace[i]
-            if feed_v > 0.0:
-                feed_v *= pace[0]
-        self.end_segment(base, feed_v, exact_stop, deviation)
+            for i in range(rows.PACE_WIDTH):
+                self.queue[base + rows.SPEED_OVERRIDE + i] = pace[i]
+            self.queue[base + rows.SPEED] *= self.queue[base + rows.SPEED_OVERRIDE]
+        if self.body.is_open:
+            self.body.keep(self.row(self.tail))
+        self.end_segment(base)
 
     def put_line(
         self,
@@ -184,6 +118,7 @@ class CommandRing:
         number: int,
         start: memoryview[float],
         target: memoryview[float],
+        motion: int,
         feed_v: float,
         exact_stop: int,
         deviation: float,
@@ -191,9 +126,11 @@ class CommandRing:
     ) -> None:
         """``put_segment`` of a line, without objects; there is room for it (``reserve``)."""
         base = self.tail % self.capacity * self.width
-        self.begin_segment(base, source, number, exact_stop, limits_jerk)
+        self.begin_segment(base, source, number, motion, exact_stop, limits_jerk)
+        self.queue[base + rows.SPEED] = feed_v
+        self.queue[base + rows.DEVIATION] = deviation
         self.put_ends(base, start, target)
-        self.end_segment(base, feed_v, exact_stop, deviation)
+        self.end_segment(base)
 
     def put_arc(
         self,
@@ -202,6 +139,7 @@ class CommandRing:
         start: memoryview[float],
         target: memoryview[float],
         arc: memoryview[float],
+        motion: int,
         feed_v: float,
         exact_stop: int,
         deviation: float,
@@ -209,48 +147,55 @@ class CommandRing:
     ) -> None:
         """``put_segment`` of an arc, without objects; there is room for it (``reserve``)."""
         base = self.tail % self.capacity * self.width
-        self.begin_segment(base, source, number, exact_stop, limits_jerk)
+        self.begin_segment(base, source, number, motion, exact_stop, limits_jerk)
+        self.queue[base + rows.SPEED] = feed_v
+        self.queue[base + rows.DEVIATION] = deviation
         self.put_ends(base, start, target)
-        self.queue[base + 9] = 1.0
-        for i in range(5):
-            self.queue[base + 12 + 2 * self.path.count + 7 + i] = arc[i]
-        self.end_segment(base, feed_v, exact_stop, deviation)
+        self.queue[base + rows.SHAPE] = rows.ARC
+        for i in range(rows.ARC_WIDTH):
+            self.queue[base + rows.ARC_FIRST_AXIS + i] = arc[i]
+        self.end_segment(base)
 
     def begin_segment(
-        self, base: int, source: int, number: int, exact_stop: int, limits_jerk: int
+        self, base: int, source: int, number: int, motion: int, exact_stop: int, limits_jerk: int
     ) -> None:
         """The head of a segment, in a row that is otherwise empty."""
         for i in range(self.width):
             self.queue[base + i] = 0.0
-        self.queue[base] = 1.0
-        self.queue[base + 1] = source
-        self.queue[base + 2] = number
-        self.queue[base + 8] = exact_stop
-        self.queue[base + 10] = limits_jerk
+        self.queue[base + rows.KIND] = rows.SEGMENT
+        self.queue[base + rows.SOURCE] = source
+        self.queue[base + rows.BLOCK_NUMBER] = number
+        self.queue[base + rows.MOTION] = motion
+        self.queue[base + rows.EXACT_STOP] = exact_stop
+        self.queue[base + rows.HAS_JERK_LIMIT] = limits_jerk
 
     def put_ends(self, base: int, start: memoryview[float], target: memoryview[float]) -> None:
         """Where a segment begins and ends."""
+        first = base + rows.START
         for i in range(self.path.count):
-            self.queue[base + 12 + i] = start[i]
-            self.queue[base + 12 + self.path.count + i] = target[i]
+            self.queue[first + i] = start[i]
+            self.queue[first + self.path.count + i] = target[i]
 
-    def end_segment(self, base: int, feed_v: float, exact_stop: int, deviation: float) -> None:
+    def end_segment(self, base: int) -> None:
         """The segment stands in its row: it counts, and is prepared."""
         self.tail += 1
         self.timed_count += 1
-        self.prepare(base, feed_v, deviation)
+        exact_stop = self.queue[base + rows.EXACT_STOP] > 0.0
+        self.prepare(base)
         self.latest = -1 if exact_stop else self.tail - 1
 
     def block_goes_on(self) -> None:
         """The latest segment, without exact stop, and the one behind it are one block."""
-        self.queue[(self.tail - 1) % self.capacity * self.width + 8] = -1.0
+        base = (self.tail - 1) % self.capacity * self.width
+        self.queue[base + rows.CONTINUES] = 1.0
 
-    def prepare(self, base: int, feed_v: float, deviation: float) -> None:
+    def prepare(self, base: int) -> None:
         """Limits of the latest segment and the speeds of those before it."""
-        self.ahead.measure(self.queue, base, feed_v)
-        if feed_v < 0.0 and self.queue[base + self.width - 4] > 0.0:
-            self.queue[base + 4] *= self.queue[base + self.width - 4]
-        length = self.queue[base + 3]
+        self.ahead.measure(self.queue, base)
+        if self.queue[base + rows.MOTION] == rows.RAPID_MOTION:
+            if self.queue[base + rows.SPEED_OVERRIDE] > 0.0:
+                self.queue[base + rows.SPEED] *= self.queue[base + rows.SPEED_OVERRIDE]
+        length = self.queue[base + rows.LENGTH]
         oldest = max(self.head, self.begun + 1)
         if self.latest >= oldest and self.is_like(self.latest, base):
             before = self.latest % self.capacity * self.width
@@ -259,15 +204,15 @@ class CommandRing:
                 base = self.insert_bend(oldest)
             else:
                 self.connect(back, oldest)
-        self.ahead.leave(self.queue, base, length, deviation)
+        self.ahead.leave(self.queue, base, length)
 
     def connect(self, back: int, oldest: int) -> None:
         """Let the path go on into the latest segment from the one ``back`` commands before it."""
         promised_v = -1.0
         promised_free_v = -1.0
         if self.path.is_active:
-            promised_v = self.path.promised_speed(7)
-            promised_free_v = self.path.promised_speed(25 + 2 * self.path.count)
+            promised_v = self.path.promised_speed(rows.END_SPEED)
+            promised_free_v = self.path.promised_speed(rows.FREE_END_SPEED)
         self.ahead.connect(self.queue, self.tail - 1, back, oldest, promised_v, promised_free_v)
 
     def insert_bend(self, oldest: int) -> int:
@@ -305,8 +250,8 @@ class CommandRing:
     def is_like(self, number: int, base: int) -> int:
         """Whether two segments have one kind of slope: the path stops between different ones."""
         before = number % self.capacity * self.width
-        limits_jerk = self.queue[base + 10] > 0.0
-        return 1 if limits_jerk == (self.queue[before + 10] > 0.0) else 0
+        limits_jerk = self.queue[base + rows.JERK] > 0.0
+        return 1 if limits_jerk == (self.queue[before + rows.JERK] > 0.0) else 0
 
     def next_row(self) -> int:
         """Where the next command of the queue begins; there is room for a bend in front of it."""
@@ -345,38 +290,30 @@ class CommandRing:
 
     def passes(self, kind: int) -> int:
         """Whether the path passes a command of this kind between two blocks without a stop."""
-        return (
-            1 if kind in (1, 3, 4, 5, 7, 8, 20, 21, 23, 30, 31, 32, 50, 51, 52, 60, 72, 77) else 0
-        )
-
-    def keep_segment(
-        self,
-        source: int,
-        number: int,
-        start: Sequence[float],
-        target: Sequence[float],
-        feed_v: float,
-        exact_stop: bool,
-        deviation: float,
-        limits_jerk: bool,
-        arc: Sequence[float] | None,
-        pace: Sequence[float] | None,
-    ) -> None:
-        """A segment of a loop's body, as it is before its preparation: as ``put_segment``."""
-        row = [0.0] * self.width
-        row[0:3] = [SEGMENT, source, number]
-        row[8], row[10] = exact_stop, limits_jerk
-        row[12 : 12 + self.path.count] = start
-        row[12 + self.path.count : 12 + 2 * self.path.count] = target
-        if arc is not None:
-            row[9] = 1.0
-            place = 12 + 2 * self.path.count + 7
-            row[place : place + 5] = arc
-        if pace is not None:
-            row[self.width - 4 : self.width] = pace
-            if feed_v > 0.0:
-                feed_v *= pace[0]
-        self.body.keep(row, feed_v, deviation)
+        if kind in (
+            rows.SEGMENT,
+            rows.DEFINE_CYCLE,
+            rows.CONTROL_CYCLE,
+            rows.TECHNOLOGY,
+            rows.WRITE_VARIABLE,
+            rows.WRITE_TEXT,
+            rows.MESSAGE,
+            rows.USER_ERROR,
+            rows.USER_VALUE,
+            rows.USER_TEXT,
+            rows.SPINDLE,
+            rows.BLOCK_MARK,
+            rows.WAIT_MARK,
+            rows.TIMER,
+            rows.SET_OFFSET,
+            rows.SET_ORIGIN,
+            rows.SET_TURN,
+            rows.FREEZE,
+            rows.LOOP_PASS,
+            rows.CLEAR_HISTORY,
+        ):
+            return 1
+        return 0
 
     def needs_pass(self) -> int:
         """Whether a path that does not slow down for the loop's end needs another pass by now.
@@ -391,9 +328,9 @@ class CommandRing:
         position = max(self.head, self.begun + 1)
         while position < self.tail:
             base = position % self.capacity * self.width
-            if self.queue[base] == 1.0:
+            if self.queue[base + rows.KIND] == rows.SEGMENT:
                 count += 1
-                way += self.queue[base + 3]
+                way += self.queue[base + rows.LENGTH]
                 need = max(need, self.brake_way_in(base))
                 if count > 1 and way >= need:
                     return 0
@@ -402,11 +339,12 @@ class CommandRing:
 
     def brake_way_in(self, base: int) -> float:
         """How far the path brakes from a segment's highest speed, with three ticks more."""
-        speed = min(self.queue[base + 4] * self.ahead.most_factor, self.queue[base + 5])
-        acceleration = self.queue[base + 6]
+        fastest_v = self.queue[base + rows.SPEED] * self.ahead.most_factor
+        speed = min(fastest_v, self.queue[base + rows.MAX_SPEED])
+        acceleration = self.queue[base + rows.ACCELERATION]
         way = speed * (0.5 * speed / acceleration + 3.0 * self.path.cycle_time_t)
-        if self.queue[base + 10] > 0.0:
-            way += speed * acceleration / self.queue[base + 10]
+        if self.queue[base + rows.JERK] > 0.0:
+            way += speed * acceleration / self.queue[base + rows.JERK]
         return way
 
     def repeat_body(self) -> None:
@@ -417,14 +355,11 @@ class CommandRing:
         self.tail -= 1
         for k in range(self.body.count):
             base = self.tail % self.capacity * self.width
-            place = k * self.body.stride
+            kept = k * self.width
             for i in range(self.width):
-                self.queue[base + i] = self.body.rows[place + i]
-            if self.queue[base] == 1.0:
-                place += self.width
-                exact_stop = self.queue[base + 8] != 0.0
-                deviation = self.body.rows[place + 1]
-                self.end_segment(base, self.body.rows[place], exact_stop, deviation)
+                self.queue[base + i] = self.body.rows[kept + i]
+            if self.queue[base + rows.KIND] == rows.SEGMENT:
+                self.end_segment(base)
             else:
                 self.tail += 1
         base = self.tail % self.capacity * self.width

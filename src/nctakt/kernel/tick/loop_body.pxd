@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # C types of loop_body.py.
+from nctakt.kernel cimport rows
 
 cdef class LoopBody:
     cdef Py_ssize_t width
-    cdef Py_ssize_t stride
     cdef double[::1] rows
     cdef readonly Py_ssize_t count
     cdef readonly bint is_open

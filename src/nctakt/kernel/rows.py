@@ -1,0 +1,304 @@
+# SPDX-License-Identifier: MIT
+"""The numbers of the rows that the realtime part works on: kinds and columns, once and in order.
+
+A command of the queue is a row of float64, and so is a segment of the path. ``rows.pxd`` has the
+same names as constants of C; ``scripts/constants`` writes it from this file. Lengths along the path
+are mm (degrees where only rotary axes move), ``/s``, ``/s²`` and ``/s³`` their derivatives in time.
+"""
+
+from __future__ import annotations
+
+# --- commands of the queue ------------------------------------------------------------------------
+
+#: The first columns of each command; what a kind needs stands from ``ARGUMENTS`` on.
+(
+    KIND,  # one of the kinds below
+    SOURCE,  # where in the program's text it comes from, a number of ``base/source_ids.py``
+    BLOCK_NUMBER,  # the N word of its block, 0 without one
+    ARGUMENTS,
+) = range(4)
+
+#: Kinds of commands, in ``KIND``; 0 is none.
+(
+    SEGMENT,  # the path moves; its columns stand below
+    DWELL,  # the path stands
+    DEFINE_CYCLE,  # a realtime cycle is defined, and started
+    CONTROL_CYCLE,  # START, HOLD, CONTINUE, ABORT ACTION, DELETE
+    TECHNOLOGY,  # an M or H function goes to the PLC
+    AWAIT_ACKNOWLEDGE,  # waits until the PLC has acknowledged the function
+    WRITE_VARIABLE,  # a number goes into a cell
+    WRITE_TEXT,  # part of a character string goes into its cells
+    MESSAGE,  # #MSG
+    FLUSH,  # waits until the path stands
+    READ,  # waits until the path stands, and answers with the value of a cell
+    POSITIONS,  # waits until the path and some axes stand: a position request
+    PROGRAM_END,  # M30
+    GIVE_UP,  # the channel stops with an error of the decoder
+    USER_ERROR,  # #ERROR; its values follow as commands of their own
+    USER_VALUE,  # a number that is reported with an #ERROR
+    USER_TEXT,  # a text that is reported with an #ERROR
+    USER_STOP,  # the #ERROR before stops the channel
+    SPINDLE,  # a job for a spindle
+    AWAIT_SPINDLE,  # waits until a spindle's job is done
+    BLOCK_MARK,  # a block begins
+    WAIT_MARK,  # why the next command empties the channel
+    TIMER,  # #TIMER … SYN
+    SET_OFFSET,  # another value of an offset of an axis
+    SET_ORIGIN,  # the origin of the program's coordinate system on an axis
+    SET_TURN,  # the rotation of the program's coordinate system
+    PROGRAM_STOP,  # M00, M01
+    FREEZE,  # a variable became a constant of the realtime cycle before it
+    LOOP_BEGIN,  # #RT WHILE
+    LOOP_PASS,  # the end of each pass
+    LOOP_END,  # #RT ENDWHILE
+    FIXED_STOP,  # an axis is monitored for a fixed stop from here on, or no longer
+    FIXED_STOP_END,  # the block that moves to a fixed stop is over
+    MEASURE,  # the next motion looks for an edge
+    MEASURE_END,  # the motion that looks for an edge is over
+    CLEAR_HISTORY,  # #BACKWARD STORAGE CLEAR
+) = range(1, 37)
+
+#: The kinds that take or may take time.
+TIMED_KINDS = (
+    SEGMENT,
+    DWELL,
+    AWAIT_ACKNOWLEDGE,
+    FLUSH,
+    READ,
+    POSITIONS,
+    PROGRAM_END,
+    GIVE_UP,
+    USER_STOP,
+    AWAIT_SPINDLE,
+    PROGRAM_STOP,
+    LOOP_END,
+    FIXED_STOP_END,
+    MEASURE_END,
+)
+
+
+def _arguments(count: int) -> range:
+    return range(ARGUMENTS, ARGUMENTS + count)
+
+
+# Columns of single kinds.
+(DWELL_TICKS,) = _arguments(1)
+(
+    CYCLE_SLOT,  # slot of the cycle manager
+    CYCLE_STARTS,  # 1: started at once
+) = _arguments(2)
+(
+    CONTROL_ACTION,  # ``codes.CONTROL_START`` …
+    CONTROL_IDENTITY,  # the cycle's programmed ID
+) = _arguments(2)
+(
+    TECHNOLOGY_FUNCTION,  # number of the M function, -1 - number of the H function
+    TECHNOLOGY_TICKS,  # how long the function takes
+    TECHNOLOGY_HAS_VALUE,
+    TECHNOLOGY_VALUE,
+) = _arguments(4)
+(AWAITED_FUNCTION,) = _arguments(1)  # as ``TECHNOLOGY_FUNCTION``
+(
+    VARIABLE_CELL,
+    VARIABLE_VALUE,
+    VARIABLE_IS_REPORTED,  # 1: the write is an event
+) = _arguments(3)
+(
+    TEXT_CELL,  # first cell of the string
+    TEXT_FIRST,  # byte of the string where the characters go
+    TEXT_COUNT,  # number of characters
+    TEXT_ZEROS,  # number of zeros behind them
+    TEXT_CHARACTERS,  # the first character; the others follow
+) = _arguments(5)
+(MESSAGE_TEXT,) = _arguments(1)  # number of the text
+(
+    IS_ANSWERED,  # FLUSH, READ, POSITIONS, LOOP_END: 1: the decoder waits
+    READ_CELL,  # READ
+) = _arguments(2)
+(
+    POSITIONS_COUNT,  # number of the axes that have to stand, too
+    POSITIONS_AXES,  # the first of their numbers in the machine; the others follow
+) = range(READ_CELL, READ_CELL + 2)
+(PROGRAM_NUMBER,) = _arguments(1)  # PROGRAM_END
+(GIVE_UP_MESSAGE,) = _arguments(1)  # number of the message
+(
+    ERROR_IDENTITY,
+    ERROR_REACTION,  # RC
+) = _arguments(2)
+(
+    VALUE_KEYWORD,  # index of the keyword in ``nc/check/user_errors.py``
+    VALUE_NUMBER,
+) = _arguments(2)
+(
+    USER_TEXT_KEYWORD,  # as ``VALUE_KEYWORD``
+    USER_TEXT_NUMBER,  # number of the text
+) = _arguments(2)
+(STOP_REACTION,) = _arguments(1)  # USER_STOP: RC
+(
+    SPINDLE_INDEX,  # index of the spindle in the channel; of AWAIT_SPINDLE, too
+    SPINDLE_FUNCTION,  # 3, 4, 5 or 19
+    SPINDLE_SPEED,  # degrees/s
+    SPINDLE_POSITION,  # degrees
+    SPINDLE_DIRECTION,  # 1, -1; 0: the shorter way
+    SPINDLE_TICKS,  # how long the default PLC takes
+) = _arguments(6)
+(MARK_TICK,) = _arguments(1)  # BLOCK_MARK: tick in which the block was decoded
+(
+    WAIT_REASON,  # ``decoder/state/commands.py``
+    WAIT_CELL,  # the variable, 0 for none
+) = _arguments(2)
+(
+    TIMER_NUMBER,
+    TIMER_ACTION,  # ``codes.TIMER_START`` …
+) = _arguments(2)
+(
+    OFFSET_AXIS,  # number in the machine
+    OFFSET_KIND,  # ``codes.ZERO_OFFSET`` …
+    OFFSET_VALUE,  # mm, degrees
+) = _arguments(3)
+(
+    ORIGIN_AXIS,  # number in the machine
+    ORIGIN_VALUE,  # mm, degrees
+) = _arguments(2)
+(
+    TURN_FIRST,  # number of the first axis in the machine
+    TURN_SECOND,  # of the second one, plus 1; 0: nothing is turned
+    TURN_THIRD,  # of the third one, plus 1
+    TURN_MATRIX,  # the first of nine numbers, row by row
+) = _arguments(4)
+(STOP_IS_OPTIONAL,) = _arguments(1)  # PROGRAM_STOP: M01
+(
+    FROZEN_CYCLE,  # serial of the cycle
+    FROZEN_NAME,  # number of the variable's text
+    FROZEN_VALUE,
+) = _arguments(3)
+(
+    FIXED_STOP_AXIS,  # index of the axis in the channel
+    FIXED_STOP_IS_ON,
+    FIXED_STOP_LIMIT,  # mm, degrees between command and actual position
+    FIXED_STOP_TICKS,  # how long it has to be exceeded
+    FIXED_STOP_FROM,  # share of the block's length from which the axis is monitored
+    FIXED_STOP_TO,  # and up to which
+    FIXED_STOP_IS_NEEDED,  # 1: an axis that finds no stop is an error
+) = _arguments(7)
+(
+    MEASURE_FUNCTION,  # as ``TECHNOLOGY_FUNCTION``
+    MEASURE_TICKS,  # how long the function takes
+    MEASURE_RESIDUAL,  # mm from the edge to where the function goes out
+    MEASURE_HAS_VALUE,
+    MEASURE_VALUE,
+) = _arguments(5)
+
+# --- segments of the path -------------------------------------------------------------------------
+
+#: Columns of a segment. A queue and a path have rows of this width; those of a dwell are 0 there.
+(
+    LENGTH,  # from start to target
+    # what was programmed
+    MOTION,  # ``FEED_MOTION`` or ``RAPID_MOTION``
+    SHAPE,  # ``LINE``, ``ARC`` or ``ROUNDING``
+    EXACT_STOP,  # 1: the path stops at its end
+    CONTINUES,  # 1: its block continues with the next segment
+    HAS_JERK_LIMIT,  # 1: the speed changes along an S-curve, 0: along a trapezoid
+    DEVIATION,  # mm that the path may pass its target at
+    SPEED,  # /s; of a rapid motion what its axes can do
+    SPEED_OVERRIDE,  # programmed override as a factor, 0: no pace is given
+    IGNORES_OVERRIDE,  # 1: the operator's override has no effect (G166)
+    FEED_SPINDLE,  # index of the spindle that the feed follows (G95), plus 1; 0: none
+    FEED_SPINDLE_SPEED,  # degrees/s at which ``SPEED`` counts
+    ARC_FIRST_AXIS,  # indices in the channel of the two axes of the plane
+    ARC_SECOND_AXIS,
+    ARC_FIRST_CENTRE,  # mm
+    ARC_SECOND_CENTRE,
+    ARC_ANGLE,  # degrees, negative clockwise
+    # limits
+    MAX_SPEED,  # /s
+    ACCELERATION,  # /s²
+    JERK,  # /s³, 0 without a limit of the jerk
+    # from one segment to the next
+    PREDECESSOR,  # how many commands before it the segment stands that it continues; 0: none
+    CORNER_SPEED,  # /s, at which its end may be passed
+    END_SPEED,  # /s at its end
+    FREE_END_SPEED,  # /s at its end without regard to feeds
+    NEXT_SPEED,  # ``SPEED`` of the next segment, 0: none
+    NEXT_IGNORES_OVERRIDE,  # ``IGNORES_OVERRIDE`` of the next segment
+    REMAINING_LENGTH,  # in the path: of its block behind it, with a limit of the jerk
+    REMAINING_SPEED,  # in the path: highest speed from which its block ends with a stand
+    # zones beside corners, where part of the acceleration is kept in reserve
+    ENTRY_LENGTH,
+    EXIT_LENGTH,
+    ENTRY_ACCELERATION,
+    EXIT_ACCELERATION,
+    # a curve over the corner at the target
+    CURVE_HALF,  # half its length, 0: none
+    CURVE_SPEED,
+    CURVE_ACCELERATION,
+    # an arc whose limits go by its angle
+    ARC_PIECES,  # number of pieces, 0: one acceleration for all of it
+    ARC_ENTRY_SHARE,  # share of the acceleration that the corner at its begin uses
+    ARC_EXIT_SHARE,  # that at its end
+    ARC_SHARE,  # those that use it all along
+    BACKWARD_SPEED,  # with which it is walked backward
+    # the goal that the path slows down for, with a limit of the jerk
+    GOAL_LENGTH,  # from its end
+    GOAL_SPEED,
+    GOAL_ACCELERATION,  # on this length
+    GOAL_JERK,
+    GOAL_KIND,  # ``LIMIT_GOAL`` …
+    CARRIED_ACCELERATION,  # that the segments behind it allow on it
+    CARRIED_JERK,
+    # the rounding that follows, with a limit of the jerk
+    ROUNDING_LENGTH,  # 0: none
+    ROUNDING_ACCELERATION,
+    ROUNDING_JERK,
+    # positions of the axes in mm or degrees, four columns for each axis: all starts, then all …
+    START,  # … targets, then where the curve ends, then the corner that a rounding rounds
+) = range(ARGUMENTS, ARGUMENTS + 51)
+
+#: Pieces of an arc of 3° or more, of which the first and the last one are divided further: so many
+#: more there are for that, and at most so many in all.
+MORE_PIECES = 6
+MAX_PIECES = 126
+
+#: How many columns each axis has from ``START`` on.
+POSITIONS_OF_AXIS = 4
+
+#: An arc by itself: the columns of a segment from ``ARC_FIRST_AXIS`` on.
+(
+    PLANE_FIRST,
+    PLANE_SECOND,
+    CENTRE_FIRST,
+    CENTRE_SECOND,
+    ANGLE,
+    ARC_WIDTH,
+) = range(6)
+
+#: A pace by itself: the columns of a segment from ``SPEED_OVERRIDE`` on; so many.
+PACE_WIDTH = 4
+
+#: Values of ``MOTION``.
+FEED_MOTION, RAPID_MOTION = range(2)
+
+#: Values of ``SHAPE``.
+(
+    LINE,
+    ARC,  # with further axes a helix
+    ROUNDING,  # a curve that rounds a corner with a limit of the jerk
+) = range(3)
+
+#: Values of ``GOAL_KIND``: how the override changes the goal's speed.
+(
+    LIMIT_GOAL,  # not at all: a corner, an axis or a stand limits it
+    FEED_GOAL,  # it is a feed
+    EXEMPT_FEED_GOAL,  # it is a feed that the operator's override has no effect on
+) = range(3)
+
+
+def segment_width(axis_count: int) -> int:
+    """Number of columns of a queue over so many axes."""
+    return START + POSITIONS_OF_AXIS * axis_count
+
+
+def text_width(axis_count: int) -> int:
+    """Number of characters that fit into one ``WRITE_TEXT``."""
+    return segment_width(axis_count) - TEXT_CHARACTERS

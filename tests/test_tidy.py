@@ -524,7 +524,6 @@ def test_numbers_of_the_queue_have_names() -> None:
         "run/queue_feeder.py": ("HIGH_WATER",),
         "kernel/plc/technology_slots.py": ("SLOT_COUNT",),
         "lists/declared/startup.py": ("LEAST_BACKWARD_MEMORY",),
-        "kernel/base/record.py": ("EVENT_WIDTH", "PROBE_WIDTH"),
         "nc/parse/expressions.py": ("EXPRESSION_DEPTH",),
         "decoder/program.py": ("MAX_BLOCKS_WITHOUT_TIME",),
         "run/controller.py": ("DEFAULT_LIMIT_US", "PROGRESS_TICKS"),

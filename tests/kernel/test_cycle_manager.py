@@ -10,7 +10,6 @@ import pytest
 from kernel_rig import DEMO, Rig, controller_with
 
 from nctakt.kernel import rows
-from nctakt.kernel.base import record
 from nctakt.kernel.cycles import cycles
 from nctakt.kernel.cycles.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
 from nctakt.kernel.cycles.instructions import Statement
@@ -37,9 +36,10 @@ class Managed(Rig):
         """Kind and first value of the events of one more tick."""
         self.machine.reserve()
         self.machine.kernel.run(1)
-        rows = struct.iter_unpack("=6d", self.machine.record.take_events())
+        events = self.machine.record.take_events()
         self.machine.record.take_probes()
-        return [(int(row[1]), row[4]) for row in rows]
+        unpacked = struct.iter_unpack(f"={rows.EVENT_WIDTH}d", events)
+        return [(int(row[rows.EVENT_KIND]), row[rows.EVENT_A]) for row in unpacked]
 
     @property
     def state(self) -> int:
@@ -100,10 +100,10 @@ STATES = {
     "held before its block": lambda: held(BLOCK),
 }
 
-NO_CYCLE = [(record.ERROR, 50858.0)]
-STARTED = [(record.STARTED, 0.0)]
-ABORTED = [(record.ABORTED, 0.0)]
-DELETED = [(record.ENDED, float(record.ENDED_BY_DELETE))]
+NO_CYCLE = [(rows.EVENT_ERROR, 50858.0)]
+STARTED = [(rows.EVENT_STARTED, 0.0)]
+ABORTED = [(rows.EVENT_ABORTED, 0.0)]
+DELETED = [(rows.EVENT_ENDED, float(rows.ENDED_BY_DELETE))]
 
 #: What a command does in a state: the events, and the state afterwards.
 EFFECTS = {
@@ -111,18 +111,18 @@ EFFECTS = {
     ("unknown", HOLD): (NO_CYCLE, cycles.DEAD),
     ("unknown", CONTINUE): (NO_CYCLE, cycles.DEAD),
     ("unknown", ABORT): (NO_CYCLE, cycles.DEAD),
-    ("unknown", DELETE): ([(record.NOTICE, 900410.0)], cycles.DEAD),
+    ("unknown", DELETE): ([(rows.EVENT_NOTICE, 900410.0)], cycles.DEAD),
     ("defined", START): (STARTED, cycles.RUNNING),
     ("defined BLOCK", START): (STARTED, cycles.ARMED),
     ("armed", START): (STARTED, cycles.ARMED),
-    ("armed", HOLD): ([(record.HELD, 0.0)], cycles.HELD),
+    ("armed", HOLD): ([(rows.EVENT_HELD, 0.0)], cycles.HELD),
     ("running", START): (STARTED, cycles.RUNNING),
-    ("running", HOLD): ([(record.HELD, 0.0)], cycles.HELD),
-    ("running GLOBAL", HOLD): ([(record.HELD, 0.0)], cycles.HELD),
+    ("running", HOLD): ([(rows.EVENT_HELD, 0.0)], cycles.HELD),
+    ("running GLOBAL", HOLD): ([(rows.EVENT_HELD, 0.0)], cycles.HELD),
     ("held", START): (STARTED, cycles.RUNNING),
-    ("held", CONTINUE): ([(record.CONTINUED, 0.0)], cycles.RUNNING),
-    ("held GLOBAL", CONTINUE): ([(record.CONTINUED, 0.0)], cycles.RUNNING),
-    ("held before its block", CONTINUE): ([(record.CONTINUED, 0.0)], cycles.ARMED),
+    ("held", CONTINUE): ([(rows.EVENT_CONTINUED, 0.0)], cycles.RUNNING),
+    ("held GLOBAL", CONTINUE): ([(rows.EVENT_CONTINUED, 0.0)], cycles.RUNNING),
+    ("held before its block", CONTINUE): ([(rows.EVENT_CONTINUED, 0.0)], cycles.ARMED),
     ("held before its block", START): (STARTED, cycles.ARMED),
 }
 
@@ -134,9 +134,9 @@ def expected(name: str, action: int, before: int) -> tuple[list[tuple[int, float
     if action == START:
         return STARTED, cycles.RUNNING
     if action == HOLD:
-        return [(record.NOTICE, 900411.0)], before
+        return [(rows.EVENT_NOTICE, 900411.0)], before
     if action == CONTINUE:
-        return [(record.NOTICE, 900412.0)], before
+        return [(rows.EVENT_NOTICE, 900412.0)], before
     return (ABORTED, before) if action == ABORT else (DELETED, cycles.DEAD)
 
 

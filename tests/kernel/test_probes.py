@@ -8,6 +8,7 @@ import struct
 import pytest
 from kernel_rig import DEMO
 
+from nctakt.kernel import rows
 from nctakt.run.controller import Controller, NcText
 
 FORMS = [
@@ -33,23 +34,27 @@ def rows_of(condition: str, values: list[float]) -> tuple[Controller, list[tuple
     machine.access.post_writes()
     machine.kernel.run(0)
     controller._channels[0].feed.refill()
-    rows: list[tuple[int, int]] = []
+    found_rows: list[tuple[int, int]] = []
     for value in values:
         machine.kernel.post(found[1], value)
         machine.reserve()
         machine.kernel.run(1)
         machine.record.take_events()
-        data = struct.iter_unpack("=4d", machine.record.take_probes())
+        data = struct.iter_unpack(f"={rows.PROBE_WIDTH}d", machine.record.take_probes())
         # Number 0 is the cycle, 1 its condition; behind it are the parts of && and ||.
-        rows += [(int(tick), int(probe) & 1) for tick, probe, _, _ in data if probe // 2 == 1]
-    return controller, rows
+        found_rows += [
+            (int(row[rows.PROBE_TICK]), int(row[rows.PROBE_KIND] == rows.PROBE_TRUE))
+            for row in data
+            if row[rows.PROBE_NUMBER] == 1
+        ]
+    return controller, found_rows
 
 
 @pytest.mark.parametrize("condition", FORMS)
 def test_a_condition_records_each_change_of_its_truth(condition: str) -> None:
     """The first evaluation and every change, in whatever form the comparison is written."""
-    _, rows = rows_of(condition, [1, 1, 3, 3, 3, 2, 1, 3, 1])
-    assert rows == [(0, 0), (2, 1), (5, 0), (7, 1), (8, 0)]
+    _, changes = rows_of(condition, [1, 1, 3, 3, 3, 2, 1, 3, 1])
+    assert changes == [(0, 0), (2, 1), (5, 0), (7, 1), (8, 0)]
 
 
 def reaction(controller: Controller):

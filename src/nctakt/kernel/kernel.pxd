@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of kernel.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.plc.axis_requests cimport AxisRequests
 from nctakt.kernel.tick.channel cimport Channel
@@ -18,7 +19,7 @@ cdef class Lane:
 cdef class ChannelLane(Lane):
     cdef Channel channel
     cdef Record record
-    cdef int channel_code
+    cdef int number
     cdef Lane others
     @cython.locals(reason=int)
     cdef int needs_python(self) noexcept nogil

@@ -12,6 +12,7 @@ import struct
 
 import cython
 
+from nctakt.kernel import rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.base.bounds import check_range
@@ -62,10 +63,10 @@ class Lane:
 class ChannelLane(Lane):
     """One channel and those behind it."""
 
-    def __init__(self, channel: Channel, record: Record, channel_code: int, others: Lane) -> None:
+    def __init__(self, channel: Channel, record: Record, number: int, others: Lane) -> None:
         self.channel = channel
         self.record = record
-        self.channel_code = channel_code
+        self.number = number
         self.others = others
 
     def needs_python(self) -> int:
@@ -79,7 +80,7 @@ class ChannelLane(Lane):
         return self.channel.manager.probes_bound + self.others.probe_bound()
 
     def begin_tick(self, tick: int) -> None:
-        self.record.channel_code = self.channel_code
+        self.record.channel = self.number
         self.channel.begin_tick(tick)
         if self.channel.is_paced:
             self.channel.watch_queue(tick)
@@ -89,7 +90,7 @@ class ChannelLane(Lane):
         self.others.begin_tick(tick)
 
     def end_tick(self) -> None:
-        self.record.channel_code = self.channel_code
+        self.record.channel = self.number
         self.channel.end_tick()
         self.others.end_tick()
 
@@ -113,8 +114,8 @@ class Kernel:
         self.image = InterfaceImage(memory, record)
         lane = Lane()
         for number in range(len(channels), 0, -1):
-            code = 256 * number if len(channels) > 1 else 0
-            lane = ChannelLane(channels[number - 1], record, code, lane)
+            named = number if len(channels) > 1 else 0
+            lane = ChannelLane(channels[number - 1], record, named, lane)
         self.lane = lane
         self.tick = 0
         self.input_count = 0
@@ -179,17 +180,17 @@ class Kernel:
     def run_tick(self) -> None:
         """One tick: a table of its phases (RC-002)."""
         self.record.tick = self.tick
-        self.record.channel_code = 0
+        self.record.channel = 0
         self.latch_inputs()
         self.axes.begin_tick()
         self.lane.begin_tick(self.tick)
-        self.record.channel_code = 0
+        self.record.channel = 0
         self.single_axes.step()
         if self.axes.has_lag:
             self.axes.follow()
         self.axes.publish()
         self.lane.end_tick()
-        self.record.channel_code = 0
+        self.record.channel = 0
         if self.image.is_attached:
             self.image.publish(self.tick + 1)
         self.record_row()
@@ -207,8 +208,8 @@ class Kernel:
     def note_overflow(self, thread: int) -> None:
         """A thread of the schedule overflows in the tick that comes."""
         self.record.tick = self.tick
-        self.record.channel_code = 0
-        self.record.overflow(thread)
+        self.record.channel = 0
+        self.record.event(rows.EVENT_OVERFLOW, 0, thread)
 
     def latch_inputs(self) -> None:
         """What came since the last tick is in force now: the PLC's image, then what was posted."""

@@ -293,6 +293,90 @@ FEED_MOTION, RAPID_MOTION = range(2)
     EXEMPT_FEED_GOAL,  # it is a feed that the operator's override has no effect on
 ) = range(3)
 
+# --- what a tick records --------------------------------------------------------------------------
+
+#: Columns of an event.
+(
+    EVENT_TICK,
+    EVENT_KIND,  # one of the kinds below
+    EVENT_CHANNEL,  # number of the channel where the machine has several, else 0
+    EVENT_SOURCE,  # where in the program's text it comes from; 0: nowhere
+    EVENT_SUBJECT,  # serial of the realtime cycle, 0: none; or what is said at the kind
+    EVENT_A,  # what is said at the kind
+    EVENT_B,
+    EVENT_C,
+    EVENT_WIDTH,
+) = range(9)
+
+#: Kinds of events; at each what stands from ``EVENT_A`` on, and in the subject if it is no cycle.
+(
+    EVENT_CREATED,  # scope (``codes.BLOCK_SCOPE`` …)
+    EVENT_STARTED,
+    EVENT_HELD,
+    EVENT_CONTINUED,
+    EVENT_ABORTED,
+    EVENT_ENDED,  # ``ENDED_BY_SCOPE`` …
+    EVENT_FIRED,  # the source is the branch
+    EVENT_WRITTEN,  # cell, new value; without a cycle the decoder has written
+    EVENT_TECHNOLOGY_RT,  # function as in ``TECHNOLOGY_FUNCTION``, number within the tick
+    EVENT_TECHNOLOGY,  # subject: whether it has a value; function, value
+    EVENT_MESSAGE,  # subject: number of the text
+    EVENT_ERROR,  # number of the message, detail; the source is the statement
+    EVENT_PROGRAM_END,  # subject: number of the program
+    EVENT_NOTICE,  # number of the message: diagnosis level 2
+    EVENT_USER_ERROR,  # ID, RC
+    EVENT_USER_VALUE,  # keyword as in ``VALUE_KEYWORD``, value
+    EVENT_USER_TEXT,  # keyword, number of the text
+    EVENT_AXIS_BEGUN,  # axis, target; without a cycle the PLC moves it
+    EVENT_AXIS_ENDLESS,  # axis, direction
+    EVENT_AXIS_ENDED,  # axis, ``MOTION_DONE`` …
+    EVENT_AXIS_CHANGED,  # axis, ``MOTION_HELD`` …
+    EVENT_SPINDLE,  # spindle, M function, revolutions per minute
+    EVENT_SPINDLE_REACHED,  # spindle
+    EVENT_SPINDLE_POSITION,  # spindle, degrees
+    EVENT_FROZEN,  # number of the variable's text, value; the source is the access
+    EVENT_BLOCK,  # subject: number of the block; tick in which it was decoded
+    EVENT_WAIT,  # subject: reason; cell; the source is what waits
+    EVENT_LOOP,  # subject: ``LOOP_BEGUN`` …; the source is the loop
+    EVENT_PROBED,  # length that is left of the block behind the joint
+    EVENT_FIXED_STOP,  # axis, position; the source is its command
+    EVENT_RETRACED,  # subject: ``RETRACE_BACKWARD`` …; the source is the block
+    EVENT_PAUSED,  # the source is what waits
+    EVENT_STARVED,  # the source is the last command that was taken
+    EVENT_FED,  # subject: ticks for which the queue was empty
+    EVENT_OVERFLOW,  # subject: number of the thread
+) = range(1, 36)
+
+ENDED_BY_SCOPE, ENDED_BY_DELETE, ENDED_BY_RESET, ENDED_BY_ERROR = range(4)
+
+LOOP_BEGUN, LOOP_SKIPPED, LOOP_LEFT = range(3)
+
+(
+    RETRACE_BACKWARD,
+    RETRACE_FORWARD,
+    RETRACE_START,  # at the start of the history
+    RETRACE_FRONT,  # at the front again
+) = range(4)
+
+MOTION_DONE, MOTION_ABORTED, MOTION_FAILED = range(3)
+
+MOTION_HELD, MOTION_CONTINUED, MOTION_STOPPED = range(3)
+
+#: Columns of a probe row.
+(
+    PROBE_TICK,
+    PROBE_KIND,  # one of the kinds below
+    PROBE_NUMBER,  # of the condition, branch or cycle
+    PROBE_LEFT,  # the two sides of a condition
+    PROBE_RIGHT,
+    PROBE_NEXT_TICK,  # of a series: the tick behind the last one of the series before, -1: none
+    PROBE_WIDTH,
+) = range(7)
+
+#: Kinds of probe rows: a condition is false or true from this tick on; after a tick without one a
+#: series of evaluations begins in this tick, or one of run-throughs of a body.
+PROBE_FALSE, PROBE_TRUE, PROBE_EVALUATED, PROBE_RAN = range(4)
+
 
 def segment_width(axis_count: int) -> int:
     """Number of columns of a queue over so many axes."""

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Gathers what realtime cycles and their conditions do in a run: record bytes -> histories.
 
-In: the probe and event rows of ``kernel/base/record.py`` as they come, the definitions of the
-cycles, at the end the counters of their nodes. Out: ``CycleHistory`` for each cycle. Memory is
+In: probe and event rows (``kernel/rows.py``) as they come, the definitions of the cycles, at the
+end the counters of their nodes. Out: ``CycleHistory`` for each cycle. Memory is
 bounded by the constants here and in ``branch_log.py``, the newest is kept, and histories say how
 much was dropped.
 """
@@ -17,7 +17,7 @@ from typing import Protocol
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.cycles.builder import CycleDefinition
-from nctakt.kernel.base import record
+from nctakt.kernel import rows
 from nctakt.kernel.cycles.cycles import DEFINED, HELD
 from nctakt.messages.realtime import BLOCK_CYCLE_NEVER_RAN
 from nctakt.nc.check.branches import (
@@ -44,20 +44,20 @@ LIFE_KEPT = 1000
 #: Cycles that are kept; ended ones are dropped for new ones, the oldest first.
 CYCLES_KEPT = 256
 
-_EVENT = struct.Struct(f"={record.EVENT_WIDTH}d")
-_PROBE = struct.Struct(f"={record.PROBE_WIDTH}d")
+_EVENT = struct.Struct(f"={rows.EVENT_WIDTH}d")
+_PROBE = struct.Struct(f"={rows.PROBE_WIDTH}d")
 
 _LIFE: dict[int, LifeKind] = {
-    record.CREATED: "created",
-    record.STARTED: "started",
-    record.HELD: "held",
-    record.CONTINUED: "continued",
+    rows.EVENT_CREATED: "created",
+    rows.EVENT_STARTED: "started",
+    rows.EVENT_HELD: "held",
+    rows.EVENT_CONTINUED: "continued",
 }
 _ENDED_BY: dict[int, EndedBy] = {
-    record.ENDED_BY_SCOPE: "scope",
-    record.ENDED_BY_DELETE: "delete",
-    record.ENDED_BY_RESET: "reset",
-    record.ENDED_BY_ERROR: "error",
+    rows.ENDED_BY_SCOPE: "scope",
+    rows.ENDED_BY_DELETE: "delete",
+    rows.ENDED_BY_RESET: "reset",
+    rows.ENDED_BY_ERROR: "error",
 }
 
 
@@ -125,31 +125,47 @@ class ProbeLog:
         """Take the rows of some ticks."""
         for row in _EVENT.iter_unpack(events):
             self._event(*row)
-        for tick, code, left, right in _PROBE.iter_unpack(probes):
-            number = int(code)
-            if number >= 0:
-                condition = self._conditions.get(number // 2)
-                if condition is not None:
-                    condition.change(int(tick), bool(number % 2), left, right)
-                continue
-            self._series(-1 - number, int(tick), int(left))
+        for row in _PROBE.iter_unpack(probes):
+            self._probe(*row)
         while len(self._cycles) > CYCLES_KEPT and self._drop():
             pass
 
-    def _series(self, number: int, tick: int, next_tick: int) -> None:
-        """A series of evaluations (even) or of body runs (odd) begins."""
-        series = (self._bodies if number % 2 else self._evaluated).get(number // 2)
+    def _probe(
+        self,
+        tick: float,
+        kind: float,
+        number: float,
+        left: float,
+        right: float,
+        next_tick: float,
+    ) -> None:
+        """A condition changes its truth, or a series of evaluations or body runs begins."""
+        probe = int(number)
+        condition = self._conditions.get(probe)
+        if kind in (rows.PROBE_FALSE, rows.PROBE_TRUE):
+            if condition is not None:
+                condition.change(int(tick), kind == rows.PROBE_TRUE, left, right)
+            return
+        evaluated = kind == rows.PROBE_EVALUATED
+        series = (self._evaluated if evaluated else self._bodies).get(probe)
         if series is not None:
-            series.begin(tick, next_tick)
-        condition = None if number % 2 else self._conditions.get(number // 2)
-        if condition is not None:
-            condition.truths.begin(tick, next_tick)
+            series.begin(int(tick), int(next_tick))
+        if evaluated and condition is not None:
+            condition.truths.begin(int(tick), int(next_tick))
 
     def _event(
-        self, tick: float, code: float, source: float, subject: float, a: float, _b: float
+        self,
+        tick: float,
+        kind_number: float,
+        _channel: float,
+        source: float,
+        subject: float,
+        a: float,
+        _b: float,
+        _c: float,
     ) -> None:
-        kind, serial = int(code) % record.CHANNEL_CODE_WIDTH, int(subject)
-        if kind == record.CREATED:
+        kind, serial = int(kind_number), int(subject)
+        if kind == rows.EVENT_CREATED:
             self._add(self._names.definition(serial), None)
         cycle = self._cycles.get(serial)
         if cycle is None:
@@ -157,11 +173,11 @@ class ProbeLog:
         span = self._names.place(int(source))
         if kind in _LIFE:
             cycle.live(LifeEvent(int(tick), _LIFE[kind], span))
-        elif kind == record.ENDED:
+        elif kind == rows.EVENT_ENDED:
             self._ended(cycle, int(tick), int(a), span)
-        elif kind == record.ERROR and serial:
+        elif kind == rows.EVENT_ERROR and serial:
             self._stops.append((serial, LifeEvent(int(tick), "ended", span, "error", int(a))))
-        elif kind == record.NOTICE and a == BLOCK_CYCLE_NEVER_RAN.id:
+        elif kind == rows.EVENT_NOTICE and a == BLOCK_CYCLE_NEVER_RAN.id:
             cycle.missed_its_block = True
 
     def _ended(self, cycle: _CycleLog, tick: int, reason: int, span: Span | None) -> None:

@@ -208,6 +208,7 @@ class Feed:
                 command.number,
                 command.start,
                 command.target,
+                command.motion,
                 command.feed,
                 command.exact_stop,
                 command.deviation,
@@ -226,5 +227,5 @@ class Feed:
             self._channel.end_loop(row)
         else:
             self._channel.put(row)
-        if row[0] in TIMED_KINDS:
+        if row[rows.KIND] in rows.TIMED_KINDS:
             self._decoder.pass_time(command)

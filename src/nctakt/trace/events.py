@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What happened in a tick: the realtime part's event rows -> ``Event`` objects with text.
 
-In: rows of ``EVENT_WIDTH`` float64 (``kernel/base/record.py``) and ``EventNames``, which knows what
+In: event rows of the realtime part (``kernel/rows.py``) and ``EventNames``, which knows what
 the numbers stand for. Out: events in the order of their occurrence. A chunk of rows is decoded when
 it is looked at, not before: a run that nobody asks for its events pays nothing for them.
 """
@@ -14,42 +14,46 @@ from dataclasses import dataclass
 from typing import Protocol, overload
 
 from nctakt.base.diagnostics import Severity, Span
-from nctakt.kernel.base import record
+from nctakt.kernel import rows
 from nctakt.messages.catalogue import catalogue
 from nctakt.nc.check.user_errors import KEYWORDS
 
-_ROW = struct.Struct(f"={record.EVENT_WIDTH}d")
+_ROW = struct.Struct(f"={rows.EVENT_WIDTH}d")
 
 _SCOPES = ("BLOCK", "PROG", "GLOBAL")
 #: Why the channel is emptied, by number.
 _WAITS = ("flush", "read", "positions", "write")
 _ENDED_BY = {
-    record.ENDED_BY_SCOPE: "scope",
-    record.ENDED_BY_DELETE: "delete",
-    record.ENDED_BY_RESET: "reset",
-    record.ENDED_BY_ERROR: "error",
+    rows.ENDED_BY_SCOPE: "scope",
+    rows.ENDED_BY_DELETE: "delete",
+    rows.ENDED_BY_RESET: "reset",
+    rows.ENDED_BY_ERROR: "error",
 }
 _LOOPS = {
-    record.LOOP_BEGUN: "begun",
-    record.LOOP_SKIPPED: "skipped",
-    record.LOOP_LEFT: "left",
+    rows.LOOP_BEGUN: "begun",
+    rows.LOOP_SKIPPED: "skipped",
+    rows.LOOP_LEFT: "left",
 }
 _RETRACED = {
-    record.RETRACE_BACKWARD: "backward",
-    record.RETRACE_FORWARD: "forward",
-    record.RETRACE_START: "start",
-    record.RETRACE_FRONT: "front",
+    rows.RETRACE_BACKWARD: "backward",
+    rows.RETRACE_FORWARD: "forward",
+    rows.RETRACE_START: "start",
+    rows.RETRACE_FRONT: "front",
 }
 _MOTION_ENDED = {
-    record.MOTION_DONE: "done",
-    record.MOTION_ABORTED: "aborted",
-    record.MOTION_FAILED: "failed",
+    rows.MOTION_DONE: "done",
+    rows.MOTION_ABORTED: "aborted",
+    rows.MOTION_FAILED: "failed",
 }
 _MOTION_CHANGED = {
-    record.MOTION_HELD: "held",
-    record.MOTION_CONTINUED: "continued",
-    record.MOTION_STOPPED: "stopped",
+    rows.MOTION_HELD: "held",
+    rows.MOTION_CONTINUED: "continued",
+    rows.MOTION_STOPPED: "stopped",
 }
+
+
+#: Subject and arguments of an event -> its kind and text.
+Maker = Callable[[int, float, float, float], tuple[str, str]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,38 +130,39 @@ class EventDecoder:
         self._cycle_time_us = cycle_time_us
         self._names = names
         self._places: dict[int, Span | None] = {}
-        self._makers: dict[int, Callable[[int, int, float, float], tuple[str, str]]] = {
-            record.CREATED: self._created,
-            record.STARTED: self._plain("started"),
-            record.HELD: self._plain("held"),
-            record.CONTINUED: self._plain("continued"),
-            record.ABORTED: self._plain("aborted"),
-            record.ENDED: self._ended,
-            record.WRITTEN: self._written,
-            record.TECHNOLOGY: self._technology,
-            record.MESSAGE: self._message,
-            record.ERROR: self._error,
-            record.PROGRAM_END: self._program_end,
-            record.NOTICE: self._notice,
-            record.FROZEN: self._frozen,
-            record.SPINDLE: self._spindle,
-            record.SPINDLE_REACHED: self._spindle_reached,
-            record.SPINDLE_POSITION: self._spindle_position,
-            record.USER_ERROR: self._user_error,
-            record.USER_VALUE: self._user_value,
-            record.USER_TEXT: self._user_text,
-            record.AXIS_BEGUN: self._axis_begun,
-            record.AXIS_ENDED: self._axis_ended,
-            record.AXIS_CHANGED: self._axis_changed,
-            record.RETRACED: self._retraced,
-            record.PROBED: self._probed,
-            record.FIXED_STOP: self._fixed_stop,
-            record.LOOP: self._loop,
-            record.BLOCK: self._block,
-            record.WAIT: self._wait,
-            record.STARVED: self._starved,
-            record.FED: self._fed,
-            record.OVERFLOW: self._overflow,
+        self._makers: dict[int, Maker] = {
+            rows.EVENT_CREATED: self._created,
+            rows.EVENT_STARTED: self._plain("started"),
+            rows.EVENT_HELD: self._plain("held"),
+            rows.EVENT_CONTINUED: self._plain("continued"),
+            rows.EVENT_ABORTED: self._plain("aborted"),
+            rows.EVENT_ENDED: self._ended,
+            rows.EVENT_WRITTEN: self._written,
+            rows.EVENT_TECHNOLOGY: self._technology,
+            rows.EVENT_MESSAGE: self._message,
+            rows.EVENT_ERROR: self._error,
+            rows.EVENT_PROGRAM_END: self._program_end,
+            rows.EVENT_NOTICE: self._notice,
+            rows.EVENT_FROZEN: self._frozen,
+            rows.EVENT_SPINDLE: self._spindle,
+            rows.EVENT_SPINDLE_REACHED: self._spindle_reached,
+            rows.EVENT_SPINDLE_POSITION: self._spindle_position,
+            rows.EVENT_USER_ERROR: self._user_error,
+            rows.EVENT_USER_VALUE: self._user_value,
+            rows.EVENT_USER_TEXT: self._user_text,
+            rows.EVENT_AXIS_BEGUN: self._axis_begun,
+            rows.EVENT_AXIS_ENDLESS: self._axis_endless,
+            rows.EVENT_AXIS_ENDED: self._axis_ended,
+            rows.EVENT_AXIS_CHANGED: self._axis_changed,
+            rows.EVENT_RETRACED: self._retraced,
+            rows.EVENT_PROBED: self._probed,
+            rows.EVENT_FIXED_STOP: self._fixed_stop,
+            rows.EVENT_LOOP: self._loop,
+            rows.EVENT_BLOCK: self._block,
+            rows.EVENT_WAIT: self._wait,
+            rows.EVENT_STARVED: self._starved,
+            rows.EVENT_FED: self._fed,
+            rows.EVENT_OVERFLOW: self._overflow,
         }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
@@ -165,22 +170,29 @@ class EventDecoder:
         return [self._event(*row) for row in _ROW.iter_unpack(data)]
 
     def _event(
-        self, tick: float, code: float, source: float, subject: float, a: float, b: float
+        self,
+        tick: float,
+        kind_number: float,
+        channel: float,
+        source: float,
+        subject: float,
+        a: float,
+        b: float,
+        c: float,
     ) -> Event:
-        channel, kind = divmod(int(code), record.CHANNEL_CODE_WIDTH)
-        number, serial = int(tick), int(subject)
+        number, kind, serial = int(tick), int(kind_number), int(subject)
         time_us = number * self._cycle_time_us
         span = self._place(int(source))
-        if kind == record.FIRED:
+        if kind == rows.EVENT_FIRED:
             word, text = self._fired(serial, span)
-        elif kind == record.PAUSED:
+        elif kind == rows.EVENT_PAUSED:
             word, text = "paused", _line_text(span)
-        elif kind == record.TECHNOLOGY_RT:
+        elif kind == rows.EVENT_TECHNOLOGY_RT:
             word, text = self._technology_rt(a, b, time_us)
         else:
-            word, text = self._makers[kind](kind, serial, a, b)
+            word, text = self._makers[kind](serial, a, b, c)
         cycle = self._names.cycle(serial) if serial and kind not in _WITHOUT_CYCLE else ""
-        return Event(number, time_us, word, text, span, cycle, channel)
+        return Event(number, time_us, word, text, span, cycle, int(channel))
 
     def _place(self, source: int) -> Span | None:
         """Few places make many events: each is looked up once."""
@@ -188,19 +200,19 @@ class EventDecoder:
             self._places[source] = self._names.place(source)
         return self._places[source]
 
-    def _plain(self, word: str) -> Callable[[int, int, float, float], tuple[str, str]]:
-        return lambda _kind, serial, _a, _b: (word, self._names.cycle(serial))
+    def _plain(self, word: str) -> Maker:
+        return lambda serial, _a, _b, _c: (word, self._names.cycle(serial))
 
-    def _created(self, _kind: int, serial: int, scope: float, _b: float) -> tuple[str, str]:
+    def _created(self, serial: int, scope: float, _b: float, _c: float) -> tuple[str, str]:
         return "created", f"{self._names.cycle(serial)} {_SCOPES[int(scope)]}"
 
-    def _ended(self, _kind: int, serial: int, reason: float, _b: float) -> tuple[str, str]:
+    def _ended(self, serial: int, reason: float, _b: float, _c: float) -> tuple[str, str]:
         return "ended", f"{self._names.cycle(serial)} {_ENDED_BY[int(reason)]}"
 
     def _fired(self, serial: int, span: Span | None) -> tuple[str, str]:
         return "fired", f"{self._names.cycle(serial)} {_line_text(span)}"
 
-    def _written(self, _kind: int, _serial: int, cell: float, value: float) -> tuple[str, str]:
+    def _written(self, _serial: int, cell: float, value: float, _c: float) -> tuple[str, str]:
         return "written", f"{self._names.variable(int(cell))} {number_text(value)}"
 
     def _technology_rt(self, number: float, sequence: float, time_us: int) -> tuple[str, str]:
@@ -208,103 +220,106 @@ class EventDecoder:
         return letter, f"{value} {int(sequence)} {time_us}"
 
     def _technology(
-        self, _kind: int, has_value: int, function: float, value: float
+        self, has_value: int, function: float, value: float, _c: float
     ) -> tuple[str, str]:
         letter, number = _function(function)
         return "output", f"{letter} {number}" + (f" = {int(value)}" if has_value else "")
 
-    def _message(self, _kind: int, number: int, _a: float, _b: float) -> tuple[str, str]:
+    def _message(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "message", self._names.message(number)
 
-    def _error(self, _kind: int, _serial: int, number: float, _b: float) -> tuple[str, str]:
+    def _error(self, _serial: int, number: float, _b: float, _c: float) -> tuple[str, str]:
         return _severity_word(int(number)), str(int(number))
 
-    def _notice(self, _kind: int, _serial: int, number: float, _b: float) -> tuple[str, str]:
+    def _notice(self, _serial: int, number: float, _b: float, _c: float) -> tuple[str, str]:
         return "notice", str(int(number))
 
-    def _axis_begun(self, _kind: int, _serial: int, axis: float, target: float) -> tuple[str, str]:
-        if axis < 0:
-            direction = "positive" if target > 0 else "negative"
-            return "axis", f"{self._names.axis(-1 - int(axis))} begun {direction}"
+    def _axis_begun(self, _serial: int, axis: float, target: float, _c: float) -> tuple[str, str]:
         return "axis", f"{self._names.axis(int(axis))} begun {number_text(target)}"
 
-    def _axis_ended(self, _kind: int, _serial: int, axis: float, how: float) -> tuple[str, str]:
+    def _axis_endless(
+        self, _serial: int, axis: float, direction: float, _c: float
+    ) -> tuple[str, str]:
+        word = "positive" if direction > 0 else "negative"
+        return "axis", f"{self._names.axis(int(axis))} begun {word}"
+
+    def _axis_ended(self, _serial: int, axis: float, how: float, _c: float) -> tuple[str, str]:
         return "axis", f"{self._names.axis(int(axis))} {_MOTION_ENDED[int(how)]}"
 
-    def _axis_changed(self, _kind: int, _serial: int, axis: float, what: float) -> tuple[str, str]:
+    def _axis_changed(self, _serial: int, axis: float, what: float, _c: float) -> tuple[str, str]:
         return "axis", f"{self._names.axis(int(axis))} {_MOTION_CHANGED[int(what)]}"
 
-    def _frozen(self, _kind: int, _serial: int, number: float, value: float) -> tuple[str, str]:
+    def _frozen(self, _serial: int, number: float, value: float, _c: float) -> tuple[str, str]:
         return "frozen", f"{self._names.variable_text(int(number))} {number_text(value)}"
 
-    def _spindle(self, _kind: int, _serial: int, job: float, rpm: float) -> tuple[str, str]:
-        spindle, function = divmod(int(job), 100)
-        return "spindle", f"{self._names.spindle(spindle)} M{function} {number_text(rpm)}"
+    def _spindle(
+        self, _serial: int, spindle: float, function: float, rpm: float
+    ) -> tuple[str, str]:
+        name = self._names.spindle(int(spindle))
+        return "spindle", f"{name} M{int(function)} {number_text(rpm)}"
 
     def _spindle_reached(
-        self, _kind: int, _serial: int, number: float, _b: float
+        self, _serial: int, number: float, _b: float, _c: float
     ) -> tuple[str, str]:
         return "spindle_reached", self._names.spindle(int(number))
 
     def _spindle_position(
-        self, _kind: int, _serial: int, number: float, position: float
+        self, _serial: int, number: float, position: float, _c: float
     ) -> tuple[str, str]:
         return "spindle_position", f"{self._names.spindle(int(number))} {number_text(position)}"
 
-    def _user_error(self, _kind: int, _serial: int, number: float, rc: float) -> tuple[str, str]:
+    def _user_error(self, _serial: int, number: float, rc: float, _c: float) -> tuple[str, str]:
         return "user_error", f"{int(number)} {int(rc)}"
 
-    def _user_value(self, _kind: int, _serial: int, code: float, value: float) -> tuple[str, str]:
+    def _user_value(self, _serial: int, code: float, value: float, _c: float) -> tuple[str, str]:
         return "user_value", f"{KEYWORDS[int(code)]} {number_text(value)}"
 
-    def _user_text(self, _kind: int, _serial: int, code: float, text: float) -> tuple[str, str]:
+    def _user_text(self, _serial: int, code: float, text: float, _c: float) -> tuple[str, str]:
         return "user_value", f"{KEYWORDS[int(code)]} {self._names.user_text(int(text))}"
 
-    def _block(self, _kind: int, number: int, decoded: float, _b: float) -> tuple[str, str]:
+    def _block(self, number: int, decoded: float, _b: float, _c: float) -> tuple[str, str]:
         return "block", f"{number} decoded {int(decoded)}"
 
-    def _retraced(self, _kind: int, how: int, _a: float, _b: float) -> tuple[str, str]:
+    def _retraced(self, how: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "retrace", _RETRACED[how]
 
-    def _fixed_stop(
-        self, _kind: int, _serial: int, axis: float, position: float
-    ) -> tuple[str, str]:
+    def _fixed_stop(self, _serial: int, axis: float, position: float, _c: float) -> tuple[str, str]:
         return "fixed_stop", f"{self._names.axis(int(axis))} {number_text(position)}"
 
-    def _probed(self, _kind: int, _serial: int, delta: float, _b: float) -> tuple[str, str]:
+    def _probed(self, _serial: int, delta: float, _b: float, _c: float) -> tuple[str, str]:
         return "probe", number_text(delta)
 
-    def _loop(self, _kind: int, how: int, _a: float, _b: float) -> tuple[str, str]:
+    def _loop(self, how: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "loop", _LOOPS[how]
 
-    def _wait(self, _kind: int, reason: int, cell: float, _b: float) -> tuple[str, str]:
+    def _wait(self, reason: int, cell: float, _b: float, _c: float) -> tuple[str, str]:
         word = _WAITS[reason]
         return "waits", f"{word} {self._names.variable(int(cell))}" if cell else word
 
-    def _starved(self, _kind: int, _serial: int, _a: float, _b: float) -> tuple[str, str]:
+    def _starved(self, _serial: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "starved", "begun"
 
-    def _fed(self, _kind: int, ticks: int, _a: float, _b: float) -> tuple[str, str]:
+    def _fed(self, ticks: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "starved", f"ended {ticks}"
 
-    def _overflow(self, _kind: int, number: int, _a: float, _b: float) -> tuple[str, str]:
+    def _overflow(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "overflow", self._names.thread(number)
 
-    def _program_end(self, _kind: int, number: int, _a: float, _b: float) -> tuple[str, str]:
+    def _program_end(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "end", self._names.program(number)
 
 
 #: Kinds whose subject is not the serial number of a cycle.
 _WITHOUT_CYCLE = (
-    record.MESSAGE,
-    record.PROGRAM_END,
-    record.TECHNOLOGY,
-    record.BLOCK,
-    record.WAIT,
-    record.FED,
-    record.OVERFLOW,
-    record.RETRACED,
-    record.LOOP,
+    rows.EVENT_MESSAGE,
+    rows.EVENT_PROGRAM_END,
+    rows.EVENT_TECHNOLOGY,
+    rows.EVENT_BLOCK,
+    rows.EVENT_WAIT,
+    rows.EVENT_FED,
+    rows.EVENT_OVERFLOW,
+    rows.EVENT_RETRACED,
+    rows.EVENT_LOOP,
 )
 
 
@@ -349,7 +364,7 @@ class EventChunk(Sequence[Event]):
 
     def subjects(self) -> Iterator[int]:
         """The number that each event is about: of a cycle, a message or a program."""
-        return (int(row[3]) for row in _ROW.iter_unpack(self._data))
+        return (int(row[rows.EVENT_SUBJECT]) for row in _ROW.iter_unpack(self._data))
 
     def _decoded(self) -> list[Event]:
         if self._events is None:

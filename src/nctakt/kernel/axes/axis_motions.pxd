@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of axis_motions.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.base.record cimport Record
@@ -65,6 +66,8 @@ cdef class AxisMotions:
     @cython.locals(full_d=double)
     cdef double in_range(self, Py_ssize_t axis, double position) noexcept nogil
     cdef void drop(self, Py_ssize_t axis) noexcept nogil
+    cdef void event(self, int kind, Py_ssize_t axis, double value) noexcept nogil
+    @cython.locals(source=cython.longlong, serial=cython.longlong)
     cdef void drop_next(self, Py_ssize_t axis) noexcept nogil
     cdef void drop_present(self, Py_ssize_t axis) noexcept nogil
     cdef void give_up(self, Py_ssize_t axis) noexcept nogil

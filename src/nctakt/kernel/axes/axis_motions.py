@@ -13,6 +13,7 @@ while they move, and are put back into the range when they stand.
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
@@ -121,6 +122,10 @@ class AxisMotions:
             return 0
         return 1 if self.speed[axis] == self.direction[axis] * self.planned_v[axis] else 0
 
+    def event(self, kind: int, axis: int, value: float) -> None:
+        """Record what becomes of the present motion."""
+        self.record.event(kind, self.sources[axis], self.serials[axis], axis, value)
+
     # --- beginnings and ends --------------------------------------------------------------------
 
     def begin(self, axis: int) -> None:
@@ -157,17 +162,15 @@ class AxisMotions:
         self.axes.has_moved = True
         self.axes.show_state(axis, 3 if kind == 2 else 2)
         if kind == 2:
-            self.record.axis_begun(
-                self.sources[axis], self.serials[axis], -1 - axis, self.direction[axis]
-            )
+            self.event(rows.EVENT_AXIS_ENDLESS, axis, self.direction[axis])
         else:
-            self.record.axis_begun(self.sources[axis], self.serials[axis], axis, self.end[axis])
+            self.event(rows.EVENT_AXIS_BEGUN, axis, self.end[axis])
             if self.is_beyond(axis, self.goal[axis]):
                 self.fail(axis, 900436)
                 return
         if self.held[axis]:
             self.axes.show_state(axis, 1)
-            self.record.axis_changed(self.sources[axis], self.serials[axis], axis, 0)
+            self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_HELD)
 
     def turn(self, axis: int, way_d: float) -> float:
         """The way of a modulo axis to a target that is ``way_d`` away, in the wanted direction.
@@ -201,12 +204,13 @@ class AxisMotions:
 
     def drop_next(self, axis: int) -> None:
         """Give up the waiting motion."""
-        self.record.axis_ended(self.next_source[axis], self.next_serial[axis], axis, 1)
+        source, serial = self.next_source[axis], self.next_serial[axis]
+        self.record.event(rows.EVENT_AXIS_ENDED, source, serial, axis, rows.MOTION_ABORTED)
         self.next_kind[axis] = 0
 
     def drop_present(self, axis: int) -> None:
         """Tell that the present motion is given up; its owner has a place free."""
-        self.record.axis_ended(self.sources[axis], self.serials[axis], axis, 1)
+        self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_ABORTED)
         self.owner[axis] = 0
 
     def give_up(self, axis: int) -> None:
@@ -239,10 +243,10 @@ class AxisMotions:
 
     def fail(self, axis: int, message: int) -> None:
         """The motion ends with an error; what waits is dropped."""
-        self.record.error(self.sources[axis], self.serials[axis], message, axis)
+        self.record.event(rows.EVENT_ERROR, self.sources[axis], self.serials[axis], message, axis)
         if self.next_kind[axis]:
             self.drop_next(axis)
-        self.record.axis_ended(self.sources[axis], self.serials[axis], axis, 2)
+        self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_FAILED)
         self.brake(axis)
         self.fault[axis] = message
         if self.in_channel[axis]:
@@ -285,7 +289,7 @@ class AxisMotions:
         if self.kind[axis] == 2:
             self.axes.target[axis] = self.axes.command[axis]
             if self.next_kind[axis] and not self.next_held[axis] and self.is_at_speed(axis):
-                self.record.axis_ended(self.sources[axis], self.serials[axis], axis, 0)
+                self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_DONE)
                 self.begin(axis)
 
     def plan(self, axis: int, top_v: float) -> None:
@@ -319,7 +323,7 @@ class AxisMotions:
             self.plans.evaluate(axis, self.plans.duration_t(axis))
             place = self.start_d[axis] + self.plans.distance_d
             self.axes.command[axis] = self.in_range(axis, place)
-            self.record.axis_changed(self.sources[axis], self.serials[axis], axis, 2)
+            self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_STOPPED)
             self.come_to_stand(axis)
             return 1
         if top_v == 0.0 or (self.kind[axis] == 2 and not arithmetic.is_finite(self.goal[axis])):
@@ -330,7 +334,7 @@ class AxisMotions:
         if self.kind[axis] == 2:
             self.fail(axis, 900434)
         else:
-            self.record.axis_ended(self.sources[axis], self.serials[axis], axis, 0)
+            self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_DONE)
             self.arrived[axis] = self.owner[axis]
         self.come_to_stand(axis)
         return 1

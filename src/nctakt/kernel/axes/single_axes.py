@@ -121,7 +121,7 @@ class SingleAxes(AxisMotions):
             if self.owner[axis] == owner and 0 < self.kind[axis] < 4 and not self.held[axis]:
                 self.held[axis] = 1
                 self.axes.show_state(axis, 4)
-                self.record.axis_changed(self.sources[axis], self.serials[axis], axis, 0)
+                self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_HELD)
 
     def resume(self, owner: int) -> None:
         """Let the held motions of an owner go on, from the state of now."""
@@ -134,7 +134,7 @@ class SingleAxes(AxisMotions):
                 self.held[axis] = 0
                 self.planned_v[axis] = -1.0
                 self.axes.show_state(axis, 3 if self.kind[axis] == 2 else 2)
-                self.record.axis_changed(self.sources[axis], self.serials[axis], axis, 1)
+                self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_CONTINUED)
 
     def abort(self, owner: int) -> None:
         """Brake the owner's motions and give them up, the held and the waiting ones, too."""

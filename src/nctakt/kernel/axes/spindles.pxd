@@ -2,6 +2,7 @@
 # C types of spindles.py.
 cimport cython
 from libc cimport math
+from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.axes.trajectory cimport Trajectories
@@ -45,7 +46,7 @@ cdef class Spindles:
 
     cdef int is_ready(self, Py_ssize_t spindle, long long tick) noexcept nogil
     cdef void command(self, Py_ssize_t spindle, int function, double speed_v, double position, int direction, long long owner, long long tick) noexcept nogil
-    @cython.locals(number=Py_ssize_t, speed=double)
+    @cython.locals(number=Py_ssize_t, function=cython.longlong, speed=double, position=double)
     cdef void tell(self, Py_ssize_t spindle, long long source, long long serial) noexcept nogil
     cdef void hand_over(self, Py_ssize_t spindle, long long done_tick) noexcept nogil
     @cython.locals(end_v=double)
@@ -74,7 +75,7 @@ cdef class Spindles:
     cdef void advance(self, Py_ssize_t spindle, long long tick) noexcept nogil
     @cython.locals(stands=bint)
     cdef void arrive(self, Py_ssize_t spindle) noexcept nogil
-    @cython.locals(number=Py_ssize_t)
+    @cython.locals(number=Py_ssize_t, source=cython.longlong, serial=cython.longlong)
     cdef void finish(self, Py_ssize_t spindle) noexcept nogil
 
 @cython.locals(turned=double)

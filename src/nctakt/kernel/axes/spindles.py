@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import math
 
+from nctakt.kernel import rows
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index
@@ -133,10 +134,12 @@ class Spindles:
         self.source[spindle] = source
         self.serial[spindle] = serial
         number = self.first_number + spindle
+        function = self.function[spindle]
         speed = math.fabs(self.wanted_v[spindle]) / 6.0
-        self.record.spindle(source, serial, number, self.function[spindle], speed)
+        self.record.event(rows.EVENT_SPINDLE, source, serial, number, function, speed)
         if self.function[spindle] == 19:
-            self.record.spindle_position(source, serial, number, self.wanted_position[spindle])
+            position = self.wanted_position[spindle]
+            self.record.event(rows.EVENT_SPINDLE_POSITION, source, serial, number, position)
 
     def hand_over(self, spindle: int, done_tick: int) -> None:
         """The job just taken of a PLC spindle; the default PLC acknowledges it in ``done_tick``."""
@@ -329,7 +332,8 @@ class Spindles:
         if self.is_open[spindle]:
             self.is_open[spindle] = 0
             number = self.first_number + spindle
-            self.record.spindle_reached(self.source[spindle], self.serial[spindle], number)
+            source, serial = self.source[spindle], self.serial[spindle]
+            self.record.event(rows.EVENT_SPINDLE_REACHED, source, serial, number)
 
     # --- Python's side --------------------------------------------------------------------------
 

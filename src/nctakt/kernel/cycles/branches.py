@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.cycles import instructions
 from nctakt.kernel.cycles.conditions import Condition
 from nctakt.kernel.cycles.context import Context
@@ -48,9 +49,9 @@ def react(reaction: Reaction, context: Context) -> int:
     if reaction.last_run != context.run - 1:
         if reaction.count == 0:
             reaction.first_tick = context.tick
-        context.record.fired(reaction.source, context.serial)
+        context.record.event(rows.EVENT_FIRED, reaction.source, context.serial)
     if reaction.next_tick != context.tick:
-        context.record.series(reaction.condition.probe, 1, reaction.next_tick)
+        context.record.series(reaction.condition.probe, rows.PROBE_RAN, reaction.next_tick)
     reaction.next_tick = context.tick + 1
     reaction.count += 1
     reaction.last_run = context.run

@@ -10,6 +10,7 @@ with probes of their own. What a fault leaves is not recorded.
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.expressions import Expression
@@ -62,7 +63,7 @@ def tell_change(
 ) -> None:
     """A series of evaluations begins, or the truth changes."""
     if context.tick != condition.next_tick:
-        context.record.series(condition.probe, 0, condition.next_tick)
+        context.record.series(condition.probe, rows.PROBE_EVALUATED, condition.next_tick)
     if truth == condition.truth or context.fault:
         return
     condition.truth = truth

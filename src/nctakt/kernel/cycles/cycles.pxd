@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of cycles.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.cycles.instructions cimport Statement
 from nctakt.kernel.cycles.context cimport Context
 from nctakt.kernel.base.record cimport Record
@@ -86,7 +87,8 @@ cdef class CycleManager:
     cdef void abort_actions(self, Py_ssize_t slot) noexcept nogil
     cdef void end_program(self) noexcept nogil
     cdef void reset(self) noexcept nogil
-    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
+    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t, source=cython.longlong, serial=cython.longlong)
     cdef void delete_local(self, int reason) noexcept nogil
     cdef int run_cycles(self, Context context) noexcept nogil
+    @cython.locals(source=cython.longlong, serial=cython.longlong)
     cdef void fail(self, Py_ssize_t slot, Context context) noexcept nogil

@@ -8,6 +8,7 @@ with stands in arrays over the slots, what it runs in a tree of groups of four i
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base.bounds import check_index
@@ -86,7 +87,7 @@ class RealtimeCycle(RunThrough):
             manager.restarts[self.slot] = 0
             self.body.restart()
         if self.next_tick != context.tick:
-            context.record.series(self.probe, 0, self.next_tick)
+            context.record.series(self.probe, rows.PROBE_EVALUATED, self.next_tick)
         self.next_tick = context.tick + 1
         self.runs += 1
         context.serial = self.serial
@@ -255,7 +256,9 @@ class CycleManager:
             self.enter(slot, 6)
             return 50857 if self.size[slot] > self.memory_limit else 50855
         self.memory_used += self.size[slot]
-        self.record.created(self.source[slot], self.serial[slot], self.scope[slot])
+        self.record.event(
+            rows.EVENT_CREATED, self.source[slot], self.serial[slot], self.scope[slot]
+        )
         self.enter(slot, 2)
         self.reusable[slot] = 0 if starts else 1
         if starts:
@@ -273,7 +276,7 @@ class CycleManager:
         self.latest_start = tick
         self.spindles.resume(self.serial[slot], tick)
         self.single_axes.resume(self.first_owner + slot)
-        self.record.started(source, self.serial[slot])
+        self.record.event(rows.EVENT_STARTED, source, self.serial[slot])
         self.enter(slot, 3 if self.scope[slot] == 0 else 4)
 
     def is_fresh(self, identity: int, tick: int) -> int:
@@ -299,7 +302,7 @@ class CycleManager:
         slot = self.find(identity)
         if slot < 0:
             if action == 5:
-                self.record.notice(source, 0, 900410)
+                self.record.event(rows.EVENT_NOTICE, source, 0, 900410)
                 return 0
             return 50858
         if action == 1:
@@ -309,12 +312,12 @@ class CycleManager:
         elif action == 3:
             self.resume(slot, source)
         elif action == 4:
-            self.record.aborted(source, self.serial[slot])
+            self.record.event(rows.EVENT_ABORTED, source, self.serial[slot])
             self.spindles.abort(self.serial[slot], tick)
             self.abort_actions(slot)
         else:
             self.enter(slot, 6)
-            self.record.ended(source, self.serial[slot], 1)
+            self.record.event(rows.EVENT_ENDED, source, self.serial[slot], rows.ENDED_BY_DELETE)
             self.end_actions(slot)
         return 0
 
@@ -322,21 +325,21 @@ class CycleManager:
         """HOLD: not run from now on, states kept; its motions brake and keep their targets."""
         if self.state[slot] == 3 or self.state[slot] == 4:
             self.enter(slot, 5)
-            self.record.held(source, self.serial[slot])
+            self.record.event(rows.EVENT_HELD, source, self.serial[slot])
             self.spindles.hold(self.serial[slot], self.record.tick)
             self.single_axes.hold(self.first_owner + slot)
         else:
-            self.record.notice(source, self.serial[slot], 900411)
+            self.record.event(rows.EVENT_NOTICE, source, self.serial[slot], 900411)
 
     def resume(self, slot: int, source: int) -> None:
         """CONTINUE: run again with kept states; a BLOCK cycle held before its block waits again."""
         if self.state[slot] == 5:
             self.enter(slot, 3 if self.scope[slot] == 0 and self.block[slot] == 0 else 4)
-            self.record.continued(source, self.serial[slot])
+            self.record.event(rows.EVENT_CONTINUED, source, self.serial[slot])
             self.spindles.resume(self.serial[slot], self.record.tick)
             self.single_axes.resume(self.first_owner + slot)
         else:
-            self.record.notice(source, self.serial[slot], 900412)
+            self.record.event(rows.EVENT_NOTICE, source, self.serial[slot], 900412)
 
     def enter_block(self, serial: int) -> None:
         """A block that takes time was taken: armed cycles run with it.
@@ -361,11 +364,11 @@ class CycleManager:
         for place in range(self.loaded_count):
             slot = self.order[place]
             if self.block[slot] != 0 and self.block[slot] != serial:
-                self.end(slot, 0)
+                self.end(slot, rows.ENDED_BY_SCOPE)
 
     def end(self, slot: int, reason: int) -> None:
         """A cycle has ended; one with DEF and scope BLOCK can be started again (RC-105)."""
-        self.record.ended(self.source[slot], self.serial[slot], reason)
+        self.record.event(rows.EVENT_ENDED, self.source[slot], self.serial[slot], reason)
         self.enter(slot, 2 if self.reusable[slot] and self.scope[slot] == 0 else 6)
         self.end_actions(slot)
 
@@ -381,21 +384,22 @@ class CycleManager:
 
     def end_program(self) -> None:
         """M30: BLOCK and PROG cycles are deleted (RC-105, RC-106)."""
-        self.delete_local(0)
+        self.delete_local(rows.ENDED_BY_SCOPE)
 
     def reset(self) -> None:
         """RC-007: BLOCK and PROG cycles are deleted; GLOBAL ones keep their states."""
-        self.delete_local(2)
+        self.delete_local(rows.ENDED_BY_RESET)
 
     def delete_local(self, reason: int) -> None:
         """Delete all cycles that do not outlive the program."""
         for place in range(self.loaded_count):
             slot = self.order[place]
             if 2 <= self.state[slot] <= 5 and self.scope[slot] != 2:
-                if self.state[slot] == 3 and reason == 0:
-                    self.record.notice(self.source[slot], self.serial[slot], 900413)
+                source, serial = self.source[slot], self.serial[slot]
+                if self.state[slot] == 3 and reason == rows.ENDED_BY_SCOPE:
+                    self.record.event(rows.EVENT_NOTICE, source, serial, 900413)
                 if self.state[slot] != 2:
-                    self.record.ended(self.source[slot], self.serial[slot], reason)
+                    self.record.event(rows.EVENT_ENDED, source, serial, reason)
                 self.enter(slot, 6)
                 self.end_actions(slot)
 
@@ -407,7 +411,8 @@ class CycleManager:
 
     def fail(self, slot: int, context: Context) -> None:
         """RC-505: tell the fault; the cycle at fault is ended, its motions are aborted."""
-        self.record.error(context.fault_source, self.serial[slot], context.fault, context.fault_a)
+        source, serial = context.fault_source, self.serial[slot]
+        self.record.event(rows.EVENT_ERROR, source, serial, context.fault, context.fault_a)
         self.enter(slot, 6)
-        self.record.ended(self.source[slot], self.serial[slot], 3)
+        self.record.event(rows.EVENT_ENDED, self.source[slot], serial, rows.ENDED_BY_ERROR)
         self.abort_actions(slot)

@@ -10,6 +10,7 @@ little recursion.
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.expressions import Expression
@@ -339,7 +340,9 @@ class IssueTechnology(Counted):
             number = 50942 if sequence < 0 else 50943
             context.fail(number, self.source, self.function, context.hli.realtime.slot_count)
             return 1
-        context.record.technology_rt(self.source, context.serial, self.function, sequence)
+        context.record.event(
+            rows.EVENT_TECHNOLOGY_RT, self.source, context.serial, self.function, sequence
+        )
         return 0
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of user_errors.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.cycles cimport instructions
 from nctakt.kernel.cycles.expressions cimport Expression

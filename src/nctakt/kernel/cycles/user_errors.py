@@ -7,6 +7,7 @@ brakes from this tick; the statements behind it, its cycle and all others run on
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.cycles import instructions
 from nctakt.kernel.cycles.context import Context
@@ -41,7 +42,7 @@ class NumberValue(UserValue):
             self.others.evaluate(context)
 
     def tell(self, context: Context, source: int) -> None:
-        context.record.user_value(source, context.serial, self.code, self.number)
+        context.record.event(rows.EVENT_USER_VALUE, source, context.serial, self.code, self.number)
         self.others.tell(context, source)
 
 
@@ -57,7 +58,7 @@ class TextValue(UserValue):
         self.others.evaluate(context)
 
     def tell(self, context: Context, source: int) -> None:
-        context.record.user_text(source, context.serial, self.code, self.text)
+        context.record.event(rows.EVENT_USER_TEXT, source, context.serial, self.code, self.text)
         self.others.tell(context, source)
 
 
@@ -85,7 +86,7 @@ class RaiseUserError(Counted):
         self.values.evaluate(context)
         if context.fault:
             return instructions.stop(self, context)
-        context.record.user_error(self.source, context.serial, identity, reaction)
+        context.record.event(rows.EVENT_USER_ERROR, self.source, context.serial, identity, reaction)
         self.values.tell(context, self.source)
         if reaction > context.user_reaction:
             context.user_reaction = int(reaction)

@@ -43,8 +43,9 @@ cdef class Retrace(History):
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
     cdef void leave(self) noexcept nogil
     cdef void turn(self, int wanted) noexcept nogil
-    @cython.locals(source=cython.longlong)
+    @cython.locals(source=cython.longlong, way=int)
     cdef void go(self, int direction) noexcept nogil
+    @cython.locals(source=cython.longlong)
     cdef void return_to_front(self, double covered_d) noexcept nogil
     @cython.locals(factor=double, speed=double)
     cdef double feed_speed(self, Py_ssize_t base, int is_free) noexcept nogil
@@ -79,6 +80,7 @@ cdef class Retrace(History):
     cdef void fail(self, int refusal, long long place) noexcept nogil
     @cython.locals(now_t=double)
     cdef int advance(self, int is_stopping) noexcept nogil
+    @cython.locals(source=cython.longlong)
     cdef void stop_between(self) noexcept nogil
     @cython.locals(first=cython.longlong)
     cdef int is_inside(self) noexcept nogil

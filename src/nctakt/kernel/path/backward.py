@@ -146,7 +146,8 @@ class Retrace(History):
         self.path.limit_v = -1.0
         self.is_blocked = False
         source = int(self.path.ring[self.path.base + rows.SOURCE])
-        self.record.retraced(source, 0 if direction < 0 else 1)
+        way = rows.RETRACE_BACKWARD if direction < 0 else rows.RETRACE_FORWARD
+        self.record.event(rows.EVENT_RETRACED, source, way)
         if self.path.covered_d > 0.0 or direction > 0:
             self.path.claim_again()
             if self.enter_stage():
@@ -157,7 +158,8 @@ class Retrace(History):
         """The path is where it was before it turned, and its own master again."""
         self.panel.is_paused = self.was_paused
         self.panel.is_released = self.was_released
-        self.record.retraced(int(self.path.ring[self.path.front + rows.SOURCE]), 3)
+        source = int(self.path.ring[self.path.front + rows.SOURCE])
+        self.record.event(rows.EVENT_RETRACED, source, rows.RETRACE_FRONT)
         self.path.release()
         self.path.rest()
         self.path.is_active = not self.path.is_front_over
@@ -404,7 +406,7 @@ class Retrace(History):
         self.path.speed_v = 0.0
         source = int(self.path.ring[self.path.base + rows.SOURCE])
         if self.path.direction < 0:
-            self.record.retraced(source, 2)
+            self.record.event(rows.EVENT_RETRACED, source, rows.RETRACE_START)
         else:
             other = self.neighbour(self.place, 1)
             self.fault = refusal
@@ -451,7 +453,8 @@ class Retrace(History):
             self.path.limit_v = -1.0
             if self.path.is_single and not self.is_inside():
                 self.panel.is_paused = True
-                self.record.paused(int(self.path.ring[self.path.base + rows.SOURCE]))
+                source = int(self.path.ring[self.path.base + rows.SOURCE])
+                self.record.event(rows.EVENT_PAUSED, source)
 
     def is_inside(self) -> int:
         """Whether the walk, which has just come to a segment, is inside of a block with it."""

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of edge_probe.py.
 cimport cython
+from nctakt.kernel cimport rows
 from nctakt.kernel.plc.technology_slots cimport Hli
 from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.base.record cimport Record

@@ -9,6 +9,7 @@ the path stands then.
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.plc.technology_slots import Hli
@@ -53,7 +54,7 @@ class EdgeProbe:
         if self.phase == 1 and self.hli.panel.probe:
             self.joint_d = self.path.covered_way() + self.residual_d
             self.cells[self.cell] = self.path.rest_d() - self.residual_d
-            self.record.probe_found(self.source, self.cells[self.cell])
+            self.record.event(rows.EVENT_PROBED, self.source, 0, self.cells[self.cell])
             self.phase = 2
         if self.phase == 2 and self.path.brake_way() >= self.joint_d - self.path.covered_way():
             self.phase = 3
@@ -67,7 +68,9 @@ class EdgeProbe:
         """The function goes to the PLC, as soon as there is room."""
         if self.hli.program.issue(self.function, tick, self.ticks) > 0:
             self.hli.program.give_value(self.value)
-            self.record.technology(self.source, self.function, self.has_value, self.value)
+            self.record.event(
+                rows.EVENT_TECHNOLOGY, self.source, self.has_value, self.function, self.value
+            )
             self.phase = 4
 
     def finish(self, tick: int) -> int:

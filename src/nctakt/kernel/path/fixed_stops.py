@@ -93,7 +93,7 @@ class FixedStops:
             self.detected[i] = 1
             self.found += 1
             self.show(i, real)
-            self.record.fixed_stop(self.sources[i], axis, real)
+            self.record.event(rows.EVENT_FIXED_STOP, self.sources[i], 0, axis, real)
 
     def missing(self) -> int:
         """The place of the first axis that should have found its stop and has not; -1: none."""

@@ -17,7 +17,7 @@ cdef class JerkAhead(SegmentLimits):
     @cython.locals(i=Py_ssize_t, part=double, least_a=double, left_a=double, left_j=double)
     cdef void use(self, double[::1] row, Py_ssize_t base, double[::1] parts) noexcept nogil
     cdef double speed_of(self, double[::1] row, Py_ssize_t base) noexcept nogil
-    @cython.locals(base=Py_ssize_t, before=Py_ssize_t, is_less=int, passed=Py_ssize_t, lent=int, goal_a=double)
+    @cython.locals(base=Py_ssize_t, before=Py_ssize_t, is_less=int, passed=Py_ssize_t, lent=int, goal_a=double, back=Py_ssize_t)
     cdef int spread_smoothly(self, double[::1] row, Py_ssize_t number, Py_ssize_t oldest, int is_promised) noexcept nogil
     @cython.locals(goal_a=double, goal_j=double, way=double)
     cdef int is_far(self, double[::1] row, Py_ssize_t base, double speed) noexcept nogil

@@ -138,7 +138,8 @@ class JerkAhead(SegmentLimits):
             self.goal_a = min(goal_a, row[base + rows.CARRIED_ACCELERATION])
             self.goal_j = min(row[base + rows.GOAL_JERK], row[base + rows.CARRIED_JERK])
             self.goal_kind = int(row[base + rows.GOAL_KIND])
-            number = number - int(row[base + rows.PREDECESSOR])
+            back = int(row[base + rows.PREDECESSOR])
+            number = number - back
             if number < oldest:
                 return 0 if is_less and is_promised else 1
             before = number % self.capacity * self.width

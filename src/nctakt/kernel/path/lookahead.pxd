@@ -23,7 +23,7 @@ cdef class LookAhead(Bends):
     @cython.locals(speed=double)
     cdef void enter(self, double[::1] row, Py_ssize_t base, double end_v, double free_end_v) noexcept nogil
     cdef double entry_speed(self, double[::1] row, Py_ssize_t base, double end_v, double limit_v) noexcept nogil
-    @cython.locals(base=Py_ssize_t, passed=Py_ssize_t, end_v=double, free_end_v=double)
+    @cython.locals(base=Py_ssize_t, passed=Py_ssize_t, back=Py_ssize_t, end_v=double, free_end_v=double)
     cdef int spread(self, double[::1] row, Py_ssize_t number, Py_ssize_t oldest, double promised_v, double promised_free_v) noexcept nogil
     @cython.locals(base=Py_ssize_t, before=Py_ssize_t, i=Py_ssize_t)
     cdef void connect(self, double[::1] row, Py_ssize_t number, Py_ssize_t back, Py_ssize_t oldest, double promised_v, double promised_free_v) noexcept nogil

@@ -195,7 +195,8 @@ class LookAhead(Bends):
         self.enter(row, base, 0.0, 0.0)
         passed = 0
         while row[base + rows.PREDECESSOR] > 0.0:
-            number = number - int(row[base + rows.PREDECESSOR])
+            back = int(row[base + rows.PREDECESSOR])
+            number = number - back
             if number < oldest:
                 return 1 if self.entry_v >= promised_v and self.free_v >= promised_free_v else 0
             base = number % self.capacity * self.width

@@ -11,6 +11,7 @@ value, the image gets it back, and the first time of each variable is told (9003
 
 from __future__ import annotations
 
+from nctakt.kernel import rows
 from nctakt.kernel.base.bounds import check_index, check_range
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.image_slots import Units
@@ -222,7 +223,7 @@ class InterfaceImage:
             self.event_bound -= 1
             self.refused_cells[self.refused_count] = self.cell[entry]
             self.refused_count += 1
-            self.record.error(0, 0, 900346, 0.0)
+            self.record.event(rows.EVENT_ERROR, 0, 0, 900346)
 
     def number(self, kind: int) -> float:
         """The number in the scratch bytes."""

@@ -35,7 +35,7 @@ cdef class Channel(Commands):
     cdef void watch_stops(self) noexcept nogil
     @cython.locals(goes_on=int)
     cdef int step_back(self, double factor, int stops) noexcept nogil
-    @cython.locals(waits=bint, base=Py_ssize_t)
+    @cython.locals(waits=bint, base=Py_ssize_t, source=cython.longlong)
     cdef void tell_wait(self) noexcept nogil
     @cython.locals(number=double)
     cdef void publish_block(self) noexcept nogil

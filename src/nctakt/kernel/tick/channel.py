@@ -192,9 +192,9 @@ class Channel(Commands):
         if is_empty and can_go:
             if self.starved_since < 0:
                 self.starved_since = tick
-                self.record.starved(self.taken_source)
+                self.record.event(rows.EVENT_STARVED, self.taken_source)
         elif self.starved_since >= 0:
-            self.record.fed(self.taken_source, tick - self.starved_since)
+            self.record.event(rows.EVENT_FED, self.taken_source, tick - self.starved_since)
             self.starved_since = -1
 
     def begin_tick(self, tick: int) -> None:
@@ -256,7 +256,7 @@ class Channel(Commands):
         elif not self.has_told_spindle and self.resting_spindle() > 0:
             self.has_told_spindle = True
             source = int(self.path.ring[self.path.base + rows.SOURCE])
-            self.record.error(source, 0, 900819, 0.0)
+            self.record.event(rows.EVENT_ERROR, source, 0, 900819)
 
     def resting_spindle(self) -> int:
         """Counted from 1 the spindle that rests while the path stands and follows it; else 0."""
@@ -293,7 +293,7 @@ class Channel(Commands):
         """One increment while backward motion is commanded, or forward over the history (MO-7)."""
         if self.path.history_size == 0:
             if self.panel.turns_back:
-                self.record.error(0, 0, 900880, 0.0)
+                self.record.event(rows.EVENT_ERROR, 0, 0, 900880)
             return self.path.step(factor, stops)
         if not self.path.is_away:
             if self.is_stopped or self.is_resetting or not self.retrace.takes_over():
@@ -317,7 +317,8 @@ class Channel(Commands):
         if waits and not self.has_told_wait and not self.is_stopped and not self.is_resetting:
             self.has_told_wait = True
             base = self.head % self.capacity * self.width
-            self.record.error(int(self.queue[base + rows.SOURCE]), 0, 900890, 0.0)
+            source = int(self.queue[base + rows.SOURCE])
+            self.record.event(rows.EVENT_ERROR, source, 0, 900890)
 
     def publish_block(self) -> None:
         """The N number of the block that is current in this tick, its last one included."""

@@ -123,7 +123,7 @@ class Commands(CommandRing):
             return 1
         if self.panel.lets_go(line, self.is_motion(base), is_begun):
             return 1
-        self.record.paused(source)
+        self.record.event(rows.EVENT_PAUSED, source)
         return 0
 
     def is_motion(self, base: int) -> bool:
@@ -179,7 +179,7 @@ class Commands(CommandRing):
         elif kind == rows.PROGRAM_STOP:
             self.timed_count -= 1
             if self.panel.stop_for_program(self.queue[base + rows.STOP_IS_OPTIONAL] != 0.0):
-                self.record.paused(int(self.queue[base + rows.SOURCE]))
+                self.record.event(rows.EVENT_PAUSED, int(self.queue[base + rows.SOURCE]))
         elif kind == rows.GIVE_UP:
             self.timed_count -= 1
             message = int(self.queue[base + rows.GIVE_UP_MESSAGE])
@@ -195,17 +195,21 @@ class Commands(CommandRing):
         """A command that is nothing but an event."""
         source = int(self.queue[base + rows.SOURCE])
         if kind == rows.MESSAGE:
-            self.record.message(source, int(self.queue[base + rows.MESSAGE_TEXT]))
+            number = int(self.queue[base + rows.MESSAGE_TEXT])
+            self.record.event(rows.EVENT_MESSAGE, source, number)
         elif kind == rows.FREEZE:
             serial = int(self.queue[base + rows.FROZEN_CYCLE])
-            name = int(self.queue[base + rows.FROZEN_NAME])
-            self.record.frozen(source, serial, name, self.queue[base + rows.FROZEN_VALUE])
+            name = self.queue[base + rows.FROZEN_NAME]
+            value = self.queue[base + rows.FROZEN_VALUE]
+            self.record.event(rows.EVENT_FROZEN, source, serial, name, value)
         elif kind == rows.BLOCK_MARK:
             number = int(self.queue[base + rows.BLOCK_NUMBER])
-            self.record.block(source, number, int(self.queue[base + rows.MARK_TICK]))
+            decoded_tick = self.queue[base + rows.MARK_TICK]
+            self.record.event(rows.EVENT_BLOCK, source, number, decoded_tick)
         else:
             reason = int(self.queue[base + rows.WAIT_REASON])
-            self.record.wait(source, reason, int(self.queue[base + rows.WAIT_CELL]))
+            cell = self.queue[base + rows.WAIT_CELL]
+            self.record.event(rows.EVENT_WAIT, source, reason, cell)
 
     def take_block(self, base: int) -> int:
         """A segment or dwell: current from now on, unless the path has passed its start already.
@@ -292,7 +296,8 @@ class Commands(CommandRing):
         value = int(self.queue[base + rows.TECHNOLOGY_VALUE])
         self.hli.program.give_value(value)
         has_value = self.queue[base + rows.TECHNOLOGY_HAS_VALUE] != 0.0
-        self.record.technology(int(self.queue[base + rows.SOURCE]), function, has_value, value)
+        source = int(self.queue[base + rows.SOURCE])
+        self.record.event(rows.EVENT_TECHNOLOGY, source, has_value, function, value)
         return 1
 
     def take_spindle(self, tick: int, base: int) -> int:
@@ -334,7 +339,9 @@ class Commands(CommandRing):
 
     def take_characters(self, base: int) -> None:
         """Part of a string, and zeros behind it."""
-        first = 8 * int(self.queue[base + rows.TEXT_CELL]) + int(self.queue[base + rows.TEXT_FIRST])
+        cell = int(self.queue[base + rows.TEXT_CELL])
+        first = int(self.queue[base + rows.TEXT_FIRST])
+        first += 8 * cell
         count = int(self.queue[base + rows.TEXT_COUNT])
         zeros = int(self.queue[base + rows.TEXT_ZEROS])
         for i in range(count):
@@ -360,7 +367,9 @@ class Commands(CommandRing):
         self.is_skipping = self.cells[self.first_cell + 4] == 0.0
         self.is_looping = not self.is_skipping
         self.panel.show_loop(self.is_looping)
-        self.record.loop(int(self.queue[base + rows.SOURCE]), 1 if self.is_skipping else 0)
+        source = int(self.queue[base + rows.SOURCE])
+        how = rows.LOOP_SKIPPED if self.is_skipping else rows.LOOP_BEGUN
+        self.record.event(rows.EVENT_LOOP, source, how)
         self.prolong_loop()
 
     def prolong_loop(self) -> None:
@@ -411,7 +420,7 @@ class Commands(CommandRing):
     def leave_loop(self, source: int) -> None:
         """The path has come to the loop's end, and the condition does not hold."""
         if self.is_looping:
-            self.record.loop(source, 2)
+            self.record.event(rows.EVENT_LOOP, source, rows.LOOP_LEFT)
         self.give_up_loop()
 
     def give_up_loop(self) -> None:
@@ -432,7 +441,8 @@ class Commands(CommandRing):
         self.edge.clear()
         self.manager.end_program()
         program = int(self.queue[base + rows.PROGRAM_NUMBER])
-        self.record.program_end(int(self.queue[base + rows.SOURCE]), program)
+        source = int(self.queue[base + rows.SOURCE])
+        self.record.event(rows.EVENT_PROGRAM_END, source, program)
         self.program_ended = True
         self.waiting = rows.PROGRAM_END
         return 1
@@ -441,17 +451,20 @@ class Commands(CommandRing):
         """``#ERROR`` of the main program: told, then its values, then it may stop the channel."""
         source = int(self.queue[base + rows.SOURCE])
         if kind == rows.USER_ERROR:
+            identity = self.queue[base + rows.ERROR_IDENTITY]
             reaction = self.queue[base + rows.ERROR_REACTION]
-            self.record.user_error(source, 0, self.queue[base + rows.ERROR_IDENTITY], reaction)
+            self.record.event(rows.EVENT_USER_ERROR, source, 0, identity, reaction)
         elif kind == rows.USER_STOP:
             self.timed_count -= 1
             self.stop_for_user(int(self.queue[base + rows.STOP_REACTION]))
         elif kind == rows.USER_TEXT:
-            keyword = int(self.queue[base + rows.VALUE_KEYWORD])
-            self.record.user_text(source, 0, keyword, int(self.queue[base + rows.VALUE_NUMBER]))
+            keyword = self.queue[base + rows.USER_TEXT_KEYWORD]
+            text = self.queue[base + rows.USER_TEXT_NUMBER]
+            self.record.event(rows.EVENT_USER_TEXT, source, 0, keyword, text)
         else:
-            keyword = int(self.queue[base + rows.VALUE_KEYWORD])
-            self.record.user_value(source, 0, keyword, self.queue[base + rows.VALUE_NUMBER])
+            keyword = self.queue[base + rows.VALUE_KEYWORD]
+            value = self.queue[base + rows.VALUE_NUMBER]
+            self.record.event(rows.EVENT_USER_VALUE, source, 0, keyword, value)
 
     def stop_for_user(self, reaction: int) -> None:
         """An ``#ERROR`` with RC from 1 on: error state until a reset, with RC 7 for good."""
@@ -468,6 +481,6 @@ class Commands(CommandRing):
 
     def report(self, source: int, message: int, detail: float) -> None:
         """An error of the realtime part: channel in error state, the path brakes (RC-505)."""
-        self.record.error(source, 0, message, detail)
+        self.record.event(rows.EVENT_ERROR, source, 0, message, detail)
         self.error_detail = detail
         self.enter_error(message)

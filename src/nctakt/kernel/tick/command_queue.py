@@ -54,7 +54,7 @@ class CommandRing:
         if not self.passes(kind):
             self.latest = -1
         if self.body.is_open:
-            self.body.keep(self.row(self.tail - 1))
+            self.body.keep(self.queue, base)
 
     def begin_loop(self, row: list[float]) -> None:
         """Append the begin of a realtime loop; what comes up to its end is its body."""
@@ -109,7 +109,7 @@ class CommandRing:
                 self.queue[base + rows.SPEED_OVERRIDE + i] = pace[i]
             self.queue[base + rows.SPEED] *= self.queue[base + rows.SPEED_OVERRIDE]
         if self.body.is_open:
-            self.body.keep(self.row(self.tail))
+            self.body.keep(self.queue, base)
         self.end_segment(base)
 
     def put_line(

@@ -7,8 +7,6 @@ and the path goes on from one pass into the next.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from nctakt.kernel import rows
 
 
@@ -49,8 +47,8 @@ class LoopBody:
         self.is_open = False
         self.is_complete = False
 
-    def keep(self, row: Sequence[float]) -> None:
-        """Keep a row of the queue."""
+    def keep(self, queue: memoryview[float], base: int) -> None:
+        """Keep the row of the queue that begins at ``base``."""
         if (self.count + 1) * self.width > len(self.rows):
             larger = memoryview(bytearray(16 * len(self.rows))).cast("d")
             for i in range(self.count * self.width):
@@ -58,5 +56,5 @@ class LoopBody:
             self.rows = larger
         begin = self.count * self.width
         for i in range(self.width):
-            self.rows[begin + i] = row[i]
+            self.rows[begin + i] = queue[base + i]
         self.count += 1

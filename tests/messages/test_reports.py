@@ -67,7 +67,7 @@ ADDED = {
     "_whole": {"value"},
     "HeldMotion": {"radius"},
     "expected": {"found", "symbol"},
-    "Wrong": {"value", "word"},
+    "Finding": {"value", "word"},
     "get": {"said", "values"},
 }
 

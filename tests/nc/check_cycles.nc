@@ -80,12 +80,12 @@ M30
 #RT CYCLE DELETE [ID=0] ; error 50875 "0"
 ; --- $IF (RC-203)
 #RT CYCLE
-  $IF ONCE V.E.VALUE > 1 ; error 22022 "$IF ONCE"
-  $ELSE
+  $IF ONCE V.E.VALUE > 1
+  $ELSE ; error 22022 "$IF ONCE"
     V.E.NONE = 1 ; error 900213 "V.E.NONE"
   $ENDIF
-  $IF EDGE V.E.VALUE > 1 ; error 22022 "$IF EDGE"
-  $ELSEIF V.E.VALUE
+  $IF EDGE V.E.VALUE > 1
+  $ELSEIF V.E.VALUE ; error 22022 "$IF EDGE"
   $ENDIF
   $IF V.E.VALUE > 1
   $ELSEIF ALWAYS V.E.NONE ; error 22021 "ALWAYS"; error 900213 "V.E.NONE"
@@ -233,4 +233,11 @@ M30
 ; --- a block number inside a cycle
 #RT CYCLE
   N[V.E.NONE] M100 ; error 900213 "V.E.NONE"
+#RT CYCLE END
+; --- functions of axes (manual 4.3)
+#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF ONCE V.E.VALUE > 1
+    X[M100] ; error 901004 "X[M100]"
+    Y[H7] ; error 901004 "Y[H7]"
+  $ENDIF
 #RT CYCLE END

@@ -213,6 +213,14 @@ FREQUENCY_IF_WITH_ELSE = error(
     reaction=2,
     clearing=3,
 )
+FUNCTION_GIVEN_TO_AXIS_IN_CYCLE = error(
+    901004,
+    en="a realtime cycle cannot give an M or H function to an axis: {command}",
+    de="ein Echtzeit-Zyklus kann keine M- oder H-Funktion an eine Achse geben: {command}",
+    remedy_en="Command the channel's function here, or the axis' in the program.",
+    remedy_de="Hier die Funktion des Kanals ausgeben oder die der Achse im Programm.",
+    command=("the command as written", "der Befehl, wie geschrieben"),
+)
 INVALID_CYCLE_ID = error(
     50875,
     en="{id} is no ID of a realtime cycle",

@@ -14,6 +14,16 @@ UNKNOWN_VARIABLE = error(
     name=("the variable", "die Variable"),
     nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
+UNKNOWN_AXIS_OF_VARIABLE = error(
+    901003,
+    en="{name}: this channel has no axis {axis}",
+    de="{name}: dieser Kanal hat keine Achse {axis}",
+    remedy_en="Axes of the channel: {axes}",
+    remedy_de="Achsen des Kanals: {axes}",
+    name=("the variable", "die Variable"),
+    axis=("the axis as written", "die Achse, wie geschrieben"),
+    axes=("the axes of the channel", "die Achsen des Kanals"),
+)
 WRONG_INDEX_COUNT = error(
     900214,
     en="{name} has {expected} indices here, not {given}",

@@ -28,6 +28,7 @@ from nctakt.messages.checked_blocks import (
     WORD_VALUE_MISSING,
     WORD_VALUE_OUT_OF_RANGE,
 )
+from nctakt.messages.checked_cycles import FUNCTION_GIVEN_TO_AXIS_IN_CYCLE
 from nctakt.messages.offsets import (
     COMMAND_WITHOUT_AXIS,
     G159_WITHOUT_NUMBER,
@@ -60,9 +61,9 @@ from nctakt.nc.tree import (
     Word,
 )
 from nctakt.nc.vocabulary import support_level
-from nctakt.nc.vocabulary.axis_commands import is_axis_command
+from nctakt.nc.vocabulary.axis_commands import has_function, is_axis_command
 from nctakt.nc.vocabulary.entries import Entry, Support
-from nctakt.nc.vocabulary.function_rows import Form, GFunction, Group
+from nctakt.nc.vocabulary.function_rows import Form, Group
 from nctakt.nc.vocabulary.functions import (
     DWELL,
     EXACT_STOP_ONCE,
@@ -248,7 +249,7 @@ class WordChecker:
         if entry is None:
             self._findings.report(INVALID_FUNCTION_NUMBER, word.span, word=f"G{number}")
             return
-        if _is_neutral(entry, word):
+        if isinstance(word.additional, Number) and word.additional.value == entry.neutral:
             self._findings.report_support(replace(entry, support=Support.ACCEPTED), word.span)
             return
         self._findings.report_support(entry, word.span)
@@ -326,6 +327,10 @@ class WordChecker:
         name = command.name
         if name in self.axes and is_axis_command(command):
             self._findings.report(INDP_OUTSIDE_REALTIME_CYCLE, command.span, axis=name)
+            return True
+        if name in self.axes and state is None and has_function(command):
+            written = self._findings.written(command.span)
+            self._findings.report(FUNCTION_GIVEN_TO_AXIS_IN_CYCLE, command.span, command=written)
             return True
         if name in self.axes:
             form, shown = "X[…]", f"{name}[…]"
@@ -484,9 +489,3 @@ def _expressions(block: Block) -> list[Expression]:
         if isinstance(word, Word) and word.additional is not None:
             expressions.append(word.additional)
     return expressions
-
-
-def _is_neutral(entry: GFunction, word: Word) -> bool:
-    """Return whether a function is given the value with which it changes nothing."""
-    value = word.additional
-    return isinstance(value, Number) and value.value == entry.neutral

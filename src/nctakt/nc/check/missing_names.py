@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 from nctakt.messages.checked_values import (
     STRUCTURE_USED_AS_VALUE,
+    UNKNOWN_AXIS_OF_VARIABLE,
     UNKNOWN_VARIABLE,
     WRONG_INDEX_COUNT,
 )
@@ -34,6 +35,14 @@ class MissingNames:
         """Report why a variable does not exist."""
         report, span = self._findings.report, variable.span
         match missing.reason:
+            case Problem.UNKNOWN if self._lacks_axis(variable):
+                report(
+                    UNKNOWN_AXIS_OF_VARIABLE,
+                    span,
+                    name=path_text(variable),
+                    axis=variable.parts[-1].name,
+                    axes=", ".join(self._axes),
+                )
             case Problem.UNKNOWN:
                 nearest = (
                     self._with_axis(variable) or self._spelled(variable) or missing.nearest or "–"
@@ -60,6 +69,16 @@ class MissingNames:
                 if isinstance(location, Location):
                     return location.name
         return ""
+
+    def _lacks_axis(self, variable: Variable) -> bool:
+        """Whether a V.RTA variable exists, but for another axis than the one named last."""
+        if variable.family != "RTA" or len(variable.parts) < 2:
+            return False
+        parts = [(part.name, len(part.indices)) for part in variable.parts[:-1]]
+        return any(
+            isinstance(self._names.resolve("RTA", [*parts, (axis, 0)]), Location)
+            for axis in self._axes
+        )
 
     def _spelled(self, variable: Variable) -> str:
         """The variable that differs in upper and lower case only; else nothing."""

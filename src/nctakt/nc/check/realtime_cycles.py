@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from difflib import get_close_matches
 
+from nctakt.base.diagnostics import Span
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages.checked_blocks import (
     AXIS_FUNCTION_IN_CYCLE,
@@ -175,9 +176,9 @@ class CycleChecker:
         if not isinstance(value, Number):
             return
         if is_global and value.value <= 0:
-            self._findings.report(INVALID_GLOBAL_CYCLE_ID, value.span, id=f"{value.value:g}")
+            self._findings.report(INVALID_GLOBAL_CYCLE_ID, value.span, id=f"{value.value:.15g}")
         elif not 1 <= value.value <= HIGHEST_ID or not value.value.is_integer():
-            self._findings.report(INVALID_CYCLE_ID, value.span, id=f"{value.value:g}")
+            self._findings.report(INVALID_CYCLE_ID, value.span, id=f"{value.value:.15g}")
 
     # --- the body --------------------------------------------------------------------------------
 
@@ -220,7 +221,7 @@ class CycleChecker:
         if statement.frequency is not None:
             if statement.elseifs or statement.else_body is not None:
                 self._findings.report(
-                    FREQUENCY_IF_WITH_ELSE, statement.span, word=statement.frequency
+                    FREQUENCY_IF_WITH_ELSE, _first_other(statement), word=statement.frequency
                 )
         self._values.block(statement.condition)
         self._statements(statement.body)
@@ -323,3 +324,10 @@ class CycleChecker:
 
 def _moves_an_axis(word: BlockWord) -> bool:
     return isinstance(word, BracketCommand) and is_axis_command(word)
+
+
+def _first_other(statement: If) -> Span:
+    """Return where the first ``$ELSEIF`` or ``$ELSE`` of an ``$IF`` stands."""
+    if statement.elseifs:
+        return statement.elseifs[0].span
+    return statement.else_span or statement.span

@@ -55,7 +55,10 @@ class SpindleChecker:
             self._findings.report(NO_MAIN_SPINDLE, command.span)
         for word in command.wrong:
             written = self._findings.written(word.span)
-            suggestion = nearest(written, WORDS) or NOTHING
+            if written in WORDS:
+                suggestion = f"{written}=…"
+            else:
+                suggestion = nearest(written, WORDS) or NOTHING
             self._findings.report(NOT_A_SPINDLE_WORD, word.span, word=written, nearest=suggestion)
         for doubled in command.doubled:
             self._findings.report(

@@ -134,6 +134,11 @@ def is_axis_command(command: BracketCommand) -> bool:
     return any(isinstance(item, Keyword) and item.name == "INDP" for item in command.items)
 
 
+def has_function(command: BracketCommand) -> bool:
+    """Return whether a bracket commands an M or H function of its axis."""
+    return any(isinstance(item, Keyword) and item.name in ("M", "H") for item in command.items)
+
+
 def axis_commands_in(statements: Sequence[Statement]) -> Iterator[BracketCommand]:
     """All single-axis commands of these statements and those inside them."""
     for statement in statements:

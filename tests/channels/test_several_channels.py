@@ -50,7 +50,7 @@ def test_a_program_in_the_second_channel_alone() -> None:
     """Channel 1 has nothing to do: the run ends with channel 2."""
     run = Controller(MACHINE).run(channels={2: [TWO, TWO]})
     assert [event.text for event in run.events if event.kind == "end"] == ["two.nc", "two.nc"]
-    assert [text for _, text in run.messages] == ["there", "there"]
+    assert [message.text for message in run.messages] == ["there", "there"]
 
 
 def test_names_without_a_channel_are_the_first_ones() -> None:

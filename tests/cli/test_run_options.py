@@ -26,7 +26,7 @@ from nctakt.messages.files import STDIN_NAMED_TWICE
 from nctakt.messages.inputs import NOT_AN_ASSIGNMENT
 from nctakt.messages.plc import PLC_FAILED
 from nctakt.plc import PlcError
-from nctakt.results.run import Run, SaidMessage
+from nctakt.results.run import ProgramMessage, Run
 from nctakt.run.stimuli import Stimulus
 from nctakt.trace import Event, Signal, TraceHeader
 
@@ -165,10 +165,10 @@ def test_messages_and_summary_go_out_and_diagnostics_to_stderr(
 ) -> None:
     """What programs say is printed with its time, without control characters, and kept."""
 
-    def behave(on_message: Callable[[SaidMessage], None], **_: Any) -> Run:
-        on_message(SaidMessage(463_000, "half way\x1b[2J"))
-        on_message(SaidMessage(464_000, "no stamp, ", exclusive=True, unbroken=True))
-        on_message(SaidMessage(465_000, "one line", exclusive=True))
+    def behave(on_message: Callable[[ProgramMessage], None], **_: Any) -> Run:
+        on_message(ProgramMessage(463_000, "half way\x1b[2J"))
+        on_message(ProgramMessage(464_000, "no stamp, ", is_exclusive=True, is_unbroken=True))
+        on_message(ProgramMessage(465_000, "one line", is_exclusive=True))
         return result(diagnostics=(diagnostic(RUNNING_UNCOMPILED), diagnostic(STDIN_NAMED_TWICE)))
 
     asked.behave = behave
@@ -186,8 +186,8 @@ def test_messages_and_summary_go_out_and_diagnostics_to_stderr(
 def test_quiet_leaves_errors_and_messages(asked: Asked, capsys: pytest.CaptureFixture[str]) -> None:
     """With --quiet there is neither summary nor note."""
 
-    def behave(on_message: Callable[[SaidMessage], None], **_: Any) -> Run:
-        on_message(SaidMessage(0, "hello"))
+    def behave(on_message: Callable[[ProgramMessage], None], **_: Any) -> Run:
+        on_message(ProgramMessage(0, "hello"))
         return result(diagnostics=(diagnostic(RUNNING_UNCOMPILED), diagnostic(STDIN_NAMED_TWICE)))
 
     asked.behave = behave

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from nctakt.results.run import Run, SaidMessage
+from nctakt.results.run import ProgramMessage, Run
 from nctakt.run.controller import Controller, NcText
 
 
-def run(text: str, said: list[SaidMessage] | None = None) -> Run:
+def run(text: str, said: list[ProgramMessage] | None = None) -> Run:
     """A program on the demo machine; what it says goes to ``said``."""
     listen = None if said is None else said.append
     return Controller().run(NcText("p.nc", text + "M30\n"), on_message=listen)
@@ -15,14 +15,14 @@ def run(text: str, said: list[SaidMessage] | None = None) -> Run:
 
 def test_saved_messages_name_the_file_that_the_program_wants() -> None:
     """Only those with SAVE; the last name counts."""
-    said: list[SaidMessage] = []
+    said: list[ProgramMessage] = []
     result = run(
         '#MSG SAVE ["a"]\n#FILENAME [MSG="one.txt"]\n#MSG SAVE ["b"]\n#MSG ["c"]\n'
         '#FILE NAME [MSG=Two.txt]\n#MSG SAVE EXCLUSIVE CONTINUE ["d"]\n',
         said,
     )
     assert result.errors == ()
-    found = [(one.text, one.file, one.exclusive, one.unbroken) for one in said]
+    found = [(one.text, one.file, one.is_exclusive, one.is_unbroken) for one in said]
     assert found == [
         ("a", "", False, False),
         ("b", "one.txt", False, False),
@@ -44,7 +44,7 @@ def test_channel_init_waits_until_the_path_stands() -> None:
 
 def test_data_of_the_controller_are_read_when_the_block_is_decoded() -> None:
     """Software limits in the program's unit; no tool is active."""
-    said: list[SaidMessage] = []
+    said: list[ProgramMessage] = []
     run(
         '#MSG ["%g %g %g", V.A.+SWE_MDS.X, V.A.-SWE_MDS.X, V.G.WZ_AKT.R]\n'
         'G70\n#MSG ["%.4f", V.A.+SWE_MDS.X]\n',

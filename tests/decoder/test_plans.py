@@ -28,7 +28,9 @@ VARIABLES = "#VAR\nV.P.A = 0\nV.P.B = 0\nV.P.LIST[3] = [1, 2, 4]\n#ENDVAR\n"
 def messages(text: str) -> list[str]:
     """What a program says, and the numbers and places of its diagnostics."""
     run = Controller().run(NcText("p.nc", text), memory_trace=False)
-    return [text for _, text in run.messages] + [f"{one.id} {one.span}" for one in run.diagnostics]
+    return [message.text for message in run.messages] + [
+        f"{one.id} {one.span}" for one in run.diagnostics
+    ]
 
 
 def in_loop(expression: str) -> str:

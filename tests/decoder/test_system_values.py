@@ -6,13 +6,13 @@ from __future__ import annotations
 import pytest
 
 from nctakt.nc.vocabulary.system_names import ROWS, SystemRow
-from nctakt.results.run import Run, SaidMessage
+from nctakt.results.run import ProgramMessage, Run
 from nctakt.run.controller import Controller, NcText
 
 
 def said(text: str, controller: Controller | None = None) -> tuple[Run, list[str]]:
     """A program's run, and what it says."""
-    found: list[SaidMessage] = []
+    found: list[ProgramMessage] = []
     run = (controller or Controller()).run(NcText("p.nc", text), on_message=found.append)
     assert not run.errors, run.errors
     return run, [one.text for one in found]

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 import nctakt
-from nctakt.results.run import Run, SaidMessage
+from nctakt.results.run import ProgramMessage, Run
 from nctakt.run.controller import Controller, NcText
 
 DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
@@ -21,7 +21,7 @@ DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
 
 def run(text: str, machine: Path | None = None) -> tuple[Run, list[str]]:
     """A program's run, and what it says."""
-    said: list[SaidMessage] = []
+    said: list[ProgramMessage] = []
     found = Controller(machine).run(NcText("p.nc", text + "M30\n"), on_message=said.append)
     return found, [one.text for one in said]
 

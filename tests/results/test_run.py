@@ -8,9 +8,9 @@ from nctakt.results.run import (
     Reaction,
     ReactionResult,
     Run,
-    RunStatistics,
     TechnologyOutput,
 )
+from nctakt.results.run_statistics import RunStatistics
 from nctakt.trace import Event, MemorySink, TraceHeader
 
 DEFINED = Span("part.nc", 3, 1, 2)
@@ -100,11 +100,6 @@ def test_functions_of_cycles_and_of_the_program_are_counted_apart() -> None:
         OutputCount("M", 100, True, 2, 4),
         OutputCount("M", 100, False, 1, 6),
     )
-
-
-def test_messages_keep_their_time() -> None:
-    """What a program says is kept with its virtual time."""
-    assert counted(*EVENTS).messages == ((5000, "half way"),)
 
 
 def test_technology_lists_each_output() -> None:

@@ -149,7 +149,7 @@ class Message:
         return Text(*self._cause)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Diagnostic:
     """One finding: a message, its place (``None``: no file involved) and its parameters' values.
 
@@ -164,6 +164,12 @@ class Diagnostic:
     source_line: str = ""
     is_lenient: bool = False
     entry: str = ""
+
+    def __repr__(self) -> str:
+        return f"<{self.headline()}>"
+
+    def __str__(self) -> str:
+        return self.render()
 
     @property
     def id(self) -> int:

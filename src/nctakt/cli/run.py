@@ -34,7 +34,7 @@ from nctakt.files.output import OutputFile
 
 if TYPE_CHECKING:
     from nctakt.results.report import DiagnosisSink
-    from nctakt.results.run import Run, SaidMessage
+    from nctakt.results.run import ProgramMessage, Run
     from nctakt.run.controller import Controller
     from nctakt.trace.sinks import Sink
 
@@ -168,10 +168,10 @@ def _run_controller(
 ) -> Run | None:
     """The result of the run, its messages shown and saved as they come."""
 
-    def show_message(said: SaidMessage) -> None:
-        click.echo(message_line(said))
+    def show_message(message: ProgramMessage) -> None:
+        click.echo(message_line(message))
         if messages is not None:
-            messages.write(saved_message(said))
+            messages.write(saved_message(message))
 
     if messages is not None:
         messages.write("")

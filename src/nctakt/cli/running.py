@@ -31,7 +31,7 @@ from nctakt.messages.scheduled_runs import OPTION_WITHOUT_SCHEDULE
 
 if TYPE_CHECKING:
     from nctakt.decoder.cycles.builder import CycleDefinition
-    from nctakt.results.run import Run, SaidMessage
+    from nctakt.results.run import ProgramMessage, Run
     from nctakt.run.controller import Controller
     from nctakt.schedule.open_schedule import RunSchedule
     from nctakt.trace.sinks import Sink
@@ -174,7 +174,7 @@ def run_programs(
     *,
     sinks: Sequence[Sink] = (),
     why: bool = False,
-    on_message: Callable[[SaidMessage], None] | None = None,
+    on_message: Callable[[ProgramMessage], None] | None = None,
     on_cycle: Callable[[str, CycleDefinition], None] | None = None,
 ) -> Run | None:
     """The result of the run; ``None`` when the user's PLC broke it off, which has been told."""
@@ -182,10 +182,10 @@ def run_programs(
 
     bar = ProgressBar()
 
-    def show_message(said: SaidMessage) -> None:
+    def show_message(message: ProgramMessage) -> None:
         if on_message is not None:
             bar.hide()
-            on_message(said)
+            on_message(message)
 
     def show_progress(tick: int, limit: int | None) -> None:
         interrupt.check()

@@ -20,11 +20,12 @@ from typing import TYPE_CHECKING, Self, TextIO
 import click
 
 from nctakt.base.diagnostics import Diagnostic, Language, Severity
+from nctakt.lists.format.times import time_stamp
 
 if TYPE_CHECKING:
     from rich.progress import Progress
 
-    from nctakt.results.run import SaidMessage
+    from nctakt.results.run import ProgramMessage
 
 #: Seconds of wall-clock time after which the progress bar appears.
 PATIENCE_S = 1.0
@@ -61,24 +62,20 @@ def silence(stream: TextIO) -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
-def message_line(said: SaidMessage) -> str:
+def message_line(message: ProgramMessage) -> str:
     """A message of a program with its virtual time, on one line."""
-    return f"{_seconds(said.time_us)}  {_channel(said)}{_printable(said.text)}"
+    return f"{time_stamp(message.time_us)}  {_channel(message)}{_printable(message.text)}"
 
 
-def saved_message(said: SaidMessage) -> str:
+def saved_message(message: ProgramMessage) -> str:
     """What the message file gets: time stamp and line end unless the message forbids them."""
-    stamp = "" if said.exclusive else f"{_seconds(said.time_us)}  {_channel(said)}"
-    return f"{stamp}{_printable(said.text)}" + ("" if said.unbroken else "\n")
+    stamp = "" if message.is_exclusive else f"{time_stamp(message.time_us)}  {_channel(message)}"
+    return f"{stamp}{_printable(message.text)}" + ("" if message.is_unbroken else "\n")
 
 
-def _channel(said: SaidMessage) -> str:
+def _channel(message: ProgramMessage) -> str:
     """Which channel says it, where there is more than one."""
-    return f"CH{said.channel}  " if said.channel else ""
-
-
-def _seconds(time_us: int) -> str:
-    return f"{time_us // 1_000_000}.{time_us % 1_000_000:06d} s"
+    return f"CH{message.channel}  " if message.channel else ""
 
 
 def _printable(text: str) -> str:

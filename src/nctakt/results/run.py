@@ -1,54 +1,64 @@
 # SPDX-License-Identifier: MIT
-"""What a run gives back: how far it came, what its realtime cycles did, what it put out.
+"""The result of a run: how far it came, what its realtime cycles did, what it put out.
 
-In: events, as the run goes on (``RunStatistics`` is a sink), and what the controller knows at its
-end. Out: ``Run``, which is the same for the same inputs: it holds no wall-clock time.
+Plain records, the same for the same inputs: they hold no wall-clock time.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Literal
 
 from nctakt.base.diagnostics import Diagnostic, Severity, Span
+from nctakt.lists.format.times import Time
 from nctakt.results.coverage import Coverage
-from nctakt.results.starving import OverflowCount, ScheduleStatistics, Starvation
+from nctakt.results.notebook import html_table
+from nctakt.results.starving import OverflowCount, Starvation
 from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.results.why import WhyReport
 from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
-from nctakt.trace.sinks import TraceHeader
 
 #: ``ended``: all programs ran to their end. ``error``: an NC error stopped the run. ``limit``: the
-#: limit of ticks came first. ``reset``: RESET on the HLI. ``interrupted``: the user broke it off.
+#: limit came first. ``reset``: RESET on the HLI. ``interrupted``: the user broke it off.
 RunState = Literal["ended", "error", "limit", "reset", "interrupted"]
+
+#: Messages and errors in the table for notebooks, of each kind.
+MAX_ROWS = 20
 
 #: The frequency of a branch that has none (a plain ``$IF``, ``$ELSEIF``, ``$ELSE``).
 NO_FREQUENCY = ""
 
 
-@dataclass(frozen=True, slots=True)
-class SaidMessage:
-    """A ``#MSG`` as it comes; ``exclusive`` and ``unbroken`` are for the message file.
+@dataclass(frozen=True, slots=True, repr=False)
+class ProgramMessage:
+    """A message of a program (``#MSG``): its time and its text.
 
-    There it stands without its time stamp if it is exclusive, without line end if unbroken.
-    ``channel``: its number where the machine has more than one, else 0.
-    ``file``: where the program wants a saved one to be (#FILENAME), empty without a wish.
+    ``channel``: the channel's number on a machine with several, else 0. In a message file it
+    stands without its time stamp if ``is_exclusive``, without a line end if ``is_unbroken``.
+    ``file``: the message file that the program has chosen (#FILENAME), empty without one.
     """
 
     time_us: int
     text: str
-    exclusive: bool = False
-    unbroken: bool = False
+    is_exclusive: bool = False
+    is_unbroken: bool = False
     channel: int = 0
     file: str = ""
+
+    def __repr__(self) -> str:
+        channel = f" CH{self.channel}" if self.channel else ""
+        return f"<{Time(self.time_us)}{channel}: {self.text!r}>"
+
+    def __str__(self) -> str:
+        return self.text
 
 
 @dataclass(frozen=True, slots=True)
 class Reaction:
-    """A branch of a realtime cycle: its place and ``ONCE``, ``EDGE``, ``ALWAYS`` or nothing."""
+    """A branch of a realtime cycle: its span and ``ONCE``, ``EDGE``, ``ALWAYS`` or nothing."""
 
     span: Span
     frequency: str = NO_FREQUENCY
@@ -56,9 +66,10 @@ class Reaction:
 
 @dataclass(frozen=True, slots=True)
 class FrozenValue:
-    """An asynchronous variable of a realtime cycle: its name, its place in the cycle, its value.
+    """An asynchronous variable of a realtime cycle: its name, its value, its span in the cycle.
 
-    That is the one which it had when the definition was decoded (RC-302); the cycle sees no other.
+    The value is that of the moment when the definition was decoded (RC-302); the cycle sees no
+    other.
     """
 
     name: str
@@ -71,7 +82,7 @@ class ReactionResult:
     """How often a branch fired: ``count`` series of run-throughs in which its body ran.
 
     ``first_tick`` and ``last_tick`` are the ticks in which the first and the last series began,
-    ``None`` when there was none.
+    ``None`` without any.
     """
 
     span: Span | None
@@ -83,11 +94,11 @@ class ReactionResult:
 
 @dataclass(frozen=True, slots=True)
 class CycleResult:
-    """A realtime cycle: ID (``#1`` without one), scope, place of its definition, reactions.
+    """A realtime cycle: ID (``#1`` without one), scope, span of its definition, reactions.
 
-    ``instances`` says how often this definition was executed. ``runs`` is the number of its
-    run-throughs since its creation, ``None`` where they are not counted for it alone. ``frozen``
-    are the asynchronous values in it, those of its latest instance.
+    ``instances``: how often this definition was executed. ``runs``: the run-throughs since its
+    creation, ``None`` if they are not counted for it alone. ``frozen``: the asynchronous values in
+    its latest instance.
     """
 
     name: str
@@ -101,21 +112,29 @@ class CycleResult:
 
 @dataclass(frozen=True, slots=True)
 class OutputCount:
-    """How often an M or H function was put out; ``realtime``: by a realtime cycle."""
+    """How often a function was put out; ``is_realtime``: by a realtime cycle.
+
+    ``letter``: ``M`` or ``H``.
+    """
 
     letter: str
     number: int
-    realtime: bool
+    is_realtime: bool
     count: int
     first_tick: int
 
+    @property
+    def name(self) -> str:
+        """The function as in a program: ``M100``."""
+        return f"{self.letter}{self.number}"
 
-@dataclass(frozen=True, slots=True)
+
+@dataclass(frozen=True, slots=True, repr=False)
 class TechnologyOutput:
-    """One M or H function that was put out.
+    """An M or H function that was put out; ``letter``: ``M`` or ``H``.
 
-    ``sequence`` is its number within the tick in the realtime section (RC-403), 0 for a function
-    of the main program.
+    ``sequence``: its number within the tick in the realtime section (RC-403), 0 for a function of
+    the main program. ``cycle``: the realtime cycle that put it out, empty for the main program.
     """
 
     tick: int
@@ -126,16 +145,30 @@ class TechnologyOutput:
     span: Span | None
     cycle: str
 
+    @property
+    def name(self) -> str:
+        """The function as in a program: ``M100``."""
+        return f"{self.letter}{self.number}"
 
-@dataclass(frozen=True, slots=True)
+    def __repr__(self) -> str:
+        origin = f" of cycle {self.cycle}" if self.cycle else ""
+        span = "" if self.span is None else f", {self.span}"
+        return f"<{Time(self.time_us)}: {self.name}{origin}{span}>"
+
+    def __str__(self) -> str:
+        return self.name
+
+
+@dataclass(frozen=True, slots=True, repr=False)
 class Run:
-    """The result of one call of ``Controller.run``.
+    """The result of ``Controller.run``.
 
-    ``ticks`` were run, from tick ``first_tick`` of the controller on. ``trace`` and ``events`` are
-    there when the trace was kept in memory (else ``None`` and empty); counts are always there.
-    ``messages`` are the times in microseconds and texts of what programs said. Where the run was
-    asked to, ``why`` tells what each condition saw and did, ``coverage`` how often. ``schedule``:
-    what gave it its time; ``starved`` and ``overflows``: what that did to it.
+    ``state``: ``ended``, ``error``, ``limit``, ``reset`` or ``interrupted``. ``ticks`` were run,
+    from tick ``first_tick`` of the controller on. ``trace`` and ``events`` are those of the trace
+    in memory (``None`` and empty without one); messages and counts are always there. ``why`` tells
+    what each condition saw and did, ``coverage`` how often, if the run was asked for them.
+    ``schedule``: the scheduling list that gave the run its time; ``starved``, ``overflows``: its
+    effects.
     """
 
     programs: tuple[str, ...]
@@ -145,7 +178,7 @@ class Run:
     state: RunState
     trace: Trace | None = None
     diagnostics: tuple[Diagnostic, ...] = ()
-    messages: tuple[tuple[int, str], ...] = ()
+    messages: tuple[ProgramMessage, ...] = ()
     cycles: tuple[CycleResult, ...] = ()
     outputs: tuple[OutputCount, ...] = ()
     why: WhyReport | None = None
@@ -156,7 +189,7 @@ class Run:
 
     @property
     def virtual_time_us(self) -> int:
-        """How long the machine would have taken, in microseconds."""
+        """The time that the machine would have taken."""
         return self.ticks * self.cycle_time_us
 
     @property
@@ -167,23 +200,55 @@ class Run:
     @property
     def technology(self) -> list[TechnologyOutput]:
         """The M and H functions that were put out, in their order."""
-        return [_technology(event) for event in self.events if event.kind in _TECHNOLOGY]
+        return [technology_output(one) for one in self.events if one.kind in TECHNOLOGY_KINDS]
 
     @property
     def user_errors(self) -> list[UserErrorReport]:
-        """What programs and realtime cycles have raised with ``#ERROR``."""
+        """The errors and warnings that programs and realtime cycles have raised with ``#ERROR``."""
         return user_errors(self.events)
 
     @property
     def errors(self) -> tuple[Diagnostic, ...]:
         """The diagnostics that are errors."""
-        return tuple(found for found in self.diagnostics if found.severity is Severity.ERROR)
+        return self._of(Severity.ERROR)
+
+    def _of(self, severity: Severity) -> tuple[Diagnostic, ...]:
+        return tuple(one for one in self.diagnostics if one.severity is severity)
+
+    def __repr__(self) -> str:
+        counts = ", ".join(
+            f"{count} {name.removesuffix('s') if count == 1 else name}"
+            for name, count in self._counts()
+        )
+        programs = ", ".join(self.programs)
+        time = Time(self.virtual_time_us)
+        return f"<Run of {programs}: {self.state} after {time}, {self.ticks} ticks; {counts}>"
+
+    def _counts(self) -> list[tuple[str, int]]:
+        return [
+            ("messages", len(self.messages)),
+            ("errors", len(self.errors)),
+            ("warnings", len(self._of(Severity.WARNING))),
+        ]
+
+    def _repr_html_(self) -> str:
+        """Return a small table for notebooks: state, time, counts, messages, errors."""
+        rows = [
+            ("state", self.state),
+            ("time", f"{Time(self.virtual_time_us)}, {self.ticks} ticks"),
+            *((name, str(count)) for name, count in self._counts()),
+            *((str(Time(one.time_us)), one.text) for one in self.messages[:MAX_ROWS]),
+            *((f"error {one.id}", one.headline()) for one in self.errors[:MAX_ROWS]),
+        ]
+        return html_table(", ".join(self.programs), rows)
 
 
-_TECHNOLOGY = ("M", "H", "output")
+#: The kinds of events that tell of a function: of realtime cycles, and of the main program.
+TECHNOLOGY_KINDS = ("M", "H", "output")
 
 
-def _technology(event: Event) -> TechnologyOutput:
+def technology_output(event: Event) -> TechnologyOutput:
+    """Return the output that an event of ``TECHNOLOGY_KINDS`` tells of."""
     words = event.text.split()
     if event.kind == "output":
         letter, number, sequence = words[0], int(words[1]), 0
@@ -191,160 +256,3 @@ def _technology(event: Event) -> TechnologyOutput:
         letter, number, sequence = event.kind, int(words[0]), int(words[1])
     span, cycle = event.span, event.cycle
     return TechnologyOutput(event.tick, event.time_us, letter, number, sequence, span, cycle)
-
-
-@dataclass(slots=True)
-class _Fired:
-    frequency: str
-    count: int = 0
-    first_tick: int | None = None
-    last_tick: int | None = None
-
-    def add(self, tick: int) -> None:
-        self.count += 1
-        self.last_tick = tick
-        if self.first_tick is None:
-            self.first_tick = tick
-
-
-@dataclass(slots=True)
-class _Cycle:
-    name: str
-    scope: str
-    span: Span | None
-    instances: int = 0
-    reactions: dict[Span | None, _Fired] = field(default_factory=dict)
-    frozen: tuple[FrozenValue, ...] = ()
-
-
-@dataclass(slots=True)
-class _Output:
-    first_tick: int
-    count: int = 0
-
-
-class RunStatistics:
-    """Counts what a run does, in memory that does not grow with its ticks; a sink.
-
-    ``reactions`` gives the branches of a cycle by its name, in the order of their places, so that
-    a branch that never fires is told too; without it only those that fire are known. Cycles that
-    one definition made again and again are counted together. ``frozen`` gives what was frozen into
-    the cycle of a name and a place.
-    """
-
-    def __init__(
-        self,
-        reactions: Callable[[str], Sequence[Reaction]] | None = None,
-        frozen: Callable[[str, Span | None], Sequence[FrozenValue]] | None = None,
-    ) -> None:
-        self._reactions = reactions
-        self._frozen = frozen
-        self._cycles: dict[tuple[str, str, Span | None], _Cycle] = {}
-        self._living: dict[str, _Cycle] = {}
-        self._outputs: dict[tuple[str, int, bool], _Output] = {}
-        self._messages: list[tuple[int, str]] = []
-        self.schedule = ScheduleStatistics()
-
-    def open(self, header: TraceHeader) -> None:
-        """Nothing to do: counts need no header."""
-
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Nothing to do: counts come from events."""
-
-    def close(self) -> None:
-        """Nothing to do."""
-
-    def events(self, events: Sequence[Event]) -> None:
-        """Count these events."""
-        for event in events:
-            if event.kind == "created":
-                self._created(event)
-            elif event.kind == "fired":
-                self._fired(event)
-            elif event.kind in _TECHNOLOGY:
-                self._output(event)
-            elif event.kind == "message":
-                self._messages.append((event.time_us, event.text))
-            elif event.kind in ("starved", "overflow"):
-                self.schedule.add(event)
-            elif event.kind == "ended":
-                self._living.pop(event.cycle, None)
-
-    def _created(self, event: Event) -> None:
-        scope = event.text.split()[-1]
-        name = event.cycle.partition("#")[0] + "#" if "#" in event.cycle else event.cycle
-        key = (name, scope, event.span)
-        if key not in self._cycles:
-            made = _Cycle(event.cycle, scope, event.span)
-            for reaction in self._reactions(event.cycle) if self._reactions else ():
-                made.reactions[reaction.span] = _Fired(reaction.frequency)
-            self._cycles[key] = made
-        self._cycles[key].instances += 1
-        if self._frozen is not None:
-            self._cycles[key].frozen = tuple(self._frozen(event.cycle, event.span))
-        self._living[event.cycle] = self._cycles[key]
-
-    def _fired(self, event: Event) -> None:
-        living = self._living.get(event.cycle)
-        if living is None:  # a GLOBAL cycle that an earlier run of this controller created
-            living = _Cycle(event.cycle, "GLOBAL", None, instances=1)
-            self._living[event.cycle] = living
-            self._cycles[(event.cycle, "GLOBAL", None)] = living
-        known = _same_start(living.reactions, event.span)
-        living.reactions.setdefault(known, _Fired(NO_FREQUENCY)).add(event.tick)
-
-    def _output(self, event: Event) -> None:
-        put_out = _technology(event)
-        key = (put_out.letter, put_out.number, event.kind != "output")
-        self._outputs.setdefault(key, _Output(event.tick)).count += 1
-
-    @property
-    def messages(self) -> tuple[tuple[int, str], ...]:
-        """Time in microseconds and text of each message, in their order."""
-        return tuple(self._messages)
-
-    def outputs(self) -> tuple[OutputCount, ...]:
-        """The M and H functions in the order of their first output."""
-        return tuple(
-            OutputCount(letter, number, realtime, output.count, output.first_tick)
-            for (letter, number, realtime), output in self._outputs.items()
-        )
-
-    def cycles(self, runs: Mapping[str, int] | None = None) -> tuple[CycleResult, ...]:
-        """The cycles in the order of their creation; ``runs`` gives run-throughs by name."""
-        return tuple(
-            CycleResult(
-                cycle.name,
-                cycle.scope,
-                cycle.span,
-                tuple(
-                    ReactionResult(
-                        span, fired.frequency, fired.count, fired.first_tick, fired.last_tick
-                    )
-                    for span, fired in cycle.reactions.items()
-                ),
-                cycle.instances,
-                self._runs(cycle, runs or {}),
-                cycle.frozen,
-            )
-            for cycle in self._cycles.values()
-        )
-
-    def _runs(self, cycle: _Cycle, runs: Mapping[str, int]) -> int | None:
-        """The cycle's run-throughs, if ``runs`` counts them for this definition alone."""
-        if cycle.instances > 1 and "#" in cycle.name:
-            return None
-        if sum(other.name == cycle.name for other in self._cycles.values()) > 1:
-            return None
-        return runs.get(cycle.name)
-
-
-def _same_start(spans: Mapping[Span | None, _Fired], span: Span | None) -> Span | None:
-    """The span among ``spans`` that begins where ``span`` does: events know no end of a span."""
-    if span is None or span in spans:
-        return span
-    for known in spans:
-        if known is not None and (known.file, known.line) == (span.file, span.line):
-            if known.column == span.column:
-                return known
-    return span

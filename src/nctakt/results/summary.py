@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import TextIO
 
 from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span, Text
+from nctakt.lists.format.times import time_stamp
 from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run
 from nctakt.results.starving import schedule_lines
 from nctakt.trace.events import number_text
@@ -104,7 +105,7 @@ def headline(run: Run, language: Language, wall_s: float | None) -> str:
     names = ", ".join(run.programs)
     if run.ticks == 0:
         return f"{names}: {_NOT_RUN.get(language)}"
-    time_s = seconds(run.virtual_time_us)
+    time_s = time_stamp(run.virtual_time_us)
     how = _STATES[run.state].get(language)
     one, many = Text("tick", "Takt"), Text("ticks", "Takte")
     ticks = (one if run.ticks == 1 else many).get(language)
@@ -122,11 +123,6 @@ def headline(run: Run, language: Language, wall_s: float | None) -> str:
 
 def _factor(value: float) -> str:
     return f"{value:.0f}" if value >= 10.0 else f"{value:.1f}"
-
-
-def seconds(time_us: int) -> str:
-    """A time with its microseconds: ``0.463000 s``."""
-    return f"{time_us // 1_000_000}.{time_us % 1_000_000:06d} s"
 
 
 def counts(run: Run, language: Language) -> str:
@@ -193,15 +189,14 @@ def _outputs(run: Run, language: Language) -> Table:
 
 
 def _output(run: Run, output: OutputCount, language: Language) -> tuple[str, ...]:
-    origin = _FROM_CYCLE if output.realtime else _FROM_PROGRAM
-    name = f"{output.letter}{output.number}"
+    origin = _FROM_CYCLE if output.is_realtime else _FROM_PROGRAM
     first = _tick(run, output.first_tick, language)
-    return name, origin.get(language), str(output.count), first
+    return output.name, origin.get(language), str(output.count), first
 
 
 def _tick(run: Run, tick: int, language: Language) -> str:
     word = Text("tick", "Takt").get(language)
-    return f"{word} {tick} = {seconds(tick * run.cycle_time_us)}"
+    return f"{word} {tick} = {time_stamp(tick * run.cycle_time_us)}"
 
 
 def _place(span: Span | None) -> str:

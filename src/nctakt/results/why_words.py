@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nctakt.base.diagnostics import Language, Span, Text
+from nctakt.lists.format.times import Time
 from nctakt.results.histories import (
     BranchHistory,
     Change,
@@ -101,9 +102,7 @@ class Words:
 
     def time(self, tick: int) -> str:
         """The time at which a tick begins: ``0.463 s``."""
-        time_us = tick * self._cycle_time_us
-        decimals = f"{time_us % 1_000_000:06d}".rstrip("0")
-        return f"{time_us // 1_000_000}{'.' if decimals else ''}{decimals} s"
+        return str(Time(tick * self._cycle_time_us))
 
     def tick(self, tick: int) -> str:
         """A tick with its time."""

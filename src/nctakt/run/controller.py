@@ -24,7 +24,8 @@ from nctakt.messages import diagnostic
 from nctakt.messages.backward import BACKWARD_WITHOUT_HISTORY
 from nctakt.messages.folders import UNKNOWN_CHANNEL
 from nctakt.nc.outline import ProgramText
-from nctakt.results.run import Run, RunState, RunStatistics, SaidMessage
+from nctakt.results.run import ProgramMessage, Run, RunState
+from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.channel_run import ChannelRun
@@ -96,6 +97,14 @@ class Controller:
         self._plc: AnyPlc | None = None
         self._image: InterfaceImage | None = None
         self._loaded: list[LoadedProgram] = []
+
+    def __repr__(self) -> str:
+        machine, count = self.machine, len(self._channels)
+        channels = "1 channel" if count == 1 else f"{count} channels"
+        axes = f"{len(machine.axes)} axes"
+        return (
+            f"<Controller of {machine.name}: {channels}, {axes}, {self.state} at tick {self.tick}>"
+        )
 
     # --- state and variables --------------------------------------------------------------------
 
@@ -256,7 +265,7 @@ class Controller:
         memory_trace: bool = True,
         record_writes: bool = True,
         why: bool = False,
-        on_message: Callable[[SaidMessage], None] | None = None,
+        on_message: Callable[[ProgramMessage], None] | None = None,
         on_progress: Callable[[int, int | None], None] | None = None,
         on_cycle: Callable[[str, CycleDefinition], None] | None = None,
         blocks: bool = False,
@@ -335,7 +344,7 @@ class Controller:
             state=state,
             trace=None if memory is None else memory.trace,
             diagnostics=tuple(self.diagnostics[begun:]),
-            messages=statistics.messages,
+            messages=tuple(self._recording.messages),
             cycles=statistics.cycles(self._machine.registry.runs()),
             outputs=statistics.outputs(),
             schedule=None if self._pace is None else self._pace.schedule,

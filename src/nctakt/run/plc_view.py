@@ -119,6 +119,9 @@ class Interface:
         self._index = index
         self._hli = machine.channels[index].hli
 
+    def __repr__(self) -> str:
+        return f"<Interface of channel {self._index + 1}: {self.state}, after tick {self.tick}>"
+
     def of_channel(self, number: int) -> Interface:
         """The PLC's side of a channel, from 1; ``Failure`` where there is none."""
         count = len(self._machine.channels)

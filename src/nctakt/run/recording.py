@@ -15,7 +15,7 @@ from nctakt.kernel.cycles.cycles import DEFINED, HELD
 from nctakt.nc.outline import ProgramText
 from nctakt.results.coverage import Coverage
 from nctakt.results.probe_log import ProbeLog
-from nctakt.results.run import SaidMessage
+from nctakt.results.run import ProgramMessage
 from nctakt.results.user_errors import user_errors
 from nctakt.results.why import WhyReport
 from nctakt.run.assembly import AssembledMachine
@@ -43,7 +43,8 @@ class Recording:
         self._events = EventDecoder(machine.configuration.cycle_time_us, machine.registry)
         self._sinks: Sequence[Sink] = ()
         self._probes: ProbeLog | None = None
-        self.on_message: Callable[[SaidMessage], None] | None = None
+        self.messages: list[ProgramMessage] = []
+        self.on_message: Callable[[ProgramMessage], None] | None = None
 
     def open(
         self,
@@ -63,6 +64,7 @@ class Recording:
             sink.open(header)
         self._probes = self._probe_log() if why else None
         self._machine.record.records_series = why
+        self.messages = []
 
     def close(self) -> None:
         """The run is over."""
@@ -119,12 +121,14 @@ class Recording:
         machine = self._machine
         raised = iter(user_errors(events))
         for event, subject in zip(events, events.subjects(), strict=True):
-            if event.kind == "message" and self.on_message is not None:
-                exclusive, unbroken, file = machine.registry.message_style(subject)
-                said = SaidMessage(
-                    event.time_us, event.text, exclusive, unbroken, event.channel, file
+            if event.kind == "message":
+                is_exclusive, is_unbroken, file = machine.registry.message_style(subject)
+                message = ProgramMessage(
+                    event.time_us, event.text, is_exclusive, is_unbroken, event.channel, file
                 )
-                self.on_message(said)
+                self.messages.append(message)
+                if self.on_message is not None:
+                    self.on_message(message)
             elif event.kind == "user_error":
                 report = next(raised)
                 line = "" if report.span is None else machine.files.line_at(report.span)

@@ -31,7 +31,7 @@ from nctakt.schedule.simulate import simulate
 PLACED = (CPU_MISSING, CPU_NOT_ASSIGNABLE)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class RunSchedule:
     """A schedule that a controller can run by; ``diagnostics``: what was found in list and
     load."""
@@ -41,6 +41,10 @@ class RunSchedule:
     model: Model
     load: Load
     diagnostics: tuple[Diagnostic, ...]
+
+    def __repr__(self) -> str:
+        names = ", ".join(task.name for task in self.model.tasks)
+        return f"<RunSchedule of {self.file}: {self.model.schedule}, threads {names}>"
 
 
 def open_schedule(

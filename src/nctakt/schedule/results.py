@@ -111,7 +111,7 @@ class Record:
     jobs: tuple[Job, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Simulation:
     """A simulated schedule.
 
@@ -140,3 +140,7 @@ class Simulation:
     def jobs(self) -> int:
         """Completed jobs of all tasks."""
         return sum(task.completed for task in self.tasks)
+
+    def __repr__(self) -> str:
+        overflows = sum(task.overflows for task in self.tasks)
+        return f"<Simulation of {self.cycles} NC cycles: {self.jobs} jobs, {overflows} overflows>"

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nctakt.lists.format.times import TimeLike, read_time
+from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.plc import AnyPlc, load_plc
 from nctakt.results.run import Run
@@ -89,11 +89,6 @@ def values_before(
     }
 
 
-def seconds(time_us: int) -> str:
-    """A time as it is shown: ``0.463 s``."""
-    return f"{number_text(time_us / 1e6)} s"
-
-
 @dataclasses.dataclass(frozen=True, slots=True)
 class Occurrence:
     """Once that something has happened: tick, seconds of the run, line of the program."""
@@ -165,7 +160,7 @@ class Ending:
 
     def __repr__(self) -> str:
         errors = "".join(f"\n{found.render()}" for found in self._run.errors)
-        return f"<{self._run.state} after {seconds(self._run.virtual_time_us)}{errors}>"
+        return f"<{self._run.state} after {Time(self._run.virtual_time_us)}{errors}>"
 
 
 class AxisTrace:
@@ -217,7 +212,7 @@ class NcRun:
     @property
     def messages(self) -> list[str]:
         """What the programs have said."""
-        return [text for _, text in self.run.messages]
+        return [message.text for message in self.run.messages]
 
     def fired(self, *, cycle: int | str | None = None, line: int | None = None) -> Occurrences:
         """When an ``$IF`` of a realtime cycle fired: that of a line, any of a cycle, any at all."""

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.lists.format.times import Time
 from nctakt.testing.expectations import Expectation
-from nctakt.testing.queries import NcRun, Occurrences, seconds
+from nctakt.testing.queries import NcRun, Occurrences
 from nctakt.trace.events import number_text
 
 
@@ -37,7 +37,7 @@ def _wrong(run: NcRun, expectation: Expectation) -> list[str]:
         return _wrong_value(run, expectation)
     if expectation.kind == "ended":
         state = run.run.state
-        return [] if state == "ended" else [f"{state} after {seconds(run.run.virtual_time_us)}"]
+        return [] if state == "ended" else [f"{state} after {Time(run.run.virtual_time_us)}"]
     if expectation.kind == "error":
         return _wrong_error(run.run.diagnostics, expectation)
     return _wrong_times(run, expectation)
@@ -105,15 +105,15 @@ def _told(run: NcRun, expectation: Expectation) -> str:
     """The expectation in the words in which what has happened is told."""
     length_us = run.run.cycle_time_us
     if expectation.kind == "value":
-        at = seconds(round(_value_time(run, expectation) * 1e6))
+        at = Time(round(_value_time(run, expectation) * 1e6))
         return f"{expectation.name} = {number_text(expectation.number)} at {at}"
     words = {"function": expectation.name, "error": f"{expectation.number:.0f}"}
     said = words.get(expectation.kind, f"{expectation.kind} {expectation.name}".strip())
     parts = [said, *(_when(one, length_us) for one in expectation.at)]
     if expectation.before is not None:
-        parts.append(f"before {seconds(expectation.before.us(length_us))}")
+        parts.append(f"before {Time(expectation.before.us(length_us))}")
     if expectation.after is not None:
-        parts.append(f"after {seconds(expectation.after.us(length_us))}")
+        parts.append(f"after {Time(expectation.after.us(length_us))}")
     if expectation.count is not None:
         parts.append("never" if expectation.count == 0 else f"{expectation.count} times")
     if expectation.about is not None:
@@ -123,4 +123,4 @@ def _told(run: NcRun, expectation: Expectation) -> str:
 
 def _when(time: Time, length_us: int) -> str:
     time_us = time.us(length_us)
-    return f"at {seconds(time_us)}, tick {-(-time_us // length_us)}"
+    return f"at {Time(time_us)}, tick {-(-time_us // length_us)}"

@@ -45,6 +45,11 @@ class Trace(Mapping[str, "Values"]):
         self._events: list[Event] | None = None
         self._columns = {signal.name: i for i, signal in enumerate(header.signals)}
 
+    def __repr__(self) -> str:
+        begin = f", from tick {self.first_tick} on" if self.first_tick else ""
+        count = sum(map(len, self._event_chunks))
+        return f"<Trace of {len(self)} signals: {self.ticks} ticks{begin}, {count} events>"
+
     def __getitem__(self, name: str) -> Values:
         column = self._columns.get(name)
         if column is None:

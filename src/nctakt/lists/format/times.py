@@ -64,6 +64,11 @@ class Time:
         return f"{seconds.rstrip('.')} s"
 
 
+def time_stamp(time_us: int) -> str:
+    """Return a time with all its microseconds, in columns of equal width: ``0.463000 s``."""
+    return f"{time_us // 1_000_000}.{time_us % 1_000_000:06d} s"
+
+
 #: Whatever stands for a time in the Python interface; a number means seconds.
 TimeLike = Time | str | float | timedelta
 

@@ -36,6 +36,7 @@ from nctakt.lists.declared.startup import (
 )
 from nctakt.lists.declared.tools import TOOLS, Tool, tools_configuration
 from nctakt.lists.declared.variables import VARIABLES
+from nctakt.lists.format.times import Time
 from nctakt.lists.format.values import Values
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.axis_configuration import AxisConfiguration, axis_configuration
@@ -103,7 +104,7 @@ class ChannelConfiguration:
         return next((one for one in self.spindles if one.spindle.is_main), None)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Machine:
     """A machine as its lists describe it, immutable; ``load_machine`` makes it of a folder.
 
@@ -124,6 +125,12 @@ class Machine:
     global_variables: tuple[Variable, ...]
     user_texts: Mapping[int, str]
     diagnostics: tuple[Diagnostic, ...]
+
+    def __repr__(self) -> str:
+        count = len(self.channels)
+        channels = "1 channel" if count == 1 else f"{count} channels"
+        axes = ", ".join(axis.name for axis in self.axes)
+        return f"<Machine {self.name}: {channels}, axes {axes}, tick {Time(self.cycle_time_us)}>"
 
 
 def load_machine(

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+"""Tables in HTML, as notebooks show them for an object."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from html import escape
+
+
+def html_table(caption: str, rows: Iterable[tuple[str, str]]) -> str:
+    """Return a table with a head in front of each row; all texts are escaped."""
+    lines = "".join(
+        f'<tr><th style="text-align: left">{escape(head)}</th>'
+        f'<td style="text-align: left">{escape(text)}</td></tr>'
+        for head, text in rows
+    )
+    return f"<table><caption>{escape(caption)}</caption>{lines}</table>"

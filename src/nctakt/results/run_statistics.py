@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: MIT
+"""What a run does, counted while it goes on.
+
+In: events, as a sink. Out: reactions of cycles and outputs of functions as records of
+``results/run.py``, in memory that does not grow with the ticks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from nctakt.base.diagnostics import Span
+from nctakt.results.run import (
+    NO_FREQUENCY,
+    TECHNOLOGY_KINDS,
+    CycleResult,
+    FrozenValue,
+    OutputCount,
+    Reaction,
+    ReactionResult,
+    technology_output,
+)
+from nctakt.results.starving import ScheduleStatistics
+from nctakt.trace.events import Event
+from nctakt.trace.sinks import TraceHeader
+
+
+@dataclass(slots=True)
+class _Firings:
+    frequency: str
+    count: int = 0
+    first_tick: int | None = None
+    last_tick: int | None = None
+
+    def add(self, tick: int) -> None:
+        self.count += 1
+        self.last_tick = tick
+        if self.first_tick is None:
+            self.first_tick = tick
+
+
+@dataclass(slots=True)
+class _Cycle:
+    name: str
+    scope: str
+    span: Span | None
+    instances: int = 0
+    reactions: dict[Span | None, _Firings] = field(default_factory=dict)
+    frozen: tuple[FrozenValue, ...] = ()
+
+
+@dataclass(slots=True)
+class _Output:
+    first_tick: int
+    count: int = 0
+
+
+class RunStatistics:
+    """The counts of a run; a sink.
+
+    ``reactions`` gives the branches of a cycle by its name, in the order of the text, so that
+    branches that never fire are listed too; without it only those that fire are known. The cycles
+    of one definition are counted together. ``frozen`` gives the values that were frozen into the
+    cycle of a name and a span.
+    """
+
+    def __init__(
+        self,
+        reactions: Callable[[str], Sequence[Reaction]] | None = None,
+        frozen: Callable[[str, Span | None], Sequence[FrozenValue]] | None = None,
+    ) -> None:
+        self._reactions = reactions
+        self._frozen = frozen
+        self._cycles: dict[tuple[str, str, Span | None], _Cycle] = {}
+        self._living: dict[str, _Cycle] = {}
+        self._outputs: dict[tuple[str, int, bool], _Output] = {}
+        self.schedule = ScheduleStatistics()
+
+    def open(self, header: TraceHeader) -> None:
+        """Nothing to do: counts need no header."""
+
+    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
+        """Nothing to do: counts come from events."""
+
+    def close(self) -> None:
+        """Nothing to do."""
+
+    def events(self, events: Sequence[Event]) -> None:
+        """Count these events."""
+        for event in events:
+            if event.kind == "created":
+                self._created(event)
+            elif event.kind == "fired":
+                self._fired(event)
+            elif event.kind in TECHNOLOGY_KINDS:
+                self._output(event)
+            elif event.kind in ("starved", "overflow"):
+                self.schedule.add(event)
+            elif event.kind == "ended":
+                self._living.pop(event.cycle, None)
+
+    def _created(self, event: Event) -> None:
+        scope = event.text.split()[-1]
+        name = event.cycle.partition("#")[0] + "#" if "#" in event.cycle else event.cycle
+        key = (name, scope, event.span)
+        if key not in self._cycles:
+            cycle = _Cycle(event.cycle, scope, event.span)
+            for reaction in self._reactions(event.cycle) if self._reactions else ():
+                cycle.reactions[reaction.span] = _Firings(reaction.frequency)
+            self._cycles[key] = cycle
+        self._cycles[key].instances += 1
+        if self._frozen is not None:
+            self._cycles[key].frozen = tuple(self._frozen(event.cycle, event.span))
+        self._living[event.cycle] = self._cycles[key]
+
+    def _fired(self, event: Event) -> None:
+        living = self._living.get(event.cycle)
+        if living is None:  # a GLOBAL cycle that an earlier run of this controller created
+            living = _Cycle(event.cycle, "GLOBAL", None, instances=1)
+            self._living[event.cycle] = living
+            self._cycles[(event.cycle, "GLOBAL", None)] = living
+        span = _span_beginning_at(living.reactions, event.span)
+        living.reactions.setdefault(span, _Firings(NO_FREQUENCY)).add(event.tick)
+
+    def _output(self, event: Event) -> None:
+        output = technology_output(event)
+        key = (output.letter, output.number, event.kind != "output")
+        self._outputs.setdefault(key, _Output(event.tick)).count += 1
+
+    def outputs(self) -> tuple[OutputCount, ...]:
+        """The M and H functions in the order of their first output."""
+        return tuple(
+            OutputCount(letter, number, is_realtime, output.count, output.first_tick)
+            for (letter, number, is_realtime), output in self._outputs.items()
+        )
+
+    def cycles(self, runs: Mapping[str, int] | None = None) -> tuple[CycleResult, ...]:
+        """The cycles in the order of their creation; ``runs`` gives run-throughs by name."""
+        return tuple(
+            CycleResult(
+                cycle.name,
+                cycle.scope,
+                cycle.span,
+                tuple(
+                    ReactionResult(
+                        span,
+                        firings.frequency,
+                        firings.count,
+                        firings.first_tick,
+                        firings.last_tick,
+                    )
+                    for span, firings in cycle.reactions.items()
+                ),
+                cycle.instances,
+                self._runs(cycle, runs or {}),
+                cycle.frozen,
+            )
+            for cycle in self._cycles.values()
+        )
+
+    def _runs(self, cycle: _Cycle, runs: Mapping[str, int]) -> int | None:
+        """The cycle's run-throughs, if ``runs`` counts them for this definition alone."""
+        if cycle.instances > 1 and "#" in cycle.name:
+            return None
+        if sum(other.name == cycle.name for other in self._cycles.values()) > 1:
+            return None
+        return runs.get(cycle.name)
+
+
+def _span_beginning_at(spans: Mapping[Span | None, _Firings], begin: Span | None) -> Span | None:
+    """The span that begins where ``begin`` does, else ``begin``: events know no end of a span."""
+    if begin is None or begin in spans:
+        return begin
+    for span in spans:
+        if span is not None and (span.file, span.line) == (begin.file, begin.line):
+            if span.column == begin.column:
+                return span
+    return begin

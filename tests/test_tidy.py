@@ -584,3 +584,39 @@ def test_numbers_of_functions_stand_in_one_table(folder: str) -> None:
         for node in function_numbers(tree_of(path))
     ]
     assert found == []
+
+
+# --- names ----------------------------------------------------------------------------------------
+
+#: Words with too many meanings to be a name: position, slot, source, length, path; reported …
+VAGUE_NAMES = {"place", "way", "told", "made", "wanted", "here", "there"}
+#: The rooms that are held to it.
+NAMED_ROOMS = [
+    room for room in ROOMS if room.startswith(("decoder", "nc/")) and room != "decoder/contour"
+]
+
+
+def identifiers(tree: ast.Module) -> Iterator[tuple[str, int]]:
+    """The names of variables, parameters, attributes, functions and classes, with their lines."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name):
+            yield node.id, node.lineno
+        elif isinstance(node, ast.Attribute):
+            yield node.attr, node.lineno
+        elif isinstance(node, ast.arg):
+            yield node.arg, node.lineno
+        elif isinstance(node, ast.FunctionDef | ast.ClassDef):
+            yield node.name, node.lineno
+
+
+@pytest.mark.parametrize("room", NAMED_ROOMS)
+def test_names_say_what_they_hold(room: str) -> None:
+    """No name is one of the words that may mean anything."""
+    found = [
+        f"{path.relative_to(PACKAGE)}:{line}: {name}"
+        for path in SOURCES
+        if path.relative_to(PACKAGE).as_posix().startswith((f"{room}/", f"{room}.py"))
+        for name, line in identifiers(tree_of(path))
+        if name.strip("_") in VAGUE_NAMES
+    ]
+    assert found == []

@@ -45,7 +45,7 @@ def history_blocks(memory_bytes: int, axis_count: int) -> int:
 
 def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxes:
     """What moves the axes on their own, with the limits of their lists."""
-    made = SingleAxes(axes, record, configuration.cycle_time_us)
+    motions = SingleAxes(axes, record, configuration.cycle_time_us)
     jerky = {
         axis.index
         for channel in configuration.channels
@@ -63,7 +63,7 @@ def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxe
         slope = axis.dynamics.jerk_slope
         has_jerk = index in jerky and slope.jerk > 0.0
         if axis.enable_single_axis:
-            made.configure(
+            motions.configure(
                 index,
                 low=axis.software_limit_low,
                 high=axis.software_limit_high,
@@ -75,7 +75,7 @@ def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxe
                 ),
                 jerk=slope.jerk if has_jerk else 0.0,
             )
-    return made
+    return motions
 
 
 def _let_lag(axes: Axes, index: int, axis: AxisConfiguration, cycle_time_us: int) -> None:

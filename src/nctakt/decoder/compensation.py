@@ -128,9 +128,9 @@ class Compensation:
         if segment.arc is None and max(abs(x - x_2), abs(y - y_2)) <= SAME_POINT_MM:
             yield from self._beside_plane(segment)
             return
-        wanted = self._state.compensation
-        distance = wanted.side * wanted.radius
-        if distance != self._distance and wanted.mode in (
+        compensation = self._state.compensation
+        distance = compensation.side * compensation.radius
+        if distance != self._distance and compensation.mode in (
             APPROACH_PERPENDICULAR,
             DEPART_WITHOUT_MOTION,
         ):
@@ -144,13 +144,13 @@ class Compensation:
             yield from self._finish()
         self._pass_time(segment)
         self._enter(segment, (x, y, x_2, y_2), distance)
-        wanted.is_on_way = True
+        compensation.has_left_path = True
         tool = self.tool
-        tool.set_corners(wanted.by_arc, wanted.is_direct)
+        tool.set_corners(compensation.by_arc, compensation.is_direct)
         if not tool.is_open:
             at = (x, y) if self._at is None else self._at
             self._at = at
-            tool.begin(*at, self._distance == 0.0 and wanted.mode == APPROACH_PERPENDICULAR)
+            tool.begin(*at, self._distance == 0.0 and compensation.mode == APPROACH_PERPENDICULAR)
         elif not tool.add():
             self._fail(self._motions.pop())
         self._distance = distance
@@ -161,8 +161,8 @@ class Compensation:
             yield from self._release(contour_rows.REACH if self._waits_for_loops else 0)
         elif len(self._motions) > MAX_CLOSED:
             self._values.fail(CLOSED_CONTOUR_TOO_LONG, self._path.span, count=MAX_CLOSED)
-        if wanted.mode == DEPART_WITHOUT_MOTION:
-            wanted.end = tool.beside_end()
+        if compensation.mode == DEPART_WITHOUT_MOTION:
+            compensation.end = tool.beside_end()
         if distance == 0.0:
             yield from self._finish()
             self._left()
@@ -181,30 +181,30 @@ class Compensation:
     def _enter(self, segment: Segment, ends: tuple[float, float, float, float], d: float) -> None:
         """Let the tool's path know the motion: its line or arc, and its distance ``d``."""
         tool, before = self.tool, self._distance
-        wanted = self._state.compensation
+        compensation = self._state.compensation
         tool.side = 1.0 if (d or before) > 0.0 else -1.0
-        tool.masks = wanted.masks
+        tool.masks = compensation.masks
         is_feed = segment.motion == rows.FEED_MOTION
         if segment.arc is None:
             if d == before:
                 tool.line(*ends, d, d, is_feed)
             elif d * before > 0.0:
                 tool.line(*ends, before, d, is_feed)
-            elif wanted.mode == APPROACH_PERPENDICULAR:
+            elif compensation.mode == APPROACH_PERPENDICULAR:
                 tool.line(*ends, d, d, is_feed)
             else:
                 tool.line(*ends, 0.0, 0.0, False)
             return
         if d * before > 0.0 and d != before:
             self._values.fail(RADIUS_CHANGE_IN_ARC, self._path.span)
-        if d != before and wanted.mode != APPROACH_PERPENDICULAR:
+        if d != before and compensation.mode != APPROACH_PERPENDICULAR:
             self._values.fail(COMPENSATION_NEEDS_LINE, self._path.span)
         if not tool.arc(*ends, d, *segment.arc[2:]) and not tool.masks:
             self._values.fail(TOOL_TOO_LARGE_FOR_ARC, self._path.span, radius=abs(d))
 
     def _keep(self, segment: Segment) -> None:
         """The motion is held until the next one is there."""
-        number, wanted = self.tool.number, self._state.compensation
+        number, compensation = self.tool.number, self._state.compensation
         misfit = LINE_REVERSED_BY_RADIUS if segment.arc is None else ARC_REVERSED_BY_RADIUS
         if segment.arc is not None and not self.tool.latest_fits():
             misfit = TOOL_TOO_LARGE_FOR_ARC
@@ -212,10 +212,10 @@ class Compensation:
             number,
             segment,
             self._path.span,
-            wanted.radius,
+            compensation.radius,
             misfit,
             self._values.state.feed.block_time_s,
-            wanted.adapts_feed,
+            compensation.adapts_feed,
         )
         self._motions.append(motion)
         self._spans.append((number, self._path.span))
@@ -241,8 +241,10 @@ class Compensation:
     def _moves_others(self, segment: Segment) -> bool:
         """Whether axes move that are not in the plane."""
         plane = PLANES[self._state.plane]
-        places = range(len(segment.start))
-        return any(segment.start[one] != segment.target[one] for one in places if one not in plane)
+        axes = range(len(segment.start))
+        return any(
+            segment.start[axis] != segment.target[axis] for axis in axes if axis not in plane
+        )
 
     # --- the contour ends ------------------------------------------------------------------------
 
@@ -258,20 +260,20 @@ class Compensation:
 
     def _left(self) -> None:
         """The tool is on the programmed way again."""
-        self._state.compensation.is_on_way = False
+        self._state.compensation.has_left_path = False
         self._distance = 0.0
         self._at = None
 
     def _finish(self) -> Iterator[Command]:
         """The latest motion up to its end: nothing follows that it could be joined with."""
-        tool, wanted = self.tool, self._state.compensation
+        tool, compensation = self.tool, self._state.compensation
         side = 1.0 if self._distance > 0.0 else -1.0
-        is_left = wanted.side * wanted.radius * side <= 0.0
+        is_left = compensation.side * compensation.radius * side <= 0.0
         failed = None
         if tool.is_open and self._is_closed_one:
             self._enclose()
         elif tool.is_open and not tool.close(
-            self._distance != 0.0 and is_left and wanted.mode == APPROACH_PERPENDICULAR
+            self._distance != 0.0 and is_left and compensation.mode == APPROACH_PERPENDICULAR
         ):
             failed = self._motions.pop()
         if tool.crossed and failed is None:
@@ -287,8 +289,8 @@ class Compensation:
             tool.close(False)
             return
         if any(
-            abs(first.target[place] - last.segment.target[place]) > SAME_POINT_MM
-            for place in PLANES[self._state.plane]
+            abs(first.target[axis] - last.segment.target[axis]) > SAME_POINT_MM
+            for axis in PLANES[self._state.plane]
         ):
             self._values.fail(CONTOUR_NOT_CLOSED, last.span)
         misfit = tool.enclose()
@@ -334,12 +336,12 @@ class Compensation:
 
         Then one line is held and nothing behind it, and only what comes next can end it.
         """
-        wanted = self._state.compensation
-        if not wanted.is_active:
+        compensation = self._state.compensation
+        if not compensation.is_active:
             return True
-        if self._waits_for_loops or wanted.mode == APPROACH_INNER_CORNER:
+        if self._waits_for_loops or compensation.mode == APPROACH_INNER_CORNER:
             return False
-        if wanted.side * wanted.radius != self._distance:
+        if compensation.side * compensation.radius != self._distance:
             return False
         if len(self._motions) != 1 or not self.tool.is_open:
             return False
@@ -360,37 +362,37 @@ class Compensation:
 
     def export_to(self, lines: CompensatedLines) -> None:
         """The line that is held goes on in plain blocks, if there is a contour."""
-        wanted = self._state.compensation
-        lines.is_on = wanted.is_active
+        compensation = self._state.compensation
+        lines.is_on = compensation.is_active
         if not lines.is_on:
             return
         held = self._motions[0].segment
         lines.first, lines.second = PLANES[self._state.plane]
         lines.distance = self._distance
         lines.source, lines.number = held.source, held.number
-        for place, (start, target) in enumerate(zip(held.start, held.target, strict=True)):
-            lines.set_motion(place, start, target)
+        for axis, (start, target) in enumerate(zip(held.start, held.target, strict=True)):
+            lines.set_motion(axis, start, target)
         lines.motion, lines.feed_v = held.motion, held.feed
         lines.stops = held.exact_stop
         lines.deviation = self._deviation
         lines.limits_jerk = self._state.limits_jerk
         self.tool.side = 1.0 if self._distance > 0.0 else -1.0
-        self.tool.set_corners(wanted.by_arc, wanted.is_direct)
+        self.tool.set_corners(compensation.by_arc, compensation.is_direct)
 
     def import_from(self, lines: CompensatedLines, file: str) -> None:
         """Another line of the text ``file`` is held by now."""
         before, number = self._motions[0], self.tool.number
         if number == before.number:
             return
-        for one in range(max(before.number + 1, number - contour_rows.REACH), number):
-            self._spans.append((one, self._span_of(lines.source_of(one), file)))
-        ways = [lines.motion_of(place) for place in range(lines.count)]
+        for passed in range(max(before.number + 1, number - contour_rows.REACH), number):
+            self._spans.append((passed, self._span_of(lines.source_of(passed), file)))
+        motions = [lines.motion_of(axis) for axis in range(lines.count)]
         segment = replace(
             before.segment,
             source=lines.source,
             number=lines.number,
-            start=tuple(start for start, _ in ways),
-            target=tuple(target for _, target in ways),
+            start=tuple(start for start, _ in motions),
+            target=tuple(target for _, target in motions),
             motion=lines.motion,
             feed=lines.feed_v,
             exact_stop=lines.stops,
@@ -443,22 +445,22 @@ class Compensation:
         """The pieces of a motion, and what comes behind it."""
         commands: list[Command] = list(self._segments(motion, self._pieces(motion)))
         plane = PLANES[self._state.plane]
-        commands += [at_tool(one, plane, self._at) for one in motion.between]
+        commands += [at_tool(command, plane, self._at) for command in motion.between]
         return commands
 
     def _pieces(self, motion: PendingMotion) -> list[tuple[_Piece, float]]:
         """The pieces of a motion with their ways; none where it is swallowed."""
-        found = []
+        pieces = []
         while (shape := self.tool.take(motion.number)) != contour_rows.NOTHING:
             if shape == contour_rows.GAP:
                 self._fail(motion)
             piece = self.tool.taken()
-            found.append((piece, self.tool.taken_way()))
+            pieces.append((piece, self.tool.taken_way()))
             self._at = (piece[2], piece[3])
-        if not found and self._moves_others(motion.segment):
+        if not pieces and self._moves_others(motion.segment):
             assert self._at is not None
-            found.append(((*self._at, *self._at, 0.0), 0.0))
-        return found
+            pieces.append(((*self._at, *self._at, 0.0), 0.0))
+        return pieces
 
     def _segments(
         self, motion: PendingMotion, pieces: list[tuple[_Piece, float]]

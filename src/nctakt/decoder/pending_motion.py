@@ -39,18 +39,20 @@ def share_of_contour(segment: Segment, arc: tuple[float, ...], start: list[float
         return 1.0
     first, second = int(arc[0]), int(arc[1])
     radii = []
-    for place in (start, segment.start):
-        x, y = place[first] - arc[2], place[second] - arc[3]
+    for point in (start, segment.start):
+        x, y = point[first] - arc[2], point[second] - arc[3]
         radii.append(arithmetic.square_root(x * x + y * y))
     return radii[0] / radii[1]
 
 
-def at_tool(command: Command, plane: tuple[int, int], place: tuple[float, float] | None) -> Command:
+def at_tool(
+    command: Command, plane: tuple[int, int], position: tuple[float, float] | None
+) -> Command:
     """Return a motion of other axes with those of the plane where the tool is; else the command."""
-    if place is None or not isinstance(command, Segment):
+    if position is None or not isinstance(command, Segment):
         return command
     start, target = list(command.start), list(command.target)
-    for axis, value in zip(plane, place, strict=True):
+    for axis, value in zip(plane, position, strict=True):
         start[axis] = target[axis] = value
     return replace(command, start=tuple(start), target=tuple(target))
 

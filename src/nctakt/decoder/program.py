@@ -400,9 +400,9 @@ class ProgramDecoder:
         end_action = _keyword(statement.keywords, "END_ACTION")
         moves_on = end_action is not None and _word(end_action) == "MOVE_CONT"
         yield LoadCycle(source, number, built.cycle, built.identity, scope, not starts, moves_on)
-        for one in built.frozen:
-            place = self._environment.source_id(one.span)
-            yield Freeze(place, number, serial, one.name, one.value)
+        for frozen in built.frozen:
+            source_id = self._environment.source_id(frozen.span)
+            yield Freeze(source_id, number, serial, frozen.name, frozen.value)
 
     def _control(
         self, statement: tree.CycleControl, source: int, number: int

@@ -83,7 +83,7 @@ def inspect(
         sequel.take(line, section, statement)
         sequel.skip_known(statements)
     program = sequel.finish()
-    unsorted.diagnostics.sort(key=_place)
+    unsorted.diagnostics.sort(key=_position)
     collector.diagnostics += _without_redundant(unsorted.diagnostics)
     return program
 
@@ -304,6 +304,6 @@ def _shape(block: Block) -> PlainShape | None:
     return tuple(shape)
 
 
-def _place(diagnostic: Diagnostic) -> tuple[int, int]:
+def _position(diagnostic: Diagnostic) -> tuple[int, int]:
     span = diagnostic.span
     return (span.line, span.column) if span is not None else (0, 0)

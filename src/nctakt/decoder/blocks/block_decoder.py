@@ -177,10 +177,10 @@ class BlockDecoder:
         for word in words:
             if isinstance(word, tree.AxisWord):
                 if word.value is not None:
-                    known = self._values.constant_value(word.value)
-                    if known is None:
-                        known = yield from self._values.evaluate(word.value, number)
-                    content.axes.append((word, known))
+                    value = self._values.constant_value(word.value)
+                    if value is None:
+                        value = yield from self._values.evaluate(word.value, number)
+                    content.axes.append((word, value))
                 continue
             if isinstance(word, tree.BracketCommand):
                 axis = self._environment.axis_numbers[word.name]
@@ -193,17 +193,17 @@ class BlockDecoder:
             assert isinstance(word, tree.Word), word
             if word.name == "G":
                 if word.additional is not None:
-                    value = yield from self._values.evaluate(word.additional, number)
-                    self._additional(word, value, content)
+                    additional = yield from self._values.evaluate(word.additional, number)
+                    self._additional(word, additional, content)
                 continue
             assert word.value is not None, word
-            known = self._values.constant_value(word.value)
-            if known is None:
-                known = yield from self._values.evaluate(word.value, number)
+            value = self._values.constant_value(word.value)
+            if value is None:
+                value = yield from self._values.evaluate(word.value, number)
             extra = None
             if word.additional is not None:
                 extra = yield from self._values.evaluate(word.additional, number)
-            self._word(word, known, extra, number, content)
+            self._word(word, value, extra, number, content)
         if numbers:
             for function in COMPENSATIONS:
                 if function in numbers:
@@ -323,8 +323,8 @@ class BlockDecoder:
         parameters = self._environment.parameters
         table = parameters.m_functions if word.name == "M" else parameters.h_functions
         if number in table:
-            given = None if extra is None else self._plc_value(word, number, extra)
-            content.functions.append(self._function(word, number, table[number], given, block))
+            plc_value = None if extra is None else self._plc_value(word, number, extra)
+            content.functions.append(self._function(word, number, table[number], plc_value, block))
 
     def _plc_value(self, word: tree.Word, function: int, value: float) -> int:
         """The value that the PLC finds beside a function: a whole number of 32 bits."""
@@ -346,13 +346,13 @@ class BlockDecoder:
         word: tree.Word,
         number: int,
         function: TechnologyFunction,
-        given: int | None,
+        plc_value: int | None,
         block: int,
     ) -> BlockFunction:
         source = self._environment.source_id(word.span)
         code = number if word.name == "M" else -number - 1
         ticks = process_ticks(function, self._environment.cycle_time_us)
-        output = TechnologyOutput(source, block, code, ticks, given)
+        output = TechnologyOutput(source, block, code, ticks, plc_value)
         return BlockFunction(
             function.synchronisation, output, AwaitAcknowledge(source, block, code)
         )
@@ -416,8 +416,8 @@ class BlockDecoder:
         names = [word.name for word, _ in content.axes]
         if self._state.motion in ARCS:
             plane = PLANES[self._state.path.plane]
-            for name, place in self._environment.axis_numbers.items():
-                if place in plane and name not in names:
+            for name, axis in self._environment.axis_numbers.items():
+                if axis in plane and name not in names:
                     names.append(name)
         if self._environment.offsets.systems.is_active:
             main = list(self._environment.axis_numbers)[:MAIN_AXES]
@@ -431,14 +431,14 @@ class BlockDecoder:
             return
         self._values.check_flush_allowed(", ".join(uncertain), span)
         source = self._environment.source_id(span)
-        places = [self._environment.axis_numbers[name] for name in uncertain]
+        indices = [self._environment.axis_numbers[name] for name in uncertain]
         numbers = (self._environment.names.axis(name) for name in uncertain)
         answer = yield PositionRequest(
             source, number, tuple(axis.number for axis in numbers if axis is not None)
         )
         assert isinstance(answer, tuple)
-        for place in places:
-            self._state.positions[place] = answer[place]
+        for index in indices:
+            self._state.positions[index] = answer[index]
         self._uncertain_axes.confirm(uncertain)
 
     def axes_moved_by(self, command: Command) -> list[str]:
@@ -448,8 +448,8 @@ class BlockDecoder:
         plane = () if command.arc is None else command.arc[:2]
         return [
             name
-            for name, place in self._environment.axis_numbers.items()
-            if command.start[place] != command.target[place] or place in plane
+            for name, axis in self._environment.axis_numbers.items()
+            if command.start[axis] != command.target[axis] or axis in plane
         ]
 
     def _target(self, content: _BlockContent, span: Span) -> list[float]:
@@ -466,8 +466,8 @@ class BlockDecoder:
             target = self._outside(target, spans, kinds)
             if any(index < MAIN_AXES for index in spans):
                 spans = {index: span for index in range(MAIN_AXES)} | spans
-        for index, place in spans.items():
-            self.path.check_limit(index, target[index], place)
+        for index, word_span in spans.items():
+            self.path.check_limit(index, target[index], word_span)
         return target
 
     def _outside(self, target: list[float], programmed: Container[int], kinds: int) -> list[float]:
@@ -476,13 +476,13 @@ class BlockDecoder:
         What rounding alone would move stays.
         """
         start = self._state.positions
-        found = self._environment.offsets.outside(target, kinds)
+        positions = self._environment.offsets.outside(target, kinds)
         turns = any(axis in programmed for axis in range(MAIN_AXES))
         for index, before in enumerate(start):
             moves = turns if index < MAIN_AXES else index in programmed
-            if not moves or abs(found[index] - before) < SAME_POINT_MM:
-                found[index] = before
-        return found
+            if not moves or abs(positions[index] - before) < SAME_POINT_MM:
+                positions[index] = before
+        return positions
 
     def dwell(self, seconds: float, span: Span, number: int) -> Generator[Command, Answer]:
         """Standing still; ``ceil(d / T)`` ticks (RC-005)."""

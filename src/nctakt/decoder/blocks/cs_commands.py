@@ -96,8 +96,8 @@ class CsCommands:
         """``#CS SELECT``: the systems of the stack from its bottom up to this one are active."""
         offsets = self._environment.offsets
         if name not in self._stack:
-            known = ", ".join(self._stack) or "–"
-            self._values.fail(UNKNOWN_COORDINATE_SYSTEM_NAME, span, name=name, known=known)
+            names = ", ".join(self._stack) or "–"
+            self._values.fail(UNKNOWN_COORDINATE_SYSTEM_NAME, span, name=name, known=names)
         if offsets.systems.count > self._selected:
             self._values.fail(CS_SELECT_DURING_CS_ON, span)
         source = self._environment.source_id(span)
@@ -112,11 +112,11 @@ class CsCommands:
         self, components: Sequence[tree.Expression], number: int
     ) -> Generator[Command, Answer, tuple[float, ...]]:
         """Shift in mm and angles."""
-        found: list[float] = []
-        for place, component in enumerate(components):
+        values: list[float] = []
+        for index, component in enumerate(components):
             value = yield from self._values.evaluate(component, number)
-            found.append(value * self._values.state.length_unit_mm if place < 3 else value)
-        return tuple(found)
+            values.append(value * self._values.state.length_unit_mm if index < 3 else value)
+        return tuple(values)
 
     def _check_axes(self, span: Span) -> None:
         axes = self._environment.axes
@@ -133,16 +133,16 @@ class CsCommands:
             identity = int(arithmetic.round_half_even(value))
         if command.components is None:
             if identity not in self._stored:
-                known = ", ".join(map(str, self._stored)) or "–"
-                self._values.fail(COORDINATE_SYSTEM_NOT_STORED, span, id=identity, known=known)
+                stored = ", ".join(map(str, self._stored)) or "–"
+                self._values.fail(COORDINATE_SYSTEM_NOT_STORED, span, id=identity, known=stored)
             return self._stored[identity]
-        found = yield from self._evaluated(command.components, number)
+        components = yield from self._evaluated(command.components, number)
         if command.identity is None:
             if command.action == "ON":
-                return found
+                return components
             identity = next(free for free in range(1, 7) if free not in self._stored)
         if identity not in self._stored and len(self._stored) >= MAX_STORED:
             self._values.fail(TOO_MANY_COORDINATE_SYSTEMS, span, most=MAX_STORED)
-        self._stored[identity] = found
+        self._stored[identity] = components
         self._latest = identity
-        return found
+        return components

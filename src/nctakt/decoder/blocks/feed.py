@@ -143,7 +143,7 @@ class FeedRate:
         feed_state = self._state.feed
         if feed_state.feed_mode == INVERSE_TIME_FEED:
             self._need(feed_state.time_s, span)
-            return self._way(start, target, arc) / feed_state.time_s, -1, 0.0
+            return self._length(start, target, arc) / feed_state.time_s, -1, 0.0
         if feed_state.feed_mode == FEED_PER_REVOLUTION:
             self._need(feed_state.per_revolution_mm, span)
             return self._per_revolution(feed_state, span)
@@ -153,7 +153,7 @@ class FeedRate:
                 self._values.fail(
                     G194_ABOVE_MAX_FEED, span, value=feed_state.share_pct, most=MAX_SHARE_PCT
                 )
-            return self._highest(start, target, arc) * feed_state.share_pct / 100.0, -1, 0.0
+            return self._max_axis_feed(start, target, arc) * feed_state.share_pct / 100.0, -1, 0.0
         self._need(self._state.feed_mm_s, span)
         return self._state.feed_mm_s, -1, 0.0
 
@@ -178,22 +178,24 @@ class FeedRate:
             return feed, index, modal.speed * DEGREES_PER_S
         self._values.fail(FEED_PER_REVOLUTION_WITHOUT_SPINDLE, span)
 
-    def _highest(self, start: Sequence[float], target: Sequence[float], arc: Arc | None) -> float:
+    def _max_axis_feed(
+        self, start: Sequence[float], target: Sequence[float], arc: Arc | None
+    ) -> float:
         """The speed at which one axis of the block goes at its highest (P-AXIS-00212), none above.
 
         In the plane of an arc that is the slower axis, wherever the arc begins and ends.
         """
-        way = self._way(start, target, arc)
+        length = self._length(start, target, arc)
         highest = []
         for index, axis in enumerate(self._environment.axes):
             part = abs(target[index] - start[index])
             if arc is not None and index in (arc.first, arc.second):
                 part = arc.length(start)
             if part > 0.0:
-                highest.append(axis.max_speed * way / part)
+                highest.append(axis.max_speed * length / part)
         return min(highest, default=0.0)
 
-    def _way(self, start: Sequence[float], target: Sequence[float], arc: Arc | None) -> float:
+    def _length(self, start: Sequence[float], target: Sequence[float], arc: Arc | None) -> float:
         """The way of a block: of the linear axes, else of the rotary ones (``measure`` has it)."""
         linear2 = rotary2 = 0.0
         for index, axis in enumerate(self._environment.axes):

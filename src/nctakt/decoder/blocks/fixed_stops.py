@@ -27,15 +27,15 @@ def fixed_stop(
     values: Values, command: tree.BracketCommand, axis: int, number: int
 ) -> Generator[Command, Answer, FixedStop]:
     """The command of the axis at this place of the channel; START and END are percents."""
-    found: dict[str, float] = {}
+    numbers: dict[str, float] = {}
     for item in command.items:
         if isinstance(item, tree.Keyword) and item.value is not None:
-            found[item.name] = yield from values.evaluate(item.value, number)
-    begin, end = found.get("START", 0.0), found.get("END", 100.0)
+            numbers[item.name] = yield from values.evaluate(item.value, number)
+    begin, end = numbers.get("START", 0.0), numbers.get("END", 100.0)
     if not 0.0 <= begin < end <= 100.0:
         values.fail(INVALID_FIXED_STOP_RANGE, command.span, start=begin, end=end)
-    limit = found.get("POS_LAG_LIMIT", DEFAULT_LIMIT)
-    if "POS_LAG_LIMIT" in found and values.environment.axes[axis].is_linear:
+    limit = numbers.get("POS_LAG_LIMIT", DEFAULT_LIMIT)
+    if "POS_LAG_LIMIT" in numbers and values.environment.axes[axis].is_linear:
         limit *= values.state.length_unit_mm
     return FixedStop(
         values.environment.source_id(command.span),
@@ -43,8 +43,8 @@ def fixed_stop(
         axis,
         not any(isinstance(item, tree.Keyword) and item.name == "OFF" for item in command.items),
         limit,
-        max(1, int(arithmetic.round_half_even(found.get("CYCLES", 1.0)))),
+        max(1, int(arithmetic.round_half_even(numbers.get("CYCLES", 1.0)))),
         begin / 100.0,
         end / 100.0,
-        arithmetic.is_true(found.get("ERR_NOT_DETECTED", 1.0)),
+        arithmetic.is_true(numbers.get("ERR_NOT_DETECTED", 1.0)),
     )

@@ -114,9 +114,9 @@ class PathMotion:
         """G40; with G239 the program goes on from where the tool is."""
         compensation = self._state.path.compensation
         compensation.side = 0
-        if compensation.is_on_way and compensation.mode == DEPART_WITHOUT_MOTION:
-            for place, value in zip(PLANES[self._state.path.plane], compensation.end, strict=True):
-                self._state.positions[place] = value
+        if compensation.has_left_path and compensation.mode == DEPART_WITHOUT_MOTION:
+            for axis, value in zip(PLANES[self._state.path.plane], compensation.end, strict=True):
+                self._state.positions[axis] = value
 
     def keep_plane(self, function: int, span: Span) -> None:
         """While compensation is active there is no other plane."""
@@ -247,14 +247,14 @@ class PathMotion:
                 self._values.fail(
                     CENTRE_NOT_IN_PLANE, span, word=name, plane=self._state.path.plane
                 )
-        place = []
+        centre = []
         for axis in plane:
             _, value = words.centre.get(CENTRE_WORDS[axis], (None, 0.0))
             begin = start[axis]
             if self._state.path.absolute_centre:
                 begin = self._environment.offsets.total(axis, words.offset_kinds)
-            place.append(begin + value * self._state.length_unit_mm)
-        return (place[0], place[1])
+            centre.append(begin + value * self._state.length_unit_mm)
+        return (centre[0], centre[1])
 
     def check_extremes(self, arc: Arc, start: Sequence[float], span: Span) -> None:
         """The arc may leave the software limits between two ends that are within them."""
@@ -266,14 +266,14 @@ class PathMotion:
                     ARC_OUTSIDE_LIMITS, span, axis=axis.name, position=position, low=low, high=high
                 )
 
-    def check_limits(self, target: Sequence[float], places: Sequence[int], span: Span) -> None:
+    def check_limits(self, target: Sequence[float], axes: Sequence[int], span: Span) -> None:
         """These axes of a target have to be within their software limits."""
-        for place in places:
-            self.check_limit(place, target[place], span)
+        for axis in axes:
+            self.check_limit(axis, target[axis], span)
 
-    def check_limit(self, place: int, position: float, span: Span) -> None:
+    def check_limit(self, index: int, position: float, span: Span) -> None:
         """The target of an axis has to be within its software limits."""
-        axis = self._environment.axes[place]
+        axis = self._environment.axes[index]
         low, high = axis.software_limit_low, axis.software_limit_high
         if not low <= position <= high and not axis.is_modulo:
             self._values.fail(

@@ -37,17 +37,17 @@ def segment(
     modifiers: FeedModifiers | None,
 ) -> Segment:
     """The segment of a whole block."""
-    made: Segment = raw_nodes.new_node(Segment, 0)
-    raw_nodes.set_field(_SOURCE, made, source)
-    raw_nodes.set_field(_NUMBER, made, number)
-    raw_nodes.set_field(_START, made, tuple(start))
-    raw_nodes.set_field(_TARGET, made, tuple(target))
-    raw_nodes.set_field(_MOTION, made, motion)
-    raw_nodes.set_field(_FEED, made, feed)
-    raw_nodes.set_field(_EXACT_STOP, made, exact_stop)
-    raw_nodes.set_field(_DEVIATION, made, deviation)
-    raw_nodes.set_field(_LIMITS_JERK, made, limits_jerk)
-    raw_nodes.set_field(_ARC, made, arc)
-    raw_nodes.set_field(_MODIFIERS, made, modifiers)
-    raw_nodes.set_field(_GOES_ON, made, False)
-    return made
+    node: Segment = raw_nodes.new_node(Segment, 0)
+    raw_nodes.set_field(_SOURCE, node, source)
+    raw_nodes.set_field(_NUMBER, node, number)
+    raw_nodes.set_field(_START, node, tuple(start))
+    raw_nodes.set_field(_TARGET, node, tuple(target))
+    raw_nodes.set_field(_MOTION, node, motion)
+    raw_nodes.set_field(_FEED, node, feed)
+    raw_nodes.set_field(_EXACT_STOP, node, exact_stop)
+    raw_nodes.set_field(_DEVIATION, node, deviation)
+    raw_nodes.set_field(_LIMITS_JERK, node, limits_jerk)
+    raw_nodes.set_field(_ARC, node, arc)
+    raw_nodes.set_field(_MODIFIERS, node, modifiers)
+    raw_nodes.set_field(_GOES_ON, node, False)
+    return node

@@ -71,7 +71,7 @@ class SpindleWords:
         position = 0.0
         if command.position is not None:
             position = yield from self.values.evaluate(command.position, number)
-        turns = [one for one in command.functions if one in _DIRECTIONS]
+        turns = [function for function in command.functions if function in _DIRECTIONS]
         key = f"m{modal.function}"
         if SPINDLE_POSITION in command.functions:
             key, modal.function = "m19", SPINDLE_STOP
@@ -109,11 +109,15 @@ class SpindleWords:
     ) -> list[BlockFunction]:
         index, spindle, key = target
         function, speed, position, direction = job
-        way = spindle.functions[key]
-        if spindle.plc_controlled and way.synchronisation == "NO_SYNCH":
+        output_function = spindle.functions[key]
+        if spindle.plc_controlled and output_function.synchronisation == "NO_SYNCH":
             return []
-        synchronisation = "MOS" if way.synchronisation == "NO_SYNCH" else way.synchronisation
-        ticks = process_ticks(way, self.values.environment.cycle_time_us)
+        synchronisation = (
+            "MOS"
+            if output_function.synchronisation == "NO_SYNCH"
+            else output_function.synchronisation
+        )
+        ticks = process_ticks(output_function, self.values.environment.cycle_time_us)
         source = self.values.environment.source_id(command.span)
         speed_v = DEGREES_PER_S * speed
         output = SpindleJob(source, number, index, function, speed_v, position, direction, ticks)
@@ -151,10 +155,10 @@ def warn_of_speed(values: Values, index: int, speed: float, span: Span) -> None:
         return
     name = values.environment.parameters.spindles[index].name
     line = values.environment.line_text(span)
-    told = diagnostic(
+    warning = diagnostic(
         SPINDLE_SPEED_LIMITED, span, line, spindle=name, limit=limit / DEGREES_PER_S, speed=speed
     )
-    values.environment.warn(told)
+    values.environment.warn(warning)
 
 
 def cycle_statement(
@@ -163,9 +167,9 @@ def cycle_statement(
     """The instruction of a checked command in a realtime cycle."""
     index, spindle = find(values, command.name, command.span)
     function = next(
-        (one for one in (SPINDLE_POSITION, SPINDLE_STOP) if one in command.functions), 0
+        (choice for choice in (SPINDLE_POSITION, SPINDLE_STOP) if choice in command.functions), 0
     )
-    turns = [one for one in command.functions if one in _DIRECTIONS]
+    turns = [turn for turn in command.functions if turn in _DIRECTIONS]
     direction = _DIRECTIONS[turns[0]] if turns else 0
     function = function or turns[0]
     ticks = process_ticks(spindle.functions[f"m{function}"], values.environment.cycle_time_us)

@@ -46,18 +46,18 @@ class TechnologyOutputs:
 
     def before_motion(self, functions: Sequence[BlockFunction]) -> Iterator[Command]:
         """What happens before the motion of the block with these functions."""
-        for one in functions:
-            if one.synchronisation in _BEFORE:
-                yield one.output
-            if one.synchronisation in self._late:
-                self._late[one.synchronisation].append(one)
+        for function in functions:
+            if function.synchronisation in _BEFORE:
+                yield function.output
+            if function.synchronisation in self._late:
+                self._late[function.synchronisation].append(function)
         yield from _awaits(functions, _AWAITED_BEFORE)
 
     def after_motion(self, functions: Sequence[BlockFunction]) -> Iterator[Command]:
         """What happens behind the motion of the block."""
-        for one in functions:
-            if one.synchronisation in _AFTER:
-                yield one.output
+        for function in functions:
+            if function.synchronisation in _AFTER:
+                yield function.output
         yield from _awaits(functions, _AWAITED_AFTER)
 
     @property
@@ -67,10 +67,10 @@ class TechnologyOutputs:
 
     def take_measuring(self, functions: list[BlockFunction]) -> BlockFunction | None:
         """The function that goes out where an edge is found, taken away from the others."""
-        for one in functions:
-            if one.synchronisation == "MNE_SNS":
-                functions.remove(one)
-                return one
+        for function in functions:
+            if function.synchronisation == "MNE_SNS":
+                functions.remove(function)
+                return function
         return None
 
     def before_feed(self) -> Iterator[Command]:
@@ -85,13 +85,13 @@ class TechnologyOutputs:
         """Wait for what went out under a type that waits late."""
         due = self._late[synchronisation]
         self._late[synchronisation] = []
-        for one in due:
-            yield one.wait
+        for function in due:
+            yield function.wait
 
 
 def _awaits(
     functions: Sequence[BlockFunction], synchronisations: Sequence[str]
 ) -> Iterator[Command]:
-    for one in functions:
-        if one.synchronisation in synchronisations:
-            yield one.wait
+    for function in functions:
+        if function.synchronisation in synchronisations:
+            yield function.wait

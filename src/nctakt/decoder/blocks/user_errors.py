@@ -44,34 +44,34 @@ class UserErrorParts:
 
 def parts(statement: tree.UserError) -> UserErrorParts:
     """The parts of a checked statement."""
-    given: dict[str, tree.Expression] = {}
+    keywords: dict[str, tree.Expression] = {}
     for keyword in statement.keywords:
         assert isinstance(keyword, tree.Keyword)
         assert keyword.value is not None
-        given[keyword.name] = keyword.value
-    reaction = given.get("RC", tree.Number(statement.span, DEFAULT_REACTION))
-    told = [name for name in given if name not in ("ID", "RC")]
-    values = tuple((KEYWORDS.index(name), given[name]) for name in told)
-    return UserErrorParts(given["ID"], reaction, values)
+        keywords[keyword.name] = keyword.value
+    reaction = keywords.get("RC", tree.Number(statement.span, DEFAULT_REACTION))
+    names = [name for name in keywords if name not in ("ID", "RC")]
+    values = tuple((KEYWORDS.index(name), keywords[name]) for name in names)
+    return UserErrorParts(keywords["ID"], reaction, values)
 
 
 def user_error(
     values: Values, statement: tree.UserError, number: int
 ) -> Generator[Command, Answer]:
     """The commands of an ``#ERROR`` of the main program."""
-    given = parts(statement)
+    error_parts = parts(statement)
     identity = yield from _whole(
-        values, given.identity, number, 1, HIGHEST_ID, INVALID_USER_ERROR_ID
+        values, error_parts.identity, number, 1, HIGHEST_ID, INVALID_USER_ERROR_ID
     )
     reaction = yield from _whole(
-        values, given.reaction, number, 0, HIGHEST_REACTION, INVALID_USER_ERROR_RC
+        values, error_parts.reaction, number, 0, HIGHEST_REACTION, INVALID_USER_ERROR_RC
     )
-    told: list[tuple[int, float | str]] = []
-    for code, expression in given.values:
-        told.append((code, (yield from values.evaluate_any(expression, number))))
+    contents: list[tuple[int, float | str]] = []
+    for code, expression in error_parts.values:
+        contents.append((code, (yield from values.evaluate_any(expression, number))))
     source = values.environment.source_id(statement.span)
     yield UserErrorReport(source, number, identity, reaction)
-    for code, value in told:
+    for code, value in contents:
         is_text = isinstance(value, str)
         content = values.environment.text_id(value) if isinstance(value, str) else value
         yield UserErrorValue(source, number, code, content, is_text)

@@ -105,7 +105,7 @@ class CycleBuilder:
 
     def __init__(self, values: Values, first_probe: int) -> None:
         self._values = values
-        self._place = values.environment.source_id
+        self._source_id = values.environment.source_id
         self._names = values.environment.names
         self._builder = ExpressionBuilder(self._leaf, macro=values.no_macro)
         self._actions = ActionBuilder(values, self._builder)
@@ -121,8 +121,8 @@ class CycleBuilder:
         """The cycle of a definition."""
         body = self._sequence(statement.body)
         events = self._statements + _OWN_EVENTS
-        places = self._values.environment.parameters.realtime_cycles.buffers
-        size = memory_bytes(statement, places)
+        slots = self._values.environment.parameters.realtime_cycles.buffers
+        size = memory_bytes(statement, slots)
         probes = 1 + _PROBES_OF_A_CONDITION * self._conditions
         cycle = RealtimeCycle(body, serial, events, probes, size)
         cycle.probe = self._first_probe
@@ -133,14 +133,14 @@ class CycleBuilder:
             statement.span,
             cycle,
             statement,
-            sorted(self._reactions, key=lambda one: one.span),
+            sorted(self._reactions, key=lambda reaction: reaction.span),
             self._distinct_frozen(),
             tuple(self._actions.axes),
         )
 
     def _distinct_frozen(self) -> tuple[FrozenValue, ...]:
         """In the order of the text, each access once: ``+=`` builds its target's index twice."""
-        by_span = {one.span: one for one in self._frozen}
+        by_span = {frozen.span: frozen for frozen in self._frozen}
         return tuple(by_span[span] for span in sorted(by_span))
 
     # --- statements -----------------------------------------------------------------------------
@@ -166,7 +166,7 @@ class CycleBuilder:
                 return [self._user_error(statement)]
             case tree.VariableBlock():
                 built = self._builder.build(statement.variable)
-                source = self._place(statement.span)
+                source = self._source_id(statement.span)
                 return [instructions.Read(built.node, source, self._cost(statement))]
         raise AssertionError(statement)
 
@@ -192,7 +192,9 @@ class CycleBuilder:
             )
             ticks = process_ticks(table[number], environment.cycle_time_us)
             function = number if is_m else -number - 1
-            built.append(instructions.IssueTechnology(function, ticks, self._place(word.span), 1))
+            built.append(
+                instructions.IssueTechnology(function, ticks, self._source_id(word.span), 1)
+            )
         self._statements += len(built)
         return built
 
@@ -204,24 +206,24 @@ class CycleBuilder:
             assert keyword.value is not None
             identity = keyword.value
         built = self._builder.build(identity)
-        source = self._place(timer.span)
+        source = self._source_id(timer.span)
         action = TIMER_ACTIONS[timer.action]
         return instructions.CommandTimer(action, built.node, source, self._cost(timer))
 
     def _user_error(self, error: tree.UserError) -> Statement:
         """``#ERROR`` of a cycle (RC-402)."""
-        given = parts(error)
-        identity = self._builder.build(given.identity).node
-        reaction = self._builder.build(given.reaction).node
+        error_parts = parts(error)
+        identity = self._builder.build(error_parts.identity).node
+        reaction = self._builder.build(error_parts.reaction).node
         values = user_errors.UserValue()
-        for code, value in reversed(given.values):
+        for code, value in reversed(error_parts.values):
             if isinstance(value, tree.StringLiteral):
                 text = self._values.environment.text_id(value.value)
                 values = user_errors.TextValue(code, text, values)
             else:
                 values = user_errors.NumberValue(code, self._builder.build(value).node, values)
-        self._statements += len(given.values)
-        source = self._place(error.span)
+        self._statements += len(error_parts.values)
+        source = self._source_id(error.span)
         return user_errors.RaiseUserError(identity, reaction, values, source, self._cost(error))
 
     def _cost(self, statement: tree.Statement) -> int:
@@ -233,10 +235,10 @@ class CycleBuilder:
             node = self._condition(self._builder.condition(statement.condition))
             cost = condition_steps(statement.condition, self._names)
             body = self._sequence(statement.body)
-            source = self._place(statement.span)
-            made = _REACTIONS[frequency](node, body, source, cost)
-            self._reactions.append(CycleBranch(statement.span, frequency, made))
-            return made
+            source = self._source_id(statement.span)
+            reaction = _REACTIONS[frequency](node, body, source, cost)
+            self._reactions.append(CycleBranch(statement.span, frequency, reaction))
+            return reaction
         alternatives = [self._branch(statement.span, statement.condition, statement.body)]
         for elseif in statement.elseifs:
             alternatives.append(self._branch(elseif.span, elseif.condition, elseif.body))
@@ -249,10 +251,10 @@ class CycleBuilder:
     ) -> Branch:
         node = self._condition(self._builder.condition(condition))
         cost = condition_steps(condition, self._names)
-        made = Branch(node, self._sequence(body), self._place(span), cost)
-        self._reactions.append(CycleBranch(span, "", made))
+        branch = Branch(node, self._sequence(body), self._source_id(span), cost)
+        self._reactions.append(CycleBranch(span, "", branch))
         self._statements += 1
-        return made
+        return branch
 
     def _otherwise(self, statement: tree.If) -> Branch:
         """``$ELSE``: a branch that is always taken; it costs nothing of its own."""
@@ -260,10 +262,10 @@ class CycleBuilder:
         assert statement.else_span is not None
         body = self._sequence(statement.else_body)
         condition = self._condition(Condition())
-        made = Branch(condition, body, self._place(statement.else_span), 0)
-        self._reactions.append(CycleBranch(statement.else_span, "", made))
+        branch = Branch(condition, body, self._source_id(statement.else_span), 0)
+        self._reactions.append(CycleBranch(statement.else_span, "", branch))
         self._statements += 1
-        return made
+        return branch
 
     def _condition(self, node: Condition) -> Condition:
         self._conditions += 1
@@ -277,7 +279,7 @@ class CycleBuilder:
         assert isinstance(statement.target, tree.Variable)
         location = self._values.locate(statement.target)
         value = self._builder.build(statement.value)
-        source, cost = self._place(statement.span), self._cost(statement)
+        source, cost = self._source_id(statement.span), self._cost(statement)
         if statement.operator != "=":
             target = self._builder.build(statement.target)
             if (
@@ -295,14 +297,14 @@ class CycleBuilder:
         scalar = SCALARS[location.type]
         cell, index = self._index(target, location)
         kind = _kind_of(location)
-        made: instructions.Assignment
+        assignment: instructions.Assignment
         if issubclass(kind, instructions.BoundedAssignment):
-            made = kind(cell, value.node, scalar.low, scalar.high, source, cost)
+            assignment = kind(cell, value.node, scalar.low, scalar.high, source, cost)
         else:
-            made = kind(cell, value.node, source, cost)
+            assignment = kind(cell, value.node, source, cost)
         if index is None:
-            return made
-        return instructions.AssignElement(index, made, source, cost)
+            return assignment
+        return instructions.AssignElement(index, assignment, source, cost)
 
     # --- variables ------------------------------------------------------------------------------
 
@@ -346,6 +348,6 @@ class CycleBuilder:
                 dimension.stride,
                 dimension.count,
                 further or expressions.Constant(0.0),
-                self._place(index.span),
+                self._source_id(index.span),
             )
         return cell, further

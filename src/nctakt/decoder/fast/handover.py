@@ -130,8 +130,8 @@ class PlainBlocks:
         plain.deviation = state.path.deviation if state.path.contouring else 0.0
         plain.limits_jerk = state.path.limits_jerk
         self._contour.export_to(self._compensated)
-        place = environment.source_id(Span(file, 1, 1, 2))
-        plain.source_base = -1 if place == NO_SOURCE else place - pack(0, 1, 1)
+        source = environment.source_id(Span(file, 1, 1, 2))
+        plain.source_base = -1 if source == NO_SOURCE else source - pack(0, 1, 1)
 
     def _import_state(self) -> None:
         plain, state = self._plain_lines, self._state

@@ -37,5 +37,5 @@ cdef class PlainLines:
     @cython.locals(scanner=PlainScanner, what=int, motion=int, feed_v=double, moves=int, i=Py_ssize_t)
     cpdef int decode(self, str line, long long number) except -1
     cdef int try_join(self, int motion)
-    @cython.locals(scanner=PlainScanner, moves=int, i=Py_ssize_t, position=double, begin=double, place=double)
+    @cython.locals(scanner=PlainScanner, moves=int, i=Py_ssize_t, position=double, begin=double, target=double)
     cdef int set_target(self)

@@ -158,11 +158,11 @@ class PlainLines:
             position = self.positions[i]
             if scanner.axes >> i & 1:
                 begin = self.offsets[i] if self.is_absolute else position
-                place = begin + scanner.values[i] * self.factors[i]
-                if not self.lows[i] <= place <= self.highs[i]:
+                target = begin + scanner.values[i] * self.factors[i]
+                if not self.lows[i] <= target <= self.highs[i]:
                     return -1
-                if place != position:
+                if target != position:
                     moves = 1
-                position = place
+                position = target
             self.target[i] = position
         return moves

@@ -59,7 +59,9 @@ def check(
     checker.begin(role)
     for statement in statements:
         checker.statement(statement)
-    errors = [one for one in collector.diagnostics if one.severity.name == "ERROR"]
+    errors = [
+        diagnostic for diagnostic in collector.diagnostics if diagnostic.severity.name == "ERROR"
+    ]
     if errors:
         fail(errors[0].message, span, **errors[0].values)
 
@@ -105,5 +107,5 @@ class _OneLine(Sequence[str]):
 
     def __getitem__(self, index: int | slice) -> str | Sequence[str]:
         if isinstance(index, slice):
-            return [self[place] for place in range(*index.indices(self._number))]
+            return [self[position] for position in range(*index.indices(self._number))]
         return self._line() if index == self._number - 1 else ""

@@ -42,15 +42,15 @@ class Macros:
         self._environment = environment
         self._fail = fail
         self._texts: dict[str, str] = {}
-        self._places = MacroExpander(environment.names, self._meaning)
-        self._meant: dict[int, tuple[tree.Statement, tree.Statement]] = {}
+        self._expander = MacroExpander(environment.names, self._meaning)
+        self._remembered: dict[int, tuple[tree.Statement, tree.Statement]] = {}
         self._depth = 0
         self._characters = 0
 
     def define(self, definition: tree.MacroDefinition) -> None:
         """A later definition of a name replaces an earlier one."""
         self._texts[definition.name] = definition.text
-        self._meant.clear()
+        self._remembered.clear()
 
     @property
     def are_defined(self) -> bool:
@@ -59,18 +59,18 @@ class Macros:
 
     def expand_expressions(self, statement: tree.Statement) -> tree.Statement:
         """The statement with what macros stand for in its expressions."""
-        known = self._meant.get(id(statement))
-        if known is None:
+        pair = self._remembered.get(id(statement))
+        if pair is None:
             self._depth = 0
             self._characters = 0
-            changed = self._places.statement(statement)
+            changed = self._expander.statement(statement)
             if changed is not statement:
                 line = partial(self._environment.line_text, statement.span)
                 check(self._environment, self._fail, [changed], statement.span, line)
-            if len(self._meant) == MAX_REMEMBERED:
-                self._meant.clear()
-            known = self._meant[id(statement)] = (statement, changed)
-        return known[1]
+            if len(self._remembered) == MAX_REMEMBERED:
+                self._remembered.clear()
+            pair = self._remembered[id(statement)] = (statement, changed)
+        return pair[1]
 
     def _meaning(self, name: tree.StringLiteral) -> tree.Expression | None:
         """What a macro stands for in an expression: a whole term."""
@@ -86,7 +86,7 @@ class Macros:
                 raise unreadable(text)
         except BlockError as error:
             self._fail(error.message, name.span, **error.values)
-        meaning = self._places.number(with_span(expression, name.span))
+        meaning = self._expander.number(with_span(expression, name.span))
         self._depth -= 1
         return meaning
 

@@ -83,13 +83,13 @@ class RealtimeLoops:
 
     def _body(self, loop: tree.RealtimeLoop) -> list[Command]:
         """All commands of the body; none that the decoder would have to wait for."""
-        found: list[Command] = []
+        commands: list[Command] = []
         decoded = self._run(loop.body, None)
         while True:
             try:
                 command = next(decoded)
             except StopIteration:
-                return found
+                return commands
             if not isinstance(command, Segment | WriteVariable | BlockMark):
                 self._values.fail(NOT_ALLOWED_IN_RT_WHILE, loop.span, command="#RT WHILE")
-            found.append(command)
+            commands.append(command)

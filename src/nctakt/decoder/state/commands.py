@@ -376,15 +376,16 @@ class ClearHistory(Command):
 Answer = float | tuple[float, ...] | None
 
 
-def pack(command: Command, place: int = 0) -> list[float]:
-    """The row of a command; ``place`` is the slot of a cycle or the number of a text or program."""
+def pack(command: Command, reference: int = 0) -> list[float]:
+    """The row of a command; ``reference`` is the slot of a cycle or the number of a text or
+    program."""
     head = (command.source, command.number)
     row: list[float]
     match command:
         case Dwell():
             return [rows.DWELL, *head, command.ticks]
         case LoadCycle():
-            return [rows.DEFINE_CYCLE, *head, place, not command.definition_only]
+            return [rows.DEFINE_CYCLE, *head, reference, not command.definition_only]
         case CycleControl():
             return [rows.CONTROL_CYCLE, *head, command.action, command.identity]
         case TechnologyOutput():
@@ -403,7 +404,7 @@ def pack(command: Command, place: int = 0) -> list[float]:
             row = [rows.WRITE_TEXT, *head, command.cell, command.first, len(command.data)]
             return [*row, command.zeros, *command.data]
         case UserMessage():
-            return [rows.MESSAGE, *head, place]
+            return [rows.MESSAGE, *head, reference]
         case SetOffset():
             return [rows.SET_OFFSET, *head, command.axis, command.kind, command.value]
         case SetOrigin():
@@ -414,7 +415,7 @@ def pack(command: Command, place: int = 0) -> list[float]:
                 return [rows.SET_TURN, *head, first]
             return [rows.SET_TURN, *head, first, second + 1, third + 1, *command.matrix]
         case Freeze():
-            return [rows.FREEZE, *head, command.serial, place, command.value]
+            return [rows.FREEZE, *head, command.serial, reference, command.value]
         case UserErrorReport():
             return [rows.USER_ERROR, *head, command.identity, command.reaction]
         case UserErrorValue():
@@ -429,7 +430,7 @@ def pack(command: Command, place: int = 0) -> list[float]:
         case PositionRequest():
             return [rows.POSITIONS, *head, True, len(command.axes), *command.axes]
         case BlockMark():
-            return [rows.BLOCK_MARK, *head, place]
+            return [rows.BLOCK_MARK, *head, reference]
         case WaitMark():
             return [rows.WAIT_MARK, *head, command.reason, command.cell]
         case ProgramTimer():
@@ -453,7 +454,7 @@ def pack(command: Command, place: int = 0) -> list[float]:
         case LoopEnd():
             return [rows.LOOP_END, *head, True]
         case ProgramEnd():
-            return [rows.PROGRAM_END, *head, place]
+            return [rows.PROGRAM_END, *head, reference]
         case ProgramStop():
             return [rows.PROGRAM_STOP, *head, command.is_optional]
         case GiveUp():

@@ -77,8 +77,8 @@ def controller_data(
     latched = bytearray(TIMER_BYTES)
     counting = Timers(latched, 0, configuration.cycle_time_us)
     timers = ProgramTimers(latched, tick, configuration.cycle_time_us)
-    made = []
+    data = []
     for channel in channels:
         channel.program_timers = counting
-        made.append(ControllerData(timers))
-    return made
+        data.append(ControllerData(timers))
+    return data

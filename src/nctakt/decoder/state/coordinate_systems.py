@@ -66,23 +66,23 @@ class CoordinateSystems:
 
     def inside(self, positions: Sequence[float], tool: Sequence[float]) -> list[float]:
         """Positions of the axes as the active system has them, its offsets not taken off."""
-        found = [
+        coordinates = [
             position - origin - length
             for position, origin, length in zip(positions, self._origin, tool, strict=True)
         ]
         if self._matrix != IDENTITY:
-            turned = [_dot(self._matrix[column::3], found[:3]) for column in range(3)]
-            found[:3] = turned
-        return found
+            turned = [_dot(self._matrix[column::3], coordinates[:3]) for column in range(3)]
+            coordinates[:3] = turned
+        return coordinates
 
     def outside(self, positions: Sequence[float], tool: Sequence[float]) -> list[float]:
         """What ``inside`` was made of."""
-        found = list(positions)
+        coordinates = list(positions)
         if self._matrix != IDENTITY:
-            found[:3] = _turned(self._matrix, found[:3])
+            coordinates[:3] = _turned(self._matrix, coordinates[:3])
         return [
             position + origin + length
-            for position, origin, length in zip(found, self._origin, tool, strict=True)
+            for position, origin, length in zip(coordinates, self._origin, tool, strict=True)
         ]
 
     def arc(self, arc: Arc, inside: Sequence[float], start: Sequence[float]) -> Arc | None:
@@ -92,16 +92,16 @@ class CoordinateSystems:
         """
         normal = sum(range(MAIN_AXES)) - arc.first - arc.second
         column = self._matrix[normal::3]
-        found = [axis for axis in range(3) if abs(column[axis]) > 1.0 - ASKEW]
-        if not found:
+        normals = [axis for axis in range(3) if abs(column[axis]) > 1.0 - ASKEW]
+        if not normals:
             return None
         radius = [0.0, 0.0, 0.0]
         radius[arc.first] = arc.centre_first - inside[arc.first]
         radius[arc.second] = arc.centre_second - inside[arc.second]
-        place = _turned(self._matrix, radius)
-        first, second = next(pair for pair in PLANES.values() if found[0] not in pair)
-        angle = arc.angle if column[found[0]] > 0.0 else -arc.angle
-        centre = (start[first] + place[first], start[second] + place[second])
+        offset = _turned(self._matrix, radius)
+        first, second = next(pair for pair in PLANES.values() if normals[0] not in pair)
+        angle = arc.angle if column[normals[0]] > 0.0 else -arc.angle
+        centre = (start[first] + offset[first], start[second] + offset[second])
         return Arc(first, second, *centre, angle)
 
     def keeps_plane(self, plane: int) -> bool:
@@ -165,8 +165,8 @@ def rotation(about_first: float, about_second: float, about_third: float) -> Mat
     return _product(_product(third, second), first)
 
 
-def _turned(matrix: Matrix, place: Sequence[float]) -> list[float]:
-    return [_dot(matrix[3 * row : 3 * row + 3], place) for row in range(3)]
+def _turned(matrix: Matrix, vector: Sequence[float]) -> list[float]:
+    return [_dot(matrix[3 * row : 3 * row + 3], vector) for row in range(3)]
 
 
 def _product(left: Matrix, right: Matrix) -> Matrix:

@@ -53,8 +53,8 @@ class CompensationState:
 
     ``side``: 1 left of the contour (G41), -1 right of it (G42), 0 off; ``radius`` in mm. Around
     outer corners in an arc (``by_arc``, G26). ``masks``: what the tool does not fit into is left
-    out (G141). ``adapts_feed``: F counts at the contour (G11). ``is_on_way``: the tool has left the
-    programmed path. ``end``: where the tool ends the contour (G239), in the plane.
+    out (G141). ``adapts_feed``: F counts at the contour (G11). ``has_left_path``: the tool has left
+    the programmed path. ``end``: where the tool ends the contour (G239), in the plane.
     """
 
     side: int = 0
@@ -63,7 +63,7 @@ class CompensationState:
     mode: int = APPROACH_INDIRECT
     masks: bool = False
     adapts_feed: bool = False
-    is_on_way: bool = False
+    has_left_path: bool = False
     end: tuple[float, float] = (0.0, 0.0)
 
     @property
@@ -74,7 +74,7 @@ class CompensationState:
     @property
     def is_active(self) -> bool:
         """Whether motions in the plane are not what they are without compensation."""
-        return self.side != 0 or self.is_on_way
+        return self.side != 0 or self.has_left_path
 
     @property
     def word(self) -> str:

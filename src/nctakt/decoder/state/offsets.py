@@ -58,7 +58,7 @@ class ActiveOffsets:
     ) -> None:
         self._axes = tuple(axes)
         self._values = [[0.0] * coordinates.KINDS for _ in axes]
-        self.zero_groups = {group: dict(one) for group, one in zero_offsets.groups.items()}
+        self.zero_groups = {group: dict(values) for group, values in zero_offsets.groups.items()}
         self.default_group = zero_offsets.default_group
         self._clamp_offsets = clamp_offsets
         self.clamp_group = 0

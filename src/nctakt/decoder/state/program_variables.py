@@ -70,18 +70,18 @@ class ProgramVariable:
             raise VariableError(
                 WRONG_INDEX_COUNT, name=self.name, expected=expected, given=len(indices)
             )
-        place = 0
+        position = 0
         for index, count in zip(indices, self.dimensions, strict=True):
             if not 0 <= index < count:
                 raise VariableError(
                     INDEX_OUT_OF_RANGE, variable=self.name, index=index, count=count
                 )
-            place = place * count + index
-        return place
+            position = position * count + index
+        return position
 
-    def put(self, place: int, value: float | str) -> None:
+    def put(self, position: int, value: float | str) -> None:
         """Give an element a value that its type takes: integers rounded, BOOLEAN 0 or 1."""
-        self.values[place] = self._converted(value)
+        self.values[position] = self._converted(value)
 
     def _converted(self, value: float | str) -> float | str:
         if isinstance(value, str):
@@ -115,8 +115,8 @@ class ProgramVariable:
             raise VariableError(
                 VALUE_COUNT_MISMATCH, name=self.name, given=len(values), count=count
             )
-        for place, value in enumerate(values):
-            self.put(place, value)
+        for position, value in enumerate(values):
+            self.put(position, value)
 
 
 Variables = dict[str, ProgramVariable]
@@ -150,7 +150,7 @@ class Scopes:
         if is_cycle:
             self._cycles.pop()
 
-    def _places(self, family: str) -> Sequence[Variables]:
+    def _scopes_of(self, family: str) -> Sequence[Variables]:
         match family:
             case "P":
                 return (self._program,)
@@ -162,20 +162,20 @@ class Scopes:
 
     def find(self, family: str, path: str) -> ProgramVariable | None:
         """A variable by its path without indices, ``None`` where there is none."""
-        for place in self._places(family):
-            if path in place:
-                return place[path]
+        for scope in self._scopes_of(family):
+            if path in scope:
+                return scope[path]
         return None
 
     def get(self, family: str, path: str) -> ProgramVariable:
         """As ``find``; 900314 where there is none."""
-        found = self.find(family, path)
-        if found is None:
-            known = [name for place in self._places(family) for name in place]
-            near = nearest(path, known)
+        variable = self.find(family, path)
+        if variable is None:
+            names = [name for scope in self._scopes_of(family) for name in scope]
+            near = nearest(path, names)
             shown = f"V.{family}.{near}" if near else "–"
             raise VariableError(VARIABLE_NOT_PRESENT, name=f"V.{family}.{path}", nearest=shown)
-        return found
+        return variable
 
     def for_writing(
         self, family: str, path: str, value: float | str, indices: Sequence[int]
@@ -190,13 +190,13 @@ class Scopes:
     def declare(self, family: str, path: str, variable: ProgramVariable) -> None:
         """A new variable of the innermost place; it replaces one of its name there."""
         self.changes += 1
-        self._places(family)[0][path] = variable
+        self._scopes_of(family)[0][path] = variable
 
     def delete(self, family: str, path: str) -> None:
         """Forget a variable, or with an empty path all of the family; nothing if it is unknown."""
         self.changes += 1
-        for place in self._places(family):
+        for scope in self._scopes_of(family):
             if not path:
-                place.clear()
-            elif place.pop(path, None) is not None:
+                scope.clear()
+            elif scope.pop(path, None) is not None:
                 return

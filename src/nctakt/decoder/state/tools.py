@@ -91,33 +91,36 @@ class ActiveTool:
     # --- V.G -------------------------------------------------------------------------------------
 
     def read(
-        self, variable: Variable, found: SystemVariable, index: Callable[[Expression], float]
+        self,
+        variable: Variable,
+        system_variable: SystemVariable,
+        index: Callable[[Expression], float],
     ) -> float:
         """V.G.T_AKT, V.G.D_AKT, V.G.WZ_AKT…, V.G.WZ[5]…, lengths in the program's unit.
 
         ``index`` gives the number of a tool or of an element.
         """
         state = self._state.tool
-        if found.subject in ("T_AKT", "D_AKT"):
-            return float(state.number if found.subject == "T_AKT" else state.record)
+        if system_variable.subject in ("T_AKT", "D_AKT"):
+            return float(state.number if system_variable.subject == "T_AKT" else state.record)
         tool = state.tool
-        if found.number is not None:
-            number = int(index(found.number))
+        if system_variable.number is not None:
+            number = int(index(system_variable.number))
             listed = NO_TOOL if number == 0 else self._environment.tools.get(number)
             if listed is None:
-                self._fail(UNKNOWN_TOOL, found.number.span, tool=number)
+                self._fail(UNKNOWN_TOOL, system_variable.number.span, tool=number)
             tool = listed
         unit = self._state.length_unit_mm
-        match found.subject:
+        match system_variable.subject:
             case "R":
                 return tool.radius / unit
             case "L":
                 return tool.length / unit
             case "V":
-                return self._axis_offset(variable, found, tool, index)
+                return self._axis_offset(variable, system_variable, tool, index)
             case "P":
-                place = self._element(variable, found, MOST_PARAMETERS, index)
-                return tool.parameters.get(place, 0.0)
+                parameter = self._element(variable, system_variable, MOST_PARAMETERS, index)
+                return tool.parameters.get(parameter, 0.0)
             case "OK":
                 return float(tool.valid)
             case "SRK_ID":
@@ -128,41 +131,45 @@ class ActiveTool:
     def _axis_offset(
         self,
         variable: Variable,
-        found: SystemVariable,
+        system_variable: SystemVariable,
         tool: Tool,
         index: Callable[[Expression], float],
     ) -> float:
-        if found.element is None:
-            place = self._environment.axis_numbers[found.axis]
+        if system_variable.element is None:
+            axis = self._environment.axis_numbers[system_variable.axis]
         else:
-            place = self._element(variable, found, len(self._environment.axes), index)
-        offset = tool.axis_offsets.get(place, 0.0)
-        is_linear = self._environment.axes[place].is_linear
+            axis = self._element(variable, system_variable, len(self._environment.axes), index)
+        offset = tool.axis_offsets.get(axis, 0.0)
+        is_linear = self._environment.axes[axis].is_linear
         return offset / self._state.length_unit_mm if is_linear else offset
 
     def _element(
         self,
         variable: Variable,
-        found: SystemVariable,
+        system_variable: SystemVariable,
         count: int,
         index: Callable[[Expression], float],
     ) -> int:
-        assert found.element is not None
-        place = int(index(found.element))
-        if not 0 <= place < count:
+        assert system_variable.element is not None
+        element = int(index(system_variable.element))
+        if not 0 <= element < count:
             name = f"V.{variable.family}." + ".".join(part.name for part in variable.parts)
             self._fail(
-                INDEX_OUT_OF_RANGE, found.element.span, variable=name, index=place, count=count
+                INDEX_OUT_OF_RANGE,
+                system_variable.element.span,
+                variable=name,
+                index=element,
+                count=count,
             )
-        return place
+        return element
 
     def write(
-        self, found: SystemVariable, value: float, span: Span, number: int
+        self, system_variable: SystemVariable, value: float, span: Span, number: int
     ) -> Iterator[SetOffset]:
         """Another radius or length of the active tool, until the next D."""
         state = self._state.tool
         length = value * self._state.length_unit_mm
-        if found.subject == "R":
+        if system_variable.subject == "R":
             self._change_radius(length, "V.G.WZ_AKT.R", span)
             state.tool = replace(state.tool, radius=length)
         else:

@@ -35,14 +35,14 @@ class UncertainAxes:
     """Follows the commands of one program; ``moving`` are axes on their way when it begins."""
 
     def __init__(self, living: Sequence[LivingCycle], moving: Sequence[str]) -> None:
-        self._by_identity = {one.identity: _CycleAxes(one.axes, False) for one in living}
+        self._by_identity = {cycle.identity: _CycleAxes(cycle.axes, False) for cycle in living}
         self._running: dict[int, tuple[str, ...]] = {}
         self._without_id: list[tuple[str, ...]] = []
         self._armed: dict[str, None] = {}
         self._uncertain: dict[str, None] = dict.fromkeys(moving)
-        for one in living:
-            if one.is_started:
-                self.start_cycle(one.identity)
+        for cycle in living:
+            if cycle.is_started:
+                self.start_cycle(cycle.identity)
 
     def define_cycle(
         self, identity: int, axes: tuple[str, ...], *, is_block: bool, starts: bool

@@ -202,20 +202,20 @@ class Evaluator:
         if is_program_variable(asked):
             return self.program_values.exists(asked)
         names = self.environment.names
-        found = resolve(asked, names)
-        if not isinstance(found, Location):
+        location = resolve(asked, names)
+        if not isinstance(location, Location):
             return isinstance(resolve_aggregate(asked, names), Aggregate)
-        counts = zip(indices_of(asked), found.dimensions, strict=True)
-        return all(0 <= self._index(index) < one.count for index, one in counts)
+        counts = zip(indices_of(asked), location.dimensions, strict=True)
+        return all(0 <= self._index(index) < dimension.count for index, dimension in counts)
 
     def _size(self, asked: tree.Expression, dimension: int) -> int:
         """Elements of an array; a list's has one dimension."""
         assert isinstance(asked, tree.Variable)
         if is_program_variable(asked):
             return self.program_values.size(asked, dimension)
-        found = resolve_aggregate(asked, self.environment.names)
-        is_first = isinstance(found, Aggregate) and dimension == 1
-        return found.node.array_elements if is_first and isinstance(found, Aggregate) else 0
+        aggregate = resolve_aggregate(asked, self.environment.names)
+        is_first = isinstance(aggregate, Aggregate) and dimension == 1
+        return aggregate.node.array_elements if is_first and isinstance(aggregate, Aggregate) else 0
 
     def declare(self, declaration: tree.Declaration, number: int) -> Generator[Command, Answer]:
         """A line of ``#VAR``."""
@@ -344,29 +344,29 @@ class Evaluator:
     def _system(self, variable: tree.Variable) -> float:
         """V.G and V.A."""
         environment = self.environment
-        found = system_variable(variable, tuple(environment.axis_numbers))
-        assert found is not None
-        if found.kind == "timer":
-            assert found.number is not None
-            number = self._index(found.number)
+        system = system_variable(variable, tuple(environment.axis_numbers))
+        assert system is not None
+        if system.kind == "timer":
+            assert system.number is not None
+            number = self._index(system.number)
             if not 0 <= number < TIMERS:
                 self.fail(
                     INDEX_OUT_OF_RANGE,
-                    found.number.span,
+                    system.number.span,
                     variable="V.G.TIMER",
                     index=int(number),
                     count=TIMERS,
                 )
             return environment.controller_data.timers.read(int(number))
-        if found.kind == "tool":
-            return self.tool.read(variable, found, self._index)
-        return self.system.read(variable, found)
+        if system.kind == "tool":
+            return self.tool.read(variable, system, self._index)
+        return self.system.read(variable, system)
 
     def _flush_before(self, variable: tree.Variable, number: int) -> Generator[Command, Answer]:
         """Empty the channel in front of a variable that shows where an axis is."""
-        found = system_variable(variable, tuple(self.environment.axis_numbers))
-        if found is not None and found.waits:
-            cell = self.system.cell(variable, found)
+        system = system_variable(variable, tuple(self.environment.axis_numbers))
+        if system is not None and system.waits:
+            cell = self.system.cell(variable, system)
             self.check_flush_allowed(path_text(variable), variable.span)
             yield ReadRealtime(self.environment.source_id(variable.span), number, cell)
 
@@ -381,9 +381,9 @@ class Evaluator:
 
     def locate(self, variable: tree.Variable) -> Location:
         """Where a variable lives; the checker has seen that it exists."""
-        found = resolve(variable, self.environment.names)
-        assert isinstance(found, Location), variable
-        return found
+        location = resolve(variable, self.environment.names)
+        assert isinstance(location, Location), variable
+        return location
 
     def cell(self, variable: tree.Variable, location: Location | Aggregate) -> int:
         """The cell of a variable with the values that its indices have now (50929 outside)."""

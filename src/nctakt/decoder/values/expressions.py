@@ -104,7 +104,7 @@ class ExpressionBuilder:
         leaf: Callable[[tree.Variable | tree.Parameter], Operand],
         compare_texts: Callable[[tree.Binary], Operand | None] = lambda _: None,
         query: Callable[[tree.Call], Operand | None] = lambda _: None,
-        number: Callable[[tree.Number], Operand] = lambda one: constant(one.value),
+        number: Callable[[tree.Number], Operand] = lambda node: constant(node.value),
         macro: Callable[[tree.StringLiteral], NoReturn] = _unexpected,
     ) -> None:
         self._leaf = leaf
@@ -151,13 +151,13 @@ class ExpressionBuilder:
             built = self.build(expression)
             return conditions.IsTrue(built.node)
         operator = expression.operator
-        one, other = self.build(expression.left), self.build(expression.right)
+        left_operand, right_operand = self.build(expression.left), self.build(expression.right)
         general, fused, mirrored = _COMPARISONS[operator]
-        if one.cell is not None and other.constant is not None:
-            return fused(one.cell, other.constant)
-        if one.constant is not None and other.cell is not None:
-            return _COMPARISONS[mirrored][1](other.cell, one.constant)
-        return general(one.node, other.node)
+        if left_operand.cell is not None and right_operand.constant is not None:
+            return fused(left_operand.cell, right_operand.constant)
+        if left_operand.constant is not None and right_operand.cell is not None:
+            return _COMPARISONS[mirrored][1](right_operand.cell, left_operand.constant)
+        return general(left_operand.node, right_operand.node)
 
     def _part(self, expression: tree.Expression) -> Condition:
         """An operand of ``&&`` or ``||``."""

@@ -63,10 +63,10 @@ class Plans:
 
         What is asked for is kept alive, so that its identity stays its own.
         """
-        known = self._plans.get(id(expression))
-        if isinstance(known, Plan):
-            return known
-        if known is not None:
+        remembered = self._plans.get(id(expression))
+        if isinstance(remembered, Plan):
+            return remembered
+        if remembered is not None:
             plan = self._plans[id(expression)] = self._make(expression)
             return plan
         if len(self._plans) == MAX_PLANS:
@@ -85,12 +85,12 @@ class Plans:
 
     def of_template(self, template: ExpressionTemplate) -> TemplatePlan:
         """The plan of a template."""
-        known = self._template_plans.get(template)
-        if known is None:
+        plan = self._template_plans.get(template)
+        if plan is None:
             if len(self._template_plans) == MAX_PLANS:
                 self._template_plans.clear()
-            known = self._template_plans[template] = plan_of_template(template)
-        return known
+            plan = self._template_plans[template] = plan_of_template(template)
+        return plan
 
     def _leaf(self, leaf: Leaf) -> Operand:
         self._leaves.append(leaf)
@@ -105,11 +105,11 @@ def plan_of_template(template: ExpressionTemplate) -> TemplatePlan:
     parameters: dict[int, None] = {}
 
     def number(node: tree.Number) -> Operand:
-        place = template.numbers.get(node.span)
-        if place is None:
+        value = template.numbers.get(node.span)
+        if value is None:
             return constant(node.value)
-        numbers[place] = None
-        return load(list(numbers).index(place))
+        numbers[value] = None
+        return load(list(numbers).index(value))
 
     def leaf(node: Leaf) -> Operand:
         if isinstance(node, tree.Variable):
@@ -147,5 +147,5 @@ def _is_numeric(expression: tree.Expression) -> bool:
             return _is_numeric(expression.left) and _is_numeric(expression.right)
         case tree.Call():
             is_of_numbers = not FUNCTIONS[expression.function].decoder_only
-            return is_of_numbers and all(_is_numeric(one) for one in expression.arguments)
+            return is_of_numbers and all(_is_numeric(argument) for argument in expression.arguments)
     return False

@@ -45,8 +45,8 @@ class ProgramValues:
     def read(self, variable: tree.Variable) -> float | str:
         """The value now."""
         try:
-            found = self._scopes.get(variable.family, bare_name(variable))
-            return found.values[found.element(self._indices(variable))]
+            stored = self._scopes.get(variable.family, bare_name(variable))
+            return stored.values[stored.element(self._indices(variable))]
         except VariableError as error:
             self._wrong(error, variable.span)
 
@@ -62,8 +62,8 @@ class ProgramValues:
         indices = self._indices(variable)
         path = bare_name(variable)
         try:
-            found = self._scopes.for_writing(variable.family, path, value, indices)
-            found.put(found.element(indices), value)
+            stored = self._scopes.for_writing(variable.family, path, value, indices)
+            stored.put(stored.element(indices), value)
         except VariableError as error:
             self._wrong(error, variable.span)
 
@@ -78,12 +78,12 @@ class ProgramValues:
 
     def exists(self, variable: tree.Variable) -> bool:
         """Whether there is such a variable, and the element where one is named."""
-        found = self._scopes.find(variable.family, bare_name(variable))
+        stored = self._scopes.find(variable.family, bare_name(variable))
         indices = self._indices(variable)
-        if found is None or not indices:
-            return found is not None
+        if stored is None or not indices:
+            return stored is not None
         try:
-            found.element(indices)
+            stored.element(indices)
         except VariableError:
             return False
         return True
@@ -132,11 +132,11 @@ class ProgramValues:
         path = bare_name(variable)
         name = f"V.{variable.family}.{path}"
         try:
-            made = ProgramVariable(
+            declared = ProgramVariable(
                 name, _type(declaration, values), int(characters), tuple(dimensions)
             )
-            made.fill(values)
-            self._scopes.declare(variable.family, path, made)
+            declared.fill(values)
+            self._scopes.declare(variable.family, path, declared)
         except VariableError as error:
             self._wrong(error, declaration.span)
 

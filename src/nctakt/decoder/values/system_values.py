@@ -41,46 +41,46 @@ class SystemValues:
 
     # --- reading --------------------------------------------------------------------------------
 
-    def read(self, variable: Variable, found: SystemVariable) -> float:
+    def read(self, variable: Variable, system: SystemVariable) -> float:
         """The value of now."""
-        if found.kind == "channel":
-            return self._of_channel(found.subject)
-        place = self._place(variable, found)
-        value = self._of_axis(variable, found, place)
-        is_linear = self._environment.axes[place].is_linear
+        if system.kind == "channel":
+            return self._of_channel(system.subject)
+        axis = self._axis_index(variable, system)
+        value = self._of_axis(variable, system, axis)
+        is_linear = self._environment.axes[axis].is_linear
         return value / self._state.length_unit_mm if is_linear else value
 
-    def cell(self, variable: Variable, found: SystemVariable) -> int:
+    def cell(self, variable: Variable, system: SystemVariable) -> int:
         """Where the realtime part shows the measured position of an axis."""
-        return self._cell(self._place(variable, found))
+        return self._cell(self._axis_index(variable, system))
 
-    def _of_axis(self, variable: Variable, found: SystemVariable, place: int) -> float:
+    def _of_axis(self, variable: Variable, system: SystemVariable, index: int) -> float:
         """In mm or degrees."""
-        axis = self._environment.axes[place]
+        axis = self._environment.axes[index]
         offsets = self._environment.offsets
-        match found.subject:
+        match system.subject:
             case "ABS":
-                return offsets.inside(self._state.positions)[place]
+                return offsets.inside(self._state.positions)[index]
             case "PROG" | "MENT":
-                return offsets.inside(self._state.positions)[place] - offsets.total(place)
+                return offsets.inside(self._state.positions)[index] - offsets.total(index)
             case "ACT_POS":
-                measured = [self._measured(one) for one in range(len(self._environment.axes))]
-                return offsets.inside(measured)[place] - offsets.total(place)
+                measured = [self._measured(other) for other in range(len(self._environment.axes))]
+                return offsets.inside(measured)[index] - offsets.total(index)
             case "ACS.ABS":
-                return self._measured(place)
+                return self._measured(index)
             case "+SWE" | "+SWE_MDS":
                 return axis.software_limit_high
             case "-SWE" | "-SWE_MDS":
                 return axis.software_limit_low
             case "BZP":
-                return offsets.value(place, ADD_ZERO)
+                return offsets.value(index, ADD_ZERO)
             case "PZV":
-                return offsets.value(place, CLAMP)
+                return offsets.value(index, CLAMP)
             case "MODULO_VALUE":
                 return axis.modulo_range
             case "NP_AKT.V":
-                return offsets.value(place, ZERO)
-        return offsets.zero_groups.get(self._group(variable, found), {}).get(place, 0.0)
+                return offsets.value(index, ZERO)
+        return offsets.zero_groups.get(self._group(variable, system), {}).get(index, 0.0)
 
     def _of_channel(self, subject: str) -> float:
         state = self._state
@@ -105,25 +105,25 @@ class SystemValues:
                 return state.feed_mm_s * 60.0 / per_minute
         return 0.0  # MASS_360: angles are degrees
 
-    def _measured(self, place: int) -> float:
+    def _measured(self, axis: int) -> float:
         """What an axis shows of itself in this moment, in mm or degrees."""
-        return self._environment.cells[self._cell(place)]
+        return self._environment.cells[self._cell(axis)]
 
-    def _cell(self, place: int) -> int:
-        name = list(self._environment.axis_numbers)[place]
+    def _cell(self, axis: int) -> int:
+        name = list(self._environment.axis_numbers)[axis]
         location = self._environment.names.resolve("RTA", [("ACS", 0), ("CUR_POS", 0), (name, 0)])
         assert isinstance(location, Location)
         return location.cell
 
-    def _place(self, variable: Variable, found: SystemVariable) -> int:
+    def _axis_index(self, variable: Variable, system: SystemVariable) -> int:
         """The place of the axis in the channel, by its name or its number."""
-        if found.element is None:
-            return self._environment.axis_numbers[found.axis]
-        return self._element(variable, found.element, len(self._environment.axes))
+        if system.element is None:
+            return self._environment.axis_numbers[system.axis]
+        return self._element(variable, system.element, len(self._environment.axes))
 
-    def _group(self, variable: Variable, found: SystemVariable) -> int:
-        assert found.number is not None
-        return self._element(variable, found.number, MOST_GROUPS)
+    def _group(self, variable: Variable, system: SystemVariable) -> int:
+        assert system.number is not None
+        return self._element(variable, system.number, MOST_GROUPS)
 
     def _element(self, variable: Variable, index: Expression, count: int) -> int:
         number = int(self._index(index))
@@ -135,20 +135,20 @@ class SystemValues:
     # --- writing --------------------------------------------------------------------------------
 
     def write(
-        self, variable: Variable, found: SystemVariable, value: float, source: int, number: int
+        self, variable: Variable, system: SystemVariable, value: float, source: int, number: int
     ) -> Iterator[SetOffset]:
         """A zero offset, active or in the list, or the one that programs begin with."""
         offsets = self._environment.offsets
-        if found.kind == "channel":
+        if system.kind == "channel":
             group = arithmetic.round_half_even(value)
             if not 0 <= group < MOST_GROUPS:
                 self._fail(UNKNOWN_ZERO_OFFSET, variable.span, group=value, highest=MOST_GROUPS - 1)
             offsets.default_group = int(group)
             return
-        place = self._place(variable, found)
-        if self._environment.axes[place].is_linear:
+        axis = self._axis_index(variable, system)
+        if self._environment.axes[axis].is_linear:
             value *= self._state.length_unit_mm
-        if found.subject == "NP_AKT.V":
-            yield from offsets.set_zero(place, value, source, number)
+        if system.subject == "NP_AKT.V":
+            yield from offsets.set_zero(axis, value, source, number)
         else:
-            offsets.zero_groups.setdefault(self._group(variable, found), {})[place] = value
+            offsets.zero_groups.setdefault(self._group(variable, system), {})[axis] = value

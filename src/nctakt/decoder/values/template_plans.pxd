@@ -7,7 +7,7 @@ from nctakt.nc.fast.recipes cimport Occurrence
 
 cdef class TemplatePlan:
     cdef Expression node
-    cdef list places
+    cdef list number_indices
     cdef list signs
     cdef readonly list names
     cdef readonly list parameters
@@ -23,6 +23,6 @@ cdef class TemplateEvaluator:
     cdef object scopes
     cdef dict parameters
 
-    @cython.locals(i=Py_ssize_t, cell=Py_ssize_t, place=Py_ssize_t, sign=double, values=list, context=Context, result=double)
+    @cython.locals(i=Py_ssize_t, cell=Py_ssize_t, sign=double, values=list, context=Context, result=double)
     cpdef object value(self, TemplatePlan plan, Occurrence occurrence)
     cpdef int write(self, TemplatePlan plan, double value) except -1

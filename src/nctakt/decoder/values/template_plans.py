@@ -21,23 +21,23 @@ MAX_CELLS = 64
 
 
 class TemplatePlan:
-    """What a template needs, each with its cell, the cells in the order of ``places``, names,
-    numbers.
+    """What a template needs, each with its cell, the cells in the order of ``number_indices``,
+    names, numbers.
 
-    ``places`` and ``signs``: numbers of the occurrence. ``names``: family and path of variables.
-    ``parameters``: P1, P2, … ``node`` is ``None`` where the template cannot be computed.
+    ``number_indices`` and ``signs``: numbers of the occurrence. ``names``: family and path of
+    variables. ``parameters``: P1, P2, … ``node`` is ``None`` where the template cannot be computed.
     """
 
     def __init__(
         self,
         node: Expression | None,
-        places: Sequence[int],
+        number_indices: Sequence[int],
         signs: Sequence[float],
         names: Sequence[tuple[str, str]],
         parameters: Sequence[int],
     ) -> None:
         self.node = node
-        self.places = list(places)
+        self.number_indices = list(number_indices)
         self.signs = list(signs)
         self.names = list(names)
         self.parameters = list(parameters)
@@ -53,11 +53,11 @@ class TemplatePlan:
         self.changes = -1
         self.is_real = True
         for family, path in self.names:
-            found = scopes.find(family, path)
-            if found is None or found.dimensions:
+            variable = scopes.find(family, path)
+            if variable is None or variable.dimensions:
                 return 0
-            self.is_real = self.is_real and found.type == "REAL64"
-            self.values.append(found.values)
+            self.is_real = self.is_real and variable.type == "REAL64"
+            self.values.append(variable.values)
         self.changes = scopes.changes
         return 1
 
@@ -84,8 +84,8 @@ class TemplateEvaluator:
         if plan.changes != self.scopes.changes and plan.find(self.scopes) == 0:
             return None
         cell = 0
-        for i in range(len(plan.places)):
-            self.cells[cell] = occurrence.numbers[plan.places[i]] * plan.signs[i]
+        for i in range(len(plan.number_indices)):
+            self.cells[cell] = occurrence.numbers[plan.number_indices[i]] * plan.signs[i]
             cell += 1
         for values in plan.values:
             value = values[0]

@@ -39,12 +39,12 @@ def format_text(text: str, values: Sequence[float | str]) -> str:
     return result
 
 
-def _convert(place: str, layout: str, conversion: str, value: float | str) -> str:
+def _convert(written: str, layout: str, conversion: str, value: float | str) -> str:
     if conversion == "s":
         shown = value if isinstance(value, str) else repr(value).removesuffix(".0")
         return f"%{layout}s" % shown
     if isinstance(value, str) or not conversion or conversion not in _WHOLE + _REAL:
-        raise FormatError(place)
+        raise FormatError(written)
     if conversion in _WHOLE:
         whole = int(arithmetic.round_half_even(value))
         return f"%{layout}{conversion if conversion in 'xXo' else 'd'}" % whole

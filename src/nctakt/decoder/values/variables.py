@@ -67,9 +67,9 @@ class Values(Evaluator):
             self.program_values.fill(statement.target, items)
             return
         if isinstance(value, tree.Variable):
-            found = resolve_aggregate(value, self.environment.names)
-            if isinstance(found, Aggregate):
-                yield from self._copy(statement.target, value, found, number)
+            aggregate = resolve_aggregate(value, self.environment.names)
+            if isinstance(aggregate, Aggregate):
+                yield from self._copy(statement.target, value, aggregate, number)
                 return
         if statement.operator != "=":
             read = to_tree(statement.target)
@@ -145,25 +145,25 @@ class Values(Evaluator):
         self, target: tree.Variable, value: float | str, number: int
     ) -> Generator[Command, Answer]:
         """V.G: the active tool, zero offsets."""
-        found = system_variable(target, tuple(self.environment.axis_numbers))
-        assert found is not None
+        system = system_variable(target, tuple(self.environment.axis_numbers))
+        assert system is not None
         if isinstance(value, str):
             self.fail(TEXT_INSTEAD_OF_NUMBER, target.span, name=path_text(target))
         for index in indices_of(target):
             yield from self._fetch(index, number)
-        if found.kind == "tool":
-            yield from self.tool.write(found, value, target.span, number)
+        if system.kind == "tool":
+            yield from self.tool.write(system, value, target.span, number)
             return
         source = self.environment.source_id(target.span)
-        yield from self.system.write(target, found, value, source, number)
+        yield from self.system.write(target, system, value, source, number)
 
     def _target_cell(
-        self, variable: tree.Variable, found: Location | Aggregate, number: int
+        self, variable: tree.Variable, location: Location | Aggregate, number: int
     ) -> Generator[Command, Answer, int]:
         """The cell of a variable that is written; what its indices need is read first."""
         for index in indices_of(variable):
             yield from self._fetch(index, number)
-        return self.cell(variable, found)
+        return self.cell(variable, location)
 
     def _send(
         self, cell: int, value: float | bytes, source: int, number: int, is_reported: bool
@@ -186,7 +186,7 @@ class Values(Evaluator):
         self,
         target: tree.Variable | tree.Parameter,
         source: tree.Variable,
-        found: Aggregate,
+        aggregate: Aggregate,
         number: int,
     ) -> Generator[Command, Answer]:
         """Copy a structure or array, member by member as each is synchronous or not (RC-308).
@@ -194,16 +194,16 @@ class Values(Evaluator):
         All members are those of one moment: a synchronous one empties the channel, once.
         """
         assert isinstance(target, tree.Variable)
-        wanted = resolve_aggregate(target, self.environment.names)
-        assert isinstance(wanted, Aggregate), target
-        first = yield from self._target_cell(source, found, number)
-        place = yield from self._target_cell(target, wanted, number)
-        from_ = list(leaf_cells(found.node, found.name, first))
+        destination = resolve_aggregate(target, self.environment.names)
+        assert isinstance(destination, Aggregate), target
+        first_source = yield from self._target_cell(source, aggregate, number)
+        first_target = yield from self._target_cell(target, destination, number)
+        from_ = list(leaf_cells(aggregate.node, aggregate.name, first_source))
         if source.synchronous or any(leaf.synchronous for _, leaf, _ in from_):
             self.check_flush_allowed(path_text(source), source.span)
-            yield ReadRealtime(self.environment.source_id(source.span), number, first)
+            yield ReadRealtime(self.environment.source_id(source.span), number, first_source)
         values = [self._raw(cell, leaf) for _, leaf, cell in from_]
-        to = leaf_cells(wanted.node, wanted.name, place)
+        to = leaf_cells(destination.node, destination.name, first_target)
         for value, (_, leaf, cell) in zip(values, to, strict=True):
             if leaf.synchronous or target.synchronous:
                 at = self.environment.source_id(target.span)

@@ -91,12 +91,12 @@ def _assignment(statement: Assignment, names: NameTable) -> int:
 def _if(statement: If, names: NameTable) -> int:
     """All conditions up to the branch whose way costs most, and its body."""
     asked = condition_steps(statement.condition, names)
-    ways = [asked + max_steps(statement.body, names)]
+    costs = [asked + max_steps(statement.body, names)]
     for branch in statement.elseifs:
         asked += condition_steps(branch.condition, names)
-        ways.append(asked + max_steps(branch.body, names))
-    ways.append(asked + max_steps(statement.else_body or (), names))
-    return max(ways)
+        costs.append(asked + max_steps(branch.body, names))
+    costs.append(asked + max_steps(statement.else_body or (), names))
+    return max(costs)
 
 
 def condition_steps(condition: Expression, names: NameTable) -> int:

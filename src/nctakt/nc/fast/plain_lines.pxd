@@ -4,7 +4,7 @@ cimport cython
 from nctakt.nc.fast.line_scanner cimport LineScanner
 
 cdef class PlainScanner(LineScanner):
-    cdef long long[::1] places
+    cdef long long[::1] axis_of_letter
     cdef readonly double[::1] values
     cdef readonly unsigned char[::1] motions
     cdef readonly long long number

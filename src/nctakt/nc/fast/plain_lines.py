@@ -50,12 +50,12 @@ class PlainScanner(LineScanner):
     def __init__(self, axes: Sequence[str]) -> None:
         super().__init__()
         #: The place of the axis that a letter names, -1 for none.
-        self.places = memoryview(bytearray(8 * 27)).cast("q")
+        self.axis_of_letter = memoryview(bytearray(8 * 27)).cast("q")
         for i in range(27):
-            self.places[i] = -1
+            self.axis_of_letter[i] = -1
         for index, name in enumerate(axes[:62]):
             if len(name) == 1 and name in "ABCQUVWXYZ":
-                self.places[ord(name) - 64] = index
+                self.axis_of_letter[ord(name) - 64] = index
         self.values = memoryview(bytearray(8 * max(1, len(axes)))).cast("d")
         #: 1 at the number of each motion that a plain line may have.
         self.motions = memoryview(bytearray(MAX_MOTION + 1))
@@ -146,7 +146,7 @@ class PlainScanner(LineScanner):
             return -1
         self.shape = self.shape * 32 + letter - 64
         self.words += 1
-        axis = self.places[letter - 64]
+        axis = self.axis_of_letter[letter - 64]
         if axis >= 0:
             if self.axes >> axis & 1:
                 return -1

@@ -20,14 +20,14 @@ COMMENT = 2
 RUN = 3
 
 #: Numbers and comments, lines, characters of a statement with a shape; structures inside it.
-MAX_PLACES = 200
+MAX_MARKS = 200
 MAX_LINES = 400
 MAX_TEXT = 4000
 MAX_DEPTH = 20
 
-#: Characters and places of one of its lines.
+#: Characters and marks of one of its lines.
 LONGEST_LINE = 200
-MAX_PLACES_OF_LINE = 24
+MAX_MARKS_OF_LINE = 24
 
 
 class Shape:
@@ -62,8 +62,8 @@ class ShapeScanner(LineScanner):
         super().__init__()
         self.room = bytearray(MAX_TEXT + LONGEST_LINE + 4)
         self.text = memoryview(self.room)
-        self.numbers = memoryview(bytearray(8 * (MAX_PLACES + LONGEST_LINE))).cast("d")
-        self.ends = memoryview(bytearray(8 * (MAX_PLACES + LONGEST_LINE))).cast("q")
+        self.numbers = memoryview(bytearray(8 * (MAX_MARKS + LONGEST_LINE))).cast("d")
+        self.ends = memoryview(bytearray(8 * (MAX_MARKS + LONGEST_LINE))).cast("q")
         self.shape: Shape | None = None
         self.index = 0
         self.end = 0
@@ -109,7 +109,7 @@ class ShapeScanner(LineScanner):
     def statement(self, lines: list[str], start: int, first_mark: int, depth: int) -> Shape | None:
         """The statement whose first line has just been added, which is ``lines[index]``.
 
-        ``start``, ``first_mark``: where its text and its places begin; none of it is left there.
+        ``start``, ``first_mark``: where its text and its marks begin; none of it is left there.
         """
         if self.opens < 0 or depth > 20:
             return None
@@ -139,7 +139,7 @@ class ShapeScanner(LineScanner):
             first_mark = self.count
             if start > 4000 or first_mark > 200:
                 return 0
-            self.put("\n")
+            self.append("\n")
             if not self.line(lines[self.index]):
                 return 0
             if self.length == start + 1:
@@ -162,7 +162,7 @@ class ShapeScanner(LineScanner):
                 run = []
                 runs.append(run)
                 own.append(-1)
-                self.put("\n")
+                self.append("\n")
                 self.text[self.length] = 3
                 self.length += 1
             run.append(shape)
@@ -177,7 +177,7 @@ class ShapeScanner(LineScanner):
         if end > 200:
             return 0
         start = self.length
-        places = self.count
+        marks = self.count
         i = 0
         is_empty = True  # nothing but blanks and comments yet
         is_head = True  # nothing but a skip level yet
@@ -201,7 +201,7 @@ class ShapeScanner(LineScanner):
                 before = " "
                 continue
             if c in " \t":
-                self.put(c)
+                self.append(c)
                 i += 1
                 before = c
                 continue
@@ -249,7 +249,7 @@ class ShapeScanner(LineScanner):
                 return 0
             if not (c == "/" and is_head and last == " "):
                 is_head = False
-            self.put(c)
+            self.append(c)
             i += 1
             before = last = c
         while i < end:
@@ -258,10 +258,10 @@ class ShapeScanner(LineScanner):
             i += 1
         if is_empty:
             self.length = start
-            self.count = places
-        return self.count - places <= 24
+            self.count = marks
+        return self.count - marks <= 24
 
-    def put(self, c: str) -> None:
+    def append(self, c: str) -> None:
         """A character of the shape."""
         self.text[self.length] = ord(c)
         self.length += 1
@@ -281,7 +281,7 @@ class ShapeScanner(LineScanner):
     def digits(self, line: str, i: int, end: int) -> int:
         """Digits that belong to the shape; where they end."""
         while i < end and ("0" <= line[i] <= "9" or line[i] == "."):
-            self.put(line[i])
+            self.append(line[i])
             i += 1
         return i
 
@@ -308,7 +308,7 @@ class ShapeScanner(LineScanner):
         """
         first = i
         while i < end and ("A" <= line[i] <= "Z" or "a" <= line[i] <= "z" or line[i] == "_"):
-            self.put(line[i])
+            self.append(line[i])
             i += 1
         c = line[first]
         is_one = i - first == 1
@@ -331,12 +331,12 @@ class ShapeScanner(LineScanner):
             if stop == end or (line[stop] != "=" and line[stop] != "["):
                 return i
         while i < end and "0" <= line[i] <= "9":
-            self.put(line[i])
+            self.append(line[i])
             i += 1
         if i < end and line[i] == ".":
             return -1
         while not is_one and i < end and self.is_letter_or_digit(line[i]):
-            self.put(line[i])
+            self.append(line[i])
             i += 1
         return i
 
@@ -351,7 +351,7 @@ class ShapeScanner(LineScanner):
             c = line[i]
             if not self.is_letter_or_digit(c) and c != ".":
                 break
-            self.put(c)
+            self.append(c)
             i += 1
         return i
 

@@ -113,7 +113,7 @@ class _State:
         return replace(self, values=dict(self.values))
 
     def join(self, *others: _State) -> None:
-        """Two ways meet here: certain is what is so on both."""
+        """Two states meet here: certain is what is so on both."""
         for other in others:
             if not other.compensation:
                 self.compensation = ""
@@ -206,27 +206,28 @@ class Linter:
                 self._state.is_arc = False
                 self._state.is_inch = False
 
-    # --- ways through the program ----------------------------------------------------------------
+    # --- states through the program
+    # ----------------------------------------------------------------
 
     def _if(self, statement: If) -> None:
         before = self._state
-        ways: list[_State] = []
+        states: list[_State] = []
         bodies = [(statement.condition, statement.body)]
         bodies += [(branch.condition, branch.body) for branch in statement.elseifs]
         for condition, body in bodies:
             if not is_false(condition):
-                ways.append(self._way(before, body))
-        ways.append(self._way(before, statement.else_body or ()))
-        self._state = ways[0]
-        self._state.join(*ways[1:])
+                states.append(self._state_after(before, body))
+        states.append(self._state_after(before, statement.else_body or ()))
+        self._state = states[0]
+        self._state.join(*states[1:])
 
     def _switch(self, switch: Switch) -> None:
         before = self._state
-        ways = [self._way(before, case.body) for case in switch.cases]
+        states = [self._state_after(before, case.body) for case in switch.cases]
         self._state = before.copy()
-        self._state.join(*ways)
+        self._state.join(*states)
 
-    def _way(self, before: _State, body: Sequence[Statement]) -> _State:
+    def _state_after(self, before: _State, body: Sequence[Statement]) -> _State:
         self._state = before.copy()
         self._all(body)
         return self._state

@@ -104,12 +104,12 @@ def parse_program(source: Source, collector: Collector) -> Program:
     """The whole program; diagnostics in the order of the text."""
     found_errors = Collector()
     program = _assemble(source, StatementReader(source, found_errors), found_errors)
-    found_errors.diagnostics.sort(key=_place)
+    found_errors.diagnostics.sort(key=_position)
     collector.diagnostics += found_errors.diagnostics
     return program
 
 
-def _place(diagnostic: Diagnostic) -> tuple[int, int]:
+def _position(diagnostic: Diagnostic) -> tuple[int, int]:
     span = diagnostic.span
     return (span.line, span.column) if span is not None else (0, 0)
 

@@ -40,7 +40,7 @@ from nctakt.kernel.tick.command_queue import CommandRing
 from nctakt.run import program_loader
 from nctakt.run.controller import Controller
 from nctakt.run.program_loader import LoadedProgram
-from nctakt.run.queue_feeder import Feed
+from nctakt.run.queue_feeder import QueueFeeder
 
 LINES = 1_000_000
 #: Ordinary programs are a fifth as long.
@@ -246,7 +246,7 @@ def put_segment(ring: CommandRing, command: Segment) -> None:
 def decode(controller: Controller, loaded: LoadedProgram) -> None:
     """Decode a program into a queue that is a new one whenever it is full."""
     machine = controller._machine
-    feed = Feed(machine, loaded, controller.diagnostics.append)
+    feed = QueueFeeder(machine, loaded, controller.diagnostics.append)
     path, ahead = machine.channels[0].path, machine.channels[0].ahead
     ring = CommandRing(path, ahead)
     for command in feed._decoded:

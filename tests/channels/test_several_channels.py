@@ -12,7 +12,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 from nctakt.trace import read_trace
 from nctakt.trace.sinks import file_sink
 
@@ -97,7 +97,7 @@ def test_a_plc_sees_each_channel() -> None:
     seen: list[tuple[object, object]] = []
 
     class Watch:
-        def cycle(self, hli: Interface) -> None:
+        def cycle(self, hli: PlcView) -> None:
             second = hli.of_channel(2)
             second.write("V.E.OWN", 5.0)
             seen.append((hli.read("V.E.OWN"), second.read("V.E.OWN")))

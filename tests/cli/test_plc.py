@@ -10,7 +10,7 @@ import pytest
 from nctakt.plc import PlcError, load_plc
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import Interface
+    from nctakt.run.plc_view import PlcView
 
 GOOD = """
 from __future__ import annotations
@@ -58,8 +58,8 @@ def test_a_plc_is_the_one_class_with_a_method_cycle(tmp_path: Path) -> None:
     write(tmp_path, "STEP = 2", "helper.py")
     modules, paths = set(sys.modules), list(sys.path)
     plc = load_plc(write(tmp_path, GOOD))
-    plc.cycle(cast("Interface", Hli()))
-    plc.cycle(cast("Interface", Hli()))
+    plc.cycle(cast("PlcView", Hli()))
+    plc.cycle(cast("PlcView", Hli()))
     assert set(sys.modules) - modules <= {"helper"}
     assert sys.path == paths
     sys.modules.pop("helper", None)
@@ -68,7 +68,7 @@ def test_a_plc_is_the_one_class_with_a_method_cycle(tmp_path: Path) -> None:
 def test_a_base_class_is_not_counted(tmp_path: Path) -> None:
     """Of classes that derive from one another the last one is the PLC."""
     text = "class A:\n    def cycle(self, hli): ...\nclass B(A): pass\nalias = B\n"
-    load_plc(write(tmp_path, text)).cycle(cast("Interface", Hli()))
+    load_plc(write(tmp_path, text)).cycle(cast("PlcView", Hli()))
 
 
 @pytest.mark.parametrize(
@@ -140,10 +140,10 @@ class Plc:
         assert self.left >= 0, "no more"
 """
     plc = load_plc(write(tmp_path, text))
-    plc.cycle(cast("Interface", Hli()))
-    plc.cycle(cast("Interface", Hli()))
+    plc.cycle(cast("PlcView", Hli()))
+    plc.cycle(cast("PlcView", Hli()))
     with pytest.raises(PlcError) as failure:
-        plc.cycle(cast("Interface", Hli()))
+        plc.cycle(cast("PlcView", Hli()))
     (found,) = failure.value.diagnostics
     assert found.id == 900523
     assert found.values["tick"] == 2
@@ -161,7 +161,7 @@ class Plc:
 """
     plc = load_plc(write(tmp_path, text))
     with pytest.raises(PlcError) as failure:
-        plc.cycle(cast("Interface", Hli()))
+        plc.cycle(cast("PlcView", Hli()))
     found, ours = failure.value.diagnostics
     assert (found.id, ours.id) == (900523, 900510)
     assert found.text().endswith('read_time("soon")')

@@ -17,7 +17,7 @@ from nctakt.lists.declared.startup import LEAST_BACKWARD_MEMORY
 from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 from nctakt.run.stimuli import Stimulus
 
 SIGNALS = ("X.ACS.ACT_POS", "Y.ACS.ACT_POS", "BLOCK", "HLI.RETRACE")
@@ -268,7 +268,7 @@ def test_the_way_around_a_corner_is_no_block_of_its_own(backward: bool, lines: l
     contour = contour.replace("5 G26", "5\nG26")
 
     class Operator:
-        def cycle(self, hli: Interface) -> None:
+        def cycle(self, hli: PlcView) -> None:
             hli.backward_motion = backward and 1500 <= hli.tick < 5000
             hli.single_block = not backward or hli.tick >= 1500
             if hli.is_paused:

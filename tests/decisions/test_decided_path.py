@@ -7,7 +7,7 @@ import pytest
 from decided import left, numbers, perform
 
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 
 
 def ticks_of(program: str) -> int:
@@ -84,7 +84,7 @@ class _Operator:
     def __init__(self, **at: tuple[int, float]) -> None:
         self.at = at
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         hli.acknowledge_all()
         if "override" in self.at and hli.tick == self.at["override"][0]:
             hli.override_pct = self.at["override"][1]

@@ -14,7 +14,7 @@ from decided import machine, numbers, perform, told
 
 from nctakt.run.assembly import INSTRUCTION_COST_NS
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 
 
 def test_a_program_with_a_static_mistake_does_not_begin() -> None:
@@ -73,7 +73,7 @@ class _Late:
     def __init__(self, ticks: int) -> None:
         self.ticks = ticks
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         for function in hli.functions():
             if hli.tick - function.time_us // 1000 >= self.ticks:
                 hli.acknowledge(function)
@@ -101,7 +101,7 @@ def test_functions_of_the_program_wait_as_their_synchronisation_says() -> None:
 class _Deaf:
     """Acknowledges nothing."""
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         del hli
 
 
@@ -191,7 +191,7 @@ M30
 class _Prompt:
     """Acknowledges all, and so stops the kernel in each tick."""
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         hli.acknowledge_all()
 
 

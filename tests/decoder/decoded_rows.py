@@ -9,7 +9,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.run import program_loader
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.queue_feeder import Feed
+from nctakt.run.queue_feeder import QueueFeeder
 
 Rows = tuple[list[bytes], list[Diagnostic]]
 
@@ -22,7 +22,7 @@ def rows(content: str, high_water: int = 100_000) -> Rows:
         loaded = program_loader.load(NcText("p.nc", content), controller._machine, found)
     except Failure as failure:
         return [], failure.diagnostics
-    feed = Feed(controller._machine, loaded, found.append)
+    feed = QueueFeeder(controller._machine, loaded, found.append)
     feed._high_water = high_water
     channel = controller._machine.channels[0]
     feed.refill()

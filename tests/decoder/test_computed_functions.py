@@ -9,7 +9,7 @@ import pytest
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 from nctakt.run.stimuli import Stimulus
 
 
@@ -79,7 +79,7 @@ def test_the_plc_finds_the_value_beside_the_function() -> None:
         def __init__(self) -> None:
             self.seen: list[tuple[str, int]] = []
 
-        def cycle(self, hli: Interface) -> None:
+        def cycle(self, hli: PlcView) -> None:
             """Called after each tick."""
             for entry in hli.functions():
                 self.seen.append((entry.name, entry.value))

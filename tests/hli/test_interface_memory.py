@@ -31,7 +31,7 @@ from nctakt.hli.layout import (
 from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
 from nctakt.plc import PartnerPlc, PlcError
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.shared_image import InterfaceImage, describe_hli_c
+from nctakt.run.shared_image import SharedImage, describe_hli_c
 
 ROOT = Path(__file__).parent.parent.parent
 EXAMPLES = ROOT / "examples"
@@ -46,7 +46,7 @@ needs_shared_folder = pytest.mark.skipif(
 class Part:
     """One structure in an image, its values by name."""
 
-    def __init__(self, image: InterfaceImage, structure: Structure, offset: int) -> None:
+    def __init__(self, image: SharedImage, structure: Structure, offset: int) -> None:
         self.image = image
         self.structure = structure
         self.offset = offset

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import random
 
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 
 #: The operator lets go behind so many ticks.
 PLAY_TICKS = 4000
@@ -19,7 +19,7 @@ class Operator:
         self.ways = ways
         self.next_tick = 1
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         hli.acknowledge_all()
         plays = hli.tick < PLAY_TICKS
         if not plays:

@@ -19,7 +19,7 @@ from random_paths import AXES, cornered, farthest, violations
 from nctakt.base.mode import is_compiled
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 
 MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("40" if is_compiled() else "6"))
 #: Programs of one test.
@@ -82,7 +82,7 @@ def test_single_block_stands_behind_the_bend() -> None:
     """MO-6: where the block ends, and nowhere before."""
 
     class Pressed:
-        def cycle(self, hli: Interface) -> None:
+        def cycle(self, hli: PlcView) -> None:
             hli.single_block = True
             if hli.is_paused:
                 stands.append(hli.tick)

@@ -9,7 +9,7 @@ import pytest
 from kernel_rig import ACCELERATION, DEMO
 
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 from nctakt.trace.sinks import CsvSink
 
 CYCLES = """#RT CYCLE [ID=1 SCOPE=GLOBAL]
@@ -66,7 +66,7 @@ def test_a_reset_counts_more_than_a_program_end_of_the_same_tick() -> None:
 
         done = False
 
-        def cycle(self, hli: Interface) -> None:
+        def cycle(self, hli: PlcView) -> None:
             """Behind each tick."""
             if hli.error and not self.done:
                 self.done = True

@@ -9,17 +9,17 @@ import pytest
 from kernel_rig import DEMO
 
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 
 
 class Script:
     """A PLC that does in each tick what a function says, and keeps what it saw."""
 
-    def __init__(self, answer: Callable[[Interface], None]) -> None:
+    def __init__(self, answer: Callable[[PlcView], None]) -> None:
         self.answer = answer
         self.seen: list[tuple[int, str, int, int, int, bool]] = []
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         """One tick."""
         self.seen += [
             (hli.tick, one.letter, one.number, one.sequence, one.time_us, one.is_realtime)
@@ -36,7 +36,7 @@ def silent() -> Script:
 def after(ticks: int) -> Script:
     """A PLC that acknowledges each function so many ticks after it has seen it first."""
 
-    def answer(hli: Interface) -> None:
+    def answer(hli: PlcView) -> None:
         for one in hli.functions():
             if hli.time_us - one.time_us >= ticks * 1000:
                 hli.acknowledge(one)
@@ -153,7 +153,7 @@ def test_a_reset_frees_all_slots() -> None:
     controller._machine.channels[0].hli.acknowledges_itself = False
     controller.start(NcText("p.nc", once(20) + "M111\nG00 X1\nM30"))
     controller.step(3)
-    hli = Interface(controller._machine)
+    hli = PlcView(controller._machine)
     assert len(hli.functions()) == 21
     controller.reset()
     assert hli.functions() == []
@@ -165,7 +165,7 @@ def test_a_reset_frees_all_slots() -> None:
 def test_what_a_plc_writes_counts_from_the_next_tick() -> None:
     """A value written behind tick n is read by the cycles of tick n + 1 (RC-002)."""
 
-    def answer(hli: Interface) -> None:
+    def answer(hli: PlcView) -> None:
         if hli.tick == 3:
             hli.write("V.E.TRIGGER", 1)
 
@@ -177,7 +177,7 @@ def test_what_a_plc_writes_counts_from_the_next_tick() -> None:
 def test_override_and_feed_hold_of_the_plc_act_in_the_next_tick() -> None:
     """The operator's override and feed hold are latched like any input (MO-5, MO-6)."""
 
-    def answer(hli: Interface) -> None:
+    def answer(hli: PlcView) -> None:
         if hli.tick == 9:
             hli.override_pct = 0.0
         if hli.tick == 59:

@@ -9,7 +9,7 @@ from kernel_rig import DEMO, RAPID, Rig, assert_within_limits
 from nctakt.base.failure import Failure
 from nctakt.kernel.plc.panel import SINGLE_BLOCK, START
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 from nctakt.run.stimuli import Stimulus
 
 MOVES = NcText("p.nc", "N10 G00 X10\nN20 G00 X20\nM30")
@@ -124,7 +124,7 @@ class Recovery:
     def __init__(self) -> None:
         self.seen: list[tuple[int, str, int]] = []
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         """Press START when a program waits, RESET when the channel is in error."""
         if not self.seen or self.seen[-1][1:] != (hli.state, hli.error):
             self.seen.append((hli.tick, hli.state, hli.error))

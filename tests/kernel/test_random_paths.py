@@ -19,7 +19,7 @@ from random_paths import AXES, flowing, program, violations
 from nctakt.base.mode import is_compiled
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 
 SEEDS = os.environ.get("NCTAKT_SEEDS", "")
 MANY = int(SEEDS or ("1000" if is_compiled() else "20"))
@@ -40,7 +40,7 @@ class Operator:
         self.chance = random.Random(seed)
         self.next_tick = 1
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         if hli.tick < self.next_tick:
             return
         self.next_tick = hli.tick + self.chance.choice((1, 5, 40, 150))

@@ -19,7 +19,7 @@ from random_paths import AXES, cornered, farthest, program, violations
 from nctakt.base.mode import is_compiled
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 
 MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("60" if is_compiled() else "6"))
 #: Programs of one test.
@@ -40,7 +40,7 @@ class Operator:
         self.is_wild = is_wild
         self.next_tick = 1
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         if hli.tick < self.next_tick:
             return
         self.next_tick = hli.tick + self.chance.choice((1, 5, 40, 150, 400))
@@ -101,7 +101,7 @@ class Returner:
     def __init__(self, back: int, forward: int) -> None:
         self.back, self.forward = back, forward
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         hli.backward_motion = self.back <= hli.tick < self.forward
 
 
@@ -155,7 +155,7 @@ def test_the_way_back_has_the_override_of_each_block() -> None:
     """MO-5: from a block with G166 at 100 mm/s into one at 20 % of them, fast only up to it."""
 
     class Slow(Returner):
-        def cycle(self, hli: Interface) -> None:
+        def cycle(self, hli: PlcView) -> None:
             super().cycle(hli)
             hli.override_pct = 20.0
 

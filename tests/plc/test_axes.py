@@ -31,7 +31,7 @@ from nctakt.plc import (
 from nctakt.plc.axes import AxisBlock
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 
 WAIT = "G04 X0.500\nM30"
 STANDSTILL, DISCRETE, CONTINUOUS, STOPPING, ERROR_STOP, SYNCHRONIZED = 1, 2, 3, 4, 5, 6
@@ -47,12 +47,12 @@ def outputs(block: AxisBlock) -> str:
 class Cell(Plc):
     """Calls blocks as a function says, and notes their outputs where they change."""
 
-    def __init__(self, call: Callable[[Interface], None], *blocks: AxisBlock) -> None:
+    def __init__(self, call: Callable[[PlcView], None], *blocks: AxisBlock) -> None:
         self.call = call
         self.blocks = blocks
         self.told: list[list[tuple[int, str]]] = [[] for _ in blocks]
 
-    def each_tick(self, hli: Interface) -> None:
+    def each_tick(self, hli: PlcView) -> None:
         """Behind each tick."""
         self.call(hli)
         for block, told in zip(self.blocks, self.told, strict=True):
@@ -115,7 +115,7 @@ def test_move_velocity_is_in_velocity_until_something_else_comes() -> None:
     """100 mm/s take 25 ticks; Halt brakes in 25 more and aborts the motion."""
     move, halt = MC_MoveVelocity("X"), MC_Halt("X")
 
-    def call(hli: Interface) -> None:
+    def call(hli: PlcView) -> None:
         move(hli, execute=True, velocity=100, direction=POSITIVE)
         halt(hli, execute=hli.tick >= 100)
 
@@ -143,7 +143,7 @@ def test_a_new_command_aborts_the_one_before() -> None:
     """Half way to 10 mm the axis is sent back: no step in speed, the first block is aborted."""
     there, back = MC_MoveAbsolute("X"), MC_MoveAbsolute("X")
 
-    def call(hli: Interface) -> None:
+    def call(hli: PlcView) -> None:
         there(hli, execute=True, position=10, velocity=500)
         back(hli, execute=hli.tick >= 50, position=0, velocity=500)
 
@@ -160,7 +160,7 @@ def test_a_buffered_command_waits_for_the_end_of_the_one_before() -> None:
     """Busy at once, active when the first one has arrived."""
     first, second = MC_MoveAbsolute("X"), MC_MoveRelative("X")
 
-    def call(hli: Interface) -> None:
+    def call(hli: PlcView) -> None:
         first(hli, execute=True, position=10, velocity=500)
         second(hli, execute=hli.tick >= 10, distance=10, velocity=500, buffered=True)
 
@@ -186,7 +186,7 @@ def test_an_endless_motion_ends_in_error_at_its_software_limit() -> None:
     """900434, ErrorStop; further commands are refused (900431) until RESET clears it."""
     endless, further = MC_MoveVelocity("X"), MC_MoveAbsolute("X")
 
-    def call(hli: Interface) -> None:
+    def call(hli: PlcView) -> None:
         endless(hli, execute=True, velocity=500, direction=POSITIVE)
         further(hli, execute=endless.error, position=0, velocity=500)
 
@@ -268,7 +268,7 @@ def test_a_reset_aborts_what_the_plc_moves() -> None:
     """RESET brakes the axis: command aborted (RC-007)."""
     move = MC_MoveVelocity("X")
 
-    def call(hli: Interface) -> None:
+    def call(hli: PlcView) -> None:
         move(hli, execute=True, velocity=100)
         if hli.tick == 50:
             hli.reset()
@@ -282,7 +282,7 @@ def test_during_a_reset_an_axis_takes_no_command() -> None:
     """RC-007, 900810: X brakes from 100 mm/s for 25 ticks; an endless motion would never end it."""
     first, again, later = MC_MoveVelocity("X"), MC_MoveVelocity("X"), MC_MoveAbsolute("Y")
 
-    def call(hli: Interface) -> None:
+    def call(hli: PlcView) -> None:
         first(hli, execute=True, velocity=100)
         if hli.tick == 50:
             hli.reset()
@@ -303,7 +303,7 @@ def test_reset_leaves_error_stop() -> None:
     """
     endless, reset, back = MC_MoveVelocity("X"), MC_Reset("X"), MC_MoveAbsolute("X")
 
-    def call(hli: Interface) -> None:
+    def call(hli: PlcView) -> None:
         if hli.tick == 0:
             hli.start()
         endless(hli, execute=True, velocity=500, direction=POSITIVE)
@@ -383,7 +383,7 @@ def test_what_cannot_be_commanded_is_a_diagnostic(tmp_path: Path, call: str, num
 def test_more_commands_in_a_tick_than_there_is_room() -> None:
     """256 fit; the 257th is refused by name (900658)."""
 
-    def call(hli: Interface) -> None:
+    def call(hli: PlcView) -> None:
         for _ in range(257):
             MC_Halt("X")(hli, execute=True)
 
@@ -397,7 +397,7 @@ def test_the_plc_and_a_cycle_take_an_axis_from_each_other() -> None:
     there, again = MC_MoveAbsolute("X"), MC_MoveAbsolute("X")
     controller = Controller()
 
-    def call(hli: Interface) -> None:
+    def call(hli: PlcView) -> None:
         there(hli, execute=True, position=10, velocity=500)
         again(hli, execute=hli.tick >= 80, position=20, velocity=500)
         if hli.tick == 49:

@@ -16,7 +16,7 @@ from nctakt.plc import MC_MoveAbsolute, MC_MoveVelocity, Plc
 from nctakt.plc.axes import AxisBlock
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 
 #: A cycle that sends Z to -5 as soon as V.E.TRIGGER is 1.
 CYCLE = """#RT CYCLE [ID=1 SCOPE=PROG]
@@ -35,7 +35,7 @@ class Owner(Plc):
         self.block: AxisBlock = MC_MoveVelocity("Z") if endless else MC_MoveAbsolute("Z")
         self.ends: list[tuple[int, str]] = []
 
-    def each_tick(self, hli: Interface) -> None:
+    def each_tick(self, hli: PlcView) -> None:
         """What is called behind tick n acts in tick n + 1."""
         execute = hli.tick + 1 >= self.moves
         if isinstance(self.block, MC_MoveVelocity):

@@ -26,7 +26,7 @@ from nctakt.plc import (
 )
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface, SpindleEntry, TechnologyEntry
+from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
 
 FOUR = "#RT CYCLE\n$IF ONCE TRUE\nM100\nM101\nH100\n$ENDIF\n#RT CYCLE END\nM102\nG04 X0.020\nM30"
 
@@ -42,7 +42,7 @@ class Observer(Plc):
     def __init__(self) -> None:
         self.waiting: list[tuple[int, list[str]]] = []
 
-    def each_tick(self, hli: Interface) -> None:
+    def each_tick(self, hli: PlcView) -> None:
         """Called before the acknowledgements."""
         self.waiting.append((hli.tick, [one.name for one in hli.functions()]))
 
@@ -80,17 +80,17 @@ class Timed(Plc):
     """Sets a variable at times."""
 
     @at("10ms")
-    def first(self, hli: Interface) -> None:
+    def first(self, hli: PlcView) -> None:
         """In force in tick 10."""
         hli.write("V.E.COUNT", 1)
 
     @at(timedelta(microseconds=12_500))
-    def second(self, hli: Interface) -> None:
+    def second(self, hli: PlcView) -> None:
         """No tick begins at 12.5 ms: in force in tick 13."""
         hli.write("V.E.COUNT", 2)
 
     @at(0)
-    def begin(self, hli: Interface) -> None:
+    def begin(self, hli: PlcView) -> None:
         """The first call comes behind tick 0: in force in tick 1."""
         hli.write("V.E.TRIGGER", 1)
 
@@ -121,13 +121,13 @@ class Watching(Plc):
         self.seen: list[tuple[int, str]] = []
 
     @when(lambda hli: hli.axis("X")["command"] > 5)
-    def passed(self, hli: Interface) -> None:
+    def passed(self, hli: PlcView) -> None:
         """Each time that X gets beyond 5 mm."""
         self.seen.append((hli.tick, "passed"))
 
     @on("M100", "m101")
     @on("H100")
-    def function(self, hli: Interface, function: TechnologyEntry) -> None:
+    def function(self, hli: PlcView, function: TechnologyEntry) -> None:
         """Once for each function."""
         self.seen.append((hli.tick, function.name))
 
@@ -158,12 +158,12 @@ def test_derived_classes_inherit_and_replace(tmp_path: Path) -> None:
 
     class Base(Plc):
         @at("2ms")
-        def write(self, hli: Interface) -> None:
+        def write(self, hli: PlcView) -> None:
             hli.write("V.E.COUNT", 5)
 
     class Changed(Base):
         @at("4ms")
-        def write(self, hli: Interface) -> None:
+        def write(self, hli: PlcView) -> None:
             hli.write("V.E.COUNT", 6)
 
     trace = run("G04 X0.010\nM30", Changed(), signals=["V.E.COUNT"]).trace
@@ -329,7 +329,7 @@ def test_a_method_gets_each_job_of_a_spindle() -> None:
         spindles = run_up(10_000)
 
         @on("S3")
-        def turn(self, hli: Interface, job: SpindleEntry) -> None:
+        def turn(self, hli: PlcView, job: SpindleEntry) -> None:
             """Notes the job."""
             seen.append((hli.tick, job.function, job.speed, job.speed_before))
 

@@ -10,7 +10,7 @@ import pytest
 
 from nctakt.plc import NONE, Plc, load_plc
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface, SpindleEntry, TechnologyEntry
+from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
 
 REALISTIC = Path(__file__).parent.parent / "machines" / "centre"
 WAITING = "M100\nG04 X0.005\nM101\nG04 X0.005\nM102\nG04 X0.005\nM30"
@@ -25,7 +25,7 @@ class KeepsTheFirst(Plc):
         self.kept: TechnologyEntry | None = None
         self.waiting: dict[int, list[str]] = {}
 
-    def each_tick(self, hli: Interface) -> None:
+    def each_tick(self, hli: PlcView) -> None:
         """Called behind each tick."""
         functions = hli.functions()
         self.waiting[hli.tick] = [one.name for one in functions]
@@ -49,7 +49,7 @@ def test_a_function_acknowledged_twice_behind_one_tick_is_acknowledged() -> None
     """A method of the PLC and its policy may both do it."""
 
     class Twice(Plc):
-        def each_tick(self, hli: Interface) -> None:
+        def each_tick(self, hli: PlcView) -> None:
             hli.acknowledge_all()
             hli.acknowledge_all()
 

@@ -72,7 +72,7 @@ def test_controllers_and_machines_say_what_they_are() -> None:
     controller = Controller()
     assert repr(controller) == "<Controller of demo: 1 channel, 6 axes, ready at tick 0>"
     controller.step(3)
-    assert repr(controller.hli) == "<Interface of channel 1: ready, after tick 2>"
+    assert repr(controller.hli) == "<PlcView of channel 1: ready, after tick 2>"
     assert repr(load_machine()).startswith("<Machine demo: 1 channel, axes X, Y, Z, ")
     schedule = open_schedule(EXAMPLES / "schedule" / "rtconf.lis")
     assert repr(schedule).startswith("<RunSchedule of ")

@@ -18,7 +18,7 @@ from nctakt.plc import MC_Halt, MC_MoveAbsolute, MC_MoveRelative, MC_MoveVelocit
 from nctakt.plc.axes import AxisBlock
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 from nctakt.run.program_loader import NcText
 
 AXES = ("X", "Y", "Z", "A")
@@ -110,7 +110,7 @@ class RandomPlc(Plc):
         self.chance = Random(seed)
         self.blocks: list[tuple[AxisBlock, dict[str, object]]] = []
 
-    def each_tick(self, hli: Interface) -> None:
+    def each_tick(self, hli: PlcView) -> None:
         """Follow the blocks that are busy, and now and then do something new."""
         for block, inputs in self.blocks:
             block(hli, execute=True, **inputs)  # type: ignore[operator]

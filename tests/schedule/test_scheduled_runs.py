@@ -16,7 +16,7 @@ from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.results.run import Run
 from nctakt.results.summary import print_summary
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import Interface
+from nctakt.run.plc_view import PlcView
 from nctakt.run.stimuli import Stimulus
 from nctakt.schedule.open_schedule import RunSchedule, open_schedule
 
@@ -177,7 +177,7 @@ class Listener:
     def __init__(self) -> None:
         self.ticks: list[int] = []
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         """One call."""
         self.ticks.append(hli.tick)
 

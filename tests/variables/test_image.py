@@ -19,7 +19,7 @@ from machines import DEMO, NESTED, folder_with, machine_with
 
 from nctakt.base.failure import Failure
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.shared_image import InterfaceImage, describe, sections
+from nctakt.run.shared_image import SharedImage, describe, sections
 
 SHARED_FOLDER = Path("/dev/shm")
 needs_shared_folder = pytest.mark.skipif(
@@ -417,10 +417,10 @@ def test_shared_memory_goes_when_the_process_is_killed(name: str, how: signal.Si
 
 
 def test_an_image_is_told_from_what_describes_it() -> None:
-    """What the controller gives is an ``InterfaceImage`` without a name, or with that one."""
+    """What the controller gives is an ``SharedImage`` without a name, or with that one."""
     controller = Controller()
     with controller.interface_image() as image:
-        assert isinstance(image, InterfaceImage)
+        assert isinstance(image, SharedImage)
         assert image.name is None
 
 

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 from nctakt.kernel.plc.axis_requests import ABSOLUTE, CLEAR_FAULT, HALT, RELATIVE, VELOCITY
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import Interface
+    from nctakt.run.plc_view import PlcView
 
 #: Directions of modulo axes and of endless motions.
 POSITIVE, NEGATIVE, CURRENT, SHORTEST = 1, -1, 0, 2
@@ -46,7 +46,7 @@ class AxisBlock:
 
     def _call(
         self,
-        hli: Interface,
+        hli: PlcView,
         execute: bool,
         kind: int,
         value: float,
@@ -67,7 +67,7 @@ class AxisBlock:
         elif not execute:
             self._clear()
 
-    def _follow(self, hli: Interface) -> None:
+    def _follow(self, hli: PlcView) -> None:
         if not self._is_accepted:
             answer = hli.axis_answer(self._owner)
             if answer > 0:
@@ -76,7 +76,7 @@ class AxisBlock:
         if self._is_accepted:
             self._look(hli)
 
-    def _look(self, hli: Interface) -> None:
+    def _look(self, hli: PlcView) -> None:
         """The command was accepted: what has become of it."""
         self.active = hli.is_axis_active(self.axis, self._owner)
         if hli.is_axis_open(self._owner):
@@ -105,7 +105,7 @@ class MC_MoveAbsolute(AxisBlock):
 
     def __call__(
         self,
-        hli: Interface,
+        hli: PlcView,
         *,
         execute: bool,
         position: float,
@@ -122,7 +122,7 @@ class MC_MoveRelative(AxisBlock):
 
     def __call__(
         self,
-        hli: Interface,
+        hli: PlcView,
         *,
         execute: bool,
         distance: float,
@@ -140,7 +140,7 @@ class MC_MoveVelocity(AxisBlock):
 
     def __call__(
         self,
-        hli: Interface,
+        hli: PlcView,
         *,
         execute: bool,
         velocity: float,
@@ -155,11 +155,11 @@ class MC_MoveVelocity(AxisBlock):
 class MC_Halt(AxisBlock):
     """Brake to a stand, whoever has commanded the motion; the axis takes commands meanwhile."""
 
-    def __call__(self, hli: Interface, *, execute: bool) -> None:
+    def __call__(self, hli: PlcView, *, execute: bool) -> None:
         """Done when the axis stands, aborted when it moves again before."""
         self._call(hli, execute, HALT, 0.0, 0.0, 0, SHORTEST)
 
-    def _look(self, hli: Interface) -> None:
+    def _look(self, hli: PlcView) -> None:
         state = hli.axis(self.axis)["state"]
         self.active = state == 4  # Stopping
         if self.active:
@@ -175,10 +175,10 @@ class MC_Halt(AxisBlock):
 class MC_Reset(AxisBlock):
     """Leave ErrorStop: the axis takes commands again. The channel's own error stays until RESET."""
 
-    def __call__(self, hli: Interface, *, execute: bool) -> None:
+    def __call__(self, hli: PlcView, *, execute: bool) -> None:
         """Done in the tick that latches it, with an axis that has no error as well."""
         self._call(hli, execute, CLEAR_FAULT, 0.0, 0.0, 0, SHORTEST)
 
-    def _look(self, hli: Interface) -> None:
+    def _look(self, hli: PlcView) -> None:
         self._end()
         self.done = True

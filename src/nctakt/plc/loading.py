@@ -24,7 +24,7 @@ from nctakt.messages.plc import PLC_CLASS_AMBIGUOUS, PLC_CLASS_MISSING, PLC_FAIL
 from nctakt.run.plc_view import AnyPlc
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import Interface
+    from nctakt.run.plc_view import PlcView
 
 
 _OUR_FOLDER = Path(__file__).parent.parent
@@ -63,7 +63,7 @@ class _LoadedPlc:
         self._cycle = plc.cycle
         self._path = path
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         """Run the user's PLC once."""
         try:
             self._cycle(hli)

@@ -17,8 +17,8 @@ from nctakt.messages.plc import NO_PLC_AT_HLI, PLC_LEFT_HLI, PLC_NOT_ANSWERING
 from nctakt.plc.loading import PlcError
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import Interface
-    from nctakt.run.shared_image import InterfaceImage
+    from nctakt.run.plc_view import PlcView
+    from nctakt.run.shared_image import SharedImage
 
 #: Waits until a condition holds; False when that takes too long.
 Wait = Callable[[Callable[[], bool]], bool]
@@ -30,7 +30,7 @@ class PartnerPlc:
     ``cycle`` raises ``PlcError`` where it does not answer in time (900651) or has gone (900652).
     """
 
-    def __init__(self, image: InterfaceImage, wait: Wait) -> None:
+    def __init__(self, image: SharedImage, wait: Wait) -> None:
         self._image = image
         self._wait = wait
 
@@ -39,7 +39,7 @@ class PartnerPlc:
         if not self._wait(lambda: self._image.plc_is_present):
             raise PlcError(diagnostic(NO_PLC_AT_HLI, name=self._image.name or ""))
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         """Let the PLC have its turn."""
         image = self._image
         image.hand_over()

@@ -13,20 +13,20 @@ from typing import TYPE_CHECKING, Protocol
 from nctakt.lists.format.times import Time, TimeLike, read_time
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import Interface, SpindleEntry, TechnologyEntry
+    from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
 
 
 class Policy(Protocol):
     """Says whether a function, or a spindle's job, is acknowledged after this tick."""
 
-    def answers(self, function: TechnologyEntry | SpindleEntry, hli: Interface) -> bool:
+    def answers(self, function: TechnologyEntry | SpindleEntry, hli: PlcView) -> bool:
         """Asked after each tick for each one that waits."""
 
 
 class SpindlePolicy(Protocol):
     """Says whether a spindle's job is acknowledged after this tick."""
 
-    def answers(self, job: SpindleEntry, hli: Interface, /) -> bool:
+    def answers(self, job: SpindleEntry, hli: PlcView, /) -> bool:
         """Asked after each tick for each job that waits."""
 
 
@@ -36,7 +36,7 @@ class Always:
 
     answer: bool
 
-    def answers(self, function: TechnologyEntry | SpindleEntry, hli: Interface) -> bool:
+    def answers(self, function: TechnologyEntry | SpindleEntry, hli: PlcView) -> bool:
         """The same for all."""
         return self.answer
 
@@ -54,7 +54,7 @@ class After:
 
     time: Time
 
-    def answers(self, function: TechnologyEntry | SpindleEntry, hli: Interface) -> bool:
+    def answers(self, function: TechnologyEntry | SpindleEntry, hli: PlcView) -> bool:
         """Return whether its time has come."""
         return hli.time_us - function.time_us >= self.time.us(hli.cycle_time_us)
 
@@ -66,7 +66,7 @@ class Only:
     names: frozenset[str]
     then: Policy = ALL
 
-    def answers(self, function: TechnologyEntry | SpindleEntry, hli: Interface) -> bool:
+    def answers(self, function: TechnologyEntry | SpindleEntry, hli: PlcView) -> bool:
         """Whether it is one of them, and ``then`` answers."""
         return function.name in self.names and self.then.answers(function, hli)
 
@@ -80,7 +80,7 @@ class RunUp:
 
     rpm_per_s: float
 
-    def answers(self, job: SpindleEntry, hli: Interface) -> bool:
+    def answers(self, job: SpindleEntry, hli: PlcView) -> bool:
         """Whether the time of the change of speed is over with this tick."""
         speed = {3: job.speed, 4: -job.speed, 19: job.speed}.get(job.function, 0.0)
         change = abs(speed - job.speed_before)

@@ -35,7 +35,7 @@ from nctakt.plc.policies import ALL, Policy, SpindlePolicy
 from nctakt.run.stimuli import Stimulus
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import Interface, SpindleEntry, TechnologyEntry
+    from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
 
 _Method = TypeVar("_Method", bound=Callable[..., Any])
 
@@ -49,7 +49,7 @@ class _At:
 
 @dataclass(frozen=True, slots=True)
 class _When:
-    condition: Callable[[Interface], object]
+    condition: Callable[[PlcView], object]
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ def at(time: TimeLike) -> Callable[[_Method], _Method]:
     return _marked(_At(read_time(time)))
 
 
-def when(condition: Callable[[Interface], object]) -> Callable[[_Method], _Method]:
+def when(condition: Callable[[PlcView], object]) -> Callable[[_Method], _Method]:
     """Call the method each time that ``condition(hli)`` becomes true."""
     return _marked(_When(condition))
 
@@ -127,10 +127,10 @@ class Plc:
         plc._memory = _Memory(list(inputs))
         return plc
 
-    def each_tick(self, hli: Interface) -> None:
+    def each_tick(self, hli: PlcView) -> None:
         """For what has to be done behind each tick; nothing unless overridden."""
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         """Behind each tick: do what is due."""
         memory = self._memory
         tick_us = hli.cycle_time_us

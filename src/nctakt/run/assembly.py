@@ -36,7 +36,7 @@ from nctakt.messages.inputs import MISSPELLED_SIGNAL, UNKNOWN_SIGNAL
 from nctakt.messages.plc import STALE_ACKNOWLEDGEMENT
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, Location, NameTable
-from nctakt.run.event_registry import Registry
+from nctakt.run.event_registry import EventRegistry
 from nctakt.run.spindle_setup import all_names, channel_spindles, turning
 from nctakt.run.variable_access import VariableAccess
 
@@ -168,7 +168,7 @@ class AssembledMachine:
         self.layout = layout
         self.files = SourceFiles()
         spindles = all_names(configuration)
-        self.registry = Registry(self.files, self._name_of_cell, self._axis_names(), spindles)
+        self.registry = EventRegistry(self.files, self._name_of_cell, self._axis_names(), spindles)
         self.controller_data = controller_data(
             configuration, self.channels, lambda: self.kernel.tick
         )

@@ -18,9 +18,9 @@ from nctakt.messages import diagnostic
 from nctakt.messages.user_errors import STOPPED_BY_FATAL_USER_ERROR
 from nctakt.results.run import RunState
 from nctakt.run.assembly import AssembledMachine
-from nctakt.run.decode_budget import Budget
+from nctakt.run.decode_budget import DecodeBudget
 from nctakt.run.program_loader import LoadedProgram
-from nctakt.run.queue_feeder import Feed
+from nctakt.run.queue_feeder import QueueFeeder
 
 
 class ChannelRun:
@@ -43,10 +43,10 @@ class ChannelRun:
         self._outcome: RunState | None = None
         self._stopped_at = -1
         self.channel = machine.channels[index]
-        self.feed: Feed | None = None
+        self.feed: QueueFeeder | None = None
         self.skip_levels: frozenset[int] = frozenset()
         self.marks_blocks = False
-        self.budget: Budget | None = None
+        self.budget: DecodeBudget | None = None
         self.result: RunState | None = "ended"
 
     @property
@@ -120,7 +120,7 @@ class ChannelRun:
         self._outcome = None
         self._stopped_at = -1
         self._selected = program
-        self.feed = Feed(
+        self.feed = QueueFeeder(
             self._machine,
             program,
             self._report,

@@ -29,11 +29,11 @@ from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.channel_run import ChannelRun
-from nctakt.run.plc_view import AnyPlc, Interface
+from nctakt.run.plc_view import AnyPlc, PlcView
 from nctakt.run.program_loader import LoadedProgram, NcText
 from nctakt.run.recording import Recording
-from nctakt.run.scheduled_run import Pace, scheduled
-from nctakt.run.shared_image import InterfaceImage
+from nctakt.run.scheduled_run import ScheduledRun, scheduled
+from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import Stimulus, StimulusLike, read_stimulus
 from nctakt.run.wait_reasons import awaited
 from nctakt.schedule.open_schedule import RunSchedule
@@ -83,9 +83,9 @@ class Controller:
             ChannelRun(self._machine, index, self.diagnostics.append)
             for index in range(len(self._machine.channels))
         ]
-        self._pace: Pace | None = None
+        self._pace: ScheduledRun | None = None
         if schedule is not None and duties is not None:
-            self._pace = Pace(self._machine, schedule, duties)
+            self._pace = ScheduledRun(self._machine, schedule, duties)
             for index, one in enumerate(self._channels):
                 one.budget = self._pace.budget(index)
         self._kernel = self._machine.kernel
@@ -95,7 +95,7 @@ class Controller:
         self._stimuli: list[Stimulus] = []
         self._stimuli_from = 0
         self._plc: AnyPlc | None = None
-        self._image: InterfaceImage | None = None
+        self._image: SharedImage | None = None
         self._loaded: list[LoadedProgram] = []
 
     def __repr__(self) -> str:
@@ -129,9 +129,9 @@ class Controller:
         return "running" if any(one.is_running for one in self._channels) else "ready"
 
     @property
-    def hli(self) -> Interface:
+    def hli(self) -> PlcView:
         """The interface image: what a PLC sees and the operator's side."""
-        return Interface(self._machine)
+        return PlcView(self._machine)
 
     @property
     def default_signals(self) -> tuple[str, ...]:
@@ -176,13 +176,13 @@ class Controller:
             raise Failure(self._machine.unknown_signal(name))
         return self._machine.cells[known[name][0]]
 
-    def interface_image(self, name: str | None = None) -> InterfaceImage:
+    def interface_image(self, name: str | None = None) -> SharedImage:
         """The HLI as bytes from now on until it is closed, shared under ``name`` if given.
 
         Raises ``Failure`` where there is one already or the shared memory cannot be had.
         """
         machine = self._machine
-        self._image = InterfaceImage(
+        self._image = SharedImage(
             self.machine, machine.kernel, machine.channels, machine.layout, name
         )
         return self._image
@@ -470,7 +470,7 @@ class Controller:
                 one.serve()
         if self._plc is not None and self._kernel.tick == due and reason != reasons.FULL:
             for _ in range(plc_calls):
-                self._plc.cycle(Interface(self._machine))
+                self._plc.cycle(PlcView(self._machine))
 
     def _next_stimulus(self) -> int:
         """Post the stimuli of the coming tick; the tick before which the next one is due."""

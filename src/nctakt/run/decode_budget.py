@@ -8,7 +8,7 @@ what it yields is held until its time is paid, maybe ticks later. Time that nobo
 from __future__ import annotations
 
 
-class Budget:
+class DecodeBudget:
     """``block_ns``: what one block takes. All times in ns."""
 
     def __init__(self, block_ns: int) -> None:

@@ -14,7 +14,7 @@ from nctakt.kernel.cycles.cycles import DEFINED, HELD, CycleManager, RealtimeCyc
 from nctakt.results.run import FrozenValue, Reaction
 
 
-class Registry:
+class EventRegistry:
     """The names behind the numbers of events; they stay valid for the controller's life."""
 
     def __init__(

@@ -25,7 +25,7 @@ from nctakt.run.variable_access import split_channel
 class AnyPlc(Protocol):
     """What plays the PLC; a user's class need not derive from it."""
 
-    def cycle(self, hli: Interface) -> None:
+    def cycle(self, hli: PlcView) -> None:
         """Take part after each tick, through the interface image."""
 
 
@@ -111,7 +111,7 @@ class SpindleEntry:
         return self.time_us, self.function
 
 
-class Interface:
+class PlcView:
     """The PLC's side of one channel; ``of_channel(2)`` is that of the second one."""
 
     def __init__(self, machine: AssembledMachine, index: int = 0) -> None:
@@ -120,14 +120,14 @@ class Interface:
         self._hli = machine.channels[index].hli
 
     def __repr__(self) -> str:
-        return f"<Interface of channel {self._index + 1}: {self.state}, after tick {self.tick}>"
+        return f"<PlcView of channel {self._index + 1}: {self.state}, after tick {self.tick}>"
 
-    def of_channel(self, number: int) -> Interface:
+    def of_channel(self, number: int) -> PlcView:
         """The PLC's side of a channel, from 1; ``Failure`` where there is none."""
         count = len(self._machine.channels)
         if not 0 < number <= count:
             raise Failure(diagnostic(UNKNOWN_CHANNEL, channel=number, count=count))
-        return Interface(self._machine, number - 1)
+        return PlcView(self._machine, number - 1)
 
     @property
     def tick(self) -> int:

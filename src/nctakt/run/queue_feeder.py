@@ -21,14 +21,14 @@ from nctakt.decoder.state.program_variables import Scopes
 from nctakt.kernel import rows
 from nctakt.messages.realtime import TOO_MANY_CYCLES
 from nctakt.run.assembly import AssembledMachine
-from nctakt.run.decode_budget import Budget
+from nctakt.run.decode_budget import DecodeBudget
 from nctakt.run.program_loader import LoadedProgram
 
 #: Commands that take time, up to which the queue is filled above the look-ahead.
 HIGH_WATER = 64
 
 
-class Feed:
+class QueueFeeder:
     """One program on its way into its channel; ``report`` takes what stops it.
 
     Blocks of ``skip_levels`` are left out; ``marks_blocks``: events tell of each block when it was
@@ -42,7 +42,7 @@ class Feed:
         report: Callable[[Diagnostic], None],
         skip_levels: frozenset[int] = frozenset(),
         marks_blocks: bool = False,
-        budget: Budget | None = None,
+        budget: DecodeBudget | None = None,
     ) -> None:
         self._machine = machine
         self._index = program.channel

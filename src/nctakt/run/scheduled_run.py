@@ -22,7 +22,7 @@ from nctakt.messages.schedule_results import THREAD_OVERFLOWED
 from nctakt.messages.scheduled_runs import TICK_MISMATCH
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.channel_run import ChannelRun
-from nctakt.run.decode_budget import Budget
+from nctakt.run.decode_budget import DecodeBudget
 from nctakt.schedule.findings import simulation_findings
 from nctakt.schedule.model import NS_PER_US
 from nctakt.schedule.open_schedule import RunSchedule
@@ -62,7 +62,7 @@ def scheduled(machine: Machine, schedule: RunSchedule) -> tuple[Machine, Duties]
     return changed, duties
 
 
-class Pace:
+class ScheduledRun:
     """The schedule of a machine at work."""
 
     def __init__(self, machine: AssembledMachine, schedule: RunSchedule, duties: Duties) -> None:
@@ -74,7 +74,7 @@ class Pace:
         self._tick = -1
         self._overflows: dict[int, list[int]] = {}
         self._told: set[str] = set()
-        self._budgets = [Budget(schedule.load.block) for _ in machine.channels]
+        self._budgets = [DecodeBudget(schedule.load.block) for _ in machine.channels]
         machine.registry.name_threads([task.name for task in schedule.model.tasks])
         for channel in machine.channels:
             channel.is_paced = True
@@ -83,7 +83,7 @@ class Pace:
         if machine.kernel.tick or schedule.model.cycle % NS_PER_US:
             raise ValueError("a schedule begins with the first tick, of whole microseconds")
 
-    def budget(self, channel: int) -> Budget:
+    def budget(self, channel: int) -> DecodeBudget:
         """The time of a channel's decoder; channels count from 0."""
         return self._budgets[channel]
 

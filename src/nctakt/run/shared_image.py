@@ -65,8 +65,8 @@ _WARNINGS = "PYTHONWARNINGS"
 __all__ = [
     "Field",
     "ImageLayout",
-    "InterfaceImage",
     "Section",
+    "SharedImage",
     "describe",
     "describe_c",
     "describe_hli_c",
@@ -79,7 +79,7 @@ __all__ = [
 _Row = tuple[int, int, int, int, bool]
 
 
-class InterfaceImage:
+class SharedImage:
     """The live image of a controller; also a context manager.
 
     ``memory``: all its bytes, ``layout`` says what stands where; ``external`` are those of the V.E
@@ -172,7 +172,7 @@ class InterfaceImage:
         self._resources.close()
         self._last_resort.detach()
 
-    def __enter__(self) -> InterfaceImage:
+    def __enter__(self) -> SharedImage:
         return self
 
     def __exit__(

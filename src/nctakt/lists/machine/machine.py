@@ -330,6 +330,9 @@ class _Loader:
         channel = startup.channels[index]
         values = self.channel_values[index]
         members = channel_axes(parameters, values, axes, index + 1, self.owners, self.collector)
+        names = [one.name for one in members]
+        own = tuple(axis for axis in parameters.axes if axis.name in names)
+        parameters = replace(parameters, axes=own)
         linear = tuple(axes[one.index].is_linear for one in members)
         return ChannelConfiguration(
             index + 1,

@@ -14,6 +14,7 @@ from random import Random
 
 import pytest
 from compensated import Point, Way, decoded, distance, places, way
+from random_seeds import each_seed
 
 #: How far from a contour the tool may be off: rounding, and corners that are none (0.01°).
 TOLERANCE_MM = 2e-6
@@ -63,7 +64,7 @@ def ways_of(
     return [way(one) for one in kept], [one.number for one in kept], errors
 
 
-@pytest.mark.parametrize("seed", range(40))
+@each_seed(40, 10)
 def test_the_tool_stays_at_its_radius(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Nowhere nearer than the radius, and just so far beside each line and arc."""
     random = Random(seed)

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import pytest
 from decoded_rows import rows
+from random_seeds import each_seed
 
 from nctakt.decoder import program
 from nctakt.decoder.fast import handover
@@ -187,7 +188,7 @@ MODAL = [
 ]
 
 
-@pytest.mark.parametrize("seed", range(150))
+@each_seed(150, 30)
 def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random programs: the rows of the queue are equal to the bit, and so are the diagnostics."""
     content = text(seed)
@@ -201,8 +202,8 @@ def test_many_random_programs_are_in_order_and_full_of_plain_blocks(
 ) -> None:
     """The comparison is worth something: rows of both ways in most of its programs."""
     taken = counted(monkeypatch)
-    found = [len(rows(text(seed))[0]) for seed in range(60)]
-    assert sum(count > 5 for count in found) > 30
+    found = [len(rows(text(seed))[0]) for seed in range(30)]
+    assert sum(count > 5 for count in found) > 15
     assert 0.5 * sum(found) < sum(taken) < 0.95 * sum(found)
 
 
@@ -223,7 +224,7 @@ def test_plain_blocks_follow_the_table_of_functions(
     assert rows(content) == short
 
 
-@pytest.mark.parametrize("seed", range(20))
+@each_seed(20, 20)
 def test_the_queue_is_filled_as_far(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Decoding stops at the same block when the queue is full (what is read later, is later)."""
     content = text(1000 + seed)
@@ -233,7 +234,7 @@ def test_the_queue_is_filled_as_far(seed: int, monkeypatch: pytest.MonkeyPatch) 
     assert rows(content, water) == short
 
 
-@pytest.mark.parametrize("seed", range(25))
+@each_seed(25, 5)
 def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Whole runs: trace, events with their places, diagnostics, messages."""
     content = text(2000 + seed)
@@ -279,7 +280,7 @@ def contour(seed: int) -> str:
     return "\n".join(["#VAR", "V.P.A = 1", "#ENDVAR", *lines])
 
 
-@pytest.mark.parametrize("seed", range(150))
+@each_seed(150, 30)
 def test_both_ways_give_the_same_contours(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """MO-9: random contours beside which the tool goes, with what interrupts them."""
     content = contour(seed)
@@ -301,7 +302,7 @@ def test_contours_are_full_of_plain_blocks(monkeypatch: pytest.MonkeyPatch) -> N
         taken += ring.timed_count - before
 
     monkeypatch.setattr(handover.PlainBlocks, "fill", count)
-    found = [rows(contour(seed)) for seed in range(150)]
+    found = [rows(contour(seed)) for seed in range(30)]
     wrong = [one.id for _, diagnostics in found for one in diagnostics]
     assert {900950, 90019} <= set(wrong)
     assert taken > 0.5 * sum(len(queue) for queue, _ in found)

@@ -12,6 +12,7 @@ import random
 
 import pytest
 from decoded_rows import rows
+from random_seeds import each_seed
 
 from nctakt.decoder.values.evaluation import Reading
 from nctakt.nc import outline
@@ -144,7 +145,7 @@ def by_parser(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Templates, "skip_known", lambda _self, _lines, index: index)
 
 
-@pytest.mark.parametrize("seed", range(150))
+@each_seed(150, 30)
 def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random programs: the rows of the queue are equal to the bit, and so are the diagnostics."""
     text = content(seed)
@@ -165,13 +166,13 @@ def test_many_random_programs_run_and_are_full_of_forms(monkeypatch: pytest.Monk
         return value
 
     monkeypatch.setattr(Reading, "known", count)
-    found = [rows(content(seed), MOST_ROWS) for seed in range(60)]
+    found = [rows(content(seed), MOST_ROWS) for seed in range(30)]
     assert sum(len(one) > 20 for one, _ in found) > 20
     assert known[0] > 1000
     assert 10 < known[1] < 0.3 * known[0]
 
 
-@pytest.mark.parametrize("seed", range(25))
+@each_seed(25, 5)
 def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Whole runs: trace, events with their places, diagnostics, messages."""
     text = content(2000 + seed)

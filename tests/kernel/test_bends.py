@@ -1,13 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Corners that are rounded with a limit of the jerk: G61, G261 (MO-1, MO-3).
-
-``NCTAKT_SEEDS=100000`` runs as many random programs of each kind, else 40 run compiled, 6 plain.
-"""
+"""Corners that are rounded with a limit of the jerk: G61, G261 (MO-1, MO-3)."""
 
 from __future__ import annotations
 
 import math
-import os
 import random
 
 import numpy as np
@@ -15,15 +11,11 @@ import pytest
 from kernel_rig import DEMO
 from random_operator import Operator
 from random_paths import AXES, cornered, farthest, violations
+from random_seeds import seeds_in_parts
 
-from nctakt.base.mode import is_compiled
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import PlcView
-
-MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("40" if is_compiled() else "6"))
-#: Programs of one test.
-CHUNK = 20
 
 SIGNALS = [f"{name}.ACS.ACT_POS" for name in AXES]
 SLOPE = "#SLOPE [TYPE=TRAPEZ]"
@@ -102,15 +94,15 @@ def test_single_block_stands_behind_the_bend() -> None:
 
 
 @pytest.mark.parametrize("ways", ["override", "override hold", "single", "back", "back override"])
-@pytest.mark.parametrize("first", range(0, MANY, CHUNK))
-def test_bends_keep_the_limits_and_the_path(first: int, ways: str) -> None:
+@seeds_in_parts(40, 6, 20)
+def test_bends_keep_the_limits_and_the_path(seeds: range, ways: str) -> None:
     """Whatever is commanded: the limits of each tick, the same curve, the same end to the bit."""
-    for seed in range(first, min(first + CHUNK, MANY)):
+    for seed in seeds:
         text = cornered(seed, SLOPE)
         _, plain = performed(text)
         _, found = performed(text, Operator(seed, ways))
         assert found[-1].tolist() == plain[-1].tolist(), seed
-        if seed % CHUNK == 0:
+        if seed == seeds.start:
             for way in (plain, found):
                 way[:, 3] = np.unwrap(way[:, 3], period=360.0)
             assert farthest(found[::97], np.concatenate([np.zeros((1, 4)), plain])) < 0.05

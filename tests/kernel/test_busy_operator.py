@@ -1,23 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""Short rounded corners, and an operator whose hands are never still (MO-1, MO-5, MO-6, MO-7).
-
-``NCTAKT_SEEDS=100000`` runs as many programs, else 240 run compiled and 12 plain.
-"""
+"""Short rounded corners, and an operator whose hands are never still (MO-1, MO-5, MO-6, MO-7)."""
 
 from __future__ import annotations
 
-import os
 import random
 
-import pytest
 from motion_checks import assert_smooth, run_of
+from random_seeds import seeds_in_parts
 
-from nctakt.base.mode import is_compiled
 from nctakt.run.stimuli import Stimulus
-
-MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("240" if is_compiled() else "12"))
-#: Programs of one test.
-CHUNK = 60
 
 #: What the operator uses in one program: single block, hold, override, backward motion.
 HABITS = (
@@ -73,10 +64,10 @@ def hands(chance: random.Random) -> list[Stimulus]:
     return found + [Stimulus(second, "HLI.START", 1.0) for second in (2, 4, 8, 16)]
 
 
-@pytest.mark.parametrize("first", range(0, MANY, CHUNK))
-def test_short_bends_keep_the_limits_whatever_is_commanded(first: int) -> None:
+@seeds_in_parts(240, 12, 20)
+def test_short_bends_keep_the_limits_whatever_is_commanded(seeds: range) -> None:
     """Each axis keeps speed, acceleration and jerk in every tick, on four machines."""
-    for seed in range(first, min(first + CHUNK, MANY)):
+    for seed in seeds:
         chance = random.Random(seed)
         number = chance.randrange(4)
         assert_smooth(number, run_of(number, program(chance), hands(chance)))

@@ -1,28 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""Random programs of all that the path can do keep limits, way and ends (MO-1 … MO-7).
-
-``NCTAKT_SEEDS=100000`` runs as many programs, else 1000 run compiled and 20 plain;
-``NCTAKT_FIRST_SEED`` is the first of them.
-"""
+"""Random programs of all that the path can do keep limits, way and ends (MO-1 … MO-7)."""
 
 from __future__ import annotations
 
-import os
 import random
 
-import pytest
 from motion_checks import SIGNALS, violations
 from motion_machines import machine
 from motion_programs import MotionProgram
+from random_seeds import seeds_in_parts
 
-from nctakt.base.mode import is_compiled
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.stimuli import Stimulus
 
-FIRST = int(os.environ.get("NCTAKT_FIRST_SEED", "0"))
-MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("1000" if is_compiled() else "20"))
-#: Programs of one test.
-CHUNK = 20
 #: The operator lets go behind this time.
 PLAY_US = 3_000_000
 
@@ -87,8 +77,8 @@ def wrong_with(seed: int) -> list[str]:
     return violations(program, run, chosen)
 
 
-@pytest.mark.parametrize("first", range(FIRST, FIRST + MANY, CHUNK))
-def test_programs_of_all_motions_keep_limits_way_and_ends(first: int) -> None:
+@seeds_in_parts(1000, 20, 20)
+def test_programs_of_all_motions_keep_limits_way_and_ends(seeds: range) -> None:
     """MO-1: in each tick, with all that an operator may do in any tick."""
-    for seed in range(first, min(first + CHUNK, FIRST + MANY)):
+    for seed in seeds:
         assert wrong_with(seed) == [], seed

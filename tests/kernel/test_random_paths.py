@@ -1,13 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Random programs keep every axis within its limits in every tick (MO-1, MO-5, MO-6).
-
-``NCTAKT_SEEDS=100000`` runs as many programs of each kind, else 1000 of the plainest kind and 200
-of the others run compiled, 20 plain.
-"""
+"""Random programs keep every axis within its limits in every tick (MO-1, MO-5, MO-6)."""
 
 from __future__ import annotations
 
-import os
 import random
 from collections.abc import Callable
 
@@ -15,17 +10,11 @@ import numpy as np
 import pytest
 from kernel_rig import DEMO
 from random_paths import AXES, flowing, program, violations
+from random_seeds import seeds_in_parts
 
-from nctakt.base.mode import is_compiled
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import PlcView
-
-SEEDS = os.environ.get("NCTAKT_SEEDS", "")
-MANY = int(SEEDS or ("1000" if is_compiled() else "20"))
-SOME = int(SEEDS or ("200" if is_compiled() else "20"))
-#: Programs of one test.
-CHUNK = 20
 
 SIGNALS = [f"{name}.ACS.ACT_POS" for name in AXES]
 JERK_LIMITED = "#SLOPE [TYPE=TRAPEZ]"
@@ -66,37 +55,37 @@ def performed(
     return run
 
 
-@pytest.mark.parametrize("first", range(0, MANY, CHUNK))
-def test_random_programs_keep_the_limits(first: int) -> None:
+@seeds_in_parts(1000, 20, 20)
+def test_random_programs_keep_the_limits(seeds: range) -> None:
     """Speed and acceleration of each axis in each tick, and the program comes to its end."""
-    for seed in range(first, min(first + CHUNK, MANY)):
+    for seed in seeds:
         performed(seed)
 
 
-@pytest.mark.parametrize("first", range(0, SOME, CHUNK))
-def test_random_programs_keep_the_limit_of_the_jerk(first: int) -> None:
+@seeds_in_parts(200, 20, 20)
+def test_random_programs_keep_the_limit_of_the_jerk(seeds: range) -> None:
     """MO-2: with the jerk-limited slope the jerk of each axis as well."""
-    for seed in range(first, min(first + CHUNK, SOME)):
+    for seed in seeds:
         performed(seed, JERK_LIMITED)
 
 
 @pytest.mark.parametrize("is_held", [False, True])
 @pytest.mark.parametrize("slope", ["", JERK_LIMITED])
-@pytest.mark.parametrize("first", range(0, SOME, CHUNK))
-def test_paths_that_flow_keep_the_limits(first: int, slope: str, is_held: bool) -> None:
+@seeds_in_parts(200, 20, 20)
+def test_paths_that_flow_keep_the_limits(seeds: range, slope: str, is_held: bool) -> None:
     """MO-3: tangential transitions, which the path passes; also with override and feed hold."""
-    for seed in range(first, min(first + CHUNK, SOME)):
+    for seed in seeds:
         performed(seed, slope, Operator(seed) if is_held else None, flowing)
 
 
 @pytest.mark.parametrize("slope", ["", JERK_LIMITED])
-@pytest.mark.parametrize("first", range(0, SOME, CHUNK))
-def test_override_and_hold_keep_the_limits_and_the_path(first: int, slope: str) -> None:
+@seeds_in_parts(200, 20, 20)
+def test_override_and_hold_keep_the_limits_and_the_path(seeds: range, slope: str) -> None:
     """In any tick: the limits hold, and the axes are where they would have been without."""
-    for seed in range(first, min(first + CHUNK, SOME)):
+    for seed in seeds:
         disturbed = performed(seed, slope, Operator(seed))
         assert disturbed.trace is not None
-        if seed == first:
+        if seed == seeds.start:
             assert_on_the_path(disturbed, performed(seed, slope))
 
 

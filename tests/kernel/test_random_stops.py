@@ -1,28 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""A stop in any tick, of any kind, stays on the path and within the limits (MO-1, MO-6, RC-007).
-
-``NCTAKT_SEEDS=100000`` runs as many programs, else 300 run compiled and 16 plain;
-``NCTAKT_FIRST_SEED`` is the first of them.
-"""
+"""A stop in any tick, of any kind, stays on the path and within the limits (MO-1, MO-6, RC-007)."""
 
 from __future__ import annotations
 
-import os
 import random
 
 import pytest
 from motion_checks import SIGNALS, stop_violations, violations
 from motion_machines import machine
 from motion_programs import MotionProgram
+from random_seeds import seeds_in_parts
 
-from nctakt.base.mode import is_compiled
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.stimuli import Stimulus
 
-FIRST = int(os.environ.get("NCTAKT_FIRST_SEED", "0"))
-MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("300" if is_compiled() else "16"))
-#: Programs of one test.
-CHUNK = 20
 #: So many ticks behind the stop everything stands.
 BRAKING_TICKS = 1500
 
@@ -80,8 +71,8 @@ def wrong_with(seed: int, kind: str) -> list[str]:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("first", range(FIRST, FIRST + MANY, CHUNK))
-def test_a_stop_in_any_tick_stays_on_the_path(first: int, kind: str) -> None:
+@seeds_in_parts(300, 16, 20)
+def test_a_stop_in_any_tick_stays_on_the_path(seeds: range, kind: str) -> None:
     """MO-6: with each kind of slope, forward and backward, whatever stops the path."""
-    for seed in range(first, min(first + CHUNK, FIRST + MANY)):
+    for seed in seeds:
         assert wrong_with(seed, kind) == [], seed

@@ -1,13 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Backward motion on the path: the same curve, the same limits, the same end (MO-1, MO-7).
-
-``NCTAKT_SEEDS=100000`` runs as many random programs of each kind, else 60 run compiled, 6 plain.
-"""
+"""Backward motion on the path: the same curve, the same limits, the same end (MO-1, MO-7)."""
 
 from __future__ import annotations
 
 import math
-import os
 import random
 from collections.abc import Callable
 
@@ -15,15 +11,12 @@ import numpy as np
 import pytest
 from kernel_rig import DEMO
 from random_paths import AXES, cornered, farthest, program, violations
+from random_seeds import seeds_in_parts
 
-from nctakt.base.mode import is_compiled
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import PlcView
 
-MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("60" if is_compiled() else "6"))
-#: Programs of one test.
-CHUNK = 20
 #: The operator lets go behind so many ticks.
 PLAY_TICKS = 4000
 
@@ -74,13 +67,12 @@ def places(run: Run) -> np.ndarray:
 @pytest.mark.parametrize(
     ("make", "slope"), [(program, ""), (program, JERK_LIMITED), (cornered, JERK_LIMITED)]
 )
-@pytest.mark.parametrize("first", range(0, MANY, CHUNK))
+@seeds_in_parts(60, 6, 20)
 def test_forward_and_backward_come_to_the_same_end(
-    first: int, make: Callable[[int, str], str], slope: str, is_wild: bool
+    seeds: range, make: Callable[[int, str], str], slope: str, is_wild: bool
 ) -> None:
     """Any commands at any tick: the limits hold, the curve is the same, the end bit-equal."""
-    count = CHUNK if make is program else CHUNK // 5
-    for seed in range(first, min(first + count, MANY)):
+    for seed in seeds if make is program else seeds[:4]:
         straight = performed(seed, slope, None, make)
         plain = places(straight)
         run = performed(seed, slope, Operator(seed, is_wild=is_wild), make)

@@ -1,25 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""Single block, switched at any tick, with START, override and hold, keeps the limits (MO-1, MO-6).
-
-``NCTAKT_SEEDS=100000`` runs as many random programs of each kind, else 40 run compiled, 6 plain.
-"""
+"""Single block at any tick, with START, override and hold, keeps the limits (MO-1, MO-6)."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 
 import pytest
 from kernel_rig import DEMO
 from random_operator import Operator
 from random_paths import AXES, flowing, program, violations
+from random_seeds import seeds_in_parts
 
-from nctakt.base.mode import is_compiled
 from nctakt.run.controller import Controller, NcText
-
-MANY = int(os.environ.get("NCTAKT_SEEDS", "") or ("40" if is_compiled() else "6"))
-#: Programs of one test.
-CHUNK = 20
 
 SIGNALS = [f"{name}.ACS.ACT_POS" for name in AXES]
 JERK_LIMITED = "#SLOPE [TYPE=TRAPEZ]"
@@ -42,10 +34,10 @@ def found(text: str, plc: Operator) -> list[str]:
 @pytest.mark.parametrize("ways", ["single", "single override hold"])
 @pytest.mark.parametrize("slope", ["", JERK_LIMITED])
 @pytest.mark.parametrize("make", [program, flowing])
-@pytest.mark.parametrize("first", range(0, MANY, CHUNK))
+@seeds_in_parts(40, 6, 20)
 def test_single_block_keeps_the_limits(
-    first: int, make: Callable[[int, str], str], slope: str, ways: str
+    seeds: range, make: Callable[[int, str], str], slope: str, ways: str
 ) -> None:
     """Speed, acceleration and jerk of each axis in each tick."""
-    for seed in range(first, min(first + CHUNK, MANY)):
+    for seed in seeds:
         assert found(make(seed, slope), Operator(seed, ways)) == [], seed

@@ -2,18 +2,17 @@
 """Program texts with mistakes that chance has made: diagnostics, never a traceback.
 
 The programs of the tests and the examples, each damaged in one to six places, are checked, linted
-and, where they pass, run for some ticks. ``NCTAKT_SEEDS=100000`` makes as many texts.
+and, where they pass, run for some ticks.
 """
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from random import Random
 
-import pytest
+from random_seeds import seeds_in_parts
 
 from nctakt.base.text import decode_text
 from nctakt.checking.check import check_files
@@ -24,9 +23,6 @@ from nctakt.run.controller import Controller, NcText
 ROOT = Path(__file__).parent.parent.parent
 DEMO = load_machine(None)
 TARGET = AssembledMachine(DEMO)
-TEXTS = int(os.environ.get("NCTAKT_SEEDS", "1000"))
-#: Texts of one test.
-BATCH = 50
 #: Ticks that a text runs which passes the check.
 TICKS = 60
 #: What is put into a text.
@@ -159,10 +155,10 @@ def damaged(seed: int) -> str:
     return text
 
 
-@pytest.mark.parametrize("first", range(0, TEXTS, BATCH))
-def test_no_text_breaks_the_controller(first: int) -> None:
+@seeds_in_parts(1000, 200, 50)
+def test_no_text_breaks_the_controller(seeds: range) -> None:
     """Each text gives diagnostics that can be shown, in both languages, or runs."""
-    for seed in range(first, min(first + BATCH, TEXTS)):
+    for seed in seeds:
         text = damaged(seed)
         try:
             run = Controller(DEMO).run(NcText("p.nc", text), ticks=TICKS, memory_trace=False)

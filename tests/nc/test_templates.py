@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 from check_machine import demo_channel
+from random_seeds import each_seed
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.messages import Collector
@@ -168,7 +169,7 @@ def by_templates(source: Source) -> tuple[list[Statement], int]:
         found.append(statement)
 
 
-@pytest.mark.parametrize("seed", range(150))
+@each_seed(150, 40)
 def test_templates_make_what_the_parser_gives(seed: int) -> None:
     """All nodes with all their places, to the sign of a zero."""
     source = Source("p.nc", program(seed))
@@ -193,7 +194,7 @@ def checked(lines: list[str]) -> list[Diagnostic]:
     return collector.diagnostics
 
 
-@pytest.mark.parametrize("seed", range(150))
+@each_seed(150, 40)
 def test_shapes_in_order_hide_no_mistake(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each diagnostic of a program is found, whether its shapes were in order before or not."""
     monkeypatch.setattr(outline, "KEPT_STATEMENTS", 0)

@@ -12,7 +12,7 @@ from __future__ import annotations
 from random import Random
 
 import numpy as np
-import pytest
+from random_seeds import seeds_in_parts
 
 from nctakt.plc import MC_Halt, MC_MoveAbsolute, MC_MoveRelative, MC_MoveVelocity, MC_Reset, Plc
 from nctakt.plc.axes import AxisBlock
@@ -160,26 +160,26 @@ def run_of(seed: int) -> Run:
     return Controller().run(program, ticks=TICKS)
 
 
-@pytest.mark.parametrize("first", range(0, 400, 100))
-def test_no_axis_moves_or_changes_faster_than_it_can(first: int) -> None:
+@seeds_in_parts(400, 40, 100)
+def test_no_axis_moves_or_changes_faster_than_it_can(seeds: range) -> None:
     """RC-409, MO-1: no command position ever changes by more than the axis' speed × tick.
 
     Nor does its change by more than its acceleration allows, whatever ends the program.
     """
     ended = 0
-    for seed in range(first, first + 100):
+    for seed in seeds:
         run = run_of(seed)
         assert_within_limits(run, seed)
         found = {error.id for error in run.errors}
         assert found <= EXPECTED_ERRORS, seed
         ended += not found
-    assert ended > 25
+    assert ended > len(seeds) // 4
 
 
-@pytest.mark.parametrize("first", range(0, 60, 30))
-def test_nor_does_it_with_a_plc_that_commands_them(first: int) -> None:
+@seeds_in_parts(60, 10, 30)
+def test_nor_does_it_with_a_plc_that_commands_them(seeds: range) -> None:
     """MO-1, MO-13, RC-007: every second run waits for START, so that RESET does not end it."""
-    for seed in range(first, first + 30):
+    for seed in seeds:
         program = NcText(f"seed{seed}.nc", Generator(seed).program())
         plc = RandomPlc(seed)
         waits = seed % 2 == 0

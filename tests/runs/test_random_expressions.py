@@ -12,6 +12,7 @@ import random
 from dataclasses import dataclass
 
 import pytest
+from random_seeds import each_seed
 
 from nctakt.run.controller import Controller, NcText
 
@@ -173,7 +174,7 @@ def guarded(result: float) -> float:
     return result
 
 
-@pytest.mark.parametrize("seed", range(150))
+@each_seed(150, 40)
 def test_cycle_decoder_and_evaluator_agree(seed: int) -> None:
     """RC-206, RC-207: the value, or that there is none."""
     chance = random.Random(seed)

@@ -2,16 +2,15 @@
 """Random programs, run by the product and by the interpreter of ``reference.py``, which is not its.
 
 What both must agree on: every event in its order, with each value that a realtime cycle writes, and
-the position of X after each tick. 5000 seeds are 10^4 programs; ``NCTAKT_SEEDS=50000`` runs as many
-seeds.
+the position of X after each tick. 5000 seeds are 10^4 programs.
 """
 
 from __future__ import annotations
 
-import os
 import random
 
 import pytest
+from random_seeds import seeds_in_parts
 from reference import Assign, Branch, Command, Compute, Divide, Function, If, Reference, Statement
 from slow_expressions import FUNCTIONS, NUMBERS, PRECEDENCE, Tree, element, text_of
 
@@ -22,11 +21,6 @@ from nctakt.run.stimuli import Stimulus
 DEMO = load_machine(None)
 
 #: Each seed makes a run of one to three programs; those with an odd number may have faults in it.
-SEEDS = int(os.environ.get("NCTAKT_SEEDS", "5000"))
-
-#: Seeds of one test.
-BATCH = 100
-
 #: What can have no result, or one that grows beyond all bounds.
 RISKY = ("**", "/", "MOD", "&", "|", "^")
 SAFE_OPERATORS = [one for one in sorted(PRECEDENCE) if one not in (*RISKY, "*")]
@@ -232,10 +226,10 @@ class Writer:
         self.lines.append(line)
 
 
-@pytest.mark.parametrize("first", range(0, SEEDS, BATCH))
-def test_both_interpreters_agree(first: int) -> None:
+@seeds_in_parts(5000, 400, 100)
+def test_both_interpreters_agree(seeds: range) -> None:
     """RC-001 … 005, 102 … 113, 201 … 207, 308, 403, 505 in programs that chance has written."""
-    for seed in range(first, min(first + BATCH, SEEDS)):
+    for seed in seeds:
         agree(seed)
 
 

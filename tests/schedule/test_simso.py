@@ -15,6 +15,7 @@ import warnings
 from typing import Any
 
 import pytest
+from random_seeds import each_seed
 
 from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.model import Call, Execution, Model, Rules, Task, TaskClass, Train
@@ -109,7 +110,7 @@ def _add(
     )
 
 
-@pytest.mark.parametrize("seed", range(25))
+@each_seed(25, 10)
 def test_responses_are_those_of_simso(seed: int) -> None:
     """On random task sets each job answers as in SimSo."""
     model = random_model(seed)

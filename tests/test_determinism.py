@@ -23,11 +23,12 @@ from nctakt.run import assembly
 from nctakt.run.controller import Controller, NcText
 from nctakt.trace.sinks import CsvSink
 
+pytestmark = pytest.mark.slow
+
 HERE = Path(__file__).parent
 
 
-@functools.cache
-def elsewhere(hash_seed: str, plain: bool) -> dict[str, Any]:
+def digests(hash_seed: str, plain: bool) -> dict[str, Any]:
     """The digests that another process finds."""
     environment = {
         name: value for name, value in os.environ.items() if not name.startswith("NCTAKT_")
@@ -52,16 +53,15 @@ def differences(left: dict[str, str], right: dict[str, str]) -> list[str]:
     return [name for name in left if left[name] != right[name]]
 
 
-def test_traces_do_not_depend_on_the_hash_seed() -> None:
-    """Two processes with different orders of sets write the same bytes."""
-    assert differences(elsewhere("1", False)["digests"], elsewhere("2", False)["digests"]) == []
-
-
-def test_traces_do_not_depend_on_the_compiler() -> None:
-    """The realtime part writes the same bytes compiled and as plain Python."""
-    plain = elsewhere("0", True)
+def test_traces_depend_neither_on_the_hash_seed_nor_on_the_compiler() -> None:
+    """Two orders of sets and plain Python give the same bytes; other programs give others."""
+    first, second, plain = digests("1", False), digests("2", False), digests("0", True)
     assert plain["compiled"] is False
-    assert differences(plain["digests"], elsewhere("1", False)["digests"]) == []
+    assert differences(first["digests"], second["digests"]) == []
+    assert differences(first["digests"], plain["digests"]) == []
+    found = first["digests"]
+    assert len({found[f"seed {seed}"] for seed in SEEDS}) == len(SEEDS)
+    assert set(trace_digests.test_runs.FOLDERS) < set(found)
 
 
 def test_a_run_can_be_repeated(tmp_path: Path) -> None:
@@ -175,10 +175,3 @@ def test_two_controllers_do_not_know_of_each_other(seed: int) -> None:
     for one, other in zip(alone, together, strict=True):
         assert bytes(one._machine.memory) == bytes(other._machine.memory)
         assert one.diagnostics == other.diagnostics
-
-
-def test_each_seed_has_its_own_trace() -> None:
-    """The digests of different programs differ: the comparison sees something."""
-    found = elsewhere("1", False)["digests"]
-    assert len({found[f"seed {seed}"] for seed in SEEDS}) == len(SEEDS)
-    assert set(trace_digests.test_runs.FOLDERS) < set(found)

@@ -136,6 +136,7 @@ def test_the_readme_is_short_and_leads_to_the_index() -> None:
     assert "(docs/index.md)" in README and "(docs/tutorial.md)" in README
 
 
+@pytest.mark.slow
 def test_the_tutorial_shows_what_happens() -> None:
     """Followed step by step in an empty folder, each command prints what the page shows."""
     command = [sys.executable, "scripts/tutorial", "--check"]
@@ -185,6 +186,7 @@ def test_the_table_of_what_is_simulated_is_current() -> None:
     assert done.returncode == 0, done.stdout
 
 
+@pytest.mark.slow
 def test_the_picture_of_motions_is_what_the_runs_give() -> None:
     """Those of ``docs/pictures`` that ``scripts/pictures`` draws are what it draws."""
     command = [sys.executable, "scripts/pictures", "--check"]
@@ -345,6 +347,7 @@ def test_the_load_file_of_the_documents_is_read() -> None:
 # --- traces ------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_the_traces_in_the_documents_are_real(tmp_path: Path) -> None:
     """The lines of both formats stand in the files that the example's run writes."""
     csv, jsonl, blocks = fences("docs/traces.md", "")

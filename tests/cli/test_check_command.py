@@ -505,6 +505,7 @@ def test_a_reader_that_closes_early_is_no_error() -> None:
     assert (process.wait(), errors) == (1, b"")
 
 
+@pytest.mark.slow
 def test_ten_thousand_unknown_entries_are_a_few_lines(check: Check) -> None:
     """The first 20 have a line each, one more counts the others; with --verbose each has one."""
     entries = "".join(f"lr_param.group[{i % 7}].key_{i} {i}\n" for i in range(10_000))

@@ -216,6 +216,7 @@ def trace_of(folder: Path, *words: str, **environment: str) -> bytes | None:
     return trace.read_bytes() if done.returncode == 0 else None
 
 
+@pytest.mark.slow
 def test_the_same_inputs_give_the_same_bytes(tmp_path: Path) -> None:
     """Whatever the hash seed of the process."""
     traces = [trace_of(tmp_path, "--plain", PYTHONHASHSEED=seed) for seed in ("1", "2")]
@@ -223,6 +224,7 @@ def test_the_same_inputs_give_the_same_bytes(tmp_path: Path) -> None:
     assert traces[0] == traces[1]
 
 
+@pytest.mark.slow
 def test_compiled_and_plain_give_the_same_bytes(tmp_path: Path) -> None:
     """The two forms of the realtime part have the same results, bit for bit."""
     compiled = trace_of(tmp_path, "--compiled")

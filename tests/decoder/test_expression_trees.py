@@ -24,6 +24,8 @@ from slow_expressions import (
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller, NcText
 
+pytestmark = pytest.mark.slow
+
 DEMO = load_machine(None)
 often = settings(max_examples=400, deadline=None, derandomize=True, database=None)
 

@@ -197,6 +197,7 @@ def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyP
     assert rows(content) == short
 
 
+@pytest.mark.slow
 def test_many_random_programs_are_in_order_and_full_of_plain_blocks(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -290,6 +291,7 @@ def test_both_ways_give_the_same_contours(seed: int, monkeypatch: pytest.MonkeyP
     assert rows(content, water) == short
 
 
+@pytest.mark.slow
 def test_contours_are_full_of_plain_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
     """The comparison is worth something: most ways are put into the queue directly."""
     taken = 0

@@ -454,6 +454,7 @@ def scripted(tmp_path: Path) -> bytes:
     return trace.read_bytes()
 
 
+@pytest.mark.slow
 @needs_shared_folder
 @pytest.mark.skipif(shutil.which("cc") is None, reason="there is no C compiler")
 def test_a_plc_in_c_does_what_the_scripted_one_does(tmp_path: Path) -> None:
@@ -466,6 +467,7 @@ def test_a_plc_in_c_does_what_the_scripted_one_does(tmp_path: Path) -> None:
     assert trace == scripted(tmp_path)
 
 
+@pytest.mark.slow
 @needs_shared_folder
 def test_a_plc_in_python_does_what_the_scripted_one_does(tmp_path: Path) -> None:
     """The example in Python, in a process of its own: the same."""

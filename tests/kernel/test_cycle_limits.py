@@ -109,6 +109,7 @@ def test_the_path_brakes_from_the_tick_of_a_fault(tmp_path: Path) -> None:
 LARGE = ("rt_cycles.max_duration 65534", "configuration.rt_cycles.memory 400000000")
 
 
+@pytest.mark.slow
 def test_a_hundred_thousand_statements_run_in_one_tick(tmp_path: Path) -> None:
     """A cycle may be as long as its limits allow; no recursion counts its statements."""
     controller = controller_with(tmp_path, *LARGE)
@@ -119,6 +120,7 @@ def test_a_hundred_thousand_statements_run_in_one_tick(tmp_path: Path) -> None:
     assert controller._machine.channels[0].context.steps == 300_000
 
 
+@pytest.mark.slow
 def test_a_hundred_thousand_statements_exceed_the_usual_share(tmp_path: Path) -> None:
     """75 % of the tick, P-CHAN-00425's default, are 75,000 instructions (RC-503)."""
     controller = controller_with(tmp_path, LARGE[1])

@@ -38,7 +38,7 @@ from linux_runs import (
 
 from nctakt.linux import machine, plan
 
-pytestmark = needs_runner
+pytestmark = [needs_runner, pytest.mark.slow]
 Capture = pytest.CaptureFixture[str]
 
 

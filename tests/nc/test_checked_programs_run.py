@@ -91,6 +91,7 @@ def _program(chance: Random) -> list[str]:
     return [*program, "M30"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 def test_what_passes_the_checker_runs(seed: int) -> None:
     """A checked program ends, runs on or gives a numbered error; it never breaks the controller."""

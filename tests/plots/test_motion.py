@@ -126,6 +126,7 @@ def test_many_points_are_thinned_to_the_lowest_and_highest_of_each_piece() -> No
     assert few.time_s[few.values.argmax()] == 54_321.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", ["png", "svg", "html"])
 def test_the_same_run_gives_the_same_bytes(tmp_path: Path, ending: str) -> None:
     """Each format; no time, no number of the process in it."""
@@ -137,6 +138,7 @@ def test_the_same_run_gives_the_same_bytes(tmp_path: Path, ending: str) -> None:
     assert len(data) > 10_000
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", ["png", "svg", "html"])
 @pytest.mark.parametrize("title", ["a$b$.nc", "$", "<b>&.nc", "部品.nc", "\udcff\n.nc", "{x}"])
 def test_a_title_is_text_and_nothing_else(tmp_path: Path, title: str, ending: str) -> None:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, load_text, with_line
@@ -55,6 +56,7 @@ LOADS = (
 )
 
 
+@pytest.mark.slow
 @given(
     st.sampled_from([EXAMPLE_1, EXAMPLE_2, "End\n", ""]),
     st.lists(st.tuples(st.sampled_from(KEYS), st.sampled_from(VALUES)), max_size=5),

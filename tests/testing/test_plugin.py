@@ -109,6 +109,7 @@ def passes(sessions: Sessions, text: str, **files: str) -> None:
 # --- the example project ------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_the_example_project_passes() -> None:
     """Everything in ``examples/testing``: three programs and five tests."""
     done = run_pytest(ROOT / "examples" / "testing")
@@ -331,6 +332,7 @@ def test_text(run_nc):
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("workers", [0, 2])
 def test_coverage_of_a_session(tmp_path: Path, workers: int) -> None:
     """The whole program, then its first 40 ticks, not the text; so from workers, too.

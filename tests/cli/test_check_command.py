@@ -242,7 +242,6 @@ def test_what_a_machine_cannot_do_without_is_told_with_its_folder(check: Check) 
         ("x.lis", "rt_cycles.max_steps 5\n", "Channel list"),
         ("x.lis", "kopf.achs_nr 1\nfoo 1\nbar 2\n", "Axis list"),
         ("x.LIS", "number_used_variables 0\n", "Variables list"),
-        ("x.lis", "kanal_anzahl 1\n", "Start-up list"),
         ("x.lis", "cycle_time 1000\n", "Realtime configuration"),
         ("sda_mds3.lis", "foo 1\n", "Channel list"),
         ("default_achs.lis", "", "Axis list"),
@@ -255,10 +254,10 @@ def test_a_list_alone_tells_its_kind(check: Check, name: str, content: str, kind
     assert f"{name}:1:1: note 900583: this list is checked alone, as {kind}" in checked.out
 
 
-def test_a_start_up_list_alone_names_lists_that_exist(check: Check) -> None:
+def test_a_start_up_list_of_any_name_stands_for_its_machine(check: Check) -> None:
     """Its references are looked for; other formats than ASCII are refused."""
     write("start.lis", "listen ASCII\nkanal_anzahl 1\nsda_mds[0] ./gone.lis\nEnde\n")
-    assert check("start.lis").ids == [900583, 900062]
+    assert check("start.lis").ids == [900068, 900077, 900062]
     write("start.lis", "listen BINARY\nEnde\n")
     assert 900064 in check("start.lis").ids
 
@@ -654,3 +653,40 @@ def test_programs_that_run_with_each_other_one_are_checked(check: Check) -> None
         ("mine/begin.nc", 1, 900200),
         ("mine/part.nc", 1, 900131),
     ]
+
+
+# --- what lists leave out ------------------------------------------------------------------------
+
+
+def test_each_machine_of_a_tree_is_loaded(check: Check) -> None:
+    """Each with its own lists; none of them is checked alone."""
+    for name in ("first/cnc", "second/cnc"):
+        shutil.copytree(DEMO, name)
+    Path("first/cnc/hochlauf.lis").rename("first/cnc/hochlauf_1.lis")
+    assert check(".").lines == ["30 files: 0 errors, 0 warnings, 0 notes"]
+
+
+def test_the_root_folder_is_searched(check: Check) -> None:
+    """--root names the folder that the controller's paths begin with."""
+    shutil.copytree(DEMO, "mine")
+    Path("elsewhere/listen").mkdir(parents=True)
+    Path("mine/werkz_d1.lis").rename("elsewhere/listen/werkz_d1.lis")
+    assert check("mine").ids == [900062]
+    assert check("mine", "--root", "elsewhere").ids == [900062]
+    assert check("mine", "--root", "elsewhere/listen").ids == []
+
+
+def test_entries_without_effect_that_would_change_a_run(check: Check) -> None:
+    """One finding for the file, which --strict counts; --effects lists all of them."""
+    shutil.copytree(DEMO, "mine")
+    text = "feed_to_weakest_axis 1\nmesstyp 2\np_param_haltend 1\nEnde\n"
+    lists = Path("mine/sda_mds1.lis")
+    lists.write_text(lists.read_text("utf-8").replace("Ende\n", text), encoding="utf-8")
+    checked = check("mine")
+    assert (checked.ids, checked.code) == ([900028, 900029], 0)
+    assert ": 2 (feed_to_weakest_axis, messtyp)" in checked.lines[0]
+    assert check("mine", "--strict").code == 1
+    effects = check("mine", "--effects")
+    assert effects.ids == [900970, 900970, 900971]
+    assert "messtyp (P-CHAN-00057) is 2 instead of 1" in effects.out
+    assert "Which of the measuring types is preset" in effects.out

@@ -225,8 +225,85 @@ def test_startup_list_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.Mo
 
 def test_path_through_a_file(tmp_path: Path) -> None:
     """A file in place of a folder leads nowhere."""
-    folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("x.lis", "kanal.lis/x.lis")})
+    folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("x.lis", "kanal.lis/y.lis")})
     assert load(folder)[1] == [900062, 900066]
+
+
+@pytest.mark.parametrize(
+    ("path", "file", "numbers"),
+    [
+        ("x.lis", "mach/cnc/x.lis", []),
+        ("./listen/x.lis", "mach/cnc/listen/x.lis", []),
+        ("./listen/x.lis", "mach/cnc/x.lis", [900063]),
+        ("listen\\X.LIS", "mach/cnc/listen/x.lis", [900063]),
+        ("x.lis", "mach/x.lis", []),
+        ("listen/x.lis", "listen/x.lis", []),
+        ("C:\\TwinCAT\\CNC\\listen\\x.lis", "mach/listen/x.lis", [900063]),
+        ("C:/TwinCAT/CNC/listen/x.lis", "mach/cnc/x.lis", [900063]),
+        ("CncKernelRootDir/listen/x.lis", "mach/cnc/listen/x.lis", []),
+        ("../other/x.lis", "mach/other/x.lis", []),
+        ("deep/x.lis", "work/deep/x.lis", []),
+        ("deep/x.lis", "root/deep/x.lis", []),
+    ],
+)
+def test_where_a_list_is_searched(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, path: str, file: str, numbers: list[int]
+) -> None:
+    """Own folder, parents up to the named one, working folder, root; then without first parts."""
+    files = {
+        "mach/cnc/hochlauf.lis": STARTUP.replace("x.lis", path),
+        "mach/cnc/kanal.lis": CHANNEL,
+        "mach/cnc/rtconf.lis": RTCONF,
+        "work/readme.txt": "",
+        "root/readme.txt": "",
+        file: "kopf.achs_nr 1\n",
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path / "work")
+    machine = load_machine(tmp_path, root=tmp_path / "root")
+    found = [diagnostic.id for diagnostic in machine.diagnostics]
+    # The first note: the start-up list stands somewhere in the named tree.
+    assert found == [900974, *numbers]
+    assert len(machine.axes) == 1
+
+
+def test_a_parent_above_the_named_folder_is_not_searched(tmp_path: Path) -> None:
+    """Only the folder above the start-up list is, in any case."""
+    folder = write(tmp_path / "a" / "b" / "c", {"hochlauf.lis": STARTUP, "x.lis": ""})
+    (folder / "x.lis").rename(tmp_path / "a" / "x.lis")
+    assert 900062 in load(folder)[1]
+
+
+def test_tolerated_paths_are_one_note(tmp_path: Path) -> None:
+    """Two paths in other spellings, one note that names the first."""
+    text = STARTUP.replace("x.lis", "listen/X.lis").replace("kanal.lis", "listen\\kanal.lis")
+    folder = write(tmp_path, {"hochlauf.lis": text})
+    machine, numbers = load(folder)
+    assert numbers == [900063]
+    assert machine.diagnostics[0].values["count"] == 2
+
+
+def test_several_start_up_lists_in_a_tree(tmp_path: Path) -> None:
+    """None is taken; one that lies in the folder itself under the usual name counts."""
+    for name in ("m1", "m2"):
+        (tmp_path / name).mkdir()
+        write(tmp_path / name, {})
+    assert failure(tmp_path) == [900973]
+    (tmp_path / "m2" / "hochlauf.lis").unlink()
+    assert load(tmp_path)[1] == [900974]
+    write(tmp_path, {})
+    assert load(tmp_path)[1] == []
+
+
+@pytest.mark.parametrize("name", ["hochlauf_a.lis", "Startup.LIS", "start-up.lis", "HOCHLAUF.lis"])
+def test_names_of_start_up_lists(tmp_path: Path, name: str) -> None:
+    """Those of the field beside the two usual ones."""
+    folder = write(tmp_path, {})
+    (folder / "hochlauf.lis").rename(folder / name)
+    machine = load_machine(folder)
+    assert len(machine.axes) == 1
 
 
 def test_defaults_lists_come_first(tmp_path: Path) -> None:

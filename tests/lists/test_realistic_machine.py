@@ -28,8 +28,7 @@ EXPECTED = (
     ("default_sda.lis", 62, 20965),  # no such synchronisation
     ("default_sda.lis", 63, 900011),  # m_synch[1000]
     ("hochlauf.lis", 34, 900008),  # hmi_startup_picture
-    ("hochlauf.lis", 4, 900063),  # back-slashes
-    ("hochlauf.lis", 6, 900063),  # SDA_MDS2.lis
+    ("hochlauf.lis", 4, 900063),  # back-slashes, and SDA_MDS2.lis
     ("hochlauf.lis", 26, 900745),  # an axis list as clamp offsets
     ("hochlauf.lis", 30, 1000178),  # alignment 3
     ("nullp_d1.lis", 2, 900743),  # default group 9

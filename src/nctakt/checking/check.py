@@ -20,10 +20,11 @@ from nctakt.checking.program import check_program
 from nctakt.checking.targets import Target, Targets
 from nctakt.files.access import BEGIN_BYTES
 from nctakt.lists.all_parameters import SCHEMAS
+from nctakt.lists.declared.startup import STARTUP
 from nctakt.lists.format.without_effect import Detail
-from nctakt.lists.machine.files import find_file, startup_list_around
-from nctakt.lists.machine.list_kinds import check_list_alone, kind_of, references
-from nctakt.lists.machine.machine import load_machine
+from nctakt.lists.machine.files import startup_list_around
+from nctakt.lists.machine.list_kinds import check_list_alone, kind_of
+from nctakt.lists.machine.machine import load_startup
 from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.checking import (
@@ -81,17 +82,18 @@ def check_files(
     machine: AssembledMachine,
     *,
     detail: Detail = "summary",
+    root: Path | None = None,
     for_all: bool = True,
     rtconf: RtconfOptions = STANDARD_OPTIONS,
 ) -> CheckResult:
     """Check files, folders with all that is in them, texts, and the files that programs call.
 
-    ``detail``: how much is reported of list entries without effect. ``for_all``: all programs are
-    for ``machine``, even those in the folder of another one. ``rtconf``: how scheduling lists are
-    read. What cannot be read is a diagnostic as well; no file checked at all leaves ``files``
-    empty.
+    ``detail``: how much is reported of list entries without effect. ``root``: another folder where
+    the files are searched that lists name. ``for_all``: all programs are for ``machine``, even
+    those in the folder of another one. ``rtconf``: how scheduling lists are read. What cannot be
+    read is a diagnostic as well; no file checked at all leaves ``files`` empty.
     """
-    return _Checker(machine, detail, for_all, rtconf).check(inputs)
+    return _Checker(machine, detail, root, for_all, rtconf).check(inputs)
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,12 +109,18 @@ class _Checker:
     """Gathers files and diagnostics of one call."""
 
     def __init__(
-        self, machine: AssembledMachine, detail: Detail, for_all: bool, rtconf: RtconfOptions
+        self,
+        machine: AssembledMachine,
+        detail: Detail,
+        root: Path | None,
+        for_all: bool,
+        rtconf: RtconfOptions,
     ) -> None:
         self._targets = Targets(machine, for_all)
         self._access = machine.file_access
         self._detail = detail
         self._rtconf = rtconf
+        self._root = root
         self._for_all = for_all
         self._files: dict[str, str] = {}
         self._found: list[Found] = []
@@ -128,8 +136,11 @@ class _Checker:
         texts = [one for one in inputs if isinstance(one, NcText)]
         paths = [Path(one) for one in inputs if not isinstance(one, NcText)]
         gathered = gather(paths, self._found)
-        for startup in gathered.machines:
-            self._machine(startup)
+        for startup, folder in gathered.machines:
+            self._machine(startup, folder)
+        for path in gathered.lists:
+            if path.resolve() not in self._covered and self._is_startup(path):
+                self._machine(path, None)
         for path in gathered.lists:
             if path.resolve() not in self._covered:
                 self._list(path)
@@ -147,7 +158,7 @@ class _Checker:
         never_deleted(self._global_cycles, collector)
         self._keep("", collector.diagnostics)
         files = tuple(CheckedFile(file, kind) for file, kind in sorted(self._files.items()))
-        machines = tuple(startup.parent.as_posix() for startup in gathered.machines)
+        machines = tuple(startup.parent.as_posix() for startup, _ in gathered.machines)
         taken = self._targets.taken
         around = tuple(one.as_posix() for one in self._around if one.parent in taken)
         found = _ordered(self._found, self._channels)
@@ -190,22 +201,20 @@ class _Checker:
 
     # --- lists -----------------------------------------------------------------------------------
 
-    def _machine(self, startup: Path) -> None:
-        """A start-up list with all lists that it names."""
+    def _machine(self, startup: Path, folder: Path | None) -> None:
+        """A start-up list, found in ``folder``, with all lists that it names."""
         self._covered[startup.resolve()] = None
         self._files[startup.as_posix()] = "startup"
         try:
-            machine = load_machine(
-                startup, detail=self._detail, rtconf=self._rtconf, access=self._access
+            machine = load_startup(
+                startup, folder, self._root, self._access, detail=self._detail, rtconf=self._rtconf
             )
         except Failure as error:
             self._keep(startup.as_posix(), error.diagnostics)
             return
-        for kind, reference in references(machine.startup):
-            path = find_file(reference.path, startup.parent, self._access)
-            if path is not None:
-                self._covered[path.resolve()] = None
-                self._files[path.as_posix()] = kind
+        for kind, path in machine.lists:
+            self._covered[path.resolve()] = None
+            self._files[path.as_posix()] = kind
         self._keep(startup.as_posix(), machine.diagnostics)
         self._targets.add(machine)
 
@@ -216,13 +225,20 @@ class _Checker:
             return
         self._around[startup] = None
         try:
-            machine = load_machine(startup, rtconf=self._rtconf, access=self._access)
+            machine = load_startup(startup, None, self._root, self._access, rtconf=self._rtconf)
         except Failure as error:
             self._keep(startup.as_posix(), error.diagnostics)
             return
         errors = [one for one in machine.diagnostics if one.severity is Severity.ERROR]
         self._keep(startup.as_posix(), errors)
         self._targets.add(machine)
+
+    def _is_startup(self, path: Path) -> bool:
+        """Return whether a list is a start-up list, whatever its name."""
+        try:
+            return kind_of(path.name, self._access.read_bytes(path)) is STARTUP
+        except Failure:
+            return False
 
     def _list(self, path: Path) -> None:
         """A list by itself: its kind is that of most of its entries."""
@@ -246,9 +262,7 @@ class _Checker:
         self._files[path.as_posix()] = schema.kind
         collector = Collector()
         collector.report(LIST_CHECKED_ALONE, place, kind=schema.title)
-        check_list_alone(
-            schema, path, data, self._access, collector, detail=self._detail, rtconf=self._rtconf
-        )
+        check_list_alone(schema, path, data, collector, detail=self._detail, rtconf=self._rtconf)
         self._keep(path.as_posix(), collector.diagnostics)
 
     # --- programs --------------------------------------------------------------------------------

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from nctakt.base.diagnostics import Diagnostic
-from nctakt.lists.machine.files import STARTUP_NAMES, find_entry
+from nctakt.lists.machine.files import is_startup_name
 from nctakt.messages import diagnostic
 from nctakt.messages.checking import NOTHING_TO_CHECK
 from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE
@@ -39,23 +39,27 @@ class Found:
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """What there is to check; ``machines`` are start-up lists."""
+    """What there is to check.
 
-    machines: tuple[Path, ...]
+    ``machines``: start-up lists, each with the folder in which it was found, ``None`` for one that
+    the user named.
+    """
+
+    machines: tuple[tuple[Path, Path | None], ...]
     lists: tuple[Path, ...]
     programs: tuple[Path, ...]
 
 
 def gather(paths: Sequence[Path], found: list[Found]) -> Inputs:
     """Look for files; what is wrong with the paths themselves is added to ``found``."""
-    machines: dict[Path, Path] = {}
+    machines: dict[Path, tuple[Path, Path | None]] = {}
     lists: dict[Path, Path] = {}
     programs: dict[Path, Path] = {}
     for path in paths:
         if not path.exists():
             found.append(Found(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
-        elif path.is_file() and path.name.casefold() in STARTUP_NAMES:
-            machines.setdefault(path.resolve(), path)
+        elif path.is_file() and is_startup_name(path.name):
+            machines.setdefault(path.resolve(), (path, None))
         elif not path.is_dir():
             group = lists if path.suffix.casefold() == LIST_SUFFIX else programs
             group.setdefault(path.resolve(), path)
@@ -66,7 +70,7 @@ def gather(paths: Sequence[Path], found: list[Found]) -> Inputs:
 
 def _search(
     folder: Path,
-    machines: dict[Path, Path],
+    machines: dict[Path, tuple[Path, Path | None]],
     lists: dict[Path, Path],
     programs: dict[Path, Path],
     found: list[Found],
@@ -79,8 +83,8 @@ def _search(
         empty = False
         if not path.exists():
             found.append(Found(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
-        elif _is_startup(path):
-            machines.setdefault(path.resolve(), path)
+        elif is_startup_name(path.name):
+            machines.setdefault(path.resolve(), (path, folder))
         elif path.is_file():
             group = lists if suffix == LIST_SUFFIX else programs
             group.setdefault(path.resolve(), path)
@@ -88,14 +92,6 @@ def _search(
         suffixes = ", ".join(PROGRAM_SUFFIXES)
         message = diagnostic(NOTHING_TO_CHECK, folder=str(folder), suffixes=suffixes)
         found.append(Found(folder.as_posix(), message))
-
-
-def _is_startup(path: Path) -> bool:
-    """Whether this is the start-up list of its folder; there may be two, of which one counts."""
-    if path.name.casefold() not in STARTUP_NAMES:
-        return False
-    names = (find_entry(path.parent, wanted) for wanted in STARTUP_NAMES)
-    return path.name == next((name for name in names if name is not None), None)
 
 
 def _files(folder: Path, found: list[Found]) -> Iterator[Path]:

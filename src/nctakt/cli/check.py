@@ -57,6 +57,7 @@ class Options:
 
     paths: tuple[str, ...]
     machine: str | None
+    root: str | None
     format: Literal["text", "json", "github", "sarif"]
     language: Language
     select: tuple[str, ...]
@@ -76,6 +77,11 @@ class Options:
 @click.argument("paths", metavar="FILE|DIR...", nargs=-1, required=True)
 @click.option(
     "--machine", metavar="DIR", help="Folder with the lists of the programs' machine [demo]."
+)
+@click.option(
+    "--root",
+    metavar="DIR",
+    help="Controller's root folder, where lists name files.",
 )
 @click.option(
     "--format",
@@ -139,6 +145,7 @@ def _tell(
         inputs,
         machine,
         detail=_detail(options),
+        root=None if options.root is None else Path(options.root),
         for_all=is_named,
         rtconf=_rtconf_options(options),
     )
@@ -163,7 +170,9 @@ def _detail(options: Options) -> Detail:
 
 def _machine(options: Options, access: FileAccess) -> AssembledMachine:
     """The machine that programs are checked for; what is wrong with its lists is told, too."""
-    configuration = load_machine(options.machine, rtconf=_rtconf_options(options), access=access)
+    configuration = load_machine(
+        options.machine, root=options.root, rtconf=_rtconf_options(options), access=access
+    )
     print_diagnostics(configuration.diagnostics, options.language, Severity.ERROR)
     return AssembledMachine(configuration, access)
 

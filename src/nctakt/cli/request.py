@@ -50,6 +50,7 @@ class Options:
     programs: tuple[str, ...]
     others: tuple[tuple[str, str], ...] = ()
     machine: str | None
+    root: str | None = None
     assignments: tuple[str, ...]
     stimuli: tuple[tuple[str, str], ...]
     ticks: int | None
@@ -191,7 +192,7 @@ def _check_machine(machine: str) -> None:
     path = Path(machine)
     if not path.exists():
         raise Failure(diagnostic(FILE_MISSING, file=machine))
-    if not path.is_dir() and path.suffix.casefold() != ".lis":
+    if not path.is_dir() and path.suffix.casefold() not in {".lis", ".xml"}:
         raise Failure(diagnostic(NEITHER_FOLDER_NOR_LIST, folder=machine))
 
 

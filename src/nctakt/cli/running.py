@@ -58,6 +58,9 @@ def run_options(language_of: str) -> Callable[[_Command], _Command]:
             "--machine", metavar="DIR", help="Folder with the machine's lists [default: demo]."
         ),
         click.option(
+            "--root", metavar="DIR", help="Controller's root folder, where lists name files."
+        ),
+        click.option(
             "--set",
             "assignments",
             metavar="NAME=VALUE",
@@ -135,11 +138,15 @@ def choose_mode(options: Options) -> None:
 
 def start_controller(options: Options, access: FileAccess) -> Controller:
     """A controller of the machine that was asked for; a note where another one may be meant."""
+    from nctakt.lists.machine.machine import Machine, load_machine  # noqa: PLC0415 - as below
     from nctakt.run.controller import Controller  # noqa: PLC0415 - the mode is chosen before
 
     if options.machine is None and not options.quiet:
         print_diagnostics(_machines_around(options), options.language)
-    return Controller(options.machine, _schedule(options, access), access)
+    machine: Machine | str | None = options.machine
+    if options.root is not None:
+        machine = load_machine(options.machine, root=options.root, access=access)
+    return Controller(machine, _schedule(options, access), access)
 
 
 def _machines_around(options: Options) -> Iterator[Diagnostic]:

@@ -31,20 +31,40 @@ LIST_FILE_MISSING = error(
     900062,
     en="the list {path} does not exist",
     de="die Liste {path} gibt es nicht",
-    remedy_en="It is searched in the folder of this list, then in the folder above; correct the "
-    "path.",
-    remedy_de="Gesucht wird im Verzeichnis dieser Liste, dann im übergeordneten; den Pfad "
-    "berichtigen.",
+    remedy_en="Searched were {folders}; correct the path, or name another folder with --root.",
+    remedy_de="Gesucht wurde in {folders}; den Pfad berichtigen oder mit --root ein weiteres "
+    "Verzeichnis angeben.",
     path=("the path as written", "der Pfad, wie geschrieben"),
+    folders=("the folders that were searched", "die durchsuchten Verzeichnisse"),
 )
-PATH_TAKEN_AS = note(
+PATHS_TAKEN_AS = note(
     900063,
-    en="{path} is taken to mean {found}",
-    de="{path} wird als {found} verstanden",
-    remedy_en="Write the path with '/' and in the letter case of the file.",
-    remedy_de="Den Pfad mit '/' und in der Schreibweise der Datei angeben.",
-    path=("the path as written", "der Pfad, wie geschrieben"),
-    found=("the file that was found", "die gefundene Datei"),
+    en="{count} paths name their files with other folders, slashes or letter case; the first, "
+    "{path}, is {file}",
+    de="{count} Pfade nennen ihre Dateien mit anderen Verzeichnissen, Schrägstrichen oder anderer "
+    "Groß- und Kleinschreibung; der erste, {path}, ist {file}",
+    remedy_en="The files are found all the same; on Windows nothing is to be changed.",
+    remedy_de="Die Dateien werden trotzdem gefunden; unter Windows ist nichts zu ändern.",
+    count=("the number of these paths", "die Anzahl dieser Pfade"),
+    path=("the first path as written", "der erste Pfad, wie geschrieben"),
+    file=("the file that was found", "die gefundene Datei"),
+)
+SEVERAL_STARTUP_LISTS = error(
+    900973,
+    en="the folder {path} has several start-up lists: {files}",
+    de="im Verzeichnis {path} liegen mehrere Hochlauflisten: {files}",
+    remedy_en="Name one of them instead of the folder.",
+    remedy_de="Statt des Verzeichnisses eine davon angeben.",
+    path=("the folder as the user gave it", "der Ordner, wie angegeben"),
+    files=("the start-up lists", "die Hochlauflisten"),
+)
+STARTUP_LIST_IN_FOLDER = note(
+    900974,
+    en="the machine is that of {file}",
+    de="die Maschine ist die von {file}",
+    remedy_en="Name this file to leave no doubt.",
+    remedy_de="Diese Datei angeben, damit kein Zweifel bleibt.",
+    file=("the start-up list that was found", "die gefundene Hochlaufliste"),
 )
 LIST_FORMAT_NOT_SUPPORTED = error(
     900064,

@@ -18,7 +18,7 @@ from nctakt.base.text import split_lines
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.channel_configuration import ChannelParameters
-from nctakt.lists.machine.files import find_below, find_file
+from nctakt.lists.machine.files import find_below
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.files import (
     FILE_OUTSIDE,
@@ -68,7 +68,8 @@ def program_folder(named: str, machine_folder: Path) -> Path:
 def find_program(name: str, folders: list[Path], access: FileAccess) -> Path | None:
     """The file of this name in the first folder that has it, as far as ``access`` allows."""
     if PureWindowsPath(name).drive or Path(name).is_absolute():
-        return find_file(name.replace("\\", "/"), Path(), access)
+        path = Path(name.replace("\\", "/"))
+        return path if access.admits(path) and path.is_file() else None
     return next((found for folder in folders if (found := find_below(name, folder, access))), None)
 
 

@@ -19,7 +19,7 @@ from nctakt.lists.format.reader import read_list
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import Values
 from nctakt.lists.format.without_effect import Detail
-from nctakt.lists.machine.files import find_file, find_list, read_file
+from nctakt.lists.machine.files import ListSearch, read_file
 from nctakt.lists.machine.list_kinds import kind_of, knows_any, other_kind, references
 from nctakt.messages import Collector
 from nctakt.messages.checking import NOT_A_TEXT_FILE
@@ -27,15 +27,23 @@ from nctakt.messages.folders import CIRCULAR_LIST_REFERENCE, WRONG_LIST_KIND
 
 
 class LinkedLists:
-    """The lists of one start-up list; ``detail``: how much is reported."""
+    """The lists of one start-up list, found by ``search``; ``detail``: how much is reported."""
 
     def __init__(
-        self, startup_file: Path, access: FileAccess, collector: Collector, *, detail: Detail
+        self,
+        startup_file: Path,
+        search: ListSearch,
+        access: FileAccess,
+        collector: Collector,
+        *,
+        detail: Detail,
     ) -> None:
         self._startup_file = startup_file
+        self._search = search
         self._access = access
         self._collector = collector
         self._detail = detail
+        self.files: list[tuple[str, Path]] = []
 
     def startup(self) -> Values | None:
         """The values of the start-up list itself; ``None`` if it cannot be read."""
@@ -51,7 +59,7 @@ class LinkedLists:
         """The values of a list over those of its defaults list; ``None`` if there is none."""
         if reference is None:
             return None
-        path, data = self._read(reference)
+        path, data = self._read(schema, reference)
         if path is None or data is None:
             return None
         name, findings = path.as_posix(), Collector()
@@ -66,14 +74,16 @@ class LinkedLists:
         """File and bytes of a list; ``None`` if there is none that can be used."""
         if reference is None:
             return None
-        path, data = self._read(reference)
+        path, data = self._read(schema, reference)
         if path is None or data is None or self._is_misplaced(schema, reference, path, data):
             return None
         return path, data
 
-    def _read(self, reference: ListReference) -> tuple[Path | None, bytes | None]:
+    def _read(self, schema: Schema, reference: ListReference) -> tuple[Path | None, bytes | None]:
         """Find and read a list; what is in the way is reported."""
-        path = find_list(reference, self._startup_file.parent, self._access, self._collector)
+        path = self._search.find_list(reference, self._collector)
+        if path is not None:
+            self.files.append((schema.kind, path))
         data = None if path is None else read_file(path, self._access, self._collector)
         if path is None or data is None or self._is_binary(path, data, reference):
             return None, None
@@ -135,6 +145,6 @@ def _named_by(path: Path, access: FileAccess) -> Iterator[Path]:
         return
     values = load_list(STARTUP, path.as_posix(), data, unheard)
     for _, reference in references(startup_configuration(values, unheard)):
-        found = find_file(reference.path, path.parent, access)
+        found = ListSearch(path, access).find(reference.path)
         if found is not None:
             yield found

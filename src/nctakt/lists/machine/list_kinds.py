@@ -13,26 +13,21 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from nctakt.files.access import FileAccess
 from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.declared.rtconf import RTCONF
 from nctakt.lists.declared.startup import (
-    STARTUP,
     ListReference,
     StartupConfiguration,
-    startup_configuration,
 )
 from nctakt.lists.declared.variables import VARIABLES
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.reader import Entry, ListDialect, read_list
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.without_effect import Detail
-from nctakt.lists.machine.files import find_list
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.lists.machine.variables import variables_configuration
 from nctakt.messages import Collector
-from nctakt.messages.machine import LIST_FORMAT_NOT_SUPPORTED
 
 #: How files of each kind are called in the field, for lists whose entries tell nothing.
 _NAMES = {
@@ -100,7 +95,6 @@ def check_list_alone(
     schema: Schema,
     path: Path,
     data: bytes,
-    access: FileAccess,
     collector: Collector,
     *,
     detail: Detail = "summary",
@@ -114,14 +108,6 @@ def check_list_alone(
     values = load_list(schema, file, data, collector, detail=detail)
     if schema is VARIABLES:
         variables_configuration(values, collector)
-    elif schema is STARTUP:
-        if values.text("listen") != "ASCII":
-            values.report(
-                collector, LIST_FORMAT_NOT_SUPPORTED, ("listen",), format=values.text("listen")
-            )
-            return
-        for _, reference in references(startup_configuration(values, collector)):
-            find_list(reference, path.parent, access, collector)
 
 
 def references(startup: StartupConfiguration) -> Iterator[tuple[str, ListReference]]:

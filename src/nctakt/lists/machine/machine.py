@@ -47,7 +47,7 @@ from nctakt.lists.machine.channel_axes import (
     channel_spindles,
 )
 from nctakt.lists.machine.channel_configuration import ChannelParameters, channel_parameters
-from nctakt.lists.machine.files import STARTUP_NAMES, startup_list
+from nctakt.lists.machine.files import STARTUP_NAMES, ListSearch, startup_lists, startup_lists_below
 from nctakt.lists.machine.linked_lists import LinkedLists
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_checks import check_contexts, check_time_limits
@@ -70,6 +70,8 @@ from nctakt.messages.machine import (
     MACHINE_WITHOUT_CHANNELS,
     MANDATORY_PARAMETER_MISSING,
     RTCONF_MISSING,
+    SEVERAL_STARTUP_LISTS,
+    STARTUP_LIST_IN_FOLDER,
     STARTUP_LIST_MISSING,
 )
 from nctakt.messages.variables import CHANNEL_VARIABLES_TOO_LARGE
@@ -112,7 +114,8 @@ class Machine:
 
     ``cycle_time_us``: the tick. ``axes``: axes and spindles that have a list, in the order of the
     start-up list. ``global_variables``: each GLOBAL V.E variable once, whoever declares it.
-    ``user_texts``: the texts of the user's own errors by their ID.
+    ``user_texts``: the texts of the user's own errors by their ID. ``lists``: kind and file of each
+    list that was read, the start-up list first.
     """
 
     name: str
@@ -124,6 +127,7 @@ class Machine:
     axes: tuple[AxisConfiguration, ...]
     global_variables: tuple[Variable, ...]
     user_texts: Mapping[int, str]
+    lists: tuple[tuple[str, Path], ...]
     diagnostics: tuple[Diagnostic, ...]
 
     def __repr__(self) -> str:
@@ -136,36 +140,69 @@ class Machine:
 def load_machine(
     folder: str | Path | None = None,
     *,
+    root: str | Path | None = None,
     detail: Detail = "summary",
     rtconf: RtconfOptions = STANDARD_OPTIONS,
     access: FileAccess | None = None,
 ) -> Machine:
     """Return the machine of ``folder``; without one, the built-in demo machine.
 
-    ``detail``: how much is reported of entries without effect. ``rtconf``: how its scheduling list
-    is read. ``access`` remembers the files, and says which may be read; without it, all. Raises
-    ``Failure`` if the folder, the start-up list or every channel list is missing; what is wrong
-    otherwise stands in ``Machine.diagnostics``.
+    ``folder`` may also be the start-up list itself, or a folder with one somewhere in it. ``root``:
+    the controller's root folder, where files are searched that the lists name. ``detail``: how much
+    is reported of entries without effect. ``rtconf``: how its scheduling list is read. ``access``
+    remembers the files, and says which may be read; without it, all. Raises ``Failure`` if the
+    folder, the start-up list or every channel list is missing; what is wrong otherwise stands in
+    ``Machine.diagnostics``.
     """
+    root = None if root is None else Path(root)
+    access = access or FileAccess()
+    if folder is None:
+        startup_file = _DEMO / STARTUP_NAMES[0]
+        return load_startup(startup_file, None, root, access, detail=detail, rtconf=rtconf)
     collector = Collector()
-    startup_file = _DEMO / STARTUP_NAMES[0]
-    if folder is not None:
-        startup_file = _startup_file(Path(folder), collector)
-    return _Loader(startup_file, access or FileAccess(), collector, detail, rtconf).machine()
+    startup_file = _startup_file(Path(folder), collector)
+    named = Path(folder) if Path(folder).is_dir() else None
+    machine = load_startup(startup_file, named, root, access, detail=detail, rtconf=rtconf)
+    return replace(machine, diagnostics=(*collector.diagnostics, *machine.diagnostics))
+
+
+def load_startup(
+    startup_file: Path,
+    named: Path | None,
+    root: Path | None,
+    access: FileAccess,
+    *,
+    detail: Detail = "summary",
+    rtconf: RtconfOptions = STANDARD_OPTIONS,
+) -> Machine:
+    """Return the machine of a start-up list; ``named``: the folder that the user named.
+
+    Otherwise as ``load_machine``.
+    """
+    search = ListSearch(startup_file, access, named, root)
+    return _Loader(startup_file, search, access, detail, rtconf).machine()
 
 
 def _startup_file(folder: Path, collector: Collector) -> Path:
+    """Return the start-up list that the user means: the file, or the only one of the folder."""
     if folder.is_file():
         return folder
     if not folder.is_dir():
         collector.report(MACHINE_FOLDER_MISSING, None, path=folder.as_posix())
         raise Failure(*collector.diagnostics)
-    found = startup_list(folder)
-    if found is not None:
-        return found
-    collector.report(
-        STARTUP_LIST_MISSING, None, path=folder.as_posix(), names=", ".join(STARTUP_NAMES)
-    )
+    lists = startup_lists(folder)
+    if lists and lists[0].name.casefold() in STARTUP_NAMES:
+        return lists[0]
+    lists = lists or startup_lists_below(folder)
+    if len(lists) == 1:
+        collector.report(STARTUP_LIST_IN_FOLDER, None, file=lists[0].as_posix())
+        return lists[0]
+    if lists:
+        files = ", ".join(file.as_posix() for file in lists)
+        collector.report(SEVERAL_STARTUP_LISTS, None, path=folder.as_posix(), files=files)
+    else:
+        names = ", ".join(STARTUP_NAMES)
+        collector.report(STARTUP_LIST_MISSING, None, path=folder.as_posix(), names=names)
     raise Failure(*collector.diagnostics)
 
 
@@ -175,21 +212,22 @@ class _Loader:
     def __init__(
         self,
         startup_file: Path,
+        search: ListSearch,
         access: FileAccess,
-        collector: Collector,
         detail: Detail,
         rtconf_options: RtconfOptions,
     ) -> None:
         self.rtconf_options = rtconf_options
         self.access = access
         self.startup_file = startup_file
+        self.search = search
         self.folder = startup_file.parent
-        self.collector = collector
+        self.collector = Collector()
         self.owners: dict[int, int] = {}
         self.startup_values = Values(STARTUP, startup_file.as_posix())
         self.channel_values: list[Values] = []
         self.variable_values: list[Values] = []
-        self.lists = LinkedLists(startup_file, access, collector, detail=detail)
+        self.lists = LinkedLists(startup_file, search, access, self.collector, detail=detail)
 
     def machine(self) -> Machine:
         startup = self._startup()
@@ -208,7 +246,8 @@ class _Loader:
             self._channel(startup, index, parameters[index], variables[index], axes)
             for index in range(len(startup.channels))
         )
-        texts = user_texts(startup.error_texts, self.folder, self.access, self.collector)
+        texts = user_texts(startup.error_texts, self.search, self.access, self.collector)
+        self.search.report_tolerance(self.collector)
         return Machine(
             self.folder.resolve().name,
             self.folder,
@@ -219,6 +258,7 @@ class _Loader:
             axes,
             shared,
             MappingProxyType(texts),
+            (("startup", self.startup_file), *self.lists.files),
             tuple(self.collector.diagnostics),
         )
 

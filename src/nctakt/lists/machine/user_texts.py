@@ -8,11 +8,10 @@ begins with ``#``, nor a number from 1 to 1000 with a text is reported and left 
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 from nctakt.base.text import decode_text, split_lines
 from nctakt.files.access import FileAccess
-from nctakt.lists.machine.files import find_file, read_file
+from nctakt.lists.machine.files import ListSearch, read_file
 from nctakt.messages import Collector
 from nctakt.messages.user_errors import INVALID_USER_TEXT_LINE, USER_TEXTS_MISSING
 
@@ -21,11 +20,13 @@ HIGHEST_ID = 1000
 _LINE = re.compile(r"\s*(\d{1,4})\s+(\S.*?)\s*$")
 
 
-def user_texts(path: str, folder: Path, access: FileAccess, collector: Collector) -> dict[int, str]:
-    """The texts of the file that a list of ``folder`` names, none where it names none."""
+def user_texts(
+    path: str, search: ListSearch, access: FileAccess, collector: Collector
+) -> dict[int, str]:
+    """The texts of the file that the start-up list names, none where it names none."""
     if not path:
         return {}
-    found = find_file(path, folder, access)
+    found = search.find(path)
     if found is None:
         collector.report(USER_TEXTS_MISSING, None, path=path)
         return {}

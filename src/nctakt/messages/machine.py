@@ -39,12 +39,11 @@ LIST_FILE_MISSING = error(
 )
 PATHS_TAKEN_AS = note(
     900063,
-    en="{count} paths name their files with other folders, slashes or letter case; the first, "
-    "{path}, is {file}",
-    de="{count} Pfade nennen ihre Dateien mit anderen Verzeichnissen, Schrägstrichen oder anderer "
-    "Groß- und Kleinschreibung; der erste, {path}, ist {file}",
-    remedy_en="The files are found all the same; on Windows nothing is to be changed.",
-    remedy_de="Die Dateien werden trotzdem gefunden; unter Windows ist nichts zu ändern.",
+    en="paths that are not spelled as their files are: {count}; {path} is {file}",
+    de="Pfade, die anders geschrieben sind als ihre Dateien: {count}; {path} ist {file}",
+    remedy_en="The files are found all the same, by other folders, slashes or letter case.",
+    remedy_de="Gefunden sind sie in anderen Verzeichnissen, mit anderen Schrägstrichen oder "
+    "anderer Schreibweise.",
     count=("the number of these paths", "die Anzahl dieser Pfade"),
     path=("the first path as written", "der erste Pfad, wie geschrieben"),
     file=("the file that was found", "die gefundene Datei"),

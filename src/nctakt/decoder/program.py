@@ -63,6 +63,9 @@ from nctakt.nc.outline import ProgramText, SectionReader, leads_to
 #: Blocks that may be decoded in a row without one that takes time (a loop that never moves).
 MAX_BLOCKS_WITHOUT_TIME = 100_000
 
+#: Blocks between two calls of the environment's ``poll``.
+BLOCKS_PER_POLL = 1000
+
 #: The words of the command that waits for functions of the type MVS_SLP.
 EXPLICIT = ["EXPL", "SYN"]
 #: The words of the command that ends a modal call.
@@ -250,6 +253,8 @@ class ProgramDecoder:
         """A block, or a pass of a loop: neither goes on for ever without taking time."""
         self._started_blocks += 1
         self._blocks += 1
+        if self._started_blocks % BLOCKS_PER_POLL == 0:
+            self._environment.poll()
         if self._blocks > MAX_BLOCKS_WITHOUT_TIME:
             loops = (loop for loop, rounds in self._passes.items() if rounds > 1)
             self._values.fail(

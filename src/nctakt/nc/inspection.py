@@ -12,6 +12,7 @@ whose check depends on nothing else (``shape_checks.py``).
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from difflib import get_close_matches
 from typing import Protocol
 
@@ -49,6 +50,9 @@ from nctakt.nc.vocabulary.variable_table import NameTable
 #: Words whose numbers mean nothing for a check.
 _FREE_WORDS = ("F",)
 
+#: Statements between two calls of ``poll``.
+STATEMENTS_PER_POLL = 1000
+
 PlainShape = tuple[str | float, ...]
 
 
@@ -70,16 +74,20 @@ def inspect(
     *,
     role: Role = "main",
     watcher: Watcher | None = None,
+    poll: Callable[[], None] | None = None,
 ) -> ProgramText:
     """Read and check a program with its local subprograms, each up to its end.
 
     ``role``: whether M17 or M30 ends it. Behind the end only what a jump leads to is checked.
+    ``poll`` is called again and again meanwhile.
     """
     unsorted = Collector()
     checker = Checker(source, names, channel, unsorted)
     sequel = _ProgramInspector(source, checker, plain_scanner(channel), unsorted, role, watcher)
     statements = StatementReader(source, unsorted)
-    for line, section, statement in sections(source, statements, unsorted):
+    for count, (line, section, statement) in enumerate(sections(source, statements, unsorted)):
+        if poll is not None and count % STATEMENTS_PER_POLL == 0:
+            poll()
         sequel.take(line, section, statement)
         sequel.skip_known(statements)
     program = sequel.finish()

@@ -105,6 +105,10 @@ def _default_signals(channel: AssembledChannel) -> list[str]:
     return [*names, "PATH.SPEED", "OVERRIDE.VEL.TOTAL", "BLOCK", "CYCLES.ACTIVE"]
 
 
+def do_nothing() -> None:
+    """Nobody is there who has to be asked."""
+
+
 def _ignore(_found: Diagnostic) -> None:
     """Nobody is there who takes a diagnostic."""
 
@@ -113,7 +117,8 @@ class AssembledMachine:
     """One machine's realtime part with its names.
 
     ``names``, ``parameters`` and ``members`` are those of the first channel. ``report`` takes what
-    is found while it runs; nobody does unless given. ``file_access`` reads the programs.
+    is found while it runs; nobody does unless given. ``file_access`` reads the programs. ``poll``
+    is called between ticks, and again and again while programs are read and decoded.
     """
 
     def __init__(self, configuration: Machine, access: FileAccess | None = None) -> None:
@@ -178,6 +183,7 @@ class AssembledMachine:
         self._cell_names: dict[int, str] = {}
         self._stale_names: dict[str, None] = {}
         self.report: Callable[[Diagnostic], None] = _ignore
+        self.poll: Callable[[], None] = do_nothing
 
     def report_stale(self, name: str) -> None:
         """Report, once for each name, that the PLC acknowledges what no longer waits (900671)."""
@@ -293,6 +299,7 @@ class AssembledMachine:
             self.registry.left_in(self.channels[channel].manager),
             lambda: self._moving_axes(channel),
             self.channels[channel].path.history_size,
+            self.poll,
         )
 
     def _moving_axes(self, channel: int) -> tuple[str, ...]:

@@ -27,7 +27,7 @@ from nctakt.nc.outline import ProgramText
 from nctakt.results.run import ProgramMessage, Run, RunState
 from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
-from nctakt.run.assembly import AssembledMachine
+from nctakt.run.assembly import AssembledMachine, do_nothing
 from nctakt.run.channel_run import ChannelRun
 from nctakt.run.plc_view import AnyPlc, PlcView
 from nctakt.run.program_loader import LoadedProgram, NcText
@@ -319,10 +319,10 @@ class Controller:
         self._recording.on_message = on_message
         self._stimuli = sorted(stimuli, key=lambda one: one.time.us(self.cycle_time_us))
         self._stimuli_from = first_tick
+        end = first_tick + limit
+        self._machine.poll = functools.partial(self._tell_progress, on_progress, end)
         try:
-            state = self._run_programs(
-                wanted, first_tick + limit, rest_ticks, wait_for_start, on_progress
-            )
+            state = self._run_programs(wanted, end, rest_ticks, wait_for_start)
         except KeyboardInterrupt:
             self._recording.drain()
             state = "interrupted"
@@ -331,6 +331,7 @@ class Controller:
             for one in self._channels:
                 one.close()
             registry.on_cycle = None
+            self._machine.poll = do_nothing
         if self._pace is not None:
             self.diagnostics += self._pace.findings()
         report, coverage = self._recording.why(first_tick, self._loaded_texts())
@@ -372,7 +373,6 @@ class Controller:
         end: int,
         rest_ticks: int,
         wait_for_start: bool,
-        on_progress: Callable[[int, int | None], None] | None,
     ) -> RunState:
         loaded = self._load(programs)
         if loaded is None:
@@ -389,14 +389,14 @@ class Controller:
             # A path that brakes ends the run in the tick in which it stands.
             patience = 1 if any(one.is_braking for one in chosen) else PROGRESS_TICKS
             self._advance(min(end, self.tick + patience))
-            self._tell_progress(on_progress, end)
+            self._machine.poll()
         state = _worst(chosen, "ended")
         if state == "reset":
             return state
         stop = self.tick + rest_ticks
         while self.tick < min(stop, end):
             self._advance(min(stop, end, self.tick + PROGRESS_TICKS))
-            self._tell_progress(on_progress, min(stop, end))
+            self._machine.poll()
         patience = REST_US // self.cycle_time_us if state == "error" else end
         rest = min(end, self.tick + patience)
         while self.tick < rest and not self._machine.stands():

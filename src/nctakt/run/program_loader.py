@@ -109,7 +109,9 @@ class LoadedProgram:
     def add(self, source: Source, collector: Collector, role: Role) -> ProgramText:
         """Check a text."""
         self._machine.files.add(source.file, source.lines)
-        text = inspect(source, self._names, self.parameters, collector, role=role)
+        text = inspect(
+            source, self._names, self.parameters, collector, role=role, poll=self._machine.poll
+        )
         self.texts.append(text)
         return text
 

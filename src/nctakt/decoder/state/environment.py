@@ -32,7 +32,7 @@ class DecoderEnvironment:
     of ``skip_levels`` are left out. ``marks_blocks``: each block is marked. ``controller_data``:
     data of the controller (V.G, V.A). ``living_cycles``: what earlier programs have left.
     ``moving_axes``: names of the axes that move beside the path at this moment. ``history_size``:
-    how many blocks the history of the path holds.
+    how many blocks the history of the path holds. ``poll`` is called while the decoder works.
     """
 
     names: NameTable
@@ -56,6 +56,7 @@ class DecoderEnvironment:
     living_cycles: tuple[LivingCycle, ...]
     moving_axes: Callable[[], tuple[str, ...]]
     history_size: int
+    poll: Callable[[], None]
 
 
 class DecodeError(Exception):

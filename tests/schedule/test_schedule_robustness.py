@@ -17,7 +17,7 @@ from nctakt.schedule.assemble import assemble
 from nctakt.schedule.effective_table import effective_rows
 from nctakt.schedule.figure import svg
 from nctakt.schedule.findings import analysis_findings, simulation_findings
-from nctakt.schedule.gantt import gantt
+from nctakt.schedule.gantt import PictureTitle, gantt
 from nctakt.schedule.load import ASSUMED, read_load
 from nctakt.schedule.margins import find_margins
 from nctakt.schedule.model import Rules
@@ -90,4 +90,4 @@ def test_nothing_fails(
     assert simulation_report(run, simulate_worst_phases(run), "de")
     if configuration.threads:
         assert analysis_report(analysis, find_margins(model), run, "en")
-    assert svg(gantt(run, "de")).endswith("</svg>\n")
+    assert svg(gantt(run, PictureTitle("rtconf.lis"), "de")).endswith("</svg>\n")

@@ -6,16 +6,22 @@ from __future__ import annotations
 import csv
 import itertools
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from random_models import random_model
 from schedule_examples import EXAMPLE_1, TIGHT, change, load_text, make, with_line
 
-from nctakt.schedule.figure import Box, Label, Stroke
-from nctakt.schedule.gantt import gantt, tick_times, windows_times
+from nctakt.schedule.figure import Box, Label, Stroke, label_left, text_width
+from nctakt.schedule.gantt import PictureTitle, gantt
+from nctakt.schedule.gantt_layout import rows_of, strips_of
 from nctakt.schedule.model import Model
-from nctakt.schedule.results import Simulation
+from nctakt.schedule.results import EventKind, Simulation
 from nctakt.schedule.simulate import simulate
+from nctakt.schedule.timeline import tick_times, windows_times
 from nctakt.schedule.tracebits import calls_of, trace_bits
 from nctakt.schedule.traces import write_csv, write_perfetto, write_vcd
 
@@ -52,7 +58,7 @@ def test_vcd_of_s1(tmp_path: Path) -> None:
     pytest.importorskip("vcd")
     write_vcd(s1(), tmp_path / "a.vcd")
     found = changes(tmp_path / "a.vcd")
-    high = [(time, value) for time, value in found["bit4"] if value in ("0", "1")]
+    high = [(time, value) for time, value in found["bit4_task_com"] if value in ("0", "1")]
     assert high == [(0, "0"), (3400, "1"), (5450, "0")]
     ran = found["cpu1"]
     assert (1500, "Windows") in ran
@@ -69,7 +75,7 @@ def test_calls_that_touch_are_shown_apart(tmp_path: Path) -> None:
     run = simulate(model, 1, record=1)
     assert len(trace_bits(model, run.record)[2]) == 4
     write_vcd(run, tmp_path / "a.vcd")
-    high = [time for time, value in changes(tmp_path / "a.vcd")["bit2"] if value == "1"]
+    high = [time for time, value in changes(tmp_path / "a.vcd")["bit2_task_rnd"] if value == "1"]
     assert high == [600, 701, 801, 901]
 
 
@@ -144,17 +150,18 @@ def test_perfetto_of_s1(tmp_path: Path) -> None:
 
 def shapes_of(model: Model, cycles: int = 6) -> list[Box | Stroke | Label]:
     """The shapes of a picture."""
-    return list(gantt(simulate(model, cycles, record=cycles), "en").shapes)
+    title = PictureTitle("rtconf.lis", "load.toml")
+    return list(gantt(simulate(model, cycles, record=cycles), title, "en").shapes)
 
 
 def test_picture_of_s1() -> None:
     """F9: bars, suspensions, the overflow, Windows, dimensions, arrows and trace bits."""
     shapes = shapes_of(make(EXAMPLE_1, load_text(TIGHT))[0])
-    boxes = [one for one in shapes if isinstance(one, Box)]
+    boxes = [one for one in shapes if isinstance(one, Box) and one.tip]
     assert sum(one.hatched for one in boxes) == 5
     assert sum(one.tip.startswith("Windows") for one in boxes) == 6
     strokes = [one for one in shapes if isinstance(one, Stroke)]
-    assert sum(one.arrows == "end" for one in strokes) == 6
+    assert sum(one.arrows == "end" for one in strokes) == 6 + 1  # one in the legend
     assert sum(one.arrows == "both" for one in strokes) == 3
     assert sum(one.tip == "COM: 4000 µs, 150 µs" for one in strokes) == 2
     texts = [one.text for one in shapes if isinstance(one, Label)]
@@ -162,6 +169,128 @@ def test_picture_of_s1() -> None:
     assert "windows_time 500" in texts
     assert "task_com  4" in texts
     assert "12000" in texts
+    assert "rtconf.lis · load.toml" in texts
+    assert "NC cycles 0 … 5" in texts
+    assert any("overflow 'skip'" in text for text in texts)
+    assert any("windows_time 500 µs" in text for text in texts)
+    assert {"overflow", "suspended", "timer interrupt", "due, does not run"} <= set(texts)
+
+
+def test_rows_of_a_picture() -> None:
+    """Rows by processor, then by urgency; only trace bits that a function has."""
+    text = with_line(EXAMPLE_1, "thread[1].cpu 2", "thread[1].priority 120")
+    rows = rows_of(make(text, load_text(TIGHT))[0], "en")
+    assert [row.name for row in rows] == [
+        "CPU 1",
+        "GEO",
+        "external_sps",
+        "MMI_DRIVER",
+        "COM",
+        "Windows",
+        "CPU 2",
+        "BACKGROUND_",
+        "Windows",
+        "Trace bits",
+        "task_int  1",
+        "task_rnd  2",
+        "task_com  4",
+    ]
+    silent = EXAMPLE_1
+    for bit in (1, 2, 4):
+        silent = silent.replace(f"trace_bit {bit}", "trace_bit 0")
+    assert "Trace bits" not in [row.name for row in rows_of(make(silent, None)[0], "en")]
+
+
+@given(st.integers(0, 5000), st.sampled_from(["en", "de"]))
+@settings(max_examples=80, deadline=None)
+def test_no_label_lies_over_another(seed: int, language: str) -> None:
+    """Whatever the list: labels lie inside the picture and apart; it is no wider than a page."""
+    model = in_microseconds(random_model(seed))
+    title = PictureTitle("a" * (seed % 90) + ".lis", None)
+    figure = gantt(simulate(model, 90, record=90), title, "de" if language == "de" else "en")
+    assert figure.width <= 1800
+    labels = [one for one in figure.shapes if isinstance(one, Label)]
+    rectangles = []
+    for label in labels:
+        left = label_left(label)
+        rectangles.append((left, label.y - 0.75 * label.size, left + text_width(label), label.y))
+    for left, top, right, bottom in rectangles:
+        assert 0 <= left and right <= figure.width and 0 <= top and bottom <= figure.height
+    for one, other in itertools.combinations(rectangles, 2):
+        apart = one[2] <= other[0] or other[2] <= one[0]
+        assert apart or one[3] <= other[1] or other[3] <= one[1]
+
+
+@pytest.mark.parametrize("bold", [False, True])
+def test_labels_are_not_wider_than_they_count(bold: bool) -> None:
+    """The estimated width of a text is not below that of the font."""
+    text_path = pytest.importorskip("matplotlib.textpath").TextPath
+    weight = "bold" if bold else "normal"
+    properties = pytest.importorskip("matplotlib.font_manager").FontProperties(
+        family="DejaVu Sans", weight=weight
+    )
+    for text in (
+        "NC interrupt: hardware interrupt; cycle_time 2000, time_slice 500, windows_time 500 µs",
+        "GEO_INTERPOLATION_CHANNEL_1",
+        "wakes an external thread",
+        "12000",
+        "WWWW mmmm MMMM",
+        "Regeln: Überlauf 'skip', Aufrufe 'block', Suspendierung nach 'ticks', Startwert 0",
+        "task_mmi_driver  3",
+        "illicit till fjord",
+    ):
+        width = text_path((0, 0), text, size=10, prop=properties).get_extents().width
+        assert text_width(Label(0, 0, text, 10, bold=bold)) >= width
+
+
+def in_microseconds(model: Model) -> Model:
+    """A model of nanoseconds a thousand times as slow, with long names."""
+    return replace(
+        model,
+        cycle=model.cycle * US,
+        slice=model.slice * US,
+        windows=model.windows * US,
+        train=replace(
+            model.train,
+            period=model.train.period * US,
+            phase=model.train.phase * US,
+            drift=model.train.drift * US,
+            jitter=model.train.jitter * US,
+        ),
+        tasks=tuple(
+            replace(
+                task,
+                name=task.name * (3 * i + 1) * 4,
+                calls=tuple(
+                    replace(
+                        call,
+                        trace_bit=i % 4,
+                        execution=replace(
+                            call.execution, values=tuple(one * US for one in call.execution.values)
+                        ),
+                    )
+                    for call in task.calls
+                ),
+            )
+            for i, task in enumerate(model.tasks)
+        ),
+    )
+
+
+def test_interesting_cycles_of_a_long_record() -> None:
+    """A record that is too long for the strips shows overflows and the longest responses."""
+    load = load_text(TIGHT).replace(
+        "task_com = 250", f"task_com = {[50] * 300 + [900] + [50] * 99}"
+    )
+    model, _ = make(EXAMPLE_1, load)
+    run = simulate(model, 800, record=800)
+    strips = strips_of(run)
+    assert len(strips) == 12
+    late = [one.time for one in run.record.events if one.kind is EventKind.OVERFLOW]
+    assert late and any(strip.begin <= late[0] < strip.end for strip in strips)
+    assert strips[0].first == 0
+    texts = [one.text for one in shapes_of(model, 800) if isinstance(one, Label)]
+    assert any(text.startswith("96 of 800 NC cycles") for text in texts)
 
 
 def test_pictures_of_odd_models() -> None:

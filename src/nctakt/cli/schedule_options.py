@@ -273,6 +273,7 @@ class Outputs:
         from nctakt.schedule.traces import check_vcd  # noqa: PLC0415
 
         self._language: Language = words["language"]
+        self._names = (words["file"], words["load"])
         self._stack = contextlib.ExitStack()
         if words["plot"] is not None:
             check_picture(words["plot"])
@@ -298,10 +299,16 @@ class Outputs:
         Raises ``Failure``.
         """
         from nctakt.schedule.draw import write_picture  # noqa: PLC0415
+        from nctakt.schedule.gantt import gantt, picture_title  # noqa: PLC0415
         from nctakt.schedule.traces import write_csv, write_perfetto, write_vcd  # noqa: PLC0415
 
         writers: dict[str, Callable[[Path], None]] = {
-            "plot": lambda path: write_picture(run, path, self._language, report),
+            "plot": lambda path: write_picture(
+                gantt(run, picture_title(*self._names), self._language),
+                path,
+                self._language,
+                report,
+            ),
             "vcd": partial(write_vcd, run),
             "perfetto": partial(write_perfetto, run),
             "csv": partial(write_csv, run),

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The schedule as a picture file.
+"""A picture of schedules as a file.
 
-In: ``Simulation``, a file name. Out: SVG (no library needed), PNG (matplotlib) or HTML, the picture
+In: ``Figure``, a file name. Out: SVG (no library needed), PNG (matplotlib) or HTML, the picture
 with its tables.
 """
 
@@ -15,9 +15,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.schedule_results import LIBRARY_MISSING, UNKNOWN_PICTURE_FORMAT
-from nctakt.schedule.figure import svg
-from nctakt.schedule.gantt import gantt
-from nctakt.schedule.results import Simulation
+from nctakt.schedule.figure import Figure, svg
 
 _HTML = """\
 <!doctype html>
@@ -42,9 +40,8 @@ def check_picture(path: str) -> None:
         raise Failure(diagnostic(LIBRARY_MISSING, library="matplotlib", what="--plot FILE.png"))
 
 
-def write_picture(run: Simulation, path: Path, language: Language, report: str) -> None:
-    """Draw the record of a simulation; ``report`` stands below in HTML. Raises ``OSError``."""
-    figure = gantt(run, language)
+def write_picture(figure: Figure, path: Path, language: Language, report: str) -> None:
+    """Write a picture; ``report`` stands below it in HTML. Raises ``OSError``."""
     ending = path.suffix.lower()
     if ending == ".png":
         from nctakt.schedule.png import write_png  # noqa: PLC0415 - matplotlib only when needed

@@ -7,7 +7,7 @@ Coordinates in pixels from the upper left corner. The same shapes are drawn by `
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 from typing import Literal
 
@@ -55,6 +55,35 @@ class Label:
 
 
 Shape = Box | Stroke | Label
+
+
+#: The width of characters in parts of the font's size, for DejaVu Sans; others are the mean.
+_NARROW, _WIDE = " .,:;'|!ijl()[]·", "mwMWNOQCDGH%@—…→≤"
+_NARROW_PART, _MEAN_PART, _WIDE_PART, _BOLD = 0.4, 0.66, 1.0, 1.1
+
+
+def text_width(label: Label) -> float:
+    """Return the width of a label in pixels, rather too much than too little."""
+    parts = (
+        _NARROW_PART if one in _NARROW else _WIDE_PART if one in _WIDE else _MEAN_PART
+        for one in label.text
+    )
+    return sum(parts) * label.size * (_BOLD if label.bold else 1.0)
+
+
+def label_left(label: Label) -> float:
+    """Return the left end of a label in pixels."""
+    part = {"start": 0.0, "middle": 0.5, "end": 1.0}[label.anchor]
+    return label.x - part * text_width(label)
+
+
+def fitting(label: Label, width: float) -> Label:
+    """Return the label, its text cut to ``width`` pixels."""
+    text = label.text
+    while text and text_width(label) > width:
+        text = text[:-1]
+        label = replace(label, text=f"{text.rstrip()}…")
+    return label
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,270 +1,363 @@
 # SPDX-License-Identifier: MIT
 """The record of a simulation as a picture: who runs when, and the oscilloscope below.
 
-In: ``Simulation`` with a record. Out: ``Figure``. One row per thread and per Windows processor,
-with NC interrupts, timer interrupts, suspensions, overflows, the arrow from the NC interrupt to
-each external thread and the three times of the list as dimensions; then the seven trace bits.
+In: ``Simulation`` with a record, the names of list and load. Out: ``Figure``. In its rows: NC
+interrupts, timer interrupts, suspensions, overflows, the arrow from the NC interrupt to each
+external thread and the three times of the list as dimensions. Rows and strips are those of
+``gantt_layout``, signs those of ``gantt_style``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
 
 from nctakt.base.diagnostics import Language, Text
-from nctakt.lists.declared.rtconf import InterruptSource
-from nctakt.schedule.figure import Box, Figure, Label, Shape, Stroke
+from nctakt.schedule.figure import (
+    Box,
+    Figure,
+    Label,
+    Shape,
+    Stroke,
+    fitting,
+    label_left,
+    text_width,
+)
 from nctakt.schedule.findings import us
+from nctakt.schedule.gantt_layout import Row, RowKind, Strip, rows_of, strips_of
+from nctakt.schedule.gantt_style import (
+    BIT,
+    FAINT,
+    INK,
+    NC,
+    PART_COLOURS,
+    PART_NAMES,
+    TICK,
+    WINDOWS,
+    colour_of,
+    legend,
+    overflow_mark,
+)
 from nctakt.schedule.interpolation_steps import has_parts, parts_of
-from nctakt.schedule.model import NS_PER_US, Model, TaskClass, suspension_point
+from nctakt.schedule.model import Model, TaskClass, suspension_point
+from nctakt.schedule.report import chosen_report
 from nctakt.schedule.results import EventKind, Simulation
-from nctakt.schedule.tracebits import BITS, trace_bits
+from nctakt.schedule.timeline import pending_times, suspended_times, tick_times, windows_times
+from nctakt.schedule.tracebits import trace_bits
 
-_LEFT, _RIGHT, _TOP = 190, 30, 96
-_ROW, _BAR, _BIT = 30, 18, 24
-_LEAST_WIDTH, _CYCLE_WIDTH, _MOST_WIDTH = 900, 300, 12_000
-#: More timer interrupts than this are not drawn.
-_MOST_TICKS = 2000
+_LEFT, _RIGHT, _MARGIN = 200, 40, 12
+_LINE, _DIMENSION, _BAR, _ROW, _HEADING, _BIT_ROW = 18, 22, 18, 28, 24, 24
+#: The width of an NC cycle, and of all of them, in pixels.
+_WIDEST_CYCLE, _NARROWEST, _WIDEST = 300, 780, 1560
+#: Timer interrupts that would be closer than this, in pixels, are left out.
+_CLOSEST = 3.0
 
-_COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#8c6d31")
-_EXTERNAL, _WINDOWS = "#7f7f7f", "#b8d4f0"
-_INK, _FAINT, _RED = "#222222", "#c8c8c8", "#c00000"
-
-#: Input, interpolation, output.
-_PART_COLOURS = ("#9ecae1", "#4a90c2", "#08306b")
-_PART_NAMES = (
-    Text("input", "Eingabe"),
-    Text("interpolation", "Interpolation"),
-    Text("output", "Ausgabe"),
+_ALL_CYCLES = Text("NC cycles {first} … {last}", "NC-Takte {first} … {last}")
+_CHOSEN_CYCLES = Text(
+    "{count} of {all} NC cycles: overflows, longest responses, least time of Windows, the first",
+    "{count} von {all} NC-Takten: Überläufe, längste Antwortzeiten, kleinste Zeit von Windows, die "
+    "ersten",
 )
+_ASSUMED = Text("assumed load", "angenommene Last")
 
-_PARTS = Text("light: input · dark: output", "hell: Eingabe · dunkel: Ausgabe")
-_TITLE = Text("Schedule", "Ablauf")
-_SCOPE = Text("Trace bits", "Trace-Bits")
-_NC = Text("NC interrupt", "NC-Interrupt")
-_TICK = Text("timer interrupt", "Timer-Interrupt")
-_LEGEND = Text(
-    "hatched: suspended · red mark: overflow · thin line: due, not running",
-    "schraffiert: suspendiert · rote Marke: Überlauf · dünne Linie: fällig, läuft nicht",
-)
+_Span = tuple[int, int]
 
 
-def tick_times(model: Model, begin: int, end: int) -> range:
-    """The timer interrupts from ``begin`` to ``end``, in ns."""
-    origin = model.train.phase if model.source is InterruptSource.TIMER else 0
-    first = begin + (origin - begin) % model.slice
-    return range(first, end + 1, model.slice)
+@dataclass(frozen=True, slots=True)
+class PictureTitle:
+    """The names of the list and of the load (``None``: assumed times) above a picture."""
+
+    list_name: str
+    load_name: str | None = None
 
 
-def windows_times(run: Simulation, cpu: int) -> list[tuple[int, int]]:
-    """The times in the record in which no task has the processor, in ns."""
-    record = run.record
-    free: list[tuple[int, int]] = []
-    now = record.begin
-    for segment in record.segments:
-        if segment.cpu == cpu:
-            if segment.begin > now:
-                free.append((now, segment.begin))
-            now = max(now, segment.end)
-    if now < record.end:
-        free.append((now, record.end))
-    return free
+def picture_title(list_path: str, load_path: str | None) -> PictureTitle:
+    """Return the title for the files of a list and a load."""
+    return PictureTitle(Path(list_path).name, None if load_path is None else Path(load_path).name)
 
 
-def gantt(run: Simulation, language: Language) -> Figure:
-    """The picture of a simulation's record."""
-    return _Gantt(run, language).figure()
+def gantt(run: Simulation, title: PictureTitle, language: Language) -> Figure:
+    """Return the picture of a simulation's record."""
+    strips = strips_of(run)
+    longest = max((strip.end - strip.begin for strip in strips), default=1)
+    cycles = max((strip.count for strip in strips), default=1)
+    inner = min(_WIDEST, max(_NARROWEST, _WIDEST_CYCLE * cycles))
+    width = _LEFT + inner + _RIGHT
+    shapes: list[Shape] = list(_head(run, strips, title, width, language))
+    y = float(_MARGIN + _LINE * len(shapes) + 4)
+    signs, y = legend(run.model, _MARGIN, y, width - _MARGIN, language)
+    shapes += signs
+    contents = _Contents(run, language)
+    for place, strip in enumerate(strips):
+        drawing = _StripDrawing(contents, strip, inner / max(1, longest), y, width, place == 0)
+        shapes += drawing.shapes()
+        y = drawing.bottom
+    return Figure(width, int(y + _MARGIN), tuple(shapes))
 
 
-class _Gantt:
+def below_each_other(figures: Sequence[Figure]) -> Figure:
+    """Return pictures as one, each below the one before."""
+    shapes: list[Shape] = []
+    height = 0
+    for figure in figures:
+        shapes += [_moved(shape, height) for shape in figure.shapes]
+        height += figure.height
+    return Figure(max(figure.width for figure in figures), height, tuple(shapes))
+
+
+def _moved(shape: Shape, down: float) -> Shape:
+    if isinstance(shape, Stroke):
+        return replace(shape, points=tuple((x, y + down) for x, y in shape.points))
+    return replace(shape, y=shape.y + down)
+
+
+def _head(
+    run: Simulation, strips: list[Strip], title: PictureTitle, width: int, language: Language
+) -> Iterator[Label]:
+    """Yield list, load, times, rules and NC cycles."""
+    shown = sum(strip.count for strip in strips)
+    recorded = sum(event.kind is EventKind.INTERRUPT for event in run.record.events)
+    cycles = _ALL_CYCLES if shown == recorded else _CHOSEN_CYCLES
+    numbers = {"first": 0, "last": recorded - 1, "count": shown, "all": recorded}
+    lines = [
+        f"{title.list_name} · {title.load_name or _ASSUMED.get(language)}",
+        *chosen_report(run.model, language),
+        cycles.get(language).format(**numbers),
+    ]
+    for line, text in enumerate(lines):
+        size = 10.5 if line else 14.0
+        label = Label(_MARGIN, 20.0 + _LINE * line, text, size, bold=not line)
+        yield fitting(label, width - 2 * _MARGIN)
+
+
+class _Contents:
+    """What is drawn, computed once for all strips; times in ns."""
+
     def __init__(self, run: Simulation, language: Language) -> None:
-        self._run = run
-        self._model = run.model
-        self._record = run.record
-        self._language = language
-        interrupts = [one.time for one in run.record.events if one.kind is EventKind.INTERRUPT]
-        self._interrupts = interrupts
-        wanted = min(max(_LEAST_WIDTH, _CYCLE_WIDTH * len(interrupts)), _MOST_WIDTH)
-        self._scale = wanted / max(1, run.record.end - run.record.begin)
-        self._right = _LEFT + wanted
-        self._scope_top = _TOP + _ROW * (len(run.model.tasks) + len(run.model.windows_cpus)) + 34
-        self._bottom = self._scope_top + _BIT * len(BITS) + 14
+        model = run.model
+        self.model = model
+        self.run = run
+        self.language = language
+        self.rows = rows_of(model, language)
+        self.interrupts = [
+            event.time for event in run.record.events if event.kind is EventKind.INTERRUPT
+        ]
+        self.overflows = [event for event in run.record.events if event.kind is EventKind.OVERFLOW]
+        self.pending = pending_times(run)
+        self.suspended = {i: suspended_times(run, i) for i in range(len(model.tasks))}
+        self.windows = {cpu: windows_times(run, cpu) for cpu in model.windows_cpus}
+        self.bits = trace_bits(model, run.record)
+        self.parts = parts_of(model, run.record) if has_parts(model) else []
+
+
+class _StripDrawing:
+    """Draws one strip; ``top`` and ``bottom`` are its edges in the picture."""
+
+    def __init__(
+        self,
+        contents: _Contents,
+        strip: Strip,
+        scale: float,
+        top: float,
+        width: int,
+        has_dimensions: bool,
+    ) -> None:
+        self._contents = contents
+        self._model: Model = contents.model
+        self._language: Language = contents.language
+        self._strip = strip
+        self._scale = scale
+        self._width = width
+        self._dimensions_top = top + 6
+        self._has_dimensions = has_dimensions
+        dimensions = 3 * _DIMENSION if has_dimensions else 0
+        self._top = top + dimensions + 18
+        self._y: dict[Row, float] = {}
+        y = self._top
+        for row in contents.rows:
+            self._y[row] = y
+            y += {RowKind.HEADING: _HEADING, RowKind.BIT: _BIT_ROW}.get(row.kind, _ROW)
+        self._floor = y + 6
+        self.bottom = self._floor + 34
+
+    def shapes(self) -> Iterator[Shape]:
+        """Yield all of it; what comes later lies above."""
+        yield from self._interrupts()
+        if self._has_dimensions:
+            yield from self._dimensions()
+        yield from self._rows()
+        yield from self._pending()
+        yield from self._running()
+        yield from self._parts()
+        yield from self._suspended()
+        yield from self._windows()
+        yield from self._overflows()
+        yield from self._wake_ups()
+        yield from self._bits()
+        yield from self._axis()
+
+    # --- places -----------------------------------------------------------------------------------
 
     def _x(self, time: int) -> float:
-        return _LEFT + (time - self._record.begin) * self._scale
+        return _LEFT + (time - self._strip.begin) * self._scale
 
-    def _y(self, row: int) -> float:
-        """The upper edge of a row's bars."""
-        return _TOP + row * _ROW + (_ROW - _BAR) / 2
+    def _clip(self, begin: int, end: int) -> _Span | None:
+        """Return the part of a time that the strip shows."""
+        low, high = max(begin, self._strip.begin), min(end, self._strip.end)
+        if low < high or (low == high and begin == end and high < self._strip.end):
+            return low, high
+        return None
 
-    def _colour(self, i: int) -> str:
-        if self._model.tasks[i].kind is TaskClass.EXTERNAL:
-            return _EXTERNAL
-        return _COLOURS[i % len(_COLOURS)]
+    def _task_y(self, task: int) -> float:
+        """Return the upper edge of a task's bars."""
+        return self._bar_y(RowKind.TASK, task)
 
-    def figure(self) -> Figure:
-        shapes: list[Shape] = [
-            *self._interrupt_lines(),
-            *self._dimensions(),
-            *self._rows(),
-            *self._waiting(),
-            *self._running(),
-            *self._parts(),
-            *self._suspended(),
-            *self._windows(),
-            *self._overflows(),
-            *self._wake_ups(),
-            *self._scope(),
-            *self._axis(),
-        ]
-        height = self._bottom + 46
-        return Figure(int(self._right + _RIGHT), int(height), tuple(shapes))
+    def _bar_y(self, kind: RowKind, number: int) -> float:
+        row = next(row for row in self._y if (row.kind, row.number) == (kind, number))
+        return self._y[row] + (_ROW - _BAR) / 2
 
-    def _interrupt_lines(self) -> Iterator[Shape]:
-        begin, end = self._record.begin, self._record.end
-        ticks = tick_times(self._model, begin, end)
-        if len(ticks) <= _MOST_TICKS:
-            for time in ticks:
+    def _box(self, span: _Span, y: float, height: float, colour: str, tip: str) -> Box:
+        x = self._x(span[0])
+        return Box(x, y, max(0.5, self._x(span[1]) - x), height, colour, tip=tip)
+
+    # --- what is drawn ----------------------------------------------------------------------------
+
+    def _edges(self) -> list[tuple[int, int]]:
+        """Return number and time of the NC interrupts, the end of the strip with them."""
+        strip = self._strip
+        times = self._contents.interrupts[strip.first : strip.first + strip.count]
+        return [*enumerate(times, strip.first), (strip.first + strip.count, strip.end)]
+
+    def _interrupts(self) -> Iterator[Shape]:
+        strip = self._strip
+        if self._model.slice * self._scale >= _CLOSEST:
+            for time in tick_times(self._model, strip.begin, strip.end):
                 x = self._x(time)
-                tip = f"{_TICK.get(self._language)} {us(time)} µs"
-                yield Stroke(((x, _TOP - 10), (x, self._bottom)), _FAINT, 0.6, True, tip=tip)
-        for cycle, time in enumerate((*self._interrupts, end)):
+                tip = f"{TICK.get(self._language)} {us(time)} µs"
+                yield Stroke(((x, self._top - 4), (x, self._floor)), FAINT, 0.6, True, tip=tip)
+        for cycle, time in self._edges():
             x = self._x(time)
-            tip = f"{_NC.get(self._language)} {cycle}: {us(time)} µs"
-            yield Stroke(((x, _TOP - 14), (x, self._bottom)), _INK, 1.2, tip=tip)
+            tip = f"{NC.get(self._language)} {cycle}: {us(time)} µs"
+            yield Stroke(((x, self._top - 8), (x, self._floor)), INK, 1.2, tip=tip)
 
     def _dimensions(self) -> Iterator[Shape]:
-        """cycle_time, time_slice and windows_time over the first cycle, as the manual has them."""
-        model, begin = self._model, self._record.begin
-        yield Label(10, 20, _TITLE.get(self._language), 14, bold=True)
-        yield Label(10, 38, _LEGEND.get(self._language), 10)
-        wide = model.cycle * self._scale > 200
-        if not wide:
-            return
+        """Yield cycle_time, time_slice and windows_time in the first cycle, as the manual does."""
+        model, begin = self._model, self._strip.begin
         ticks = tick_times(model, begin, begin + 2 * model.slice)
-        spans = [("cycle_time", begin, begin + model.cycle, 58.0)]
-        spans.append(("time_slice", ticks[0], ticks[0] + model.slice, 80.0))
+        spans = [("cycle_time", begin, begin + model.cycle)]
+        spans.append(("time_slice", ticks[0], ticks[0] + model.slice))
         point = suspension_point(model, begin)
         if point is not None:
-            spans.append(("windows_time", point, point + model.windows, 80.0))
-        for name, start, stop, y in spans:
-            left, right = self._x(start), self._x(stop)
-            if right > self._right + 1:
+            spans.append(("windows_time", point, point + model.windows))
+        for line, (name, start, end) in enumerate(spans):
+            left, right = self._x(start), self._x(end)
+            if right > self._width - _MARGIN or right - left < _CLOSEST:
                 continue
-            yield Stroke(((left, y), (right, y)), _INK, 0.8, arrows="both")
-            text = f"{name} {us(stop - start)}"
-            yield Label((left + right) / 2, y - 4, text, 9, "middle")
+            y = self._dimensions_top + _DIMENSION * (line + 1)
+            yield Stroke(((left, y), (right, y)), INK, 0.8, arrows="both")
+            label = Label((left + right) / 2, y - 6, f"{name} {us(end - start)}", 9, "middle")
+            beyond = label_left(label) + text_width(label) - (self._width - _MARGIN)
+            yield replace(label, x=label.x - max(0.0, beyond))
 
     def _rows(self) -> Iterator[Shape]:
-        names = [f"{task.name} (CPU {task.cpu or '*'})" for task in self._model.tasks] + [
-            f"Windows (CPU {cpu})" for cpu in self._model.windows_cpus
-        ]
-        for row, name in enumerate(names):
-            y = _TOP + (row + 1) * _ROW
-            yield Stroke(((_LEFT, y), (self._right, y)), "#e4e4e4", 0.8)
-            yield Label(_LEFT - 10, self._y(row) + _BAR - 5, _short(name), 11, "end")
+        right = self._x(self._strip.end)
+        for row, y in self._y.items():
+            yield self._row_label(row, y)
+            if row.kind in (RowKind.TASK, RowKind.WINDOWS):
+                yield Stroke(((_LEFT, y + _ROW), (right, y + _ROW)), "#e4e4e4", 0.8)
 
-    def _waiting(self) -> Iterator[Shape]:
-        """A thin line from the moment when a job is due to its end."""
-        ends = {
-            (one.task, one.time - one.value): one.time
-            for one in self._record.events
-            if one.kind is EventKind.END
-        }
-        for job in self._record.jobs:
-            if not job.times:  # it works in a process that is not ours
-                continue
-            end = ends.get((job.task, job.due), self._record.end)
-            y = self._y(job.task) + _BAR / 2
-            yield Stroke(((self._x(job.due), y), (self._x(end), y)), self._colour(job.task), 1.0)
+    @staticmethod
+    def _row_label(row: Row, y: float) -> Label:
+        if row.kind is RowKind.HEADING:
+            return fitting(Label(_MARGIN, y + 17, row.name, 11, bold=True), _LEFT - 2 * _MARGIN)
+        size, down = (10.0, 17.0) if row.kind is RowKind.BIT else (11.0, 18.0)
+        label = fitting(Label(0, 0, row.name, size), _LEFT - 2 * _MARGIN)
+        return replace(label, x=_LEFT - 10, y=y + down, anchor="end")
+
+    def _pending(self) -> Iterator[Shape]:
+        """Yield a thin line from the moment when a job is due to its end."""
+        for task, begin, end in self._contents.pending:
+            if span := self._clip(begin, end):
+                y = self._task_y(task) + _BAR / 2
+                points = ((self._x(span[0]), y), (self._x(span[1]), y))
+                yield Stroke(points, colour_of(self._model, task), 1.0)
 
     def _running(self) -> Iterator[Shape]:
-        for one in self._record.segments:
-            x = self._x(one.begin)
-            name = self._model.tasks[one.task].name
-            tip = f"{name} #{one.job}, CPU {one.cpu}: {us(one.begin)} … {us(one.end)} µs"
-            width = max(0.5, self._x(one.end) - x)
-            yield Box(x, self._y(one.task), width, _BAR, self._colour(one.task), tip=tip)
+        for one in self._contents.run.record.segments:
+            if span := self._clip(one.begin, one.end):
+                name = self._model.tasks[one.task].name
+                tip = f"{name} #{one.job}, CPU {one.cpu}: {us(one.begin)} … {us(one.end)} µs"
+                colour = colour_of(self._model, one.task)
+                yield self._box(span, self._task_y(one.task), _BAR, colour, tip)
 
     def _parts(self) -> Iterator[Shape]:
-        """What the interpolation consists of, in the lower half of its bars."""
-        if not has_parts(self._model):
-            return
-        yield Label(10, 54, _PARTS.get(self._language), 10)
-        for one in parts_of(self._model, self._record):
-            x, name = self._x(one.begin), _PART_NAMES[one.part].get(self._language)
-            tip = f"{name}: {us(one.begin)} … {us(one.end)} µs"
-            width, y = self._x(one.end) - x, self._y(one.task) + _BAR / 2
-            yield Box(x, y, width, _BAR / 2, _PART_COLOURS[one.part], tip=tip)
+        """Yield what the interpolation consists of, in the lower half of its bars."""
+        for part in self._contents.parts:
+            if span := self._clip(part.begin, part.end):
+                name = PART_NAMES[part.part].get(self._language)
+                tip = f"{name}: {us(part.begin)} … {us(part.end)} µs"
+                y = self._task_y(part.task) + _BAR / 2
+                yield self._box(span, y, _BAR / 2, PART_COLOURS[part.part], tip)
 
     def _suspended(self) -> Iterator[Shape]:
-        begun: dict[int, tuple[int, int]] = {}
-        spans: list[tuple[int, int, int, int]] = []
-        for one in self._record.events:
-            if one.kind is EventKind.SUSPEND:
-                begun[one.task] = (one.time, one.value)
-            elif one.kind is EventKind.RESUME:
-                spans.append((one.task, *begun.pop(one.task), one.time))
-        spans += [(task, *found, self._record.end) for task, found in begun.items()]
-        for task, begin, left, end in spans:
-            x = self._x(begin)
-            name = self._model.tasks[task].name
-            tip = f"{name}: {us(begin)} … {us(end)} µs, {us(left)} µs"
-            yield Box(x, self._y(task), self._x(end) - x, _BAR, self._colour(task), True, tip)
+        for task, times in self._contents.suspended.items():
+            name, colour = self._model.tasks[task].name, colour_of(self._model, task)
+            for begin, end in times:
+                if span := self._clip(begin, end):
+                    tip = f"{name}: {us(begin)} … {us(end)} µs"
+                    box = self._box(span, self._task_y(task), _BAR, colour, tip)
+                    yield replace(box, hatched=True)
 
     def _windows(self) -> Iterator[Shape]:
-        for place, cpu in enumerate(self._model.windows_cpus):
-            y = self._y(len(self._model.tasks) + place)
-            for begin, end in windows_times(self._run, cpu):
-                x = self._x(begin)
-                tip = f"Windows: {us(begin)} … {us(end)} µs"
-                yield Box(x, y, self._x(end) - x, _BAR, _WINDOWS, tip=tip)
+        for cpu, times in self._contents.windows.items():
+            y = self._bar_y(RowKind.WINDOWS, cpu)
+            for begin, end in times:
+                if span := self._clip(begin, end):
+                    tip = f"Windows: {us(begin)} … {us(end)} µs"
+                    yield self._box(span, y, _BAR, WINDOWS, tip)
 
     def _overflows(self) -> Iterator[Shape]:
-        for one in self._record.events:
-            if one.kind is EventKind.OVERFLOW:
-                x, y = self._x(one.time), self._y(one.task)
-                tip = f"{self._model.tasks[one.task].name}: {us(one.time)} µs, {us(one.value)} µs"
-                yield Stroke(((x, y - 5), (x, y + _BAR + 5)), _RED, 2.5, tip=tip)
-                yield Stroke(((x - 5, y - 6), (x, y), (x + 5, y - 6)), _RED, 2.5, tip=tip)
+        for event in self._contents.overflows:
+            if self._strip.begin <= event.time < self._strip.end:
+                name = self._model.tasks[event.task].name
+                tip = f"{name}: {us(event.time)} µs, {us(event.value)} µs"
+                y = self._task_y(event.task) - 4
+                yield from overflow_mark(self._x(event.time), y, _BAR + 8, tip)
 
     def _wake_ups(self) -> Iterator[Shape]:
-        """From the NC interrupt to each external thread that its semaphore wakes."""
-        for job in self._record.jobs:
-            if self._model.tasks[job.task].kind is TaskClass.EXTERNAL:
-                x = self._x(job.due) + 2.5
-                y = self._y(job.task) + _BAR / 2
-                yield Stroke(((x, _TOP - 8), (x, y)), _EXTERNAL, 1.0, arrows="end")
+        """Yield an arrow from the NC interrupt to each external thread that it wakes."""
+        for job in self._contents.run.record.jobs:
+            kind = self._model.tasks[job.task].kind
+            if kind is TaskClass.EXTERNAL and self._strip.begin <= job.due < self._strip.end:
+                x, y = self._x(job.due) + 3, self._task_y(job.task) + _BAR / 2
+                colour = colour_of(self._model, job.task)
+                yield Stroke(((x, self._top - 6), (x, y)), colour, 1.0, arrows="end")
 
-    def _scope(self) -> Iterator[Shape]:
-        yield Label(10, self._scope_top - 8, _SCOPE.get(self._language), 12, bold=True)
-        names: dict[int, list[str]] = {bit: [] for bit in BITS}
-        for task in self._model.tasks:
-            for call in task.calls:
-                if call.trace_bit and call.function not in names[call.trace_bit]:
-                    names[call.trace_bit].append(call.function)
-        for bit, times in trace_bits(self._model, self._record).items():
-            low = self._scope_top + _BIT * bit
-            high = low - _BIT + 8
+    def _bits(self) -> Iterator[Shape]:
+        right = self._x(self._strip.end)
+        for row, y in self._y.items():
+            if row.kind is not RowKind.BIT:
+                continue
+            low = y + _BIT_ROW - 2
             points: list[tuple[float, float]] = [(_LEFT, low)]
-            for begin, end in times:
-                left, right = self._x(begin), self._x(end)
-                points += [(left, low), (left, high), (right, high), (right, low)]
-            points.append((self._right, low))
-            colour = "#1a7a1a" if times else "#9a9a9a"
-            yield Stroke(tuple(points), colour, 1.4)
-            text = f"{', '.join(names[bit])}  {bit}" if names[bit] else str(bit)
-            yield Label(_LEFT - 10, low - 4, _short(text), 10, "end")
+            for begin, end in self._contents.bits[row.number]:
+                if span := self._clip(begin, end):
+                    first, last = self._x(span[0]), self._x(span[1])
+                    high = low - _BIT_ROW + 8
+                    points += [(first, low), (first, high), (last, high), (last, low)]
+            yield Stroke((*points, (right, low)), BIT, 1.4)
 
     def _axis(self) -> Iterator[Shape]:
-        """Times of the NC interrupts in µs, as many as there is room for."""
-        every = max(1, -(-60 // max(1, int(self._model.train.distance * self._scale))))
-        for cycle, time in enumerate((*self._interrupts, self._record.end)):
-            if cycle % every == 0:
-                text = us(time // NS_PER_US * NS_PER_US)
-                yield Label(self._x(time), self._bottom + 16, text, 10, "middle")
-        yield Label(_LEFT - 40, self._bottom + 16, "µs", 10, "end")
-
-
-def _short(name: str) -> str:
-    """A name that fits beside the picture."""
-    return name if len(name) <= 25 else name[:24] + "…"
+        """Yield the times of the NC interrupts in µs, as many as there is room for."""
+        free = 0.0
+        y = self._floor + 16
+        unit = Label(_MARGIN, y, f"{NC.get(self._language)}, µs", 10)
+        yield unit
+        for _, time in self._edges():
+            label = Label(self._x(time), y, us(time), 10, "middle")
+            left = label_left(label)
+            is_inside = left + text_width(label) <= self._width and left > text_width(unit) + 24
+            if left >= free and is_inside:
+                yield label
+                free = left + text_width(label) + 8

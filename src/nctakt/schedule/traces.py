@@ -17,10 +17,11 @@ from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.schedule_results import LIBRARY_MISSING
 from nctakt.schedule.findings import us
-from nctakt.schedule.gantt import tick_times, windows_times
+from nctakt.schedule.gantt_layout import bit_functions
 from nctakt.schedule.interpolation_steps import parts_of
 from nctakt.schedule.model import NS_PER_US, PARTS
 from nctakt.schedule.results import EventKind, Simulation
+from nctakt.schedule.timeline import suspended_times, tick_times, windows_times
 from nctakt.schedule.tracebits import BITS, calls_of, trace_bits
 
 #: Between two calls that touch a bit is shown low for so long, and an interrupt high, in ns.
@@ -39,7 +40,10 @@ def check_vcd() -> None:
 
 
 def write_vcd(run: Simulation, path: Path) -> None:
-    """Trace bits, interrupts, who runs, who is suspended; the unit is 1 ns."""
+    """Write trace bits with their functions, interrupts, who runs, is suspended, overflows.
+
+    The unit is 1 ns.
+    """
     from vcd import VCDWriter  # noqa: PLC0415 - pyvcd only when needed
 
     record, tasks = run.record, run.model.tasks
@@ -55,8 +59,9 @@ def write_vcd(run: Simulation, path: Path) -> None:
                 changes.append((begin, 1, variable, 1))
                 changes.append((end, 0, variable, 0))
 
-        for bit, times in trace_bits(run.model, record).items():
-            level("trace", f"bit{bit}", _apart(times))
+        bits = trace_bits(run.model, record)
+        for bit, names in bit_functions(run.model).items():
+            level("trace", _identifier("_".join((f"bit{bit}", *names))), _apart(bits[bit]))
         nc = [one.time for one in record.events if one.kind is EventKind.INTERRUPT]
         level("interrupts", "NC", [(time, time + GAP) for time in nc])
         ticks = _ticks(run)
@@ -65,6 +70,12 @@ def write_vcd(run: Simulation, path: Path) -> None:
             ran = [(one.begin, one.end) for one in record.segments if one.task == i]
             level("running", _identifier(task.name), _merged(ran))
             level("suspended", _identifier(task.name), suspended_times(run, i))
+            late = [
+                one.time
+                for one in record.events
+                if one.task == i and one.kind is EventKind.OVERFLOW
+            ]
+            level("overflow", _identifier(task.name), [(time, time + GAP) for time in late])
         for cpu in run.model.cpus:
             variable = writer.register_var("cpu", f"cpu{cpu}", "string", init="")
             for one in record.segments:
@@ -106,21 +117,6 @@ def _merged(times: list[tuple[int, int]]) -> list[tuple[int, int]]:
         elif end > begin:
             found.append((begin, end))
     return found
-
-
-def suspended_times(run: Simulation, task: int) -> list[tuple[int, int]]:
-    """The times in the record in which a task is suspended, in ns."""
-    found: list[tuple[int, int]] = []
-    begin: int | None = None
-    for one in run.record.events:
-        if one.task == task and one.kind is EventKind.SUSPEND:
-            begin = one.time
-        elif one.task == task and one.kind is EventKind.RESUME and begin is not None:
-            found.append((begin, one.time))
-            begin = None
-    if begin is not None:
-        found.append((begin, run.record.end))
-    return [(start, end) for start, end in found if end > start]
 
 
 def write_perfetto(run: Simulation, path: Path) -> None:

@@ -404,7 +404,7 @@ class _Names:
     def program(self, number: int) -> str:
         return str(number)
 
-    def place(self, source: int) -> Span | None:
+    def span(self, source: int) -> Span | None:
         return None
 
 

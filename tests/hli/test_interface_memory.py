@@ -15,6 +15,7 @@ from pathlib import Path
 
 import pytest
 
+from nctakt.hli.header import describe_hli_c
 from nctakt.hli.layout import (
     AXIS,
     CHANNEL,
@@ -31,7 +32,7 @@ from nctakt.hli.layout import (
 from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
 from nctakt.plc import PartnerPlc, PlcError
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.shared_image import SharedImage, describe_hli_c
+from nctakt.run.shared_image import SharedImage
 
 ROOT = Path(__file__).parent.parent.parent
 EXAMPLES = ROOT / "examples"

@@ -48,8 +48,8 @@ class Names:
     def program(self, number: int) -> str:
         return {0: "part.nc"}[number]
 
-    def place(self, source: int) -> Span | None:
-        return self.files.place(source)
+    def span(self, source: int) -> Span | None:
+        return self.files.span(source)
 
 
 def row(kind: int, subject: int = 0, *arguments: float, tick: int = 7, channel: int = 0) -> bytes:

@@ -42,7 +42,7 @@ def test_source_files_give_back_span_and_line() -> None:
     files.add("a.nc", ["G0 X1"])
     index = files.add("b.nc", ["M30", "  G1 X2"])
     source = pack(index, 2, 3)
-    assert files.place(source) == Span("b.nc", 2, 3, 4)
+    assert files.span(source) == Span("b.nc", 2, 3, 4)
     assert files.line_of(source) == "  G1 X2"
     assert files.line_at(Span("b.nc", 2, 3, 9)) == "  G1 X2"
     assert files.line_at(Span("b.nc", 3, 1, 2)) == ""
@@ -53,10 +53,10 @@ def test_no_source_has_no_place() -> None:
     """0 stands for no place, also when there are files."""
     files = SourceFiles()
     files.add("a.nc", ["G0 X1"])
-    assert files.place(NO_SOURCE) is None
+    assert files.span(NO_SOURCE) is None
     assert files.line_of(NO_SOURCE) == ""
     assert files.line_of(pack(0, 5, 1)) == ""
-    assert files.place(pack(3, 5, 1)) is None
+    assert files.span(pack(3, 5, 1)) is None
 
 
 def test_the_same_text_added_again_keeps_its_index() -> None:

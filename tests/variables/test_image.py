@@ -18,8 +18,9 @@ import pytest
 from machines import DEMO, NESTED, folder_with, machine_with
 
 from nctakt.base.failure import Failure
+from nctakt.hli.variables_memory import describe, sections
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.shared_image import SharedImage, describe, sections
+from nctakt.run.shared_image import SharedImage
 
 SHARED_FOLDER = Path("/dev/shm")
 needs_shared_folder = pytest.mark.skipif(

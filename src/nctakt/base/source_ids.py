@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Places in the users' texts as single numbers, for what the realtime part records.
+"""Source ids: positions in the users' texts as single numbers, for the realtime part's records.
 
 In: file index, line, column. Out: one integer below 2**53, which a float64 cell holds exactly, and
-the way back to a ``Span``. The number is ``file << 44 | line << 20 | column``; line and column
-count from 1, and 0 means that there is no place.
+back to a ``Span``. The number is ``file << 44 | line << 20 | column``; line and column count from
+1, and 0 means no position.
 """
 
 from __future__ import annotations
@@ -19,21 +19,21 @@ _LINE_BITS = 24
 _LINE_SHIFT = _COLUMN_BITS
 _FILE_SHIFT = _COLUMN_BITS + _LINE_BITS
 
-#: The last column and the last line that have numbers of their own; what lies behind shares them.
+#: The last column and the last line with numbers of their own; those behind share them.
 LAST_COLUMN = (1 << _COLUMN_BITS) - 1
 LAST_LINE = (1 << _LINE_BITS) - 1
 
-#: Files with a place of their own; what stands in any further file has none.
+#: The number of files with source ids; positions in any further file have none.
 FILE_LIMIT = 1 << (53 - _FILE_SHIFT)
 
 NO_SOURCE = 0
 
 
 def pack(file_index: int, line: int, column: int) -> int:
-    """The number of a place; ``NO_SOURCE`` in a file beyond ``FILE_LIMIT``.
+    """Return the source id of a position; ``NO_SOURCE`` in a file beyond ``FILE_LIMIT``.
 
-    ``file_index`` counts from 0, ``line`` and ``column`` from 1. A user's text may be longer than
-    the numbers reach: such a line or column gets the last number.
+    ``file_index`` counts from 0, ``line`` and ``column`` from 1. Lines and columns beyond the last
+    number share it.
     """
     assert file_index >= 0, file_index
     assert line >= 1, line
@@ -46,12 +46,12 @@ def pack(file_index: int, line: int, column: int) -> int:
 
 
 def unpack(source: int) -> tuple[int, int, int]:
-    """File index, line and column of a number that ``pack`` made; ``(0, 0, 0)`` for no place."""
+    """Return file index, line and column of a source id; ``(0, 0, 0)`` for ``NO_SOURCE``."""
     return source >> _FILE_SHIFT, source >> _LINE_SHIFT & LAST_LINE, source & LAST_COLUMN
 
 
 class SourceFiles:
-    """The texts that numbers of places refer to, in the order in which they were added."""
+    """The texts that source ids refer to, in the order in which they were added."""
 
     def __init__(self) -> None:
         self._files: list[tuple[str, Sequence[str]]] = []
@@ -61,39 +61,39 @@ class SourceFiles:
         return len(self._files)
 
     def add(self, file: str, lines: Sequence[str]) -> int:
-        """The index of the text ``lines`` named ``file``.
+        """Add the text ``lines`` named ``file`` and return its index.
 
         A text that was added before under the same name keeps its index, so that a program which
         runs again and again does not use up the indices.
         """
-        known = self._by_name.get(file)
-        if known is not None and self._files[known][1] == lines:
-            return known
+        index = self._by_name.get(file)
+        if index is not None and self._files[index][1] == lines:
+            return index
         self._files.append((file, lines))
         self._by_name[file] = len(self._files) - 1
         return len(self._files) - 1
 
     def number(self, span: Span) -> int:
-        """The number of the place where a span begins; ``NO_SOURCE`` in a text never added."""
+        """Return the source id of the begin of a span; ``NO_SOURCE`` in a text never added."""
         file_index = self._by_name.get(span.file)
         if file_index is None:
             return NO_SOURCE
         return pack(file_index, span.line, span.column)
 
-    def place(self, source: int) -> Span | None:
-        """The place as a span of one character; ``None`` for ``NO_SOURCE``."""
+    def span(self, source: int) -> Span | None:
+        """Return the position as a span of one character; ``None`` for ``NO_SOURCE``."""
         file_index, line, column = unpack(source)
         if line == 0 or file_index >= len(self._files):
             return None
         return Span(self._files[file_index][0], line, column, column + 1)
 
     def line_of(self, source: int) -> str:
-        """The whole text line of the place, without its end; empty when there is none."""
+        """Return the text line of a position without its end; empty if there is none."""
         file_index, line, _ = unpack(source)
         return self._line(file_index, line)
 
     def line_at(self, span: Span) -> str:
-        """The whole text line of a span, in the text that was last added under its file name."""
+        """Return the text line of a span, in the text that was last added under its file name."""
         file_index = self._by_name.get(span.file)
         return "" if file_index is None else self._line(file_index, span.line)
 
@@ -104,11 +104,11 @@ class SourceFiles:
         return lines[line - 1] if line <= len(lines) else ""
 
 
-def begins_at(span: Span, place: Span | None) -> bool:
-    """Whether a span begins at the place that an event knows."""
-    if place is None:
+def begins_at(span: Span, begin: Span | None) -> bool:
+    """Return whether a span begins at the position of an event."""
+    if begin is None:
         return False
-    return (span.file, span.line, span.column) == (place.file, place.line, place.column)
+    return (span.file, span.line, span.column) == (begin.file, begin.line, begin.column)
 
 
 _STATEMENT = re.compile(
@@ -119,11 +119,11 @@ _STATEMENT = re.compile(
 
 
 def statement_span(span: Span | None, line: str) -> Span | None:
-    """The place of an event, which knows only where it begins, up to the end of what stands there.
+    """Extend the position of an event, which has no end, to its whole statement or word.
 
-    Of a ``#`` or ``$`` statement and of an assignment that is all of it, else its word.
+    A ``#`` or ``$`` statement and an assignment are taken as a whole, otherwise one word.
     """
     if span is None:
         return None
-    found = _STATEMENT.match(line, span.column - 1)
-    return span if found is None else replace(span, end_column=found.end() + 1)
+    match = _STATEMENT.match(line, span.column - 1)
+    return span if match is None else replace(span, end_column=match.end() + 1)

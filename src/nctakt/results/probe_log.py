@@ -70,7 +70,7 @@ class CycleNames(Protocol):
     def definition(self, serial: int) -> CycleDefinition:
         """The definition of a cycle that has not been forgotten yet."""
 
-    def place(self, source: int) -> Span | None:
+    def span(self, source: int) -> Span | None:
         """The place of a source number."""
 
     def line_at(self, span: Span) -> str:
@@ -170,7 +170,7 @@ class ProbeLog:
         cycle = self._cycles.get(serial)
         if cycle is None:
             return
-        span = self._names.place(int(source))
+        span = self._names.span(int(source))
         if kind in _LIFE:
             cycle.live(LifeEvent(int(tick), _LIFE[kind], span))
         elif kind == rows.EVENT_ENDED:

@@ -37,7 +37,7 @@ from nctakt.messages.plc import STALE_ACKNOWLEDGEMENT
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, Location, NameTable
 from nctakt.run.event_registry import EventRegistry
-from nctakt.run.spindle_setup import all_names, channel_spindles, turning
+from nctakt.run.spindle_setup import all_names, channel_spindles, max_speeds
 from nctakt.run.variable_access import VariableAccess
 
 #: What an elementary instruction is taken to cost in virtual time, in ns (RC-503).
@@ -290,7 +290,7 @@ class AssembledMachine:
             self.files.number,
             self.files.line_at,
             self.registry.add_user_text,
-            turning(self.configuration, channel),
+            max_speeds(self.configuration, channel),
             notice,
             subprogram,
             skip_levels,

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The programs of one channel, one after another; each channel of a machine has its own.
+"""The programs of one channel, run one after another.
 
-In: checked programs, the kernel's answers. Out: commands in the channel's queue
-(``run/queue_feeder.py``), and what became of the programs. The kernel runs all channels in
-lockstep; each one is served for itself and at the tick in which it asks, so that channels do not
-depend on each other's programs.
+In: checked programs, the kernel's requests. Out: commands in the channel's queue
+(``run/queue_feeder.py``) and the state in which the programs ended. The kernel runs all channels in
+lockstep; each is served on its own, in the tick in which it asks, so that channels do not depend on
+each other's programs.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from nctakt.run.queue_feeder import QueueFeeder
 
 
 class ChannelRun:
-    """What runs in a channel; ``index`` counts from 0, ``report`` takes what stops a program.
+    """The programs of a channel; ``index`` counts from 0, ``report`` takes fatal errors.
 
-    Blocks of ``skip_levels`` are left out; ``marks_blocks``: events tell of each block.
-    ``result``: how the queued programs came to their end, ``None`` while they have not.
-    ``budget``: the decoder's time, where a schedule gives it.
+    Blocks of ``skip_levels`` are left out; ``marks_blocks``: each block has events. ``result``:
+    the state in which the queued programs ended, ``None`` until then. ``budget``: the time that a
+    schedule grants the decoder, if there is a schedule.
     """
 
     def __init__(
@@ -43,7 +43,7 @@ class ChannelRun:
         self._outcome: RunState | None = None
         self._stopped_at = -1
         self.channel = machine.channels[index]
-        self.feed: QueueFeeder | None = None
+        self.feeder: QueueFeeder | None = None
         self.skip_levels: frozenset[int] = frozenset()
         self.marks_blocks = False
         self.budget: DecodeBudget | None = None
@@ -52,7 +52,7 @@ class ChannelRun:
     @property
     def is_running(self) -> bool:
         """Whether a program runs."""
-        return self.feed is not None
+        return self.feeder is not None
 
     @property
     def is_stopped(self) -> bool:
@@ -61,10 +61,10 @@ class ChannelRun:
 
     @property
     def is_braking(self) -> bool:
-        """Whether an error or a reset has ended the programs, and what that does is not over yet.
+        """Whether an error or a reset has ended the programs and still has effects.
 
-        The path brakes, the reset lasts; and behind an error there is at least one tick, so that
-        the realtime cycles that run on can react to it (RC-402, RC-505).
+        The path brakes or the reset lasts. After an error there is at least one tick, in which the
+        remaining realtime cycles can react to it (RC-402, RC-505).
         """
         if self.is_stopped and not self._waits_for_start:
             return self._stopped_at == self._machine.kernel.tick or not self._stands()
@@ -73,10 +73,10 @@ class ChannelRun:
     def _stands(self) -> bool:
         return self._machine.path_stands(self._index) and not self.channel.is_resetting
 
-    # --- a row of programs ----------------------------------------------------------------------
+    # --- programs in sequence -------------------------------------------------------------------
 
     def queue(self, programs: Sequence[LoadedProgram], *, waits_for_start: bool) -> None:
-        """Let these programs run one after another, each from START on if it waits for it."""
+        """Run these programs one after another, each after START on the HLI if it waits for it."""
         self._programs = list(programs)
         self._waits_for_start = waits_for_start
         self._selected = None
@@ -84,7 +84,7 @@ class ChannelRun:
         self.result = None
 
     def proceed(self) -> None:
-        """Begin the next program where one is due; settle the result where none is left."""
+        """Begin the next program if it is due, or set the result if none is left."""
         if self.result is not None or self.is_braking:
             return
         if self.is_stopped and not self._waits_for_start:
@@ -108,19 +108,19 @@ class ChannelRun:
             self.begin(program)
 
     def select(self, program: LoadedProgram) -> None:
-        """Let a program wait for START."""
+        """Make a program wait for START."""
         self._outcome = None
         self._selected = program
         self.channel.panel.arm(True)
 
     def begin(self, program: LoadedProgram) -> None:
-        """Put a checked program at the start of the channel; ``Failure`` after a fatal error."""
+        """Start a checked program; raises ``Failure`` after a fatal error."""
         if self.channel.is_fatal:
             raise Failure(diagnostic(STOPPED_BY_FATAL_USER_ERROR))
         self._outcome = None
         self._stopped_at = -1
         self._selected = program
-        self.feed = QueueFeeder(
+        self.feeder = QueueFeeder(
             self._machine,
             program,
             self._report,
@@ -131,26 +131,26 @@ class ChannelRun:
         self.channel.panel.begin_program()
 
     def close(self) -> None:
-        """The row of programs is over: nothing waits for START any more."""
+        """End the sequence of programs: none waits for START any more."""
         self.result = self.result or "limit"
         self.channel.panel.arm(False)
 
-    # --- where a schedule gives the decoder its time --------------------------------------------
+    # --- under a schedule -----------------------------------------------------------------------
 
     @property
     def wants_to_decode(self) -> bool:
-        """Whether the decoder of the channel has something to do."""
-        return self.feed is not None and self.feed.wants_to_decode
+        """Whether the decoder of the channel has work."""
+        return self.feeder is not None and self.feeder.wants_to_decode
 
     def decode(self) -> None:
-        """Decode for as long as the schedule lets the decoder."""
-        if self.feed is not None and self.channel.decoder_open:
-            self.feed.refill()
+        """Decode as long as the granted time lasts."""
+        if self.feeder is not None and self.channel.decoder_open:
+            self.feeder.refill()
 
-    # --- what the kernel asks for ---------------------------------------------------------------
+    # --- requests of the kernel -----------------------------------------------------------------
 
     def serve(self) -> None:
-        """Do what the channel needs before its next tick."""
+        """Do what is due before the next tick: feed the queue, end or begin a program."""
         reason = self.channel.due()
         if reason == reasons.ERROR:
             if self._stopped_at < 0:
@@ -161,7 +161,7 @@ class ChannelRun:
         elif reason == reasons.PROGRAM_END:
             self.channel.accept_end()
             self.channel.panel.end_program()
-            self.feed = None
+            self.feeder = None
             self._outcome = "ended"
         elif reason == reasons.START:
             assert self._selected is not None
@@ -171,11 +171,11 @@ class ChannelRun:
             self.channel.panel.accept_reset()
             self._outcome = "reset"
         elif reason == reasons.ANSWER:
-            assert self.feed is not None
-            self.feed.answer()
+            assert self.feeder is not None
+            self.feeder.answer()
         elif reason == reasons.REFILL:
-            assert self.feed is not None
-            self.feed.refill()
+            assert self.feeder is not None
+            self.feeder.refill()
 
     def request_reset(self) -> None:
         """Give the program up and reset the channel (RC-007)."""
@@ -184,12 +184,12 @@ class ChannelRun:
         self.channel.request_reset()
 
     def _give_up(self) -> None:
-        """A reset: nothing more of the program is decoded, and what it left is forgotten."""
+        """Stop decoding the program and drop cycles that it has loaded but not defined."""
         self._stop()
         self.channel.panel.end_program()
         self.channel.manager.drop_unborn()
 
     def _stop(self) -> None:
-        if self.feed is not None:
-            self.feed.stop()
-            self.feed = None
+        if self.feeder is not None:
+            self.feeder.stop()
+            self.feeder = None

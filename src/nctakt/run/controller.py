@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The virtual controller: assembles a machine and runs NC programs on it.
 
-In: a machine (folder, configuration or the demo machine), programs, values of variables at times, a
-PLC. Out: a ``Run``. ``run`` does it all; ``start`` and ``step`` go tick by tick. Controllers do not
-know of each other: any number lives in one process.
+In: a machine (a folder, a loaded one or the demo machine), programs, values of variables at times,
+a PLC. Out: a ``Run``. ``run`` does it all; ``start`` and ``step`` go tick by tick. Controllers are
+independent of each other; any number of them can live in one process.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from nctakt.run.recording import Recording
 from nctakt.run.scheduled_run import ScheduledRun, scheduled
 from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import Stimulus, StimulusLike, read_stimulus
-from nctakt.run.wait_reasons import awaited
+from nctakt.run.wait_reasons import wait_reason
 from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import MemorySink
@@ -43,10 +43,10 @@ from nctakt.trace.sinks import Sink
 
 __all__ = ["DEFAULT_LIMIT_US", "Controller", "NcText"]
 
-#: Virtual time after which a run ends where neither a time nor a number of ticks is given.
+#: Virtual time after which a run ends if neither ``until`` nor ``ticks`` limits it.
 DEFAULT_LIMIT_US = 600_000_000
 
-#: How long a run that an error has stopped waits for axes and spindles that will stand.
+#: How long a run that an error has stopped waits for axes and spindles to come to a stand.
 REST_US = 60_000_000
 
 #: Ticks between two calls of a progress function.
@@ -56,10 +56,13 @@ PROGRESS_TICKS = 100_000
 class Controller:
     """One machine with its channels, from start-up on.
 
-    ``machine`` is a folder with lists, a configuration, or ``None`` for the demo machine.
-    ``schedule`` gives its ticks their length, and decoder, interpolation and PLC their time
-    (``schedule.open_schedule.open_schedule``). ``access`` says which files may be read
-    (``FileAccess([folder])``: only those in a folder). Raises ``Failure`` where no machine results.
+    ``machine``: a folder with lists, a loaded ``Machine``, or ``None`` for the built-in demo
+    machine. ``schedule`` (of ``open_schedule``) sets the length of a tick and the time that
+    decoder, interpolation and PLC get. ``access`` limits the files that may be read
+    (``FileAccess([folder])``: only those in a folder). Raises ``Failure`` if no machine results.
+
+    Times are texts with a unit (``"20 ms"``, ``"300 ticks"``), seconds or ``datetime.timedelta``.
+    ``diagnostics``: findings in the machine's lists and in all programs so far.
     """
 
     def __init__(
@@ -83,14 +86,14 @@ class Controller:
             ChannelRun(self._machine, index, self.diagnostics.append)
             for index in range(len(self._machine.channels))
         ]
-        self._pace: ScheduledRun | None = None
+        self._scheduled_run: ScheduledRun | None = None
         if schedule is not None and duties is not None:
-            self._pace = ScheduledRun(self._machine, schedule, duties)
-            for index, one in enumerate(self._channels):
-                one.budget = self._pace.budget(index)
+            self._scheduled_run = ScheduledRun(self._machine, schedule, duties)
+            for index, channel in enumerate(self._channels):
+                channel.budget = self._scheduled_run.budget(index)
         self._kernel = self._machine.kernel
         self._recording = Recording(
-            self._machine, self.diagnostics.append, functools.partial(_is_told, self._channels)
+            self._machine, self.diagnostics.append, functools.partial(_is_reported, self._channels)
         )
         self._stimuli: list[Stimulus] = []
         self._stimuli_from = 0
@@ -110,76 +113,78 @@ class Controller:
 
     @property
     def tick(self) -> int:
-        """Ticks since the controller was started."""
+        """The number of ticks since start-up."""
         return self._kernel.tick
 
     @property
     def channel_count(self) -> int:
-        """How many channels the machine has; they count from 1."""
+        """The number of channels; they count from 1."""
         return len(self._channels)
 
     @property
     def state(self) -> str:
         """``running`` while a program runs, ``error`` after an NC error, else ``ready``.
 
-        Of several channels the worst counts: an error, else a program that runs.
+        With several channels an error in one of them comes first, then a running program.
         """
-        if any(one.is_stopped for one in self._channels):
+        if any(channel.is_stopped for channel in self._channels):
             return "error"
-        return "running" if any(one.is_running for one in self._channels) else "ready"
+        return "running" if any(channel.is_running for channel in self._channels) else "ready"
 
     @property
     def hli(self) -> PlcView:
-        """The interface image: what a PLC sees and the operator's side."""
+        """The interface to the PLC (HLI): a PLC's view of the first channel, operator's panel."""
         return PlcView(self._machine)
 
     @property
     def default_signals(self) -> tuple[str, ...]:
-        """What is recorded where nobody says it."""
+        """The signals recorded by default.
+
+        Positions of all axes, path speed, override, block number, active cycles.
+        """
         return tuple(self._machine.default_signals())
 
     @property
     def channel_axes(self) -> tuple[AxisConfiguration, ...]:
-        """The axes of the channel, in its order."""
+        """The axes of the first channel, in the order of its list."""
         return tuple(self.machine.axes[index] for index in self._machine.members)
 
     @property
     def has_limited_jerk(self) -> bool:
-        """Whether a block of the first channel has had the jerk-limited slope by now."""
+        """Whether any block of the first channel so far had the jerk-limited slope."""
         return self._machine.channels[0].ahead.has_smooth
 
     @property
     def instructions_in_tick(self) -> int:
-        """Elementary instructions that the realtime cycles ran in the last tick (RC-501)."""
-        return sum(one.channel.context.steps for one in self._channels)
+        """The elementary instructions that realtime cycles ran in the latest tick (RC-501)."""
+        return sum(channel.channel.context.steps for channel in self._channels)
 
     def read(self, name: str) -> float | bool | str:
-        """The value of a V. variable, such as ``V.E.LIST[3]`` or ``V.RTA.ACS.ACT_POS.X``.
+        """Return the value of a V. variable, such as ``V.E.LIST[3]`` or ``V.RTA.ACS.ACT_POS.X``.
 
-        Of several channels the first one is meant, ``CH2.V.CH.COUNT`` is that of the second.
-
-        What ``write`` has put is read back at once. Raises ``Failure`` for an unknown name.
+        A name without a channel means the first one; ``CH2.V.CH.COUNT`` is that of the second.
+        A value that ``write`` has set is returned at once. Raises ``Failure`` for an unknown name.
         """
         return self._machine.read(name)
 
     def write(self, name: str, value: float | bool | str) -> None:
-        """Give a V.E or V.CH variable a value, from the next tick on.
+        """Set a V.E or V.CH variable or an operator's value (``HLI.OVERRIDE``) from the next tick.
 
         Raises ``Failure`` for an unknown name and for a value that the variable cannot hold.
         """
         self._machine.write(name, value)
 
     def signal(self, name: str) -> float:
-        """What a trace would record now; raises ``Failure`` for an unknown name."""
-        known = self._machine.signals()
-        if name not in known:
+        """Return the present value of a signal; raises ``Failure`` for an unknown name."""
+        signals = self._machine.signals()
+        if name not in signals:
             raise Failure(self._machine.unknown_signal(name))
-        return self._machine.cells[known[name][0]]
+        return self._machine.cells[signals[name][0]]
 
     def interface_image(self, name: str | None = None) -> SharedImage:
-        """The HLI as bytes from now on until it is closed, shared under ``name`` if given.
+        """Return the HLI as bytes, live until it is closed, and shared under ``name`` if given.
 
-        Raises ``Failure`` where there is one already or the shared memory cannot be had.
+        Raises ``Failure`` if there is one already, or if the shared memory is not available.
         """
         machine = self._machine
         self._image = SharedImage(
@@ -190,31 +195,32 @@ class Controller:
     # --- tick by tick ---------------------------------------------------------------------------
 
     def start(self, program: str | Path | NcText, channel: int = 1) -> None:
-        """Start a program in a channel; ``step`` runs it. Raises ``Failure`` with its diagnostics.
+        """Start a program in a channel; ``step`` runs it.
 
-        What the program before has left, an error or itself still running, is reset first.
+        An error of the previous program, or the program itself if it still runs, is reset first.
+        Raises ``Failure`` with the program's errors.
         """
-        one = self._channels[self._index(channel)]
+        channel_run = self._channels[self._index(channel)]
         loaded = program_loader.load(program, self._machine, self.diagnostics, channel - 1)
-        self._make_ready([one])
-        one.begin(loaded)
+        self._make_ready([channel_run])
+        channel_run.begin(loaded)
 
     def select(self, program: str | Path | NcText, channel: int = 1) -> None:
-        """Select a program: START on the HLI begins it. Raises ``Failure`` with its diagnostics."""
+        """Select a program, which START on the HLI begins; raises ``Failure`` with its errors."""
         self._channels[self._index(channel)].select(
             program_loader.load(program, self._machine, self.diagnostics, channel - 1)
         )
 
     def step(self, ticks: int = 1) -> None:
-        """Run so many ticks, whatever the state."""
+        """Run this number of ticks, whatever the state."""
         end = self.tick + ticks
         while self.tick < end:
             self._advance(end)
 
     def backward(self, channel: int = 1) -> None:
-        """Walk back on the path from the next tick on (MO-7); ``forward`` ends it.
+        """Move backward on the path from the next tick on (MO-7); ``forward`` ends it.
 
-        Raises ``Failure`` (900880) where the machine keeps no history of the path.
+        Raises ``Failure`` (900880) if the machine keeps no history of the path.
         """
         index = self._index(channel)
         if self._machine.channels[index].path.history_size == 0:
@@ -222,7 +228,7 @@ class Controller:
         self._command_motion(index, backward=True)
 
     def forward(self, channel: int = 1) -> None:
-        """Walk forward on the path again from the next tick on."""
+        """Move forward on the path again from the next tick on."""
         self._command_motion(self._index(channel), backward=False)
 
     def _command_motion(self, index: int, *, backward: bool) -> None:
@@ -230,18 +236,18 @@ class Controller:
         self._machine.write(f"{prefix}HLI.BACKWARD_MOTION", backward)
 
     def reset(self, channel: int | None = None) -> None:
-        """Reset a channel, else all (RC-007): runs until they stand, at least one tick."""
-        chosen = self._channels if channel is None else [self._channels[self._index(channel)]]
-        self._reset(chosen)
+        """Reset one channel or all of them (RC-007); run until they stand, at least one tick."""
+        channels = self._channels if channel is None else [self._channels[self._index(channel)]]
+        self._reset(channels)
 
-    def _reset(self, chosen: Sequence[ChannelRun]) -> None:
-        for one in chosen:
-            one.request_reset()
-        while any(one.channel.is_resetting for one in chosen):
+    def _reset(self, channels: Sequence[ChannelRun]) -> None:
+        for channel in channels:
+            channel.request_reset()
+        while any(channel.channel.is_resetting for channel in channels):
             self.step(1)
 
     def _index(self, channel: int) -> int:
-        """The index of a channel, which counts from 0; ``Failure`` where there is none."""
+        """Return the index of a channel, from 0; raises ``Failure`` if there is none."""
         if not 0 < channel <= len(self._channels):
             raise Failure(diagnostic(UNKNOWN_CHANNEL, channel=channel, count=len(self._channels)))
         return channel - 1
@@ -270,10 +276,12 @@ class Controller:
         on_cycle: Callable[[str, CycleDefinition], None] | None = None,
         blocks: bool = False,
     ) -> Run:
-        """Run programs one after another; their GLOBAL cycles and V.E and V.CH variables live on.
+        """Run programs one after another and return the result.
 
-        ``programs`` are those of channel 1, ``channels`` those of others: number -> programs. All
-        channels begin together; an error stops its own channel only.
+        GLOBAL cycles, V.E and V.CH variables live on from program to program and from run to run.
+        ``programs`` are files or ``NcText`` of channel 1, ``channels`` those of the others by
+        number. All channels begin together; an error stops its own channel only.
+
         ``set`` gives variables values before the first tick, ``at`` at times of the run:
         ``at=[("20 ms", "V.E.DOOR", 1)]``. ``until`` and ``ticks`` limit the run (10 minutes unless
         given), ``after`` is how long the machine goes on after the last program. Times are texts
@@ -293,19 +301,19 @@ class Controller:
         limit = self._limit(None if until is None else read_time(until), ticks)
         rest_ticks = read_time(after).ticks(self.cycle_time_us)
         stimuli = [read_stimulus(one) for one in at]
-        wanted = {1: programs, **(channels or {})}
-        for channel in wanted:
-            self._index(channel)
-        for one in self._channels:
-            one.skip_levels = frozenset(skip)
-            one.marks_blocks = blocks
+        by_channel = {1: programs, **(channels or {})}
+        for number in by_channel:
+            self._index(number)
+        for channel in self._channels:
+            channel.skip_levels = frozenset(skip)
+            channel.marks_blocks = blocks
         first_tick = self.tick
         for name, value in (set or {}).items():
             self._machine.write(name, value)
         self._machine.access.apply_writes()
         for stimulus in stimuli:
             self._machine.access.check(stimulus.name, stimulus.value)
-        begun = len(self.diagnostics) if first_tick else 0
+        first_diagnostic = len(self.diagnostics) if first_tick else 0
         memory = MemorySink() if memory_trace else None
         registry = self._machine.registry
         registry.on_cycle = on_cycle
@@ -314,41 +322,41 @@ class Controller:
         records = bool(sinks) or memory_trace
         self._recording.open(listeners, signals, records, record_writes, why)
         self._plc = plc
-        for one in self._channels:
-            one.channel.hli.acknowledges_itself = plc is None
+        for channel in self._channels:
+            channel.channel.hli.acknowledges_itself = plc is None
         self._recording.on_message = on_message
         self._stimuli = sorted(stimuli, key=lambda one: one.time.us(self.cycle_time_us))
         self._stimuli_from = first_tick
         end = first_tick + limit
-        self._machine.poll = functools.partial(self._tell_progress, on_progress, end)
+        self._machine.poll = functools.partial(self._report_progress, on_progress, end)
         try:
-            state = self._run_programs(wanted, end, rest_ticks, wait_for_start)
+            state = self._run_programs(by_channel, end, rest_ticks, wait_for_start)
         except KeyboardInterrupt:
             self._recording.drain()
             state = "interrupted"
         finally:
             self._recording.close()
-            for one in self._channels:
-                one.close()
+            for channel in self._channels:
+                channel.close()
             registry.on_cycle = None
             self._machine.poll = do_nothing
-        if self._pace is not None:
-            self.diagnostics += self._pace.findings()
+        if self._scheduled_run is not None:
+            self.diagnostics += self._scheduled_run.findings()
         report, coverage = self._recording.why(first_tick, self._loaded_texts())
         return Run(
             programs=tuple(
-                program_loader.name_of(program) for one in wanted.values() for program in one
+                program_loader.name_of(program) for own in by_channel.values() for program in own
             ),
             cycle_time_us=self.cycle_time_us,
             first_tick=first_tick,
             ticks=self.tick - first_tick,
             state=state,
             trace=None if memory is None else memory.trace,
-            diagnostics=tuple(self.diagnostics[begun:]),
+            diagnostics=tuple(self.diagnostics[first_diagnostic:]),
             messages=tuple(self._recording.messages),
             cycles=statistics.cycles(self._machine.registry.runs()),
             outputs=statistics.outputs(),
-            schedule=None if self._pace is None else self._pace.schedule,
+            schedule=None if self._scheduled_run is None else self._scheduled_run.schedule,
             starved=statistics.schedule.starved(self.tick),
             overflows=statistics.schedule.overflows(),
             why=report,
@@ -357,8 +365,8 @@ class Controller:
 
     def _loaded_texts(self) -> list[ProgramText]:
         """The texts of the programs of this run."""
-        loaded, self._loaded = self._loaded, []
-        return [text for one in loaded for text in one.texts]
+        programs, self._loaded = self._loaded, []
+        return [text for program in programs for text in program.texts]
 
     def _limit(self, until: Time | None, ticks: int | None) -> int:
         """The maximum number of ticks of a run."""
@@ -377,72 +385,72 @@ class Controller:
         loaded = self._load(programs)
         if loaded is None:
             return "error"
-        chosen = [self._channels[number - 1] for number, own in loaded.items() if own]
+        channels = [self._channels[number - 1] for number, own in loaded.items() if own]
         if not wait_for_start:
-            self._make_ready(chosen)
+            self._make_ready(channels)
         for number, own in loaded.items():
             self._channels[number - 1].queue(own, waits_for_start=wait_for_start)
-        while self._proceed(chosen):
+        while self._proceed(channels):
             if self.tick >= end:
-                self._tell_awaited()
-                return _worst(chosen, "limit")
+                self._report_wait_reasons()
+                return _worst_state(channels, "limit")
             # A path that brakes ends the run in the tick in which it stands.
-            patience = 1 if any(one.is_braking for one in chosen) else PROGRESS_TICKS
-            self._advance(min(end, self.tick + patience))
+            count = 1 if any(channel.is_braking for channel in channels) else PROGRESS_TICKS
+            self._advance(min(end, self.tick + count))
             self._machine.poll()
-        state = _worst(chosen, "ended")
+        state = _worst_state(channels, "ended")
         if state == "reset":
             return state
         stop = self.tick + rest_ticks
         while self.tick < min(stop, end):
             self._advance(min(stop, end, self.tick + PROGRESS_TICKS))
             self._machine.poll()
-        patience = REST_US // self.cycle_time_us if state == "error" else end
-        rest = min(end, self.tick + patience)
+        count = REST_US // self.cycle_time_us if state == "error" else end
+        rest = min(end, self.tick + count)
         while self.tick < rest and not self._machine.stands():
             self._advance(self.tick + 1)
         if self.state == "error":
             return "error"
         return "limit" if self.tick < stop else "ended"
 
-    def _proceed(self, chosen: Sequence[ChannelRun]) -> bool:
-        """Let each channel begin what is due; whether one of them has still something to do."""
-        for one in chosen:
-            one.proceed()
-        return any(one.result is None for one in chosen)
+    def _proceed(self, channels: Sequence[ChannelRun]) -> bool:
+        """Let each channel begin the program that is due; return whether any is still at work."""
+        for channel in channels:
+            channel.proceed()
+        return any(channel.result is None for channel in channels)
 
     def _load(
         self, programs: Mapping[int, Sequence[str | Path | NcText]]
     ) -> dict[int, list[LoadedProgram]] | None:
-        """The checked programs of each channel; ``None`` if one of them is not in order."""
+        """The checked programs of each channel; ``None`` if one of them has errors."""
         loaded: dict[int, list[LoadedProgram]] = {number: [] for number in programs}
         self._loaded = []
-        wrong = False
+        has_errors = False
         for number, own in programs.items():
             for program in own:
                 try:
                     tree = program_loader.load(program, self._machine, self.diagnostics, number - 1)
                 except Failure:
-                    wrong = True
+                    has_errors = True
                     continue
                 loaded[number].append(tree)
                 self._loaded.append(tree)
-        return None if wrong else loaded
+        return None if has_errors else loaded
 
-    def _make_ready(self, chosen: Sequence[ChannelRun]) -> None:
-        """Reset what an error or a limit of an earlier run has left in these channels."""
-        left = [one for one in chosen if one.is_stopped or one.is_running]
-        if left:
-            self._reset(left)
+    def _make_ready(self, channels: Sequence[ChannelRun]) -> None:
+        """Reset those of the channels that an earlier run has left stopped or running."""
+        busy = [channel for channel in channels if channel.is_stopped or channel.is_running]
+        if busy:
+            self._reset(busy)
 
-    def _tell_awaited(self) -> None:
-        """At the limit: what holds the programs up that are not at their ends."""
-        for index, one in enumerate(self._channels):
-            found = awaited(self._machine, index) if one.result is None else None
-            if found is not None:
-                self.diagnostics.append(found)
+    def _report_wait_reasons(self) -> None:
+        """Report, at the limit, what each program waits for that has not come to its end."""
+        for index, channel in enumerate(self._channels):
+            reason = wait_reason(self._machine, index) if channel.result is None else None
+            if reason is not None:
+                self.diagnostics.append(reason)
 
-    def _tell_progress(
+    def _report_progress(
         self, on_progress: Callable[[int, int | None], None] | None, end: int
     ) -> None:
         if on_progress is not None:
@@ -451,29 +459,29 @@ class Controller:
     # --- the loop decoder <-> kernel ------------------------------------------------------------
 
     def _advance(self, end: int) -> None:
-        """Run up to tick ``end``, at most until something of Python's is due."""
+        """Run up to tick ``end``, or until the decoder, a stimulus or the PLC is due."""
         due = min(end, self._next_stimulus())
         if self._plc is not None:
             due = min(due, self.tick + 1)
         plc_calls = 1
         is_lost = False
-        if self._pace is not None:
+        if self._scheduled_run is not None:
             due = min(due, self.tick + 1)
-            share = self._pace.prepare(self._channels, has_plc=self._plc is not None)
+            share = self._scheduled_run.prepare(self._channels, has_plc=self._plc is not None)
             plc_calls, is_lost = share.plc_calls, share.is_lost
         self._machine.access.post_writes()
         self._machine.reserve()
         reason = self._kernel.lose_tick() if is_lost else self._kernel.run(due - self.tick)
         self._recording.drain()
         if reason not in (reasons.DONE, reasons.FULL):
-            for one in self._channels:
-                one.serve()
+            for channel in self._channels:
+                channel.serve()
         if self._plc is not None and self._kernel.tick == due and reason != reasons.FULL:
             for _ in range(plc_calls):
                 self._plc.cycle(PlcView(self._machine))
 
     def _next_stimulus(self) -> int:
-        """Post the stimuli of the coming tick; the tick before which the next one is due."""
+        """Post the stimuli of the coming tick; return the tick in which the next one is due."""
         while self._stimuli:
             stimulus = self._stimuli[0]
             tick = self._stimuli_from + stimulus.time.ticks(self.cycle_time_us)
@@ -484,15 +492,15 @@ class Controller:
         return self.tick + (1 << 60)
 
 
-def _worst(channels: Sequence[ChannelRun], otherwise: RunState) -> RunState:
-    """How a run of several channels has ended: an error counts before a reset."""
-    if any(one.is_stopped for one in channels):
+def _worst_state(channels: Sequence[ChannelRun], otherwise: RunState) -> RunState:
+    """The state of a run of several channels: an error comes before a reset."""
+    if any(channel.is_stopped for channel in channels):
         return "error"
-    return "reset" if any(one.result == "reset" for one in channels) else otherwise
+    return "reset" if any(channel.result == "reset" for channel in channels) else otherwise
 
 
-def _is_told(channels: Sequence[ChannelRun], event: Event) -> bool:
-    """Whether the error is the decoder's, whose diagnostic is there since it gave up."""
-    feed = channels[max(event.channel - 1, 0)].feed
-    given_up = None if feed is None else feed.given_up
-    return given_up is not None and not event.cycle and event.text == str(given_up.id)
+def _is_reported(channels: Sequence[ChannelRun], event: Event) -> bool:
+    """Return whether an error event is the decoder's, which has been reported when it gave up."""
+    feeder = channels[max(event.channel - 1, 0)].feeder
+    error = None if feeder is None else feeder.fatal_error
+    return error is not None and not event.cycle and event.text == str(error.id)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Errors that the realtime part has told as numbers -> diagnostics with their place."""
+"""Error events of the realtime part -> diagnostics with their spans."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ from nctakt.trace.events import Event, number_text
 
 
 def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
-    """The diagnostic of an error or warning of a cycle, of the path or of the PLC's image.
+    """Return the diagnostic of an error or warning of a cycle, of the path or of the PLC's image.
 
     The values come from the context of the cycle at fault, which keeps them until the next tick.
     """
@@ -160,8 +160,8 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
 
 
 def _array(event: Event, machine: AssembledMachine) -> str:
-    """The array whose index stands at the place of the event."""
+    """The array whose index stands at the position of the event."""
     assert event.span is not None
     before = machine.files.line_at(event.span)[: event.span.column - 1]
-    found = re.search(r"[\w.\]\[]+(?=\[\s*$)", before)
-    return found[0] if found else before.strip()
+    match = re.search(r"[\w.\]\[]+(?=\[\s*$)", before)
+    return match[0] if match else before.strip()

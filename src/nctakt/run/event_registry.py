@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the numbers of events stand for: cycles, variables, axes, texts, programs."""
+"""The names behind the numbers in events: cycles, variables, axes, texts, programs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,10 @@ from nctakt.results.run import FrozenValue, Reaction
 
 
 class EventRegistry:
-    """The names behind the numbers of events; they stay valid for the controller's life."""
+    """The names behind the numbers in events, valid for the life of the controller.
+
+    ``on_cycle`` is called with the name and the definition of each realtime cycle.
+    """
 
     def __init__(
         self,
@@ -42,75 +45,75 @@ class EventRegistry:
         self._past_runs: dict[str, int] = {}
         self.on_cycle: Callable[[str, CycleDefinition], None] | None = None
 
-    # --- what events ask ------------------------------------------------------------------------
+    # --- names of events ------------------------------------------------------------------------
 
     def cycle(self, serial: int) -> str:
-        """The programmed ID of a cycle, or ``#1`` without one."""
+        """Return the programmed ID of a cycle; ``#1``, ``#2`` … without one."""
         return self._cycle_names[serial]
 
     def variable(self, cell: int) -> str:
-        """The name of the variable in a memory cell."""
+        """Return the name of the variable in a memory cell."""
         return self._variable(cell)
 
     def axis(self, index: int) -> str:
-        """The name of an axis of the machine."""
+        """Return the name of an axis of the machine."""
         return self._axes[index]
 
     def message(self, number: int) -> str:
-        """The text of a message."""
+        """Return the text of a message."""
         return self._messages[number].text
 
     def message_style(self, number: int) -> tuple[bool, bool, str]:
-        """Whether a message is saved without time stamp, without line end, and in which file."""
+        """Return whether a message is exclusive, whether it is unbroken, and its message file."""
         message = self._messages[number]
         return message.exclusive, message.unbroken, message.file
 
     def variable_text(self, number: int) -> str:
-        """The text of a variable whose value was frozen."""
+        """Return the text of a variable whose value was frozen."""
         return self._variable_texts[number]
 
     def user_text(self, number: int) -> str:
-        """A text of the user's that is told with an error."""
+        """Return a user's text that belongs to an error."""
         return self._user_texts[number]
 
     def program(self, number: int) -> str:
-        """The file name of a program."""
+        """Return the file name of a program."""
         return self._programs[number]
 
     def thread(self, number: int) -> str:
-        """The name of a thread of the schedule."""
+        """Return the name of a thread of the schedule."""
         return self._threads[number]
 
-    def place(self, source: int) -> Span | None:
-        """The place of a source number."""
-        return self._files.place(source)
+    def span(self, source: int) -> Span | None:
+        """Return the span of a source id."""
+        return self._files.span(source)
 
     def line_at(self, span: Span) -> str:
-        """The source line of a span."""
+        """Return the source line of a span."""
         return self._files.line_at(span)
 
     def definition(self, serial: int) -> CycleDefinition:
-        """The definition of a cycle that has not been forgotten."""
+        """Return the definition of a living cycle."""
         return self._living[serial]
 
     def left_in(self, manager: CycleManager) -> tuple[LivingCycle, ...]:
-        """The cycles that earlier programs have left in a channel, with the axes they name."""
-        found = []
+        """Return the cycles that earlier programs have left in a channel, with their axes."""
+        cycles = []
         for cycle in manager.loaded:
             state = manager.state_of(cycle.slot)
             if DEFINED <= state <= HELD:
-                known = self._living[cycle.serial]
-                found.append(LivingCycle(known.identity, known.axes, state != DEFINED))
-        return tuple(found)
+                definition = self._living[cycle.serial]
+                cycles.append(LivingCycle(definition.identity, definition.axes, state != DEFINED))
+        return tuple(cycles)
 
-    # --- what fills it --------------------------------------------------------------------------
+    # --- registration ---------------------------------------------------------------------------
 
     def next_cycle(self) -> tuple[int, int]:
-        """Serial number and first probe of the cycle that is defined next."""
+        """Return serial number and first probe of the next definition."""
         return len(self._cycle_names), self._probes
 
     def keep(self, definition: CycleDefinition, channel: int = 0) -> None:
-        """A cycle was built, in this channel where there is more than one."""
+        """Register a definition; ``channel``: its number on a machine with several, else 0."""
         if definition.serial != len(self._cycle_names):
             raise ValueError(f"serial {definition.serial} is not the next one")
         name = str(definition.identity)
@@ -127,7 +130,7 @@ class EventRegistry:
             self.on_cycle(name, definition)
 
     def forget(self, cycles: Sequence[RealtimeCycle]) -> None:
-        """Cycles have ended for good: only their run-throughs are kept."""
+        """Remove cycles that have ended; only their run-throughs are kept."""
         for cycle in cycles:
             del self._living[cycle.serial]
             name = self._cycle_names[cycle.serial]
@@ -136,52 +139,52 @@ class EventRegistry:
                 del self._latest[name]
 
     def add_message(self, message: UserMessage) -> int:
-        """The number of a message."""
+        """Register a message and return its number."""
         self._messages.append(message)
         return len(self._messages) - 1
 
     def add_variable(self, text: str) -> int:
-        """The number of a variable's text, the same each time."""
+        """Register a variable's text and return its number, the same each time."""
         if text not in self._variable_numbers:
             self._variable_numbers[text] = len(self._variable_texts)
             self._variable_texts.append(text)
         return self._variable_numbers[text]
 
     def spindle(self, number: int) -> str:
-        """The name of a spindle of the channel."""
+        """Return the name of a spindle."""
         return self._spindles[number]
 
     def name_threads(self, names: Sequence[str]) -> None:
-        """The names of the threads of a schedule."""
+        """Set the names of the threads of a schedule."""
         self._threads = names
 
     def add_user_text(self, text: str) -> int:
-        """The number of a text that is told with a user error."""
+        """Register a text that belongs to a user error and return its number."""
         self._user_texts.append(text)
         return len(self._user_texts) - 1
 
     def add_program(self, name: str) -> int:
-        """The number of a program."""
+        """Register a program and return its number."""
         self._programs.append(name.replace("\\", "/").rsplit("/", 1)[-1])
         return len(self._programs) - 1
 
     # --- for results ----------------------------------------------------------------------------
 
     def reactions_of(self, name: str) -> Sequence[Reaction]:
-        """The branches of the latest cycle with this name."""
-        definition = self._latest[name]
-        return [Reaction(one.span, one.frequency) for one in definition.reactions]
+        """Return the branches of the latest cycle with this name."""
+        reactions = self._latest[name].reactions
+        return [Reaction(reaction.span, reaction.frequency) for reaction in reactions]
 
     def frozen_in(self, name: str, span: Span | None) -> Sequence[FrozenValue]:
-        """What was frozen into the latest living cycle of this name and place (RC-302)."""
+        """Return the frozen values of the latest living cycle of this name and span (RC-302)."""
         for serial, definition in reversed(self._living.items()):
             if self._cycle_names[serial] == name and begins_at(definition.span, span):
-                found = definition.frozen
-                return [FrozenValue(one.name, one.value, one.span) for one in found]
+                values = definition.frozen
+                return [FrozenValue(value.name, value.value, value.span) for value in values]
         return ()
 
     def runs(self) -> dict[str, int]:
-        """Run-throughs of all cycles by name."""
+        """Return the run-throughs of all cycles by name."""
         runs = dict(self._past_runs)
         for definition in self._living.values():
             name = self._cycle_names[definition.serial]

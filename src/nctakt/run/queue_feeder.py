@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Decoder -> queue: keeps the channel's queue filled from a program's commands.
+"""Decoder -> queue: fills a channel's command queue from a program.
 
-The queue is filled when the kernel says that it runs low or that an answer is ready, never because
-Python happens to be there: so decode moments do not depend on how a run is cut into pieces.
+The queue is filled when the kernel reports that it runs low or that an answer is ready, and at no
+other moment: so the moments of decoding do not depend on how a run is divided into steps.
 """
 
 from __future__ import annotations
@@ -24,15 +24,16 @@ from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import DecodeBudget
 from nctakt.run.program_loader import LoadedProgram
 
-#: Commands that take time, up to which the queue is filled above the look-ahead.
+#: The queue is filled with so many commands that take time beyond those of the look-ahead.
 HIGH_WATER = 64
 
 
 class QueueFeeder:
-    """One program on its way into its channel; ``report`` takes what stops it.
+    """Feeds one program into its channel; ``report`` takes errors that stop it.
 
-    Blocks of ``skip_levels`` are left out; ``marks_blocks``: events tell of each block when it was
-    decoded and when it is carried out, and why the channel is emptied.
+    Blocks of ``skip_levels`` are left out; ``marks_blocks``: events tell when each block was
+    decoded and when it is executed, and why the channel is flushed. ``fatal_error``: the decoder's
+    error that has stopped the program.
     """
 
     def __init__(
@@ -65,10 +66,10 @@ class QueueFeeder:
             takes_runs=budget is None,
         )
         self._decoded: Generator[Command, Answer] = self._decoder.decode(program.text)
-        self.given_up: Diagnostic | None = None
+        self.fatal_error: Diagnostic | None = None
         self._waiting: Command | None = None
-        self._pending: commands.LoadCycle | None = None
-        self._held: Command | None = None
+        self._unloaded: commands.LoadCycle | None = None
+        self._unpaid: Command | None = None
         self._answer: tuple[Answer, ...] = ()
         self._budget = budget
         if budget is not None:
@@ -79,42 +80,42 @@ class QueueFeeder:
         self._channel.wants_slot = False
 
     def refill(self) -> None:
-        """Decode until enough commands that take time wait, or the decoder itself has to wait."""
+        """Decode until the queue is full enough, the granted time is used or the decoder waits."""
         self._free_slots()
-        if self._pending is not None and not self._load(self._pending):
+        if self._unloaded is not None and not self._load(self._unloaded):
             return
-        if self._held is not None and not self._take_held():
+        if self._unpaid is not None and not self._queue_paid_command():
             return
         while self.wants_to_decode and (self._budget is None or self._budget.can_begin):
             self._next()
-            if self._pending is not None or self._held is not None:
+            if self._unloaded is not None or self._unpaid is not None:
                 return
 
     @property
     def wants_to_decode(self) -> bool:
-        """Whether the decoder does not wait, and the queue is not full."""
+        """Whether the decoder does not wait and the queue is below its mark."""
         channel = self._channel
         return bool(channel.decoder_open and channel.timed_count < self._high_water)
 
-    def _take_held(self) -> bool:
-        """Put what was decoded ahead of its time into the queue, if it is paid by now."""
-        assert self._held is not None
+    def _queue_paid_command(self) -> bool:
+        """Queue the held command once its decode time has been granted; return whether it was."""
+        assert self._unpaid is not None
         assert self._budget is not None
         if not self._budget.is_paid:
             return False
-        command, self._held = self._held, None
+        command, self._unpaid = self._unpaid, None
         self._take(command)
-        return self._pending is None
+        return self._unloaded is None
 
     def answer(self) -> None:
-        """The realtime part has answered: the decoder goes on."""
+        """Take the answer of the realtime part, with which the decoder continues."""
         self._answer = (self._channel.take_answer(),)
         self._channel.decoder_open = True
         if self._budget is None:
             self.refill()
 
     def _take_answer(self) -> Answer:
-        """What the decoder gets where it goes on: nothing but behind a command that waits."""
+        """The answer to the command that waited; ``None`` if there was none."""
         if not self._answer:
             return None
         (answer,), self._answer = self._answer, ()
@@ -124,17 +125,17 @@ class QueueFeeder:
         return answer
 
     def _free_slots(self) -> None:
-        """Make the slots of ended cycles free for those that are decoded next."""
+        """Free the slots of ended cycles."""
         self._machine.registry.forget(self._channel.manager.free_dead())
 
     def stop(self) -> None:
-        """The program is given up: nothing more is decoded."""
+        """Stop decoding the program."""
         self._decoded.close()
         self._channel.decoder_open = False
 
     def _next(self) -> None:
         answer = self._take_answer()
-        begun = self._decoder.started_blocks
+        first_block = self._decoder.started_blocks
         try:
             command = next(self._decoded) if answer is None else self._decoded.send(answer)
         except StopIteration:
@@ -144,18 +145,18 @@ class QueueFeeder:
             self._give_up(error.diagnostic)
             return
         if self._budget is not None:
-            self._budget.spend(self._decoder.started_blocks - begun)
+            self._budget.spend(self._decoder.started_blocks - first_block)
             if not self._budget.is_paid:
-                self._held = command
+                self._unpaid = command
                 return
         self._take(command)
 
-    def _give_up(self, found: Diagnostic) -> None:
-        """A mistake that only values show: the channel stops behind what was prepared."""
-        self.given_up = found
-        self._report(found)
-        source = 0 if found.span is None else self._environment.source_id(found.span)
-        self._put(commands.GiveUp(source, 0, found.id), 0)
+    def _give_up(self, error: Diagnostic) -> None:
+        """Report an error of decoding; the channel stops after the commands that are queued."""
+        self.fatal_error = error
+        self._report(error)
+        source = 0 if error.span is None else self._environment.source_id(error.span)
+        self._put(commands.GiveUp(source, 0, error.id), 0)
         self._channel.decoder_open = False
 
     def _take(self, command: Command) -> None:
@@ -169,30 +170,30 @@ class QueueFeeder:
             mark = commands.wait_mark(command)
             if mark is not None:
                 self._put(mark, 0)
-        place = 0
+        subject = 0
         if isinstance(command, commands.BlockMark):
-            place = self._machine.kernel.tick
+            subject = self._machine.kernel.tick
         if isinstance(command, commands.UserMessage):
-            place = self._machine.registry.add_message(command)
+            subject = self._machine.registry.add_message(command)
         if isinstance(command, commands.Freeze):
-            place = self._machine.registry.add_variable(command.name)
+            subject = self._machine.registry.add_variable(command.name)
         if isinstance(command, commands.ProgramEnd):
-            place = self._number
-        self._put(command, place)
+            subject = self._number
+        self._put(command, subject)
         if commands.waits(command):
             self._waiting = command
             self._channel.decoder_open = False
 
     def _load(self, command: commands.LoadCycle) -> bool:
-        """Fill a slot; where none is free the decoder waits until cycles have ended."""
+        """Load a cycle into a slot; return False if the decoder has to wait for a free one."""
         slot = self._channel.manager.load(
             command.cycle, command.identity, command.scope, command.source, command.moves_on
         )
         if slot < 0 and self._channel.can_free_slots():
-            self._pending = command
+            self._unloaded = command
             self._channel.wants_slot = True
             return False
-        self._pending = None
+        self._unloaded = None
         self._channel.wants_slot = False
         if slot < 0:
             self._put(commands.GiveUp(command.source, command.number, TOO_MANY_CYCLES.id), 0)
@@ -201,7 +202,8 @@ class QueueFeeder:
             self._put(command, slot)
         return True
 
-    def _put(self, command: Command, place: int) -> None:
+    def _put(self, command: Command, subject: int) -> None:
+        """Queue a command; ``subject``: its tick, slot or number in the registry."""
         if isinstance(command, commands.Segment):
             self._channel.put_segment(
                 command.source,
@@ -220,7 +222,7 @@ class QueueFeeder:
                 self._channel.block_goes_on()
             self._decoder.pass_time(command)
             return
-        row = commands.pack(command, place)
+        row = commands.pack(command, subject)
         if isinstance(command, commands.LoopBegin):
             self._channel.begin_loop(row)
         elif isinstance(command, commands.LoopEnd):

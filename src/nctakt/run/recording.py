@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the kernel has recorded -> those who listen: sinks, histories, messages, diagnostics.
+"""The kernel's record -> its listeners: sinks, histories of conditions, messages, diagnostics.
 
-In: the record of a machine's ticks. Out: rows and events at the sinks of a run, errors of the
-realtime part as diagnostics. Without a run the events are still read, and nothing else is kept.
+In: the record of a machine's ticks. Out: rows and events at the sinks of a run, messages of
+programs, errors of the realtime part as diagnostics. Between runs only errors are reported.
 """
 
 from __future__ import annotations
@@ -27,19 +27,20 @@ from nctakt.trace.sinks import Signal, Sink, TraceHeader
 class Recording:
     """The listeners of a machine.
 
-    ``report`` takes the diagnostics of the realtime part, but for those that ``is_told`` knows
-    already. ``on_message`` is told each message as it comes.
+    ``report`` takes the diagnostics of the realtime part, except for events of which
+    ``is_reported`` is true. ``messages``: those of the programs since ``open``; ``on_message`` is
+    called with each as it comes.
     """
 
     def __init__(
         self,
         machine: AssembledMachine,
         report: Callable[[Diagnostic], None],
-        is_told: Callable[[Event], bool],
+        is_reported: Callable[[Event], bool],
     ) -> None:
         self._machine = machine
         self._report = report
-        self._is_told = is_told
+        self._is_reported = is_reported
         self._events = EventDecoder(machine.configuration.cycle_time_us, machine.registry)
         self._sinks: Sequence[Sink] = ()
         self._probes: ProbeLog | None = None
@@ -54,9 +55,10 @@ class Recording:
         record_writes: bool,
         why: bool,
     ) -> None:
-        """Record for these sinks: rows and writes of cycles only where something ``records``.
+        """Begin to record for these sinks.
 
-        Raises ``Failure`` for unknown signals.
+        Without ``records`` there are no rows and no writes of cycles. ``why`` gathers the histories
+        of conditions. Raises ``Failure`` for unknown signals.
         """
         header = self._select(signals, records, record_writes)
         self._sinks = sinks
@@ -67,13 +69,13 @@ class Recording:
         self.messages = []
 
     def close(self) -> None:
-        """The run is over."""
+        """End the recording of a run."""
         for sink in self._sinks:
             sink.close()
         self._sinks = ()
 
     def drain(self) -> None:
-        """Hand on what the kernel has recorded."""
+        """Empty the kernel's record into the listeners."""
         record = self._machine.record
         rows_count = record.row_count
         first_tick = self._machine.kernel.tick - rows_count
@@ -93,7 +95,10 @@ class Recording:
     def why(
         self, first_tick: int, texts: Sequence[ProgramText]
     ) -> tuple[WhyReport | None, Coverage | None]:
-        """What was gathered of the conditions since ``open``, if it was asked for."""
+        """Return the histories of conditions since ``open``, and the coverage that they show.
+
+        ``None`` for both if ``open`` was not asked to gather them.
+        """
         log = self._probes
         if log is None:
             return None, None
@@ -106,7 +111,7 @@ class Recording:
         return report, log.coverage(histories)
 
     def _probe_log(self) -> ProbeLog:
-        """What gathers the histories of conditions, those of living cycles from now on."""
+        """Return a log for the histories of conditions; living cycles are in it from now on."""
         machine = self._machine
         living = [
             (machine.registry.definition(cycle.serial), manager.state_of(cycle.slot))
@@ -117,9 +122,9 @@ class Recording:
         return ProbeLog(machine.registry, machine.kernel.tick, living)
 
     def _watch(self, events: EventChunk) -> None:
-        """Messages are said as they come; errors of the realtime part become diagnostics."""
+        """Keep messages, and turn errors of the realtime part into diagnostics."""
         machine = self._machine
-        raised = iter(user_errors(events))
+        reports = iter(user_errors(events))
         for event, subject in zip(events, events.subjects(), strict=True):
             if event.kind == "message":
                 is_exclusive, is_unbroken, file = machine.registry.message_style(subject)
@@ -130,24 +135,24 @@ class Recording:
                 if self.on_message is not None:
                     self.on_message(message)
             elif event.kind == "user_error":
-                report = next(raised)
+                report = next(reports)
                 line = "" if report.span is None else machine.files.line_at(report.span)
                 self._report(report.diagnostic(machine.configuration.user_texts, line))
-            elif event.kind in ("error", "warning") and not self._is_told(event):
+            elif event.kind in ("error", "warning") and not self._is_reported(event):
                 self._report(realtime_diagnostic(event, machine))
 
     def _select(
         self, names: Sequence[str] | None, records: bool, record_writes: bool
     ) -> TraceHeader:
-        """Choose the signals of the trace; unknown ones raise ``Failure`` with the nearest."""
+        """Choose the signals of the trace; raises ``Failure`` for unknown ones."""
         machine = self._machine
-        known = machine.signals()
+        signals = machine.signals()
         if names is None:
             names = machine.default_signals()
-        unknown = [name for name in names if name not in known]
+        unknown = [name for name in names if name not in signals]
         if unknown:
             raise Failure(*(machine.unknown_signal(name) for name in unknown))
-        machine.record.select([known[name][0] for name in names] if records else [])
+        machine.record.select([signals[name][0] for name in names] if records else [])
         machine.record.records_writes = records and record_writes
-        signals = tuple(Signal(name, known[name][1], known[name][2]) for name in names)
-        return TraceHeader(machine.configuration.cycle_time_us, signals if records else ())
+        header = tuple(Signal(name, *signals[name][1:]) for name in names) if records else ()
+        return TraceHeader(machine.configuration.cycle_time_us, header)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""A schedule gives decoder, interpolation and PLC their time (``nctakt run --rtconf``).
+"""A run under a schedule: decoder, interpolation and PLC get limited time (``run --rtconf``).
 
-In: a machine, a schedule. Out: before each tick, blocks decoded as far as their time goes; whether
-the tick takes place; how often the PLC runs behind it. Without a schedule none of this is there.
+In: a machine, a schedule. Out: before each tick, the blocks decoded in the granted time; whether
+the tick takes place; how often the PLC runs after it.
 """
 
 from __future__ import annotations
@@ -29,17 +29,20 @@ from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.schedule.thread_roles import find_duties
 from nctakt.schedule.ticks import Duties, Share, TickSchedule
 
-#: What is said of the machine's own scheduling list, which does not count here: that there is none,
+#: Findings about the machine's own scheduling list, which has no effect under a schedule: no list,
 #: contexts without a thread, realtime cycles in the time of Windows.
 _OF_OWN_LIST = (RTCONF_MISSING, CHANNEL_CONTEXT_WITHOUT_THREAD, CYCLES_MAY_TAKE_WINDOWS_TIME)
 
 
 def scheduled(machine: Machine, schedule: RunSchedule) -> tuple[Machine, Duties]:
-    """The machine with the ticks of a schedule, and who works for it; raises ``Failure``."""
+    """Return the machine with the ticks of a schedule, and the duties of the threads.
+
+    Raises ``Failure`` if a thread for the interpolation or a decoder is missing.
+    """
     collector = Collector()
-    known = [one for one in machine.diagnostics if one.message not in _OF_OWN_LIST]
-    collector.diagnostics += known
-    collector.diagnostics += [one for one in schedule.diagnostics if one not in known]
+    kept = [finding for finding in machine.diagnostics if finding.message not in _OF_OWN_LIST]
+    collector.diagnostics += kept
+    collector.diagnostics += [finding for finding in schedule.diagnostics if finding not in kept]
     parameters = [channel.parameters for channel in machine.channels]
     check_contexts(schedule.configuration, parameters, collector)
     check_time_limits(schedule.configuration, parameters, collector)
@@ -63,7 +66,7 @@ def scheduled(machine: Machine, schedule: RunSchedule) -> tuple[Machine, Duties]
 
 
 class ScheduledRun:
-    """The schedule of a machine at work."""
+    """The schedule of a machine while programs run."""
 
     def __init__(self, machine: AssembledMachine, schedule: RunSchedule, duties: Duties) -> None:
         self._machine = machine
@@ -73,7 +76,7 @@ class ScheduledRun:
         self._share: Share | None = None
         self._tick = -1
         self._overflows: dict[int, list[int]] = {}
-        self._told: set[str] = set()
+        self._reported: set[str] = set()
         self._budgets = [DecodeBudget(schedule.load.block) for _ in machine.channels]
         machine.registry.name_threads([task.name for task in schedule.model.tasks])
         for channel in machine.channels:
@@ -84,18 +87,21 @@ class ScheduledRun:
             raise ValueError("a schedule begins with the first tick, of whole microseconds")
 
     def budget(self, channel: int) -> DecodeBudget:
-        """The time of a channel's decoder; channels count from 0."""
+        """Return the decode time of a channel; channels count from 0."""
         return self._budgets[channel]
 
     def prepare(self, runs: Sequence[ChannelRun], *, has_plc: bool) -> Share:
-        """What comes before the next tick: decoders work; ``has_plc``: a script plays the PLC."""
+        """Let the decoders work before the next tick; return the shares of the threads in it.
+
+        ``has_plc``: a script plays the PLC.
+        """
         share = self._share
         if share is None or self._tick != self._machine.kernel.tick:
             share = self._share = self._ticks.next_share()
             self._tick = self._machine.kernel.tick
             self._begin_tick(share, runs, has_plc=has_plc)
-        for one in runs:
-            one.decode()
+        for run in runs:
+            run.decode()
         return share
 
     def _begin_tick(self, share: Share, runs: Sequence[ChannelRun], *, has_plc: bool) -> None:
@@ -106,22 +112,25 @@ class ScheduledRun:
         for thread in share.overflows:
             self._machine.kernel.note_overflow(thread)
             self._overflows.setdefault(thread, []).append(self._tick)
-        for one in runs:
-            one.channel.hli.acknowledges_itself = not has_plc and share.plc_calls > 0
+        for run in runs:
+            run.channel.hli.acknowledges_itself = not has_plc and share.plc_calls > 0
 
     def findings(self) -> list[Diagnostic]:
-        """What went wrong in the schedule in the ticks that were, each finding once."""
-        schedule = self._ticks.simulation(self._machine.kernel.tick)
-        found = [
-            *self._overflow_errors(),
-            *(one for one in simulation_findings(schedule) if one.message is not THREAD_OVERFLOWED),
-        ]
-        new = [one for one in found if one.text("en") not in self._told]
-        self._told.update(one.text("en") for one in new)
+        """Return what went wrong in the schedule so far, each finding once."""
+        findings = [*self._overflow_errors(), *self._simulated_findings()]
+        new = [finding for finding in findings if finding.text("en") not in self._reported]
+        self._reported.update(finding.text("en") for finding in new)
         return new
 
+    def _simulated_findings(self) -> Iterator[Diagnostic]:
+        """The findings about the ticks so far, without overflows."""
+        schedule = self._ticks.simulation(self._machine.kernel.tick)
+        for finding in simulation_findings(schedule):
+            if finding.message is not THREAD_OVERFLOWED:
+                yield finding
+
     def _overflow_errors(self) -> Iterator[Diagnostic]:
-        """P-RTCF-00011 for each thread that wants it."""
+        """The errors of overflown threads with P-RTCF-00011."""
         tick_us = self._machine.configuration.cycle_time_us
         for thread, ticks in sorted(self._overflows.items()):
             task = self.schedule.model.tasks[thread]
@@ -131,9 +140,9 @@ class ScheduledRun:
 
 
 def _sends_late(machine: Machine) -> bool:
-    """P-RTCF-00018: STANDARD puts out first what the tick before has computed.
+    """Return whether a tick first outputs the positions of the previous one (P-RTCF-00018).
 
-    COMPLETE does so too unless all axes allow the other order (P-AXIS-00276).
+    STANDARD does so always, COMPLETE unless all axes allow the other order (P-AXIS-00276).
     """
     assert machine.rtconf is not None
     order = machine.rtconf.schedule

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The HLI as a PLC or another process sees it: one memory, with the packed V.E variables in it.
+"""The live image of the HLI: one memory with the packed V.E variables in it.
 
-In: a machine. Out: descriptions of the layout (``image_layout``, ``describe_hli_c``; for the V.E
-variables ``describe``, ``describe_c``), and the live image of a running controller
-(``Controller.interface_image``), in memory of this process or in named shared memory. The V.E
-variables have one section for GLOBAL and one for each channel; V.CH is in none. What the PLC writes
-into its places counts from the next tick on, what the tick does is in it at the end of the tick
-(``kernel/plc/interface_image.py``).
+In: a running controller (``Controller.interface_image``). Out: its HLI in memory of this process or
+in named shared memory; the layout is that of ``nctakt.hli``. The V.E variables have one section for
+GLOBAL and one for each channel; V.CH is in none. What the PLC writes counts from the next tick on;
+what a tick does is in the image at the end of the tick (``kernel/plc/interface_image.py``).
 """
 
 from __future__ import annotations
@@ -22,7 +20,6 @@ from multiprocessing.shared_memory import SharedMemory
 from types import TracebackType
 
 from nctakt.base.failure import Failure
-from nctakt.hli.header import describe_hli_c
 from nctakt.hli.layout import (
     AXIS,
     CHANNEL,
@@ -38,8 +35,7 @@ from nctakt.hli.layout import (
     Structure,
 )
 from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
-from nctakt.hli.variables_c_header import describe_c
-from nctakt.hli.variables_memory import Section, describe, image_bytes, sections
+from nctakt.hli.variables_memory import Section, sections
 from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.plc.image_slots import SectionUnits, SpindleUnits, Units
 from nctakt.kernel.plc.interface_image import KINDS
@@ -47,7 +43,7 @@ from nctakt.kernel.tick.channel import Channel
 from nctakt.lists.declared.technology_functions import MOST_FUNCTIONS, TechnologyFunction
 from nctakt.lists.machine.channel_configuration import Spindle
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
-from nctakt.lists.machine.variables_layout import Field, fields, pack_of
+from nctakt.lists.machine.variables_layout import fields, pack_of
 from nctakt.messages import diagnostic
 from nctakt.messages.memory import (
     HLI_IMAGE_EXISTS,
@@ -59,21 +55,8 @@ from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.realtime_variables import SPINDLE_VALUES
 from nctakt.nc.vocabulary.variable_table import Layout
 
-#: What tells a Python process which warnings it prints.
+#: The environment variable that says which warnings a Python process prints.
 _WARNINGS = "PYTHONWARNINGS"
-
-__all__ = [
-    "Field",
-    "ImageLayout",
-    "Section",
-    "SharedImage",
-    "describe",
-    "describe_c",
-    "describe_hli_c",
-    "image_bytes",
-    "image_layout",
-    "sections",
-]
 
 #: A row of ``kernel.plc.interface_image``: byte, kind, cell, bytes, whether the PLC may write it.
 _Row = tuple[int, int, int, int, bool]
@@ -82,10 +65,11 @@ _Row = tuple[int, int, int, int, bool]
 class SharedImage:
     """The live image of a controller; also a context manager.
 
-    ``memory``: all its bytes, ``layout`` says what stands where; ``external`` are those of the V.E
-    variables, and ``section`` gives those of one scope. ``name`` is that of the shared memory,
-    ``None`` without. Closing it releases the views and removes the shared memory; it is done at the
-    latest when the controller goes, and by the system's helper when the process dies.
+    ``memory``: all its bytes, at the offsets of ``layout``; ``external``: the bytes of the V.E
+    variables, of which ``section`` returns those of one scope. ``name``: the name of the shared
+    memory, ``None`` without. Closing releases the views and removes the shared memory; this happens
+    at the latest with the end of the controller, and by Python's resource tracker if the process is
+    killed.
     """
 
     def __init__(
@@ -96,7 +80,7 @@ class SharedImage:
         cells: Layout,
         name: str | None = None,
     ) -> None:
-        """``channels``: of the realtime part; ``cells``: where values live in the memory."""
+        """``channels``: those of the realtime part; ``cells``: the layout of its memory."""
         if kernel.image.is_attached:
             raise Failure(diagnostic(HLI_IMAGE_EXISTS))
         self.name = name
@@ -124,50 +108,50 @@ class SharedImage:
         self._last_resort = weakref.finalize(self, self._resources.give_up)
 
     def section(self, channel: int = 0) -> memoryview:
-        """The bytes of the V.E variables of one scope, writable: 0 for GLOBAL, else a channel's.
+        """Return the writable bytes of the V.E variables of a channel; 0: those of GLOBAL.
 
-        Release it before the image is closed.
+        Release them before the image is closed.
         """
-        one = self._sections[channel]
-        return self.external[one.offset : one.offset + one.size_bytes]
+        section = self._sections[channel]
+        return self.external[section.offset : section.offset + section.size_bytes]
 
     # --- the handshake --------------------------------------------------------------------------
 
     @property
     def plc_is_present(self) -> bool:
-        """Whether a PLC says that it is there: ``plc_present`` of the first channel."""
-        place = self.layout.command(0) + entry(COMMAND, "plc_present").offset
-        return self.memory[place] != 0
+        """Whether a PLC reports its presence: ``plc_present`` of the first channel."""
+        offset = self.layout.command(0) + entry(COMMAND, "plc_present").offset
+        return self.memory[offset] != 0
 
     def hand_over(self) -> None:
-        """It is the PLC's turn."""
-        place = entry(HEADER, "turn").offset
-        (turn,) = struct.unpack_from("=Q", self.memory, place)
-        struct.pack_into("=Q", self.memory, place, turn + 1)
+        """Give the turn to the PLC."""
+        offset = entry(HEADER, "turn").offset
+        (turn,) = struct.unpack_from("=Q", self.memory, offset)
+        struct.pack_into("=Q", self.memory, offset, turn + 1)
 
     @property
     def is_handed_back(self) -> bool:
         """Whether the PLC has answered since ``hand_over``."""
-        place = self.layout.link_offset + entry(LINK, "turn").offset
+        offset = self.layout.link_offset + entry(LINK, "turn").offset
         (ours,) = struct.unpack_from("=Q", self.memory, entry(HEADER, "turn").offset)
-        (theirs,) = struct.unpack_from("=Q", self.memory, place)
+        (theirs,) = struct.unpack_from("=Q", self.memory, offset)
         return bool(ours == theirs)
 
     def _put_header_value(self, name: str, value: int) -> None:
         struct.pack_into("=I", self.memory, entry(HEADER, name).offset, value)
 
-    # --- its end --------------------------------------------------------------------------------
+    # --- the end --------------------------------------------------------------------------------
 
     @property
     def is_closed(self) -> bool:
-        """Whether the controller has left it."""
+        """Whether it is detached from the controller."""
         return self._resources.kernel is None
 
     def close(self) -> None:
-        """Take the image from the controller; twice is no harm.
+        """Detach the image from the controller; a closed one stays as it is.
 
-        Raises ``Failure`` (900348) while views of shared memory live: release them and close it
-        again. Nobody can open the shared memory any longer, whatever comes of that.
+        Raises ``Failure`` (900348) while views of the shared memory exist: release them and close
+        it again. From the first attempt on the shared memory cannot be opened any more.
         """
         self._resources.close()
         self._last_resort.detach()
@@ -185,7 +169,7 @@ class SharedImage:
 
 
 class _Resources:
-    """What an image holds, given back in the order that works: kernel, view, shared memory."""
+    """The resources of an image, released in the right order: kernel, views, shared memory."""
 
     def __init__(
         self, kernel: Kernel, views: Sequence[memoryview], shared: SharedMemory | None
@@ -195,7 +179,7 @@ class _Resources:
         self._shared = shared
 
     def close(self) -> None:
-        """Give everything back that is not yet; raises ``Failure`` (900348)."""
+        """Release what is still held; raises ``Failure`` (900348)."""
         if self.kernel is not None:
             struct.pack_into("=I", self._views[-1], entry(HEADER, "ready").offset, 0)
             self.kernel.image.detach()
@@ -212,13 +196,13 @@ class _Resources:
         self._shared = None
 
     def give_up(self) -> None:
-        """As ``close``, when nobody is left to tell."""
+        """Finalizer: close without raising."""
         with contextlib.suppress(Failure):
             self.close()
 
 
 def _put_header(memory: memoryview, layout: ImageLayout, machine: Machine) -> None:
-    """What never changes: the begin of the image, the names of the axes."""
+    """Write what never changes: the header, names and numbers of axes and spindles."""
     values = {
         "version": VERSION,
         "size": layout.size,
@@ -247,11 +231,11 @@ def _put_header(memory: memoryview, layout: ImageLayout, machine: Machine) -> No
         _put_name(memory, AXIS, layout.axis(index), axis.name)
         _put_number(memory, AXIS, layout.axis(index), "logical", axis.logical_number)
     for index, (channel, spindle) in enumerate(_spindles(machine)):
-        place = layout.spindle(index)
-        _put_name(memory, SPINDLE, place, spindle.name)
-        _put_number(memory, SPINDLE, place, "logical", spindle.logical_number)
-        _put_number(memory, SPINDLE, place, "channel", channel)
-        _put_number(memory, SPINDLE, place, "plc_controlled", int(spindle.plc_controlled))
+        offset = layout.spindle(index)
+        _put_name(memory, SPINDLE, offset, spindle.name)
+        _put_number(memory, SPINDLE, offset, "logical", spindle.logical_number)
+        _put_number(memory, SPINDLE, offset, "channel", channel)
+        _put_number(memory, SPINDLE, offset, "plc_controlled", int(spindle.plc_controlled))
 
 
 def _spindles(machine: Machine) -> Iterator[tuple[int, Spindle]]:
@@ -264,8 +248,8 @@ def _spindles(machine: Machine) -> Iterator[tuple[int, Spindle]]:
 def _put_name(memory: memoryview, structure: Structure, first: int, name: str) -> None:
     placed = entry(structure, "name")
     characters = name.encode("cp1252", "replace")[: placed.size_bytes - 1]
-    place = first + placed.offset
-    memory[place : place + len(characters)] = characters
+    offset = first + placed.offset
+    memory[offset : offset + len(characters)] = characters
 
 
 def _put_number(
@@ -275,7 +259,7 @@ def _put_number(
 
 
 def _hli_rows(layout: ImageLayout, cells: Layout) -> Iterator[_Row]:
-    """Rows of what channels and axes show, and of what the PLC commands."""
+    """The rows of the states of channels and axes and of the PLC's commands."""
     for index in range(layout.channels):
         for placed in entries(CHANNEL):
             if placed.entry in LAMPS:
@@ -296,9 +280,9 @@ def _hli_rows(layout: ImageLayout, cells: Layout) -> Iterator[_Row]:
                 kind = KINDS[placed.entry.type]
                 yield layout.axis(index) + placed.offset, kind, cell, placed.size_bytes, False
     for index in range(layout.spindles):
-        for place, value in enumerate(SPINDLE_VALUES):
-            placed = next(one for one in entries(SPINDLE) if one.entry.source == value.path)
-            cell = cells.spindle_cell(0) + len(SPINDLE_VALUES) * index + place
+        for column, value in enumerate(SPINDLE_VALUES):
+            placed = next(other for other in entries(SPINDLE) if other.entry.source == value.path)
+            cell = cells.spindle_cell(0) + len(SPINDLE_VALUES) * index + column
             kind = KINDS[placed.entry.type]
             yield layout.spindle(index) + placed.offset, kind, cell, placed.size_bytes, False
 
@@ -306,15 +290,14 @@ def _hli_rows(layout: ImageLayout, cells: Layout) -> Iterator[_Row]:
 def _external_rows(
     layout: ImageLayout, parts: Sequence[Section], pack: int, cells: Layout
 ) -> Iterator[_Row]:
-    """Rows of each number and string of the V.E variables."""
+    """The rows of all numbers and strings of the V.E variables."""
     for section in parts:
         for placed in section.placed:
             cell = cells.external[(section.channel, placed.variable.name)]
             for field in fields(placed, pack):
                 for index in range(max(1, field.count)):
                     offset = section.offset + field.offset + index * field.size_bytes
-                    place = layout.ve_offset + offset
-                    yield place, KINDS[field.type], cell, field.size_bytes, True
+                    yield layout.ve_offset + offset, KINDS[field.type], cell, field.size_bytes, True
                     cell += -(-field.size_bytes // CELL_BYTES)
 
 
@@ -325,7 +308,7 @@ def _units(
     layout: ImageLayout,
     machine: Machine,
 ) -> Units:
-    """What waits for the PLC in all channels, the last one first."""
+    """The functions and spindle jobs that wait for the PLC, those of the last channel first."""
     units = Units()
     cycle_time_us = machine.cycle_time_us
     for index, channel in reversed(list(enumerate(channels))):
@@ -361,9 +344,9 @@ def _units(
 def _axes_of(
     functions: Mapping[int, TechnologyFunction], channel: ChannelConfiguration
 ) -> bytearray:
-    """The logical number of the axis or spindle for each number of a function, 0: none."""
+    """The logical number of the axis or spindle of each function by its number, 0: none."""
     numbers = {axis.name: axis.logical_number for axis in channel.axes}
-    numbers |= {one.name: one.logical_number for one in channel.parameters.spindles}
+    numbers |= {spindle.name: spindle.logical_number for spindle in channel.parameters.spindles}
     table = bytearray(8 * MOST_FUNCTIONS)
     for function in functions.values():
         logical = numbers.get(function.axis_name, 0)
@@ -385,9 +368,9 @@ def _create(name: str, size: int) -> SharedMemory:
 
 
 def _start_tracker() -> None:
-    """Start the process that removes the memory of a killed run, so that it does not print then.
+    """Start Python's resource tracker, which removes the memory of a killed run, without warnings.
 
-    It is Python's own; what it prints is a warning of this variable's kind, which it inherits.
+    It inherits the environment variable that silences its warning.
     """
     if sys.platform == "win32":
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The spindles of a machine's channels: their axis lists, their realtime part, their names."""
+"""The spindles of a machine's channels: axis lists, realtime part, names."""
 
 from __future__ import annotations
 
@@ -19,49 +19,50 @@ def channel_spindles(
     memory: bytearray,
     record: Record,
 ) -> Spindles:
-    """The spindles of a channel with the limits of their axis lists.
+    """Return the spindles of a channel with the limits of their axis lists.
 
-    Where the channel's slope is jerk-limited the ramp times of the list count, as for axes.
+    With a jerk-limited slope in the channel list the ramp times limit their jerk, as for axes.
     """
-    is_smooth = configuration.channels[index].parameters.program_start.slope_profile != 0
+    is_jerk_limited = configuration.channels[index].parameters.program_start.slope_profile != 0
     spindles = configuration.channels[index].parameters.spindles
     first, cycle_time_us = layout.spindle_cell(index), configuration.cycle_time_us
-    made = Spindles(memory, first, len(spindles), record, cycle_time_us)
+    realtime = Spindles(memory, first, len(spindles), record, cycle_time_us)
     before = configuration.channels[:index]
-    made.first_number = sum(len(channel.parameters.spindles) for channel in before)
-    for place, spindle in enumerate(spindles):
+    realtime.first_number = sum(len(channel.parameters.spindles) for channel in before)
+    for column, spindle in enumerate(spindles):
         axis = _axis_of(configuration, spindle)
         if axis is None:
-            made.configure(place, plc=spindle.plc_controlled, speed=0.0, acceleration=0.0)
+            realtime.configure(column, plc=spindle.plc_controlled, speed=0.0, acceleration=0.0)
             continue
         slope = axis.dynamics.jerk_slope
-        jerk = slope.jerk if is_smooth else 0.0
+        jerk = slope.jerk if is_jerk_limited else 0.0
         acceleration = axis.max_acceleration
         if jerk > 0.0:
             acceleration = min(slope.least_acceleration, axis.dynamics.max_acceleration)
-        made.configure(place, plc=False, speed=axis.max_speed, acceleration=acceleration, jerk=jerk)
-    return made
+        speed = axis.max_speed
+        realtime.configure(column, plc=False, speed=speed, acceleration=acceleration, jerk=jerk)
+    return realtime
 
 
-def turning(configuration: Machine, index: int) -> dict[int, float]:
-    """The places of a channel's spindles that the CNC turns, with the speed of their axis lists.
+def max_speeds(configuration: Machine, index: int) -> dict[int, float]:
+    """Return the maximum speeds, in °/s, of a channel's spindles that the CNC turns.
 
-    In degrees per second; only those that have an axis list.
+    The keys are their positions in the channel list; spindles without an axis list are missing.
     """
     spindles = configuration.channels[index].parameters.spindles
-    axes = {place: _axis_of(configuration, spindle) for place, spindle in enumerate(spindles)}
-    return {place: axis.max_speed for place, axis in axes.items() if axis is not None}
+    axes = {i: _axis_of(configuration, spindle) for i, spindle in enumerate(spindles)}
+    return {i: axis.max_speed for i, axis in axes.items() if axis is not None}
 
 
 def all_names(configuration: Machine) -> list[str]:
-    """The names of all spindles of the machine, channel by channel."""
+    """Return the names of all spindles of the machine, channel by channel."""
     return [
         name for channel in configuration.channels for name in names_of(channel.parameters.spindles)
     ]
 
 
 def _axis_of(configuration: Machine, spindle: Spindle) -> AxisConfiguration | None:
-    """The axis list of a spindle; none for one that the PLC turns."""
+    """The axis list of a spindle; ``None`` for one that the PLC turns."""
     for axis in configuration.axes:
         if axis.logical_number == spindle.logical_number and not spindle.plc_controlled:
             return axis

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What holds a program up when a run comes to its limit, said to the user in one place.
+"""Why a program waits when a run comes to its limit.
 
 In: a channel of the realtime part (``kernel.tick.channel.Channel.awaits``). Out: a note with the
-block, its line, and what the program waits for there, or none where it is at work.
+block, its line and the reason, or none if the program is at work.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from nctakt.messages import diagnostic
 from nctakt.messages.command_line import WAITING_AT_RUN_LIMIT
 from nctakt.run.assembly import AssembledMachine
 
-#: What the realtime part calls by these words.
-AWAITED = {
+#: The reasons by the words of the realtime part.
+_REASONS = {
     "program start": Text("START of the selected program", "START des angewählten Programms"),
     "programmed stop": Text("START behind M00 or M01", "START nach M00 oder M01"),
     "single block": Text("START, in single block", "START, im Einzelsatz"),
@@ -56,25 +56,25 @@ AWAITED = {
 }
 
 
-def awaited(machine: AssembledMachine, index: int) -> Diagnostic | None:
-    """What the program of this channel waits for, ``None`` where nothing holds it up."""
+def wait_reason(machine: AssembledMachine, index: int) -> Diagnostic | None:
+    """Return a note on what the program of a channel waits for; ``None`` if it does not wait."""
     word, source, detail = machine.channels[index].awaits()
     if not word:
         return None
-    text = AWAITED[word]
+    text = _REASONS[word]
     name = _name(machine, word, detail)
-    place = machine.files.place(source)
-    line = "" if place is None else machine.files.line_at(place)
+    span = machine.files.span(source)
+    line = "" if span is None else machine.files.line_at(span)
     return diagnostic(
         WAITING_AT_RUN_LIMIT,
-        statement_span(place, line),
+        statement_span(span, line),
         line,
         awaited=Text(text.en.format(name=name), text.de.format(name=name)),
     )
 
 
 def _name(machine: AssembledMachine, word: str, detail: int) -> str:
-    """The name of what is waited for, where it has one."""
+    """The name of the spindle, axis or function that the program waits for."""
     if word.startswith("spindle"):
         return machine.registry.spindle(detail)
     if word == "axis":

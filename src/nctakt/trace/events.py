@@ -114,7 +114,7 @@ class EventNames(Protocol):
     def thread(self, number: int) -> str:
         """The name of a thread of the schedule."""
 
-    def place(self, source: int) -> Span | None:
+    def span(self, source: int) -> Span | None:
         """The place of a source number."""
 
 
@@ -197,7 +197,7 @@ class EventDecoder:
     def _place(self, source: int) -> Span | None:
         """Few places make many events: each is looked up once."""
         if source not in self._places:
-            self._places[source] = self._names.place(source)
+            self._places[source] = self._names.span(source)
         return self._places[source]
 
     def _plain(self, word: str) -> Maker:

@@ -21,6 +21,7 @@ from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import DecodeBudget
 from nctakt.run.program_loader import LoadedProgram
 from nctakt.run.queue_feeder import QueueFeeder
+from nctakt.trace.events import Event
 
 
 class ChannelRun:
@@ -193,3 +194,17 @@ class ChannelRun:
         if self.feeder is not None:
             self.feeder.stop()
             self.feeder = None
+
+
+def worst_state(channels: Sequence[ChannelRun], otherwise: RunState) -> RunState:
+    """Return the state of a run of several channels: an error comes before a reset."""
+    if any(channel.is_stopped for channel in channels):
+        return "error"
+    return "reset" if any(channel.result == "reset" for channel in channels) else otherwise
+
+
+def is_reported(channels: Sequence[ChannelRun], event: Event) -> bool:
+    """Return whether an error event is the decoder's, which has been reported when it gave up."""
+    feeder = channels[max(event.channel - 1, 0)].feeder
+    error = None if feeder is None else feeder.fatal_error
+    return error is not None and not event.cycle and event.text == str(error.id)

@@ -28,7 +28,7 @@ from nctakt.results.run import ProgramMessage, Run, RunState
 from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine, do_nothing
-from nctakt.run.channel_run import ChannelRun
+from nctakt.run.channel_run import ChannelRun, is_reported, worst_state
 from nctakt.run.plc_view import AnyPlc, PlcView
 from nctakt.run.program_loader import LoadedProgram, NcText
 from nctakt.run.recording import Recording
@@ -37,7 +37,6 @@ from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import Stimulus, StimulusLike, read_stimulus
 from nctakt.run.wait_reasons import wait_reason
 from nctakt.schedule.open_schedule import RunSchedule
-from nctakt.trace.events import Event
 from nctakt.trace.recorded import MemorySink
 from nctakt.trace.sinks import Sink
 
@@ -93,7 +92,7 @@ class Controller:
                 channel.budget = self._scheduled_run.budget(index)
         self._kernel = self._machine.kernel
         self._recording = Recording(
-            self._machine, self.diagnostics.append, functools.partial(_is_reported, self._channels)
+            self._machine, self.diagnostics.append, functools.partial(is_reported, self._channels)
         )
         self._stimuli: list[Stimulus] = []
         self._stimuli_from = 0
@@ -393,12 +392,12 @@ class Controller:
         while self._proceed(channels):
             if self.tick >= end:
                 self._report_wait_reasons()
-                return _worst_state(channels, "limit")
+                return worst_state(channels, "limit")
             # A path that brakes ends the run in the tick in which it stands.
             count = 1 if any(channel.is_braking for channel in channels) else PROGRESS_TICKS
             self._advance(min(end, self.tick + count))
             self._machine.poll()
-        state = _worst_state(channels, "ended")
+        state = worst_state(channels, "ended")
         if state == "reset":
             return state
         stop = self.tick + rest_ticks
@@ -490,17 +489,3 @@ class Controller:
             self._machine.write(stimulus.name, stimulus.value)
             self._stimuli.pop(0)
         return self.tick + (1 << 60)
-
-
-def _worst_state(channels: Sequence[ChannelRun], otherwise: RunState) -> RunState:
-    """The state of a run of several channels: an error comes before a reset."""
-    if any(channel.is_stopped for channel in channels):
-        return "error"
-    return "reset" if any(channel.result == "reset" for channel in channels) else otherwise
-
-
-def _is_reported(channels: Sequence[ChannelRun], event: Event) -> bool:
-    """Return whether an error event is the decoder's, which has been reported when it gave up."""
-    feeder = channels[max(event.channel - 1, 0)].feeder
-    error = None if feeder is None else feeder.fatal_error
-    return error is not None and not event.cycle and event.text == str(error.id)

@@ -6,13 +6,13 @@
 #include <stdint.h>
 
 #define HLI_MAGIC "NCTAKT"
-#define HLI_VERSION 3
+#define HLI_VERSION 4
 #define HLI_UNITS 20
 
 /* the begin of the image: what there is, where it stands, and the clock */
 typedef struct hli_header {
     char magic[8]; /* NCTAKT and two zero bytes */
-    uint32_t version; /* 3; another one is another layout */
+    uint32_t version; /* 4; another one is another layout */
     uint32_t ready; /* 1 while the CNC is there; written last, taken away first */
     uint32_t size; /* the whole image (bytes) */
     uint32_t cycle_time_us; /* the length of a tick (µs) */
@@ -65,9 +65,11 @@ _Static_assert(sizeof(hli_header) == 112, "hli_header");
 /* the PLC's side of the lockstep */
 typedef struct hli_link {
     uint64_t turn; /* turn of the header, as soon as the PLC has answered */
+    uint64_t process; /* ID of the PLC's process, whose end is noticed; 0: none */
 } hli_link;
 _Static_assert(offsetof(hli_link, turn) == 0, "turn");
-_Static_assert(sizeof(hli_link) == 8, "hli_link");
+_Static_assert(offsetof(hli_link, process) == 8, "process");
+_Static_assert(sizeof(hli_link) == 16, "hli_link");
 
 /* a place for one M or H function */
 typedef struct hli_unit {

@@ -86,6 +86,7 @@ int main(int count, char **words)
     hli_axis *x = (hli_axis *)(image + header->axis_offset);
     uint32_t seen[2][HLI_UNITS] = {{0}};
 
+    link->process = (uint64_t)getpid(); /* so that the CNC notices at once when it ends */
     command->plc_present = 1;
     while (header->ready) {
         uint64_t turn = header->turn;

@@ -7,6 +7,7 @@ the path runs at half speed.
 """
 
 import mmap
+import os
 import struct
 import sys
 import time
@@ -69,6 +70,7 @@ def main():
         ]
     ]
     seen = set()
+    link["process"] = os.getpid()  # so that the CNC notices at once when it ends
     command["plc_present"] = 1
     while header["ready"]:
         turn = header["turn"]

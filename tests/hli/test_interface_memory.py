@@ -31,6 +31,7 @@ from nctakt.hli.layout import (
 )
 from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
 from nctakt.plc import PartnerPlc, PlcError
+from nctakt.plc.process_watch import ProcessWatch
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.shared_image import SharedImage
 
@@ -144,7 +145,7 @@ def test_the_header_says_what_there_is() -> None:
     """Magic, version, sizes, places; ``ready`` is taken away when the image is closed."""
     memory = Memory(Controller())
     assert bytes(memory.image.memory[:8]) == MAGIC
-    assert (memory.header["version"], memory.header["ready"]) == (3, 1)
+    assert (memory.header["version"], memory.header["ready"]) == (4, 1)
     assert memory.header["size"] == memory.layout.size == len(memory.image.memory)
     assert memory.header["cycle_time_us"] == 1000
     assert memory.header["ve_offset"] == memory.layout.ve_offset
@@ -418,6 +419,45 @@ def test_a_partner_that_does_not_answer_ends_the_run(
     with pytest.raises(PlcError) as caught:
         controller.run(NcText("p.nc", "M30"), plc=partner(memory, lambda: answer(memory)))
     assert caught.value.diagnostics[0].id == number
+
+
+@pytest.mark.skipif(not hasattr(os, "pidfd_open"), reason="a system call of Linux")
+def test_a_partner_whose_process_ends_ends_the_run() -> None:
+    """900652 as soon as the process is gone, however long an answer is waited for."""
+    controller = Controller()
+    memory = Memory(controller)
+    memory.command["plc_present"] = 1
+    turns = 0
+
+    def wait(condition: Callable[[], bool]) -> bool:
+        """Answer twice, then die; never end by itself."""
+        nonlocal turns
+        turns += 1
+        if turns < 3:
+            memory.link["turn"] = memory.header["turn"]
+        else:
+            process.kill()
+            process.wait()
+        assert condition()
+        return True
+
+    with subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE) as process:
+        memory.link["process"] = process.pid
+        plc = PartnerPlc(memory.image, wait)
+        with pytest.raises(PlcError) as caught:
+            controller.run(NcText("p.nc", "G04 X0.010\nM30"), plc=plc)
+        plc.close()
+        plc.close()
+    assert caught.value.diagnostics[0].id == 900652
+    assert controller.tick == 3
+
+
+@pytest.mark.parametrize("process", [0, 2**22 + 1, 2**63])
+def test_a_process_that_nobody_has_is_not_watched(process: int) -> None:
+    """Such a number says nothing about the partner."""
+    watch = ProcessWatch(process)
+    assert not watch.is_gone
+    watch.close()
 
 
 def test_a_partner_that_never_comes_is_told() -> None:

@@ -128,7 +128,9 @@ def _with_partner(
         return request
     image = files.enter_context(controller.interface_image(options.hli))
     PartnerPlc(image, waiter(_PARTNER_COMES_S)).await_presence()
-    return dataclasses.replace(request, plc=PartnerPlc(image, waiter(_PARTNER_ANSWERS_S)))
+    partner = PartnerPlc(image, waiter(_PARTNER_ANSWERS_S))
+    files.callback(partner.close)
+    return dataclasses.replace(request, plc=partner)
 
 
 def _open_trace(file: OutputFile | None) -> list[Sink]:

@@ -22,7 +22,7 @@ PREFIX = "HLI."
 MAGIC = b"NCTAKT\0\0"
 
 #: Changed whenever a value changes its place or meaning.
-VERSION = 3
+VERSION = 4
 
 #: Bytes of each number; names are characters, so many in all.
 TYPE_BYTES = {
@@ -234,7 +234,10 @@ SPINDLE_COMMAND = Structure(
 LINK = Structure(
     "hli_link",
     "the PLC's side of the lockstep",
-    (Entry("turn", "UNS64", "", "`turn` of the header, as soon as the PLC has answered"),),
+    (
+        Entry("turn", "UNS64", "", "`turn` of the header, as soon as the PLC has answered"),
+        Entry("process", "UNS64", "", "ID of the PLC's process, whose end is noticed; 0: none"),
+    ),
     is_command=True,
 )
 

@@ -69,6 +69,10 @@ PLC_LEFT_HLI = error(
     de="die SPS hat das HLI nach Takt {tick} verlassen",
     remedy_en="Let it stay until ready of hli_header is 0.",
     remedy_de="Sie muss bleiben, bis ready von hli_header 0 ist.",
+    cause_en="It has withdrawn plc_present, or its process, whose ID it has written into process "
+    "of hli_link, has ended.",
+    cause_de="Sie hat plc_present zurückgenommen, oder ihr Prozess, dessen Nummer sie in process "
+    "von hli_link geschrieben hat, ist zu Ende.",
     tick=("the tick that had just been run", "der Takt, der gerade lief"),
 )
 PLC_AND_HLI_OPTIONS = error(

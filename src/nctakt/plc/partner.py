@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from nctakt.messages import diagnostic
 from nctakt.messages.plc import NO_PLC_AT_HLI, PLC_LEFT_HLI, PLC_NOT_ANSWERING
 from nctakt.plc.loading import PlcError
+from nctakt.plc.process_watch import ProcessWatch
 
 if TYPE_CHECKING:
     from nctakt.run.plc_view import PlcView
@@ -27,12 +28,14 @@ Wait = Callable[[Callable[[], bool]], bool]
 class PartnerPlc:
     """The PLC that looks at ``image`` from another process.
 
-    ``cycle`` raises ``PlcError`` where it does not answer in time (900651) or has gone (900652).
+    ``cycle`` raises ``PlcError`` where it does not answer in time (900651) or has gone (900652): it
+    says so, or its process has ended.
     """
 
     def __init__(self, image: SharedImage, wait: Wait) -> None:
         self._image = image
         self._wait = wait
+        self._process: ProcessWatch | None = None
 
     def await_presence(self) -> None:
         """Wait until the PLC is there; raises ``PlcError`` (900650) where none comes."""
@@ -42,8 +45,20 @@ class PartnerPlc:
     def cycle(self, hli: PlcView) -> None:
         """Let the PLC have its turn."""
         image = self._image
+        process = self._process or ProcessWatch(image.plc_process)
+        self._process = process
         image.hand_over()
-        if not self._wait(lambda: image.is_handed_back or not image.plc_is_present):
+        if not self._wait(lambda: image.is_handed_back or _is_gone(image, process)):
             raise PlcError(diagnostic(PLC_NOT_ANSWERING, tick=hli.tick))
         if not image.is_handed_back:
             raise PlcError(diagnostic(PLC_LEFT_HLI, tick=hli.tick))
+
+    def close(self) -> None:
+        """End the watch of the PLC's process."""
+        if self._process is not None:
+            self._process.close()
+
+
+def _is_gone(image: SharedImage, process: ProcessWatch) -> bool:
+    """Return whether the PLC says that it has gone, or its process has ended."""
+    return not image.plc_is_present or process.is_gone

@@ -123,6 +123,12 @@ class SharedImage:
         offset = self.layout.command(0) + entry(COMMAND, "plc_present").offset
         return self.memory[offset] != 0
 
+    @property
+    def plc_process(self) -> int:
+        """The ID of the PLC's process as it says it, 0 where it does not."""
+        place = self.layout.link_offset + entry(LINK, "process").offset
+        return int(struct.unpack_from("=Q", self.memory, place)[0])
+
     def hand_over(self) -> None:
         """Give the turn to the PLC."""
         offset = entry(HEADER, "turn").offset

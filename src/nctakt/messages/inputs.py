@@ -31,6 +31,14 @@ NOT_A_STIMULUS = error(
     remedy_de='Zeit, Name der Variablen und Wert angeben: ("20 ms", "V.E.DOOR", 1).',
     value=("what was given", "was angegeben wurde"),
 )
+TEXT_INSTEAD_OF_FILE = error(
+    900515,
+    en="'{line} …' is the text of a program, not the name of a file",
+    de="'{line} …' ist der Text eines Programms, kein Dateiname",
+    remedy_en='Give the text a name: NcText("part.nc", text).',
+    remedy_de='Dem Text einen Namen geben: NcText("teil.nc", text).',
+    line=("the begin of the text", "der Anfang des Textes"),
+)
 STIMULUS_WITHOUT_VALUE = error(
     900579,
     en="--at {time} lacks the value that a variable gets at this time",

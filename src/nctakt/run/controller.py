@@ -30,7 +30,7 @@ from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine, do_nothing
 from nctakt.run.channel_run import ChannelRun, is_reported, worst_state
 from nctakt.run.plc_view import AnyPlc, PlcView
-from nctakt.run.program_loader import LoadedProgram, NcText
+from nctakt.run.program_loader import LoadedProgram, NcText, ProgramErrors
 from nctakt.run.recording import Recording
 from nctakt.run.scheduled_run import ScheduledRun, scheduled
 from nctakt.run.shared_image import SharedImage
@@ -294,8 +294,8 @@ class Controller:
         carried out, and why the channel is emptied. ``on_cycle`` is called with the name and the
         definition of each realtime cycle when it is decoded.
 
-        Raises ``Failure`` for a name, a value or a time that does not fit; mistakes of the
-        programs are in the result.
+        Raises ``Failure`` for a program that cannot be read and for a name, a value or a time that
+        does not fit; mistakes in the programs are in the result.
         """
         limit = self._limit(None if until is None else read_time(until), ticks)
         rest_ticks = read_time(after).ticks(self.cycle_time_us)
@@ -429,7 +429,7 @@ class Controller:
             for program in own:
                 try:
                     tree = program_loader.load(program, self._machine, self.diagnostics, number - 1)
-                except Failure:
+                except ProgramErrors:
                     has_errors = True
                     continue
                 loaded[number].append(tree)

@@ -20,9 +20,8 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.files import find_below
 from nctakt.messages import Collector, diagnostic
-from nctakt.messages.files import (
-    FILE_OUTSIDE,
-)
+from nctakt.messages.files import FILE_OUTSIDE
+from nctakt.messages.inputs import TEXT_INSTEAD_OF_FILE
 from nctakt.messages.program_structure import PROGRAM_NOT_FOUND
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.inspection import inspect
@@ -30,6 +29,13 @@ from nctakt.nc.outline import ProgramText
 from nctakt.nc.source import Source
 from nctakt.nc.tree import StringLiteral
 from nctakt.run.assembly import AssembledMachine
+
+#: Characters of a text that are shown where a file name was expected.
+SHOWN_TEXT = 40
+
+
+class ProgramErrors(Failure):
+    """The errors in a program that was read; they are among the controller's diagnostics."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,12 +189,14 @@ def load(
 ) -> LoadedProgram:
     """Read, parse and check a program with all that it calls; findings go to ``diagnostics``.
 
-    ``channel``: the index of the channel that it is for, from 0. Raises ``Failure`` with the errors
-    when there are any.
+    ``channel``: the index of the channel that it is for, from 0. Raises ``Failure`` if it cannot be
+    read, ``ProgramErrors`` with the errors in it.
     """
     collector = Collector()
     if isinstance(program, NcText):
         lines: Sequence[str] = split_lines(program.text)
+    elif isinstance(program, str) and ("\n" in program or "\r" in program):
+        raise Failure(diagnostic(TEXT_INSTEAD_OF_FILE, line=split_lines(program)[0][:SHOWN_TEXT]))
     else:
         lines = machine.file_access.read_lines(Path(program))
     loaded = LoadedProgram(machine, channel)
@@ -198,5 +206,5 @@ def load(
     diagnostics += collector.diagnostics
     errors = [found for found in collector.diagnostics if found.severity.name == "ERROR"]
     if errors:
-        raise Failure(*errors)
+        raise ProgramErrors(*errors)
     return loaded

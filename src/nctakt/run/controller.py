@@ -29,6 +29,7 @@ from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine, do_nothing
 from nctakt.run.channel_run import ChannelRun, is_reported, worst_state
+from nctakt.run.one_at_a_time import OneAtATime, alone
 from nctakt.run.plc_view import AnyPlc, PlcView
 from nctakt.run.program_loader import LoadedProgram, NcText, ProgramErrors
 from nctakt.run.recording import Recording
@@ -81,6 +82,7 @@ class Controller:
         self.diagnostics: list[Diagnostic] = list(machine.diagnostics)
         self._machine = AssembledMachine(machine, access)
         self._machine.report = self.diagnostics.append
+        self.turn = OneAtATime()
         self._channels = [
             ChannelRun(self._machine, index, self.diagnostics.append)
             for index in range(len(self._machine.channels))
@@ -193,6 +195,7 @@ class Controller:
 
     # --- tick by tick ---------------------------------------------------------------------------
 
+    @alone
     def start(self, program: str | Path | NcText, channel: int = 1) -> None:
         """Start a program in a channel; ``step`` runs it.
 
@@ -204,12 +207,14 @@ class Controller:
         self._make_ready([channel_run])
         channel_run.begin(loaded)
 
+    @alone
     def select(self, program: str | Path | NcText, channel: int = 1) -> None:
         """Select a program, which START on the HLI begins; raises ``Failure`` with its errors."""
         self._channels[self._index(channel)].select(
             program_loader.load(program, self._machine, self.diagnostics, channel - 1)
         )
 
+    @alone
     def step(self, ticks: int = 1) -> None:
         """Run this number of ticks, whatever the state."""
         end = self.tick + ticks
@@ -234,6 +239,7 @@ class Controller:
         prefix = self._machine.assembled[index].prefix if index else ""
         self._machine.write(f"{prefix}HLI.BACKWARD_MOTION", backward)
 
+    @alone
     def reset(self, channel: int | None = None) -> None:
         """Reset one channel or all of them (RC-007); run until they stand, at least one tick."""
         channels = self._channels if channel is None else [self._channels[self._index(channel)]]
@@ -243,7 +249,7 @@ class Controller:
         for channel in channels:
             channel.request_reset()
         while any(channel.channel.is_resetting for channel in channels):
-            self.step(1)
+            self._advance(self.tick + 1)
 
     def _index(self, channel: int) -> int:
         """Return the index of a channel, from 0; raises ``Failure`` if there is none."""
@@ -253,6 +259,7 @@ class Controller:
 
     # --- whole programs -------------------------------------------------------------------------
 
+    @alone
     def run(
         self,
         *programs: str | Path | NcText,

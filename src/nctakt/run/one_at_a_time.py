@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Methods of which one works at a time, whoever calls them.
+"""Methods in which one thread works at a time.
 
 In: a method of an object with an ``OneAtATime`` as ``turn``. Out: the same, which raises
-``Failure`` (901005) while another of them works: in another thread, or around it in a PLC.
+``Failure`` (901005) while another thread is in one of them; what such a method calls itself, a PLC
+for example, may call them.
 """
 
 from __future__ import annotations
 
 import functools
+import threading
 from collections.abc import Callable
 from typing import Concatenate, ParamSpec, Protocol, Self, TypeVar
 
@@ -20,20 +22,18 @@ _T = TypeVar("_T")
 
 
 class OneAtATime:
-    """Is entered by one at a time; raises ``Failure`` for the second one."""
+    """Is entered by one thread at a time; raises ``Failure`` for a second one."""
 
     def __init__(self) -> None:
-        self._free = [True]
+        self._lock = threading.RLock()
 
     def __enter__(self) -> Self:
-        try:
-            self._free.pop()  # one step for all threads
-        except IndexError:
-            raise Failure(diagnostic(CONTROLLER_IS_BUSY)) from None
+        if not self._lock.acquire(blocking=False):
+            raise Failure(diagnostic(CONTROLLER_IS_BUSY))
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._free.append(True)
+        self._lock.release()
 
 
 class _HasTurn(Protocol):
@@ -46,7 +46,7 @@ _Owner = TypeVar("_Owner", bound=_HasTurn)
 def alone(
     method: Callable[Concatenate[_Owner, _P], _T],
 ) -> Callable[Concatenate[_Owner, _P], _T]:
-    """Let a method work only while no other one of its object does."""
+    """Let a method work only while no other thread is in one of its object."""
 
     @functools.wraps(method)
     def guarded(owner: _Owner, /, *words: _P.args, **named: _P.kwargs) -> _T:

@@ -135,7 +135,7 @@ class _Checker:
     def check(self, inputs: Sequence[str | Path | NcText]) -> CheckResult:
         texts = [one for one in inputs if isinstance(one, NcText)]
         paths = [Path(one) for one in inputs if not isinstance(one, NcText)]
-        gathered = gather(paths, self._found)
+        gathered = gather(paths, self._access, self._found)
         for startup, folder in gathered.machines:
             self._machine(startup, folder)
         for path in gathered.lists:

@@ -2,9 +2,9 @@
 """Files and folders as a user names them -> what there is to check.
 
 In: paths. Out: start-up lists of machines, lists, programs, each file once; what cannot be found is
-reported. A file that is named is a list if it ends with ``.lis``, else a program; the start-up list
-of a folder stands for its machine. A folder is searched with all its folders but hidden ones; where
-a start-up list lies is a machine.
+reported. A file that is named is a list if it ends with ``.lis`` or ``.xml``, else a program; a
+start-up list stands for its machine. A folder is searched with all its folders but hidden ones;
+where a start-up list lies is a machine.
 """
 
 from __future__ import annotations
@@ -15,14 +15,19 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
+from nctakt.lists.format.xml_reader import is_xml
 from nctakt.lists.machine.files import is_startup_name
+from nctakt.lists.machine.list_kinds import kind_of
 from nctakt.messages import diagnostic
 from nctakt.messages.checking import NOTHING_TO_CHECK
 from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE
 
 #: How names of programs end, for those that are found in folders.
 PROGRAM_SUFFIXES = (".nc", ".ncp", ".cnc", ".sub", ".cyc", ".ecy")
-LIST_SUFFIX = ".lis"
+LIST_SUFFIX, XML_SUFFIX = ".lis", ".xml"
+LIST_SUFFIXES = (LIST_SUFFIX, XML_SUFFIX)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +55,7 @@ class Inputs:
     programs: tuple[Path, ...]
 
 
-def gather(paths: Sequence[Path], found: list[Found]) -> Inputs:
+def gather(paths: Sequence[Path], access: FileAccess, found: list[Found]) -> Inputs:
     """Look for files; what is wrong with the paths themselves is added to ``found``."""
     machines: dict[Path, tuple[Path, Path | None]] = {}
     lists: dict[Path, Path] = {}
@@ -61,10 +66,10 @@ def gather(paths: Sequence[Path], found: list[Found]) -> Inputs:
         elif path.is_file() and is_startup_name(path.name):
             machines.setdefault(path.resolve(), (path, None))
         elif not path.is_dir():
-            group = lists if path.suffix.casefold() == LIST_SUFFIX else programs
+            group = lists if path.suffix.casefold() in LIST_SUFFIXES else programs
             group.setdefault(path.resolve(), path)
         else:
-            _search(path, machines, lists, programs, found)
+            _search(path, machines, lists, programs, access, found)
     return Inputs(tuple(machines.values()), tuple(lists.values()), tuple(programs.values()))
 
 
@@ -73,12 +78,15 @@ def _search(
     machines: dict[Path, tuple[Path, Path | None]],
     lists: dict[Path, Path],
     programs: dict[Path, Path],
+    access: FileAccess,
     found: list[Found],
 ) -> None:
     empty = True
     for path in _files(folder, found):
         suffix = path.suffix.casefold()
-        if suffix not in (LIST_SUFFIX, *PROGRAM_SUFFIXES):
+        if suffix not in (*LIST_SUFFIXES, *PROGRAM_SUFFIXES):
+            continue
+        if suffix == XML_SUFFIX and not _is_list(path, access):
             continue
         empty = False
         if not path.exists():
@@ -86,12 +94,21 @@ def _search(
         elif is_startup_name(path.name):
             machines.setdefault(path.resolve(), (path, folder))
         elif path.is_file():
-            group = lists if suffix == LIST_SUFFIX else programs
+            group = lists if suffix in LIST_SUFFIXES else programs
             group.setdefault(path.resolve(), path)
     if empty:
         suffixes = ", ".join(PROGRAM_SUFFIXES)
         message = diagnostic(NOTHING_TO_CHECK, folder=str(folder), suffixes=suffixes)
         found.append(Found(folder.as_posix(), message))
+
+
+def _is_list(path: Path, access: FileAccess) -> bool:
+    """Return whether an XML file is a list of parameters; there are others."""
+    try:
+        begin = access.read_begin(path)
+    except Failure:
+        return False
+    return is_xml(begin) and kind_of(path.name, begin) is not None
 
 
 def _files(folder: Path, found: list[Found]) -> Iterator[Path]:

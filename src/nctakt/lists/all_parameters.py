@@ -46,6 +46,23 @@ SCHEMAS: tuple[Schema, ...] = (
     LIST_DESCRIPTION,
 )
 
+#: The letters in the IDs of parameters -> the kind of list that they stand in.
+FAMILIES = {
+    "AXIS": "axis",
+    "CHAN": "channel",
+    "CLMP": "clamp_offsets",
+    "CMLD": "list_description",
+    "COMP": "axis_compensation",
+    "EXTV": "variables",
+    "HWCF": "hardware",
+    "MANU": "manual_mode",
+    "RTCF": "rtconf",
+    "SECO": "scene",
+    "STUP": "startup",
+    "TOOL": "tools",
+    "VOLC": "volumetric_compensation",
+    "ZERO": "zero_offsets",
+}
 SCHEMA_BY_KIND: dict[str, Schema] = {schema.kind: schema for schema in SCHEMAS}
 
 _INDEX = re.compile(r"\[[^]]*\]")

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import note, warning
+from nctakt.messages.catalogue import error, note, warning
 
 TEXT_NOT_UTF8 = note(
     900000,
@@ -310,6 +310,37 @@ BEYOND_OTHER_PARAMETER = warning(
     other=("the entry that sets the bound", "der Eintrag, der die Grenze setzt"),
     id=("the ID of that parameter", "die ID jenes Parameters"),
     limit=("the nearest value that is allowed", "der nächste erlaubte Wert"),
+)
+XML_LIST_WITH_MISTAKE = error(
+    901005,
+    en="no well-formed XML from here on: {reason}",
+    de="ab hier kein wohlgeformtes XML: {reason}",
+    remedy_en="Mend the file; what stands in front of this place is read.",
+    remedy_de="Die Datei berichtigen; gelesen wird, was vor dieser Stelle steht.",
+    reason=("what is wrong, in English", "der Grund, auf Englisch"),
+)
+XML_LIST_WITH_ENTITIES = error(
+    901006,
+    en="a document type or an entity: a list has none, it is not read from here on",
+    de="ein Dokumenttyp oder eine Entität: Listen haben keine, ab hier wird nicht gelesen",
+    remedy_en="Take the declaration out.",
+    remedy_de="Die Deklaration entfernen.",
+)
+XML_LIST_TOO_DEEP = error(
+    901007,
+    en="elements are nested deeper than {limit}; the list is not read from here on",
+    de="Elemente sind tiefer als {limit} geschachtelt; ab hier wird die Liste nicht gelesen",
+    remedy_en="Take grouping elements out: they carry no meaning.",
+    remedy_de="Gruppierende Elemente entfernen: sie haben keine Bedeutung.",
+    limit=("the greatest depth", "die größte Tiefe"),
+)
+XML_LIST_TOO_LARGE = error(
+    901008,
+    en="the list has more than {limit} bytes and is not read",
+    de="die Liste hat mehr als {limit} Byte und wird nicht gelesen",
+    remedy_en="Name a list of parameters.",
+    remedy_de="Eine Parameterliste angeben.",
+    limit=("the greatest size in bytes", "die größte Länge in Byte"),
 )
 INVALID_SYNCHRONISATION_TYPE = warning(
     20965,

@@ -69,8 +69,8 @@ LIST_FORMAT_NOT_SUPPORTED = error(
     900064,
     en="lists of the format {format} cannot be read",
     de="Listen im Format {format} können nicht gelesen werden",
-    remedy_en="Use the machine's ASCII lists.",
-    remedy_de="Die ASCII-Listen der Maschine verwenden.",
+    remedy_en="Use the machine's lists in ASCII or XML.",
+    remedy_de="Die Listen der Maschine in ASCII oder XML verwenden.",
     format=("the format that the start-up list names", "das Format, das die Hochlaufliste nennt"),
 )
 MANDATORY_PARAMETER_MISSING = warning(

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.lists.declared.rtconf import RTCONF, RtconfConfiguration
+from nctakt.lists.format.entries import read_entries
 from nctakt.lists.format.parameter import Parameter, shown, with_indices
-from nctakt.lists.format.reader import BLANKS, Entry, read_list
+from nctakt.lists.format.reader import BLANKS, Entry
 from nctakt.messages import Collector
 
 #: A parameter of the list: its pattern and its indices.
@@ -61,7 +62,7 @@ def _rank(key: _Key) -> tuple[object, ...]:
 def _entries(file: str, data: bytes) -> dict[_Key, Entry]:
     """The entry that counts for each parameter that the list names."""
     found: dict[_Key, Entry] = {}
-    for entry in read_list(file, data, RTCONF.dialect, Collector()):
+    for entry in read_entries(file, data, RTCONF, Collector()):
         known = RTCONF.find(entry.pattern) if entry.is_well_formed else None
         if known is None:
             continue

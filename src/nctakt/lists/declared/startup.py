@@ -120,7 +120,8 @@ _LISTS = (
         ValueType.NAME,
         "ASCII",
         Text(
-            "Format of the lists; only ASCII is read", "Format der Listen; gelesen wird nur ASCII"
+            "Format of the lists; ASCII and XML are read",
+            "Format der Listen; gelesen werden ASCII und XML",
         ),
         names={"ASCII": None, "BINAER": None, "BINARY": None, "XML": None},
         restart=True,

@@ -13,9 +13,10 @@ from collections.abc import Sequence
 
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.lists.format.convert import convert
+from nctakt.lists.format.entries import read_entries
 from nctakt.lists.format.limits import keep_limits
 from nctakt.lists.format.parameter import Effect, Parameter, with_indices
-from nctakt.lists.format.reader import Entry, read_list
+from nctakt.lists.format.reader import Entry
 from nctakt.lists.format.references import default_of, reference_of, resolve
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import EntryValue, Key, Values
@@ -50,7 +51,7 @@ def load_list(
     names with a defective value, comes from there.
     """
     findings = Collector()
-    entries = read_list(file, data, schema.dialect, findings)
+    entries = read_entries(file, data, schema, findings)
     values = check_list(schema, file, entries, findings, base=base, detail=detail)
     collector.diagnostics += in_order_of_lines(findings)
     return values

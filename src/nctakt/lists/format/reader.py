@@ -59,7 +59,8 @@ class Entry:
 
     ``path`` is the name with its indices normalised (``thread[00].name`` -> ``thread[0].name``),
     ``pattern`` the same with empty brackets. A name that is not well formed has itself as
-    pattern. ``rest`` is what follows the name, from ``rest_column`` on.
+    pattern. ``rest`` is what follows the name, from ``rest_column`` on. ``is_verbatim``: all of it
+    is the value, without comments and quotation marks (XML).
     """
 
     path: str
@@ -69,6 +70,7 @@ class Entry:
     rest_column: int
     key_span: Span
     line: str
+    is_verbatim: bool = False
 
     @property
     def is_well_formed(self) -> bool:

@@ -46,6 +46,9 @@ class Word:
 
 def read_word(entry: Entry, collector: Collector) -> Word | None:
     """The first word of a number or name entry, ``None`` if there is none."""
+    if entry.is_verbatim:
+        text = entry.rest.strip()
+        return Word(text, entry.span(0, len(entry.rest))) if text else None
     _check_blank(entry, collector)
     start = len(entry.rest) - len(entry.rest.lstrip(BLANKS))
     match = _WORD.match(entry.rest, start)
@@ -58,6 +61,8 @@ def read_word(entry: Entry, collector: Collector) -> Word | None:
 
 def read_string(entry: Entry, collector: Collector) -> Word | None:
     """The character string of an entry, ``None`` if there is none; trailing blanks are dropped."""
+    if entry.is_verbatim:
+        return Word(entry.rest.rstrip(BLANKS), entry.span(0, len(entry.rest)))
     _check_blank(entry, collector)
     start = len(entry.rest) - len(entry.rest.lstrip(BLANKS))
     body = entry.rest[start:]

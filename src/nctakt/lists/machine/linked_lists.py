@@ -14,8 +14,8 @@ from pathlib import Path
 from nctakt.base.text import is_binary
 from nctakt.files.access import FileAccess
 from nctakt.lists.declared.startup import STARTUP, ListReference, startup_configuration
+from nctakt.lists.format.entries import read_entries
 from nctakt.lists.format.list_check import check_list, in_order_of_lines, load_list
-from nctakt.lists.format.reader import read_list
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import Values
 from nctakt.lists.format.without_effect import Detail
@@ -63,7 +63,7 @@ class LinkedLists:
         if path is None or data is None:
             return None
         name, findings = path.as_posix(), Collector()
-        entries = read_list(name, data, schema.dialect, findings)
+        entries = read_entries(name, data, schema, findings)
         if not knows_any(schema, entries) and self._is_misplaced(schema, reference, path, data):
             return None
         values = check_list(schema, name, entries, findings, base=base, detail=self._detail)

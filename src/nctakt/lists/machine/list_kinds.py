@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from nctakt.lists.all_parameters import SCHEMAS
+from nctakt.lists.all_parameters import FAMILIES, SCHEMA_BY_KIND, SCHEMAS
 from nctakt.lists.declared.rtconf import RTCONF
 from nctakt.lists.declared.startup import (
     ListReference,
@@ -24,6 +24,7 @@ from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.reader import Entry, ListDialect, read_list
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.without_effect import Detail
+from nctakt.lists.format.xml_reader import is_xml, root_and_families
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.lists.machine.variables import variables_configuration
@@ -48,11 +49,32 @@ _NAMES = {
 }
 
 
+#: The outermost element of a list in XML -> its kind.
+_XML_ROOTS = {
+    "RTConfiguration": "rtconf",
+    "StartUp": "startup",
+    "AX_MDS": "axis",
+    "Default_AX_MDS": "axis",
+    "SDA_MDS": "channel",
+    "Default_SDA_MDS": "channel",
+    "ExtVar": "variables",
+    "ToolData": "tools",
+    "ZeroOffset": "zero_offsets",
+    "ClampPosOffset": "clamp_offsets",
+    "ManualMode": "manual_mode",
+    "AX_COMP": "axis_compensation",
+    "VolComp": "volumetric_compensation",
+}
+
+
 def kind_of(name: str, data: bytes) -> Schema | None:
     """The kind of the list ``data`` in a file called ``name``; ``None`` where nothing tells it.
 
-    The schema that knows most of the entries counts; of several the one that the name fits.
+    The schema that knows most of the entries counts; of several the one that the name fits. A list
+    in XML tells it by its outermost element, else by the IDs in it.
     """
+    if is_xml(data):
+        return _kind_of_xml(data)
     counts = _known_entries(_entries(name, data))
     most = max(counts.values())
     best = [schema for schema in SCHEMAS if counts[schema.kind] == most]
@@ -69,10 +91,21 @@ def knows_any(schema: Schema, entries: Sequence[Entry]) -> bool:
 
 def other_kind(schema: Schema, name: str, data: bytes) -> Schema | None:
     """The kind of a list that is named as one of ``schema`` and has no entry of it at all."""
+    if is_xml(data):
+        kind = _kind_of_xml(data)
+        return None if kind is schema else kind
     patterns = _entries(name, data)
     if any(schema.find(pattern) is not None for pattern in patterns):
         return None
     return kind_of(name, data) if any(_known_entries(patterns).values()) else None
+
+
+def _kind_of_xml(data: bytes) -> Schema | None:
+    root, families = root_and_families(data)
+    kind = _XML_ROOTS.get(root)
+    if kind is None:
+        kind = next((FAMILIES[family] for family in families if family in FAMILIES), None)
+    return None if kind is None else SCHEMA_BY_KIND[kind]
 
 
 def _entries(name: str, data: bytes) -> Counter[str]:

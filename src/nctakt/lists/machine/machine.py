@@ -271,7 +271,7 @@ class _Loader:
             raise self._fail()
         self.startup_values = values
         format_ = values.text("listen")
-        if format_ != "ASCII":
+        if format_ not in {"ASCII", "XML"}:
             values.report(self.collector, LIST_FORMAT_NOT_SUPPORTED, ("listen",), format=format_)
             raise self._fail()
         return startup_configuration(values, self.collector)

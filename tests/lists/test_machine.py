@@ -93,9 +93,9 @@ def test_no_folder_and_no_startup_list(tmp_path: Path) -> None:
     assert failure(tmp_path) == [900061]
 
 
-@pytest.mark.parametrize("format_", ["XML", "BINAER", "BINARY"])
+@pytest.mark.parametrize("format_", ["BINAER", "BINARY"])
 def test_other_formats_are_refused_by_name(tmp_path: Path, format_: str) -> None:
-    """Binary and XML lists cannot be read."""
+    """Binary lists cannot be read."""
     folder = write(tmp_path, {"hochlauf.lis": f"listen {format_}\n{STARTUP}"})
     assert failure(folder) == [900064]
 

@@ -312,7 +312,7 @@ BEYOND_OTHER_PARAMETER = warning(
     limit=("the nearest value that is allowed", "der nächste erlaubte Wert"),
 )
 XML_LIST_WITH_MISTAKE = error(
-    901005,
+    900975,
     en="no well-formed XML from here on: {reason}",
     de="ab hier kein wohlgeformtes XML: {reason}",
     remedy_en="Mend the file; what stands in front of this place is read.",
@@ -320,14 +320,14 @@ XML_LIST_WITH_MISTAKE = error(
     reason=("what is wrong, in English", "der Grund, auf Englisch"),
 )
 XML_LIST_WITH_ENTITIES = error(
-    901006,
+    900976,
     en="a document type or an entity: a list has none, it is not read from here on",
     de="ein Dokumenttyp oder eine Entität: Listen haben keine, ab hier wird nicht gelesen",
     remedy_en="Take the declaration out.",
     remedy_de="Die Deklaration entfernen.",
 )
 XML_LIST_TOO_DEEP = error(
-    901007,
+    900977,
     en="elements are nested deeper than {limit}; the list is not read from here on",
     de="Elemente sind tiefer als {limit} geschachtelt; ab hier wird die Liste nicht gelesen",
     remedy_en="Take grouping elements out: they carry no meaning.",
@@ -335,7 +335,7 @@ XML_LIST_TOO_DEEP = error(
     limit=("the greatest depth", "die größte Tiefe"),
 )
 XML_LIST_TOO_LARGE = error(
-    901008,
+    900978,
     en="the list has more than {limit} bytes and is not read",
     de="die Liste hat mehr als {limit} Byte und wird nicht gelesen",
     remedy_en="Name a list of parameters.",

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""A program's text, read once from beginning to end -> its outline, and all its mistakes.
+"""Reads and checks a program's text once from start to end -> its outline and all its mistakes.
 
 In: a ``Source``. Out: ``ProgramText`` and the diagnostics of parser and checker in the order of the
-text. No more than one statement is in memory at a time, so a program of any length can be checked.
+text. At most one statement is in memory at a time, so a program of any length can be checked.
 
-Long programs come from CAM systems: blocks of letters and numbers, few shapes of them. What is
-checked of such a block depends on its letters and on the numbers of its functions, never on how far
-its axes go; so a shape that was found in order is not checked again. Nor is a statement of a shape
-whose check depends on nothing else (``shape_checks.py``).
+Long programs come from CAM systems: blocks of letters and numbers in few shapes. The check of such
+a block depends on its letters and on the numbers of its functions, never on the values of its axis
+words; a shape without mistakes is therefore checked only once. The same holds for statements whose
+check is decided by their shape (``shape_checks.py``).
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ from nctakt.nc.tree import (
 from nctakt.nc.vocabulary.functions import ENDS, PLAIN_MOTIONS, PROGRAM_ENDS
 from nctakt.nc.vocabulary.variable_table import NameTable
 
-#: Words whose numbers mean nothing for a check.
+#: Words whose values do not matter for the check.
 _FREE_WORDS = ("F",)
 
 #: Statements between two calls of ``poll``.
@@ -57,13 +57,13 @@ PlainShape = tuple[str | float, ...]
 
 
 class Watcher(Protocol):
-    """Looks at the statements that are checked."""
+    """Observer of the statements that are checked."""
 
     def section(self) -> None:
-        """A main program or subprogram begins."""
+        """Called when a main program or subprogram begins."""
 
     def statement(self, statement: Statement) -> None:
-        """The next statement that may run."""
+        """Called with each statement that may run."""
 
 
 def inspect(
@@ -78,8 +78,8 @@ def inspect(
 ) -> ProgramText:
     """Read and check a program with its local subprograms, each up to its end.
 
-    ``role``: whether M17 or M30 ends it. Behind the end only what a jump leads to is checked.
-    ``poll`` is called again and again meanwhile.
+    ``role``: whether M17 or M30 ends it. Behind the end only the targets of jumps are checked.
+    ``poll`` is called at regular intervals.
     """
     unsorted = Collector()
     checker = Checker(source, names, channel, unsorted)
@@ -97,13 +97,15 @@ def inspect(
 
 
 def plain_scanner(channel: ChannelParameters) -> PlainScanner:
-    """What reads plain blocks of this channel: those of its axes that no spindle is called like."""
+    """Return the scanner of plain blocks of a channel; axes with the name of a spindle are left
+    out.
+    """
     spindles = [spindle.name for spindle in channel.spindles]
     return PlainScanner(["" if axis.name in spindles else axis.name for axis in channel.axes])
 
 
 def _without_redundant(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
-    """That a line is no NC text counts only where nothing tells why."""
+    """Return the diagnostics without "not NC text" where another one explains the same line."""
     explained_lines = {
         diagnostic.span.line
         for diagnostic in diagnostics
@@ -119,7 +121,7 @@ def _without_redundant(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
 
 
 class _ProgramInspector:
-    """Checks statement after statement up to the end of their section."""
+    """Checks statement by statement up to the end of each section."""
 
     def __init__(
         self,
@@ -146,11 +148,11 @@ class _ProgramInspector:
         self._in_order: dict[PlainShape, None] = {}
         self._plain_in_order: set[int] = set()
         self._local_calls: list[SubprogramCall] = []
-        #: A statement that comes next: its line, its shape, what was found before it.
+        #: The next statement: its line, its shape, and the number of diagnostics before it.
         self._new: tuple[int, Shape, int] | None = None
 
     def take(self, line: int, number: int, statement: Statement) -> None:
-        """The next statement of the text, in the section of this number."""
+        """Add and check the next statement; ``number`` is its section."""
         if isinstance(statement, ProgramStart):
             self._begin(line, number, statement)
             return
@@ -170,7 +172,7 @@ class _ProgramInspector:
         self._remember(line)
 
     def skip_known(self, statements: StatementReader) -> None:
-        """Take the plain lines that come next, where their statements are neither kept nor new."""
+        """Skip lines of known valid shapes while statements are not kept."""
         self._new = None
         if self._section is None or self._section.kept is not None:
             return
@@ -189,7 +191,7 @@ class _ProgramInspector:
                 return
 
     def _remember(self, line: int) -> None:
-        """A statement was checked: if it was in order, its shape may always be."""
+        """Mark the shape of the statement just checked as valid if nothing was found."""
         if self._new is None:
             return
         begin, shape, count = self._new
@@ -235,7 +237,9 @@ class _ProgramInspector:
             self._plain_in_order.add(shape_code(shape))
 
     def _is_checked(self, statement: Statement) -> bool:
-        """Behind the end of a section what no jump leads to never runs."""
+        """Return whether the statement can run: before the end of its section, or reached by a
+        jump.
+        """
         if self._ended and any(label in self._checker.targets for label, _ in labels_in(statement)):
             self._ended = False
         return not self._ended
@@ -269,7 +273,7 @@ class _ProgramInspector:
         self._checker.targets = {}
 
     def finish(self) -> ProgramText:
-        """The text has ended."""
+        """End the text; return the program after the checks of labels and local calls."""
         self._end_section()
         subprograms = self._program.subprograms
         for call in self._local_calls:
@@ -287,10 +291,10 @@ class _ProgramInspector:
 
 
 def _shape(block: Block) -> PlainShape | None:
-    """What a check of the block depends on; ``None`` where that is more than its words tell.
+    """Return all that the check of a plain block depends on; ``None`` if it depends on more.
 
-    G functions change what comes after them, M functions may end the program, and the number of a
-    block may be computed: only blocks of axis words, F above 0, G00 and G01 have a shape.
+    G functions change the meaning of later blocks, M functions may end the program, and a block
+    number may be computed: only blocks of axis words, F above 0, G00 and G01 have a shape.
     """
     if block.head.number is not None and not isinstance(block.head.number, Number):
         return None

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Where what stands in a program: its sections, the labels in them, and the way to any of both.
+"""The outline of a program: its sections, their labels, and how to reach them.
 
-In: the statements of a text as they are read, each with the line in which it begins. Out: a
-``ProgramText``, which gives the statements of a section from its start or from a label on. A short
-section is kept; a long one is read again from that line, so that no program is too long.
+In: the statements of a text in the order of reading, each with its first line. Out: a
+``ProgramText``, which yields the statements of a section from its start or from a label. A short
+section is kept in memory; a long one is read again from that line, so that a program may be of any
+length.
 """
 
 from __future__ import annotations
@@ -30,12 +31,12 @@ from nctakt.nc.tree import (
     While,
 )
 
-#: Statements of a section that are kept; a longer section is read from its text each time.
+#: Maximum number of statements kept in memory; a longer section is read from its text each time.
 KEPT_STATEMENTS = 1000
 
 
 def bodies_of(statement: Statement) -> Iterator[tuple[Statement, ...]]:
-    """The branches of a structure in the order of the text; nothing for a block."""
+    """Yield the branches of a structure in the order of the text; nothing for a block."""
     match statement:
         case If():
             yield statement.body
@@ -50,12 +51,14 @@ def bodies_of(statement: Statement) -> Iterator[tuple[Statement, ...]]:
 
 
 def is_loop(statement: Statement) -> bool:
-    """Whether a structure repeats its body: no jump leads into it."""
+    """Return whether a structure repeats its body; no jump may enter it."""
     return isinstance(statement, For | While | Do | Repeat | RealtimeLoop)
 
 
 def labels_in(statement: Statement, in_loop: bool = False) -> Iterator[tuple[str, bool]]:
-    """The labels of a statement and of all that is inside it, and whether a loop is around them."""
+    """Yield the labels of a statement and of all statements inside it, and whether a loop
+    encloses them.
+    """
     if statement.head.label is not None:
         yield statement.head.label, in_loop
     in_loop = in_loop or is_loop(statement)
@@ -65,7 +68,7 @@ def labels_in(statement: Statement, in_loop: bool = False) -> Iterator[tuple[str
 
 
 def leads_to(statement: Statement, label: str) -> bool:
-    """Whether a jump to this label leads to the statement or into it."""
+    """Return whether a jump to this label leads to the statement or into it."""
     return any(name == label and not in_loop for name, in_loop in labels_in(statement))
 
 
@@ -73,8 +76,9 @@ def leads_to(statement: Statement, label: str) -> bool:
 class Section:
     """The main program of a text, or one of its local subprograms.
 
-    ``labels``: where the statement begins that a label stands at or in; the first one counts.
-    ``loop_labels``: those that no jump may lead to; ``doubled``: those that stand twice.
+    ``labels``: label -> first line of the statement that has or contains it; the first one counts.
+    ``loop_labels``: labels inside loops, which no jump may reach; ``doubled``: labels defined
+    twice. ``kept``: the statements with their first lines, ``None`` if there are too many.
     """
 
     name: str
@@ -87,7 +91,7 @@ class Section:
     kept: list[tuple[int, Statement]] | None = field(default_factory=list)
 
     def add(self, line: int, statement: Statement) -> None:
-        """The next statement, which begins in ``line``."""
+        """Append a statement that begins in ``line``."""
         for label, in_loop in labels_in(statement):
             if label in self.labels or label in self.loop_labels:
                 self.doubled[label] = None
@@ -105,8 +109,8 @@ class Section:
 class ProgramText:
     """A checked program file: ``main`` and the local subprograms by name.
 
-    ``cycles``: the definitions of realtime cycles in it; ``calls``: the calls of other files by a
-    constant name; ``templates``: shapes of its statements that came before.
+    ``cycles``: its definitions of realtime cycles; ``calls``: its calls of other files by a
+    constant name; ``templates``: shapes of statements seen before.
     """
 
     source: Source
@@ -117,7 +121,7 @@ class ProgramText:
     templates: Templates = field(default_factory=Templates)
 
     def statements(self, section: Section, label: str | None = None) -> Iterator[Statement]:
-        """The statements of a section; from the one on that a label stands at or in."""
+        """Return the statements of a section, from the one with or around ``label`` on if given."""
         line = section.first_line if label is None else section.labels[label]
         if section.kept is not None:
             return (statement for begin, statement in section.kept if begin >= line)
@@ -125,10 +129,10 @@ class ProgramText:
 
 
 class SectionReader:
-    """The statements of a section from a line on, read from the text.
+    """Iterates over the statements of a section from a line on, read from the text.
 
-    What was found when the text was checked is not told again. Statements of shapes that came
-    before are made from their templates. Between two statements others may take lines (``lines``).
+    Mistakes found by the check are not reported again. Statements of a known shape are made from
+    their templates. Between two statements the caller may consume ``lines``.
     """
 
     def __init__(self, source: Source, section: Section, line: int, templates: Templates) -> None:
@@ -154,5 +158,5 @@ class SectionReader:
 
     @property
     def lines(self) -> LineReader | None:
-        """The lines that come next, unless they belong to what has been begun."""
+        """The lines that follow; ``None`` while they belong to an open statement."""
         return self._statements.lines

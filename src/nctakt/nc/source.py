@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The text of an NC program with its name, so that a span can be shown with its line.
 
-In: lines without their ends. Out: the same lines by number. The sequence may read lazily.
+In: lines without their ends. Out: the same lines by number. The sequence may be read lazily.
 """
 
 from __future__ import annotations
@@ -16,13 +16,15 @@ from nctakt.base.long_text import LongText
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """``file`` is the name as the user gave it, ``lines`` count from 1 in every span."""
+    """An NC text: ``file`` is the name as the user gave it; ``lines`` count from 1 in every
+    span.
+    """
 
     file: str
     lines: Sequence[str]
 
     def groups(self, first: int = 1) -> Iterator[list[str]]:
-        """The lines from one on, some at a time."""
+        """Return the lines from line ``first`` on, in groups."""
         if isinstance(self.lines, LongText):
             return self.lines.groups(first - 1)
         if isinstance(self.lines, list):
@@ -30,23 +32,23 @@ class Source:
         return ([line] for line in islice(self.lines, first - 1, None))
 
     def line_of(self, span: Span | None) -> str:
-        """The whole line that a span stands in; empty without a span or outside the text."""
+        """Return the whole line of a span; empty without a span or outside the text."""
         if span is None or not 1 <= span.line <= len(self.lines):
             return ""
         return self.lines[span.line - 1]
 
 
 class LineReader:
-    """Goes through the lines of a source: the next one is ``group[index]``, its number ``number``.
+    """Reads a source line by line: ``group[index]`` is the next line, ``number`` its number.
 
-    Whoever takes lines moves ``index`` on; behind the group ``more`` fetches the next one.
+    The caller advances ``index``; ``more`` fetches the next group at the end of this one.
     """
 
     __slots__ = ("_first", "_groups", "group", "index")
 
     def __init__(self, source: Source, first: int = 1) -> None:
         self._groups = source.groups(first)
-        self._first = first  # the number of the group's first line
+        self._first = first  # number of the first line of the group
         self.group: list[str] = []
         self.index = 0
 
@@ -56,7 +58,7 @@ class LineReader:
         return self._first + self.index
 
     def more(self) -> bool:
-        """Whether there is a next line."""
+        """Fetch the next group if this one is used up; return whether there is a next line."""
         while self.index >= len(self.group):
             group = next(self._groups, None)
             if group is None:

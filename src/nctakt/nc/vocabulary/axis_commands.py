@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Single-axis commands of realtime cycles, ``X[INDP …]``: what they say (RC-405, RC-407).
+"""Single-axis commands of realtime cycles, ``X[INDP …]`` (RC-405, RC-407).
 
-In: the bracket of the tree. Out: an ``AxisCommand``, and what is wrong with it as far as no value
-is needed for that. Checker, decoder and listing read commands through this module only.
+In: the bracket of the tree. Out: an ``AxisCommand``, and every mistake that can be found without
+values. Checker, decoder and listing read commands through this module only.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ from nctakt.messages.checked_cycles import INVALID_KEYWORD_VALUE
 from nctakt.nc.tree import Block, BracketCommand, Expression, If, Keyword, Name, Number, Statement
 from nctakt.nc.vocabulary.functions import ABSOLUTE, G_FUNCTIONS, LINE, RAPID, RELATIVE
 
-#: OFFSET keywords, those of single kinds in the order of ``kernel/axes/coordinates.py``.
+#: Values of OFFSET; single kinds in the order of ``kernel/axes/coordinates.py``, then ALL.
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL", "ALL")
-#: What DIR names, as the number that the realtime part takes.
+#: Values of DIR as numbers of the realtime part.
 DIRECTIONS = MappingProxyType({"POS": 1.0, "CUR": 0.0, "NEG": -1.0})
 
 _FLAGS = ("INDP", "ABORTING", "BUFFERED", "STOP")
@@ -38,7 +38,7 @@ _G_WORDS = MappingProxyType(
     {float(number): G_FUNCTIONS[number].name for number in (ABSOLUTE, RELATIVE, RAPID, LINE)}
 )
 
-#: Why a combination is refused (50967), by number: those that only the tick knows travel as such.
+#: Reasons of message 50967 by number; the tick reports those that depend on values by number.
 REFUSALS = MappingProxyType(
     {
         1: Text("STOP stands alone", "STOP steht allein"),
@@ -72,7 +72,9 @@ DIRECTION_OF_LINEAR_AXIS = Text(
 
 @dataclass(frozen=True, slots=True)
 class AxisTraits:
-    """What programs have to know of an axis; ``number`` is that of the whole machine."""
+    """The properties of an axis that programs depend on; ``number`` is that of the whole
+    machine.
+    """
 
     number: int
     is_linear: bool
@@ -82,7 +84,7 @@ class AxisTraits:
 
 @dataclass(frozen=True, slots=True)
 class AxisCommand:
-    """What a command says; what is not there is ``None``, empty or false.
+    """The content of a command; absent parts are ``None``, empty or false.
 
     ``rapid``: G00 true, G01 false. ``absolute``: G90 true, G91 false.
     """
@@ -100,7 +102,7 @@ class AxisCommand:
 
     @property
     def kind(self) -> Literal["stop", "position", "distance", "endless"]:
-        """What the axis does."""
+        """The kind of motion."""
         if self.stops:
             return "stop"
         if self.position is None:
@@ -109,11 +111,11 @@ class AxisCommand:
 
     @property
     def has_idle_feed(self) -> bool:
-        """Whether FEED has no effect: the way to a target is at rapid speed (G00)."""
+        """Whether FEED has no effect, because the motion to a target is rapid (G00)."""
         return bool(self.rapid) and self.feed is not None and self.position is not None
 
     def expressions(self) -> list[Expression]:
-        """What is computed in the tick, in the order of the computation."""
+        """Return the expressions that are computed in the tick, in the order of computation."""
         direction = None if isinstance(self.direction, Name) else self.direction
         values = [self.feed, self.position, direction]
         return [value for value in values if value is not None]
@@ -121,7 +123,7 @@ class AxisCommand:
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """A message with its place and values; ``written``: the value that is the text there."""
+    """A message with its span and values; ``written``: the value that is the text at the span."""
 
     message: Message
     span: Span
@@ -130,7 +132,7 @@ class Finding:
 
 
 def is_axis_command(command: BracketCommand) -> bool:
-    """Whether a bracket is a single-axis command: INDP stands in it."""
+    """Return whether a bracket is a single-axis command, that is, contains INDP."""
     return any(isinstance(item, Keyword) and item.name == "INDP" for item in command.items)
 
 
@@ -140,7 +142,7 @@ def has_function(command: BracketCommand) -> bool:
 
 
 def axis_commands_in(statements: Sequence[Statement]) -> Iterator[BracketCommand]:
-    """All single-axis commands of these statements and those inside them."""
+    """Yield all single-axis commands of these statements and of those inside them."""
     for statement in statements:
         match statement:
             case Block():
@@ -155,7 +157,7 @@ def axis_commands_in(statements: Sequence[Statement]) -> Iterator[BracketCommand
 
 
 def read_axis_command(command: BracketCommand) -> tuple[AxisCommand, list[Finding]]:
-    """The command, and what is wrong with it."""
+    """Return the command and its mistakes."""
     findings: list[Finding] = []
     keywords = _sorted(command, findings)
     parsed = AxisCommand(
@@ -178,7 +180,7 @@ def read_axis_command(command: BracketCommand) -> tuple[AxisCommand, list[Findin
 
 
 def refusal(command: BracketCommand, number: int) -> Finding:
-    """50967 with one of ``REFUSALS``."""
+    """Return finding 50967 with the reason of this number in ``REFUSALS``."""
     return Finding(
         INDEPENDENT_MOTION_REFUSED,
         command.span,
@@ -187,7 +189,7 @@ def refusal(command: BracketCommand, number: int) -> Finding:
 
 
 def _sorted(command: BracketCommand, findings: list[Finding]) -> dict[str, Keyword]:
-    """The keywords by name; G functions by their names, as ``G90``."""
+    """Return the keywords by name, G functions as ``G90``; report unknown and duplicate ones."""
     keywords: dict[str, Keyword] = {}
     for item in command.items:
         name = item.name if isinstance(item, Keyword) else ""
@@ -220,7 +222,9 @@ def _sorted(command: BracketCommand, findings: list[Finding]) -> dict[str, Keywo
 
 
 def _g_word(keyword: Keyword) -> str:
-    """``G90`` and its kin; empty for any other G function and for a computed number."""
+    """Return the name ``G90``, ``G91``, ``G00`` or ``G01``; empty for any other G function or a
+    computed number.
+    """
     return _G_WORDS.get(keyword.value.value, "") if isinstance(keyword.value, Number) else ""
 
 
@@ -250,7 +254,7 @@ def _unknown_choice(value: Expression, word: str, names: tuple[str, ...]) -> Fin
 
 
 def _combination(command: AxisCommand, keywords: dict[str, Keyword]) -> list[int]:
-    """Numbers of ``REFUSALS`` that need no value."""
+    """Return the numbers of those ``REFUSALS`` that need no value."""
     if command.stops:
         return [1] if len(keywords) > 2 else []
     refused = [

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""How a declared variable lies in the cells of the memory.
+"""The layout of a declared variable in the cells of the memory.
 
-In: the tree of a variable. Out: how many cells it takes and where each number and string in it
-begins. Elements of arrays stand in ascending order, members as they are declared. A number is one
-cell, whatever its type; the bytes of a character string fill as many cells as they need.
+In: the declaration of a variable. Out: the number of its cells and the first cell of each number
+and string in it. Elements of arrays are stored in ascending order, members in the order of
+declaration. A number takes one cell, whatever its type; a character string takes as many cells as
+its bytes need.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ CELL_BYTES = 8
 
 
 def cells_of(node: Node) -> int:
-    """Cells that a variable takes, all its elements and members; eight characters fill a cell."""
+    """Return the number of cells of a variable with all its elements and members."""
     if node.members:
         own = sum(cells_of(member) for member in node.members)
     else:
@@ -26,7 +27,9 @@ def cells_of(node: Node) -> int:
 
 
 def leaf_cells(node: Node, path: str, cell: int) -> Iterator[tuple[str, Node, int]]:
-    """The numbers and strings of a variable at ``cell``: path, declaration, first cell of each."""
+    """Yield path, declaration and first cell of each number and string of a variable at
+    ``cell``.
+    """
     count = node.array_elements
     stride = cells_of(node) // max(1, count)
     for index in range(max(1, count)):
@@ -40,9 +43,10 @@ def leaf_cells(node: Node, path: str, cell: int) -> Iterator[tuple[str, Node, in
 
 
 def same_type(node: Node, other: Node) -> bool:
-    """Whether two variables can be assigned to each other as wholes (RC-310); names do not count.
+    """Return whether two aggregates can be assigned to each other (RC-310); type names do not
+    count.
 
-    Structures are compared member by member: two lists may use one name for different ones.
+    Structures are compared member by member, since two lists may use one name for different types.
     """
     if (node.type, node.array_elements, node.size_bytes) != (
         other.type,

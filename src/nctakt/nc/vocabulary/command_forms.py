@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How the ``#`` commands that are simulated are written: for remedies and for explanation."""
+"""The forms of the ``#`` commands that are simulated, for remedies and explanations."""
 
 from __future__ import annotations
 
@@ -42,5 +42,5 @@ FORMS: dict[str, tuple[str, ...]] = {
 
 
 def forms_of(command: str) -> str:
-    """The forms of a command, one behind the other."""
+    """Return the forms of a command as one line."""
     return "  |  ".join(FORMS.get(command, ())) or NOTHING

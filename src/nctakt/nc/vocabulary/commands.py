@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""``#`` commands, control words, variables and forms that are known, with their support.
+"""Known ``#`` commands, control words, variables and forms with their support.
 
-A ``#`` command is known by its first words; where several rows fit, the longest counts.
+A ``#`` command is known by its first words; the longest row that fits counts.
 """
 
 from __future__ import annotations
@@ -238,7 +238,7 @@ VARIABLES = table(
     ("V.TOOL", REFUSED, "data of tools", "Daten der Werkzeuge"),
 )
 
-#: What has no name of its own in a program: the example stands for it.
+#: Forms of the language without a name of their own, each by an example.
 FORMS = table(
     Kind.FORM,
     ("X[INDP …]", SIMULATED, "motion of one axis, in cycles", "Bewegung einer Achse, in Zyklen"),

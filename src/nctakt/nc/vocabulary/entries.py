@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Rows of the tables of known words: what a name means and how far it is supported.
+"""Rows of the tables of known names: meaning and level of support.
 
-Three levels of support: *simulated*; *accepted*, which is checked and has no effect on positions
-here; *refused*, which would change positions or timing in a way that is not modelled, so that it is
-an error by name.
+Three levels of support: *simulated*; *accepted*, checked but without effect on positions;
+*refused*, an error by name, because it would change positions or timing in a way that is not
+modelled.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from nctakt.base.diagnostics import Text
 
 
 class Support(enum.Enum):
-    """What happens to a program that uses a name."""
+    """The level of support of a name."""
 
     SIMULATED = "simulated"
     ACCEPTED = "accepted"
@@ -28,7 +28,7 @@ SIMULATED, ACCEPTED, REFUSED = Support.SIMULATED, Support.ACCEPTED, Support.REFU
 
 
 class Kind(enum.Enum):
-    """The table that a name belongs to."""
+    """The table of a name."""
 
     G_FUNCTION = "G function"
     M_FUNCTION = "M function"

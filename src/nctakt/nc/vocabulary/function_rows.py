@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of the table of G and M functions (``functions.py``): their fields, and makers of rows."""
+"""Rows of the table of G and M functions (``functions.py``): their fields and constructors."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from nctakt.nc.vocabulary.entries import (
 
 
 class Group(enum.Enum):
-    """Modal groups: one function of each is active, and one may stand in a block."""
+    """Modal groups: one function of each is active, and only one may appear in a block."""
 
     MOTION = "motion"
     FEED_ADAPTATION = "feed adaptation"
@@ -43,7 +43,7 @@ class Group(enum.Enum):
 
 
 class Form(enum.Enum):
-    """How a G function is written, by an example."""
+    """The way a G function is written, by an example."""
 
     ALONE = "G90"
     TIME = "G04 X0.5"
@@ -54,7 +54,7 @@ class Form(enum.Enum):
 
 
 class Role(enum.Enum):
-    """What an M function of the controller does to the program."""
+    """The effect of an M function of the controller on the program."""
 
     PROGRAM_STOP = "program stop"
     OPTIONAL_STOP = "optional stop"
@@ -67,11 +67,11 @@ class Role(enum.Enum):
 class GFunction(Entry):
     """A row of a G function.
 
-    Functions of one ``group`` exclude each other in a block and are modal; those without a group
-    act in their block only. ``plain``: the fast ways know the function. Of the group ``MOTION`` it
-    may stand in a plain line (``nc/fast/plain_lines.py``); of any other group plain lines may be
+    Functions of one ``group`` are modal and exclude each other in a block; those without a group
+    act in their block only. ``plain``: the fast paths know the function. In the group ``MOTION`` it
+    may appear in a plain line (``nc/fast/plain_lines.py``); in any other group plain lines may be
     decoded while it is active (``decoder/fast``). ``neutral``: the value with which a refused
-    function changes nothing, so that it is accepted: ``G131=100``.
+    function changes nothing and is therefore accepted: ``G131=100``.
     """
 
     number: int = -1
@@ -92,48 +92,48 @@ class MFunction(Entry):
 def simulated(
     number: int, en: str, de: str, form: Form = Form.ALONE, *, plain: bool = False
 ) -> GFunction:
-    """A row of a function that is simulated."""
+    """Return the row of a simulated function."""
     meaning = Text(en, de)
     row = GFunction(Kind.G_FUNCTION, f"G{number:02}", SIMULATED, meaning, number=number)
     return replace(row, form=form, plain=plain)
 
 
 def plain(number: int, en: str, de: str, form: Form = Form.ALONE) -> GFunction:
-    """A row of a simulated function that the fast ways know."""
+    """Return the row of a simulated function that the fast paths know."""
     return simulated(number, en, de, form, plain=True)
 
 
 def accepted(number: int, en: str, de: str, *, plain: bool = False) -> GFunction:
-    """A row of a function that is checked and has no effect."""
+    """Return the row of a function that is checked and has no effect."""
     return replace(simulated(number, en, de, plain=plain), support=ACCEPTED)
 
 
 def refused(number: int, en: str, de: str, instead: Text = NOTHING_INSTEAD) -> GFunction:
-    """A row of a refused function; ``instead``: what to use in its place."""
+    """Return the row of a refused function; ``instead``: what to use in its place."""
     return replace(simulated(number, en, de), support=REFUSED, instead=instead)
 
 
 def weight(number: int, en: str, de: str) -> GFunction:
-    """A row of a refused function that weighs in per cent: with 100 it changes nothing."""
+    """Return the row of a refused function that weights in per cent; 100 changes nothing."""
     return replace(refused(number, en, de), neutral=100.0)
 
 
 def group(group: Group | None, *rows: GFunction) -> Iterator[GFunction]:
-    """The rows of a modal group; ``None``: they act in their block only."""
+    """Yield the rows of a modal group; ``None``: functions that act in their block only."""
     return (replace(row, group=group) for row in rows)
 
 
 def refused_range(first: int, last: int, en: str, de: str) -> Iterator[GFunction]:
-    """Rows of refused functions, from ``first`` to ``last``."""
+    """Yield the rows of refused functions from ``first`` to ``last``."""
     return (refused(number, en, de) for number in range(first, last + 1))
 
 
 def by_number(*groups: Iterator[GFunction]) -> Mapping[int, GFunction]:
-    """The rows of all groups by their numbers."""
+    """Return the rows of all groups by number."""
     return MappingProxyType({row.number: row for group in groups for row in group})
 
 
 def m_function(number: int, en: str, de: str, role: Role) -> MFunction:
-    """A row of an M function, all of which are simulated."""
+    """Return the row of an M function; all of them are simulated."""
     meaning = Text(en, de)
     return MFunction(Kind.M_FUNCTION, f"M{number:02}", SIMULATED, meaning, number=number, role=role)

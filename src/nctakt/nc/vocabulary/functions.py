@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The table of the G functions and of the controller's M functions.
 
-A row says number, support, meaning in English and German, how the function is written (``Form``),
-its modal group, and whether the fast ways know it (``plain``), which they do not unless said: a new
-function takes the way of the tree. Checker, decoder and fast ways take numbers and groups from
-here; they stand in no other module of ``nc`` and ``decoder`` (``tests/test_tidy.py``).
+A row holds number, support, meaning in English and German, the form in which the function is
+written (``Form``), its modal group, and whether the fast paths know it (``plain``). They do not
+unless the row says so: a new function is decoded from its tree. Checker, decoder and fast paths
+take numbers and groups from this module; no other module of ``nc`` and ``decoder`` holds them
+(``tests/test_tidy.py``).
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ PLANE_XY, PLANE_ZX, PLANE_YZ = 17, 18, 19
 LINEAR_TRANSITIONS, CIRCULAR_TRANSITIONS = 25, 26
 COMPENSATION_OFF, COMPENSATION_LEFT, COMPENSATION_RIGHT = 40, 41, 42
 COMPENSATIONS = (COMPENSATION_LEFT, COMPENSATION_RIGHT)
-#: By the number of the zero offset that they select, G53 none (P-ZERO-00003).
+#: Indexed by the zero offset that they select; G53 selects none (P-ZERO-00003).
 ZERO_OFFSETS = (53, 54, 55, 56, 57, 58, 59)
 NUMBERED_ZERO_OFFSET = 159
 EXACT_STOP_ONCE, CONTOURING_ONCE = 60, 61
@@ -65,7 +66,7 @@ CLOCKWISE, COUNTERCLOCKWISE, SPINDLE_STOP, SPINDLE_POSITION = 3, 4, 5, 19
 TOOL_CHANGE = 6
 
 
-#: All G functions that are known, by number.
+#: All known G functions by number.
 G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     group(
         Group.MOTION,
@@ -361,7 +362,7 @@ _M_ROWS = (
     m_function(30, "program end", "Programmende", Role.PROGRAM_END),
 )
 
-#: M functions of the controller itself by number. All others are those of the channel list.
+#: M functions of the controller itself by number; all others are defined by the channel list.
 M_FUNCTIONS: Mapping[int, MFunction] = MappingProxyType({row.number: row for row in _M_ROWS})
 
 
@@ -369,13 +370,15 @@ M_FUNCTIONS: Mapping[int, MFunction] = MappingProxyType({row.number: row for row
 
 
 def group_of(number: int) -> Group | None:
-    """Return the modal group of a G function; ``None`` without a group, or where it is unknown."""
+    """Return the modal group of a G function; ``None`` for an unknown one or one without a
+    group.
+    """
     row = G_FUNCTIONS.get(number)
     return None if row is None else row.group
 
 
 def members(of: Group) -> tuple[int, ...]:
-    """Return the numbers of the functions of a group that are simulated."""
+    """Return the numbers of the simulated functions of a group."""
     rows = (row for row in G_FUNCTIONS.values() if row.group is of)
     return tuple(row.number for row in rows if row.support is SIMULATED)
 
@@ -384,21 +387,21 @@ def _of_role(*roles: Role) -> tuple[int, ...]:
     return tuple(row.number for row in M_FUNCTIONS.values() if row.role in roles)
 
 
-#: The motions, and those that a plain line may have.
+#: All motions, and those that may appear in a plain line.
 MOTIONS = members(Group.MOTION)
 PLAIN_MOTIONS = tuple(number for number in MOTIONS if G_FUNCTIONS[number].plain)
 
-#: M functions that end the main program, a subprogram, either of them.
+#: M functions that end the main program, a subprogram, or either of them.
 PROGRAM_ENDS = _of_role(Role.PROGRAM_END)
 SUBPROGRAM_ENDS = _of_role(Role.SUBPROGRAM_END)
 ENDS = _of_role(Role.PROGRAM_END, Role.SUBPROGRAM_END)
-#: The M functions that end a subprogram as commands with options, ``M17 [MAIN]``.
+#: Ends of subprograms as commands with options, ``M17 [MAIN]``.
 RETURN_COMMANDS = tuple(M_FUNCTIONS[number].name for number in SUBPROGRAM_ENDS)
 
-#: M functions that stop the program until START, and those that do so with HLI.OPTIONAL_STOP.
+#: M functions that stop the program until START; those that do so only with HLI.OPTIONAL_STOP.
 PROGRAM_STOPS = _of_role(Role.PROGRAM_STOP, Role.OPTIONAL_STOP)
 OPTIONAL_STOPS = _of_role(Role.OPTIONAL_STOP)
-#: M functions that control programs, which realtime cycles have not (RC-403).
+#: M functions that control programs, not allowed in realtime cycles (RC-403).
 FLOW_FUNCTIONS = _of_role(
     Role.PROGRAM_STOP, Role.OPTIONAL_STOP, Role.PROGRAM_END, Role.SUBPROGRAM_END
 )

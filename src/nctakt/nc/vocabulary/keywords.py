@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The keywords of realtime cycles, in words (RC-101 … RC-111, RC-203, RC-405, RC-407).
+"""The keywords of realtime cycles in words (RC-101 … RC-111, RC-203, RC-405, RC-407).
 
-Data for explanation and documentation; the parser and the checker know the words themselves, and
-a test compares the two.
+Data for explanation and documentation; parser and checker have their own lists, and a test compares
+the two.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from nctakt.base.diagnostics import Text
 
 @dataclass(frozen=True, slots=True)
 class KeywordMeaning:
-    """A keyword, what it does, and how it is written."""
+    """A keyword, its meaning, and an example."""
 
     name: str
     meaning: Text

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The text of a ``#MSG`` with conversions for values, as in ``"X = %f"``: its conversions in order.
+"""The conversions in the text of a ``#MSG``, such as ``%f`` in ``"X = %f"``.
 
-Who fills them is ``decoder/values/texts.py``.
+``decoder/values/texts.py`` fills them in.
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ _CONVERSION = re.compile(
 
 
 class Conversion(NamedTuple):
-    """One place as it is written; ``is_valid`` is false where it is none that can be filled."""
+    """One conversion as written; ``is_valid`` is false for one that cannot be filled in."""
 
     text: str
     is_valid: bool
 
     @property
     def takes_text(self) -> bool:
-        """Whether a text fits, not only a number."""
+        """Whether it accepts a text as well as a number."""
         return self.text.endswith("s")
 
 
 def conversions(text: str) -> Iterator[Conversion]:
-    """Each place in the order of the text; ``%%`` is none but the sign itself."""
+    """Yield the conversions of a text in their order; ``%%`` stands for the sign itself."""
     for match in _CONVERSION.finditer(text):
         if match["kind"] is not None:
             yield Conversion(match[0], True)

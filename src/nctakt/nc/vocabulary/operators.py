@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The operators and functions of NC expressions: one table for all who deal with them.
+"""The operators and functions of NC expressions, in one table.
 
-Data only. The parser takes names and precedence from here, the checker arity and where a function
-may stand, the documentation the meaning; the numeric functions themselves are in
-``kernel/base/arithmetic.py``. Angles are in degrees. Precedence: RC-206 (*choice*).
+Data only. The parser takes names and precedence, the checker arity and where a function is allowed,
+the documentation the meaning; ``kernel/base/arithmetic.py`` computes. Angles are in degrees.
+Precedence: RC-206 (*choice*).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from nctakt.base.diagnostics import Text
 
 @dataclass(frozen=True, slots=True)
 class Operator:
-    """A prefix (one operand) or infix operator; the higher ``precedence`` binds stronger."""
+    """A prefix (one operand) or infix operator; a higher ``precedence`` binds more strongly."""
 
     symbol: str
     precedence: int
@@ -30,10 +30,9 @@ class Operator:
 class Function:
     """``NAME[a, â€¦]`` with ``minimum`` to ``maximum`` arguments.
 
-    ``decoder_only``: asks about names or texts, so it has no place in a realtime cycle.
-    ``arguments``: T a text, N a number, V any value, A what may be asked for (a variable, a
-    parameter, a function), argument by argument; all numbers where it is empty. ``is_text``: the
-    result is a text.
+    ``decoder_only``: works on names or texts and is not allowed in a realtime cycle. ``arguments``:
+    the kind of each argument, T text, N number, V any value, A a variable, parameter or function
+    name; empty: all are numbers. ``is_text``: the result is a text.
     """
 
     name: str
@@ -163,7 +162,7 @@ PLACES = Text("positions from 1 to the text's length", "Stellen von 1 bis zur LÃ
 LENGTHS = Text("a number not below 0", "eine Zahl nicht unter 0")
 NUMBER_TEXT = Text("the text of a number", "der Text einer Zahl")
 
-#: Functions of names and texts; a realtime cycle has none of them.
+#: Functions of names and texts, not allowed in realtime cycles.
 _OF_NAMES = _asking(
     (
         "EXIST",
@@ -280,7 +279,7 @@ _OF_NAMES = _asking(
     ),
 )
 
-#: Functions of names and texts; #RT CYCLE DELETE is none of them.
+#: Names of the functions of texts; DELETE is also an action of #RT CYCLE.
 TEXT_FUNCTIONS = frozenset(_OF_NAMES)
 
 #: All functions.

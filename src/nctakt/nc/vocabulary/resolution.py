@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Variables of the tree -> their places in the table of names.
+"""Variables of the tree -> their entries in the table of names.
 
-One way from a node to ``NameTable.resolve``, for checker and decoder.
+Checker and decoder call ``NameTable.resolve`` through this module only.
 """
 
 from __future__ import annotations
@@ -24,33 +24,35 @@ from nctakt.nc.vocabulary.variable_table import Aggregate, Location, NameTable, 
 
 
 def resolve(variable: Variable, names: NameTable) -> Location | NotFound:
-    """The location of a variable, or why there is none; its index values are not looked at."""
+    """Return the location of a variable, or why there is none; index values do not matter."""
     parts = [(part.name, len(part.indices)) for part in variable.parts]
     return names.resolve(variable.family, parts)
 
 
 def resolve_aggregate(variable: Variable, names: NameTable) -> Aggregate | NotFound:
-    """The structure or whole array that a variable names, or why it names none."""
+    """Return the structure or whole array that a variable names, or why it names none."""
     parts = [(part.name, len(part.indices)) for part in variable.parts]
     return names.resolve_aggregate(variable.family, parts)
 
 
-#: Families of variables that programs make themselves.
+#: Families of variables that programs create themselves.
 PROGRAM_FAMILIES = ("P", "S", "L", "CYC")
 
 
 def is_program_variable(expression: Expression) -> bool:
-    """Whether it is a variable that a program makes itself: what it is only the run shows."""
+    """Return whether the program itself creates the variable, so that its type is known only at
+    run time.
+    """
     return isinstance(expression, Variable) and expression.family in PROGRAM_FAMILIES
 
 
 def bare_name(variable: Variable) -> str:
-    """The name of such a variable without its family and its indices."""
+    """Return the name of a program variable without family and indices."""
     return ".".join(part.name for part in variable.parts)
 
 
 def may_be_text(expression: Expression) -> bool:
-    """Whether only the run shows if the value is a text or a number."""
+    """Return whether only the run shows if the value is a text or a number."""
     match expression:
         case Parameter():
             return expression.call
@@ -60,7 +62,7 @@ def may_be_text(expression: Expression) -> bool:
 
 
 def is_text(expression: Expression, names: NameTable) -> bool:
-    """Whether an expression has a text as its value, or would have, if it were right."""
+    """Return whether the value of an expression is a text, or was meant to be one."""
     match expression:
         case StringLiteral():
             return True
@@ -76,18 +78,18 @@ def is_text(expression: Expression, names: NameTable) -> bool:
 
 
 def indices_of(variable: Variable) -> list[Expression]:
-    """All indices of a variable in the order of ``Location.dimensions``."""
+    """Return all indices of a variable in the order of ``Location.dimensions``."""
     return [index for part in variable.parts for index in part.indices]
 
 
 def path_text(variable: Variable) -> str:
-    """The variable as messages show it: ``V.E.LIST[].MEMBER``, indices left out."""
+    """Return the variable as messages show it, without index values: ``V.E.LIST[].MEMBER``."""
     parts = (part.name + "[]" * len(part.indices) for part in variable.parts)
     return ".".join((f"V.{variable.family}", *parts))
 
 
 def variables_in(expression: Expression) -> Iterator[Variable]:
-    """All variables in an expression; those in an index come before the variable it belongs to."""
+    """Yield all variables in an expression; those in an index precede the indexed variable."""
     match expression:
         case Variable():
             for index in indices_of(expression):
@@ -108,7 +110,7 @@ def variables_in(expression: Expression) -> Iterator[Variable]:
 
 
 def _variables_in_call(call: Call) -> Iterator[Variable]:
-    """Those whose values a function needs: not the one that it asks for by name."""
+    """Yield the variables that a function reads, without the one that it takes by name."""
     function = FUNCTIONS.get(call.function)
     kinds = "" if function is None else function.arguments
     for kind, argument in zip_longest(kinds[: len(call.arguments)], call.arguments):

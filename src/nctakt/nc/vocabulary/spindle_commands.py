@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a block says to spindles: the words of the main one, and ``S2[M3 REV=1000]`` (RC-404).
+"""Commands to spindles in a block: words of the main spindle, and ``S2[M3 REV=1000]`` (RC-404).
 
-In: the words of a block. Out: one ``SpindleCommand`` for the main spindle's words together and one
-for each bracket, and the words that are for nobody's spindle. Checker and decoder share it.
+In: the words of a block. Out: one ``SpindleCommand`` for all words of the main spindle and one for
+each bracket, and the remaining words. Shared by checker and decoder.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ _POSITION = ("S.POS", "POS")
 
 @dataclass(slots=True)
 class SpindleCommand:
-    """One spindle's part of a block; ``name`` is empty for the words of the main spindle.
+    """The part of a block for one spindle; ``name`` is empty for the main spindle.
 
-    ``doubled`` are words that stand there twice, ``wrong`` those that no spindle command has.
+    ``doubled``: duplicate words; ``wrong``: words that a spindle command cannot have.
     """
 
     name: str
@@ -45,7 +45,7 @@ class SpindleCommand:
 def split(
     words: Sequence[BlockWord], spindles: Sequence[str]
 ) -> tuple[list[SpindleCommand], list[BlockWord]]:
-    """The commands to spindles among the words of a block, and the other words."""
+    """Return the spindle commands among the words of a block, and the other words."""
     commands: list[SpindleCommand] = []
     others: list[BlockWord] = []
     main: SpindleCommand | None = None
@@ -65,12 +65,12 @@ def split(
 
 
 def _is_main(word: Word) -> bool:
-    """Whether a word is for the main spindle."""
+    """Return whether a word is for the main spindle."""
     return word.name in ("S", "S.POS") or (word.name == "M" and _function(word) is not None)
 
 
 def _function(word: Word | Keyword) -> int | None:
-    """The number of a spindle function."""
+    """Return the number of a spindle function, ``None`` for any other word."""
     value = word.value
     if isinstance(value, Number) and value.value in SPINDLE_FUNCTIONS:
         return int(value.value)
@@ -88,7 +88,7 @@ def _bracket(command: BracketCommand) -> SpindleCommand:
 
 
 def _add(command: SpindleCommand, word: Word | Keyword) -> None:
-    """Add a word to what it says."""
+    """Add a word to a command."""
     function = _function(word) if word.name == "M" else None
     if word.arguments or (isinstance(word, Word) and word.additional is not None):
         command.wrong.append(word)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Character strings as the memory holds them: one byte a character, ended by a zero byte.
+"""Character strings in memory: one byte per character, terminated by a zero byte.
 
-In: texts, or the bytes of a string variable. Out: the other of both. The characters are those of
-Windows-1252, as in the lists (``base/text.py``). A variable of ``size_bytes`` takes one character
-less than it has bytes; STRING without P-EXTV-00022 has 24 bytes and takes 20.
+In: texts, or the bytes of a string variable. Out: the other form. The characters are those of
+Windows-1252, as in the lists (``base/text.py``). A variable holds one character less than its
+``size_bytes``; STRING without P-EXTV-00022 has 24 bytes and holds 20.
 """
 
 from __future__ import annotations
@@ -18,19 +18,21 @@ _SHORT_STRING_BYTES, _SHORT_STRING_CHARACTERS = 24, 20
 
 
 def max_characters(type_: str, size_bytes: int) -> int:
-    """The longest text that a variable takes."""
+    """Return the length of the longest text that fits into a variable."""
     if type_ == "STRING" and size_bytes == _SHORT_STRING_BYTES:
         return _SHORT_STRING_CHARACTERS
     return size_bytes - 1
 
 
 def decode(data: bytes | bytearray | memoryview) -> str:
-    """The text of a string variable: its characters before the first zero byte."""
+    """Return the text of a string variable up to its first zero byte."""
     return bytes(data).split(b"\0", 1)[0].decode("latin-1").translate(WINDOWS_1252)
 
 
 def encode(text: str, size_bytes: int) -> bytes:
-    """The bytes of a variable that holds ``text``, zeros behind it; it fits (``misfit``)."""
+    """Return the bytes of a variable that holds ``text``, padded with zeros; the text must fit
+    (``misfit``).
+    """
     data = text.translate(_BYTES).encode("latin-1")
     assert len(data) < size_bytes, (text, size_bytes)
     return data.ljust(size_bytes, b"\0")
@@ -51,12 +53,12 @@ def misfit(
 
 
 def read(memory: memoryview, cell: int, size_bytes: int) -> str:
-    """The text of the variable at ``cell``; ``memory``: the machine's, as bytes."""
+    """Return the text of the variable at ``cell``; ``memory``: the machine's, as bytes."""
     first = cell * CELL_BYTES
     return decode(memory[first : first + size_bytes])
 
 
 def write(memory: memoryview, cell: int, data: bytes) -> None:
-    """Store what ``encode`` gave."""
+    """Store the bytes that ``encode`` returned."""
     first = cell * CELL_BYTES
     memory[first : first + len(data)] = data

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""How far each known word, function, command and variable of the language is supported.
+"""The level of support of each known word, function, command and variable of the language.
 
-In: names and numbers as the tree has them. Out: the ``Entry`` of the name, ``None`` where it is
-unknown. ``entries`` gives the whole table, for documentation.
+In: names and numbers from the tree. Out: the ``Entry`` of the name, ``None`` if it is unknown.
+``entries`` yields the whole table, for documentation.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _TABLES: tuple[Mapping[int, Entry] | Mapping[str, Entry], ...] = (
 
 
 def entries() -> Iterator[Entry]:
-    """The whole table, kind by kind."""
+    """Yield the whole table, kind by kind."""
     for table in _TABLES:
         yield from table.values()
 
@@ -67,7 +67,7 @@ def h_function(number: int, functions: Mapping[int, TechnologyFunction]) -> Entr
 
 
 def word(name: str) -> Entry | None:
-    """Return the entry of a word that is no axis, by its letter or name."""
+    """Return the entry of a word other than an axis, by its letter or name."""
     return WORDS.get(name)
 
 
@@ -101,7 +101,7 @@ def form(example: str) -> Entry:
 
 
 def nearest_hash(words: Sequence[str]) -> str:
-    """The known ``#`` command that is most like these words, empty if none is."""
+    """Return the known ``#`` command most similar to these words; empty if there is none."""
     written = ["#" + " ".join(words[:count]) for count in range(min(len(words), 3), 0, -1)]
     pairs = [(near, name) for name in written for near in get_close_matches(name, COMMANDS, 1)]
     if not pairs:
@@ -110,6 +110,6 @@ def nearest_hash(words: Sequence[str]) -> str:
 
 
 def nearest_family(family: str) -> str:
-    """The known family of variables that is most like this one, empty if none is."""
+    """Return the known family of variables most similar to this one; empty if there is none."""
     near = get_close_matches(f"V.{family}", [name for name in VARIABLES if name[0] == "V"], 1)
     return near[0] if near else ""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The data of the controller that programs may use by V.G and V.A: names, types, rights, meaning.
+"""The controller's data that programs may use by V.G and V.A: names, types, rights, meanings.
 
-One row for each; ``system_variables.py`` finds them in the tree, the decoder gives their values,
-``nctakt explain`` shows them. ``<X>`` is an axis of the channel, or its place ``[0]``. All are read
-when the block is decoded; those that ``wait`` empty the channel first, as they show the present.
+One row each; ``system_variables.py`` finds them in the tree, the decoder gives their values,
+``nctakt explain`` shows them. ``<X>`` is an axis of the channel, or its index ``[0]``. All are read
+when the block is decoded; those that ``wait`` empty the channel first, since they show the present.
 """
 
 from __future__ import annotations
@@ -14,7 +14,9 @@ from nctakt.base.diagnostics import Text
 
 
 class SystemRow(NamedTuple):
-    """``family`` G or A, ``path`` without it and without axis; ``unit`` mm: also degrees, inch."""
+    """One variable: ``family`` G or A, ``path`` without family and axis; ``unit`` mm: also
+    degrees or inch.
+    """
 
     family: str
     path: str
@@ -27,7 +29,7 @@ class SystemRow(NamedTuple):
 
     @property
     def name(self) -> str:
-        """As in the documents: ``V.A.ABS.X``."""
+        """The name in documents: ``V.A.ABS.X``."""
         return f"V.{self.family}.{self.path}" + (".X" if self.has_axis else "")
 
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Which of the controller's data V.G and V.A programs may use here.
+"""V.G and V.A variables of the tree -> the controller's data that they name.
 
-In: a variable of the tree. Out: what it is, ``None`` for what is refused by name. All of them are
-numbers, read when the block is decoded; ``system_names.py`` has those that are not of tools.
+In: a variable of the tree. Out: its meaning, ``None`` for a variable that is refused by name. All
+values are numbers, read when the block is decoded; ``system_names.py`` lists those that are not of
+tools.
 """
 
 from __future__ import annotations
@@ -19,16 +20,17 @@ SYSTEM_FAMILIES = ("G", "A")
 #: Timers of the main program: IDs 0 … 127.
 TIMERS = 128
 
-#: What programs read of a tool beside its elements: radius, length, valid, cutting edge, spindle.
+#: Single values of a tool: radius, length, validity, cutting edge, spindle.
 _TOOL_VALUES = ("R", "L", "OK", "SRK_ID", "SPDL_AX_NR")
 
 
 class SystemVariable(NamedTuple):
-    """``subject`` is the name of a value, of a tool's or that of a row of ``system_names.py``.
+    """A variable of the controller; ``subject``: the value of a tool, or a path of
+    ``system_names.py``.
 
-    ``number`` is that of a timer or, beside the active one, a tool or zero offset; ``element`` that
-    of a parameter or axis, ``axis`` the axis that is named instead. ``is_writable``: programs may
-    give it a value. ``waits``: what it shows is of the moment in which the channel is empty.
+    ``number``: of a timer, or of a tool or zero offset other than the active one; ``element``: of a
+    parameter or axis, ``axis``: the axis if it is named instead. ``is_writable``: programs may
+    assign to it. ``waits``: reading it empties the channel first.
     """
 
     kind: Literal["timer", "tool", "axis", "channel"]
@@ -41,12 +43,12 @@ class SystemVariable(NamedTuple):
 
     @property
     def indices(self) -> list[Expression]:
-        """What has to be evaluated for it."""
+        """The index expressions to evaluate."""
         return [index for index in (self.number, self.element) if index is not None]
 
 
 def system_variable(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
-    """What a variable of these families is; ``axes``: those of the channel."""
+    """Return the meaning of a V.G or V.A variable; ``axes``: those of the channel."""
     names = [part.name for part in variable.parts]
     indices = [index for part in variable.parts for index in part.indices]
     if variable.family == "G" and names == ["TIMER"] and len(indices) == 1:
@@ -57,7 +59,7 @@ def system_variable(variable: Variable, axes: Sequence[str]) -> SystemVariable |
 
 
 def _of_row(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
-    """``V.A.ABS.X``, ``V.A.ABS[0]``, ``V.G.NP[1].V.X``, ``V.G.MASS_MM``."""
+    """Return the meaning of ``V.A.ABS.X``, ``V.A.ABS[0]``, ``V.G.NP[1].V.X``, ``V.G.MASS_MM``."""
     parts = list(variable.parts)
     axis, element, number = "", None, None
     if len(parts) > 1 and parts[-1].name in axes and not parts[-1].indices:
@@ -83,12 +85,12 @@ def _of_row(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
 
 
 def _without(part: Part) -> Part:
-    """A part of a name without its indices."""
+    """Return a part of a name without its indices."""
     return Part(part.span, part.name)
 
 
 def _of_tools(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
-    """``WZ_AKT.R``, ``WZ[5].V.X``, ``WZR``, ``T_AKT``, ``D_AKT``."""
+    """Return the meaning of ``WZ_AKT.R``, ``WZ[5].V.X``, ``WZR``, ``T_AKT``, ``D_AKT``."""
     if variable.family != "G":
         return None
     first, rest = variable.parts[0], variable.parts[1:]
@@ -115,5 +117,7 @@ def _of_tools(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
 
 
 def is_decoder_data(variable: Variable) -> bool:
-    """Whether only the decoder knows the variable: a realtime cycle gets it as a constant."""
+    """Return whether only the decoder knows the variable, so that a realtime cycle takes it as a
+    constant.
+    """
     return is_program_variable(variable) or variable.family in SYSTEM_FAMILIES

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The V.* table: path -> type, unit, rights, and the memory cell where the value lives.
+"""The V.* table: path -> type, unit, rights, and memory cell.
 
-In: what the lists say of axes and variables. Out: ``Layout``, which gives each variable of the
-machine its place in the one memory, and ``NameTable``, one channel's view of it. Names are resolved
-once, when a program is checked or decoded; the tick knows only cells. Realtime variables:
+In: axes and variables from the lists. Out: ``Layout``, which assigns each variable of the machine
+its cells in the one memory, and ``NameTable``, the view of one channel. Names are resolved once,
+when a program is checked or decoded; the tick knows only cells. Realtime variables:
 ``realtime_variables.py``; V.E and V.CH: RC-301, RC-310.
 """
 
@@ -27,10 +27,10 @@ from nctakt.nc.vocabulary.realtime_variables import (
     RealtimeVariable,
 )
 
-#: Families whose variables the variables list declares, with rights of their own.
+#: Families that the variables list declares, each variable with its own rights.
 DECLARED = ("E", "CH")
 
-#: What programs and cycles may do with a V.E variable.
+#: Rights of programs and cycles to a V.E variable (RC-303).
 RIGHTS = {
     AccessRights.READ_WRITE: Access.BOTH,
     AccessRights.READ_ONLY: Access.READ,
@@ -50,9 +50,9 @@ class Dimension:
 class Location:
     """A variable without its index values.
 
-    ``cell`` is where it lives with all indices 0; a character string takes as many cells as its
-    ``size_bytes`` need. ``dimensions`` has one entry for each index in the order of the text.
-    ``is_length`` tells that the value is mm of a linear axis, which inch programs convert.
+    ``cell``: its first cell with all indices 0; a character string takes as many cells as its
+    ``size_bytes`` need. ``dimensions``: one entry for each index in the order of the text.
+    ``is_length``: the value is mm of a linear axis, converted in inch programs.
     """
 
     name: str
@@ -76,8 +76,8 @@ class Location:
 class Aggregate:
     """A structure or a whole array, without its index values.
 
-    ``node`` is its declaration, without ``array_elements`` where its own index is given. ``cell``
-    and ``dimensions`` as in ``Location``.
+    ``node``: its declaration, without ``array_elements`` where its own index is given. ``cell`` and
+    ``dimensions`` as in ``Location``.
     """
 
     name: str
@@ -87,7 +87,7 @@ class Aggregate:
 
 
 class Problem(enum.Enum):
-    """Why a path names no value."""
+    """The reason why a path names no value."""
 
     UNKNOWN = "unknown"
     STRUCTURE = "structure"
@@ -96,7 +96,9 @@ class Problem(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class NotFound:
-    """A path that names no value: why, up to which part it is known, the nearest known name."""
+    """A path that names no value: the reason, the known part of the path, the nearest known
+    name.
+    """
 
     reason: Problem
     name: str
@@ -106,11 +108,10 @@ class NotFound:
 
 @dataclass(frozen=True, slots=True)
 class ChannelNames:
-    """What one channel brings: names and machine-wide numbers of its axes, its variables.
+    """The names of one channel: its axes with their numbers in the machine, and its variables.
 
-    ``linear`` are the numbers of the axes whose positions are lengths, ``spindles`` names,
-    ``modulo`` the numbers of axes whose positions repeat, ``single`` of those that may be moved on
-    their own (P-AXIS-00457).
+    ``linear``: numbers of axes whose positions are lengths; ``spindles``: names; ``modulo``:
+    numbers of modulo axes; ``single``: numbers of axes that may move independently (P-AXIS-00457).
     """
 
     axes: tuple[tuple[str, int], ...]
@@ -127,11 +128,11 @@ def _row_cells(rows: Sequence[RealtimeVariable]) -> int:
 
 
 class Layout:
-    """The places of all variables in the machine's memory; ``size`` cells in all.
+    """The cells of all variables in the machine's memory; ``size`` in cells.
 
-    Channels first, then axes, then ``panel_cells`` of the HLI for each channel, then the variables
-    of the lists. ``external``: the first cell of each
-    V.E variable by channel, counted from 1, and name; 0 stands for GLOBAL.
+    Channels first, then axes, then ``panel_cells`` of the HLI for each channel, then spindles, then
+    the variables of the lists. ``external``: the first cell of each V.E variable by channel,
+    counted from 1 (0 for GLOBAL), and name.
     """
 
     def __init__(
@@ -151,32 +152,34 @@ class Layout:
         self.tables = [NameTable(self, i, channel) for i, channel in enumerate(channels)]
 
     def channel_cell(self, channel: int) -> int:
-        """The first cell of a channel."""
+        """Return the first cell of a channel."""
         return self.channel_cells * channel
 
     def axis_cell(self, axis: int) -> int:
-        """The first cell of an axis."""
+        """Return the first cell of an axis."""
         return self.first_axis + self.axis_cells * axis
 
     def panel_cell(self, channel: int) -> int:
-        """The first cell of a channel's operator's panel."""
+        """Return the first cell of a channel's operator panel."""
         return self.first_panel + self.panel_cells * channel
 
     def spindle_cell(self, channel: int) -> int:
-        """The first cell of a channel's spindles."""
+        """Return the first cell of a channel's spindles."""
         before = sum(len(names) for names in self.spindles[:channel])
         return self.first_spindle + len(SPINDLE_VALUES) * before
 
     def channel_value(self, channel: int, path: str) -> int:
-        """The cell of a channel's value, ``PATH.SPEED``."""
+        """Return the cell of a channel's value such as ``PATH.SPEED``."""
         return self.channel_cell(channel) + _offsets(CHANNEL_VARIABLES)[path][1]
 
     def axis_value(self, axis: int, path: str) -> int:
-        """The cell of an axis' value, ``ACS.ACT_POS``."""
+        """Return the cell of an axis' value such as ``ACS.ACT_POS``."""
         return self.axis_cell(axis) + _offsets(AXIS_VARIABLES)[path][1]
 
     def allocate(self, variable: Variable) -> int:
-        """The first cell of a variable; GLOBAL ones are there once for all channels."""
+        """Allocate a variable and return its first cell; GLOBAL ones exist once for all
+        channels.
+        """
         if variable.scope is VariableScope.GLOBAL:
             existing = self._global.get(variable.name)
             if existing is not None and existing[0].node == variable.node:
@@ -189,7 +192,7 @@ class Layout:
 
 
 class NameTable:
-    """The variables that programs of one channel know."""
+    """The variables that the programs of one channel know."""
 
     def __init__(self, layout: Layout, index: int, channel: ChannelNames) -> None:
         self._layout = layout
@@ -219,11 +222,13 @@ class NameTable:
         self._rta = _offsets(AXIS_VARIABLES)
 
     def axis(self, name: str) -> AxisTraits | None:
-        """The nature of an axis of the channel; ``None`` for any other name."""
+        """Return the traits of an axis of the channel; ``None`` for any other name."""
         return self._axis_traits.get(name)
 
     def resolve(self, family: str, parts: Sequence[tuple[str, int]]) -> Location | NotFound:
-        """The location of ``V.<family>.<parts>``; each part is a name and its number of indices."""
+        """Return the location of ``V.<family>.<parts>``; a part is a name and its number of
+        indices.
+        """
         key = (family, *parts)
         if key not in self._locations:
             self._locations[key] = self._resolve(family, parts)
@@ -241,7 +246,7 @@ class NameTable:
     def resolve_aggregate(
         self, family: str, parts: Sequence[tuple[str, int]]
     ) -> Aggregate | NotFound:
-        """A structure or a whole array of V.E or V.CH: a path that ``resolve`` refuses as such."""
+        """Return the structure or whole array of V.E or V.CH that the path names."""
         if family not in self._variables:
             return NotFound(Problem.UNKNOWN, f"V.{family}")
         location = self.resolve(family, parts)
@@ -331,7 +336,7 @@ class NameTable:
         return _resolve_row("RTA", path, axis, parts, self._rta, first, number in self._linear)
 
     def resolve_text(self, text: str) -> tuple[Location, int] | NotFound:
-        """The location and the cell of a variable with its index values, as in ``V.E.LIST[3]``."""
+        """Return location and cell of a variable with its index values, as in ``V.E.LIST[3]``."""
         match = _PATH.fullmatch(text.strip())
         if match is None:
             return NotFound(Problem.UNKNOWN, text.strip())
@@ -352,7 +357,7 @@ class NameTable:
         return location, cell
 
     def signals(self) -> Iterator[tuple[str, int, RealtimeVariable]]:
-        """The trace signals of the channel and its axes: name, cell, row of the table."""
+        """Yield the trace signals of the channel and its axes: name, cell, row of the table."""
         for axis, number in self._axes.items():
             for row, offset in self._rta.values():
                 yield f"{axis}.{row.path}", self._layout.axis_cell(number) + offset, row
@@ -369,7 +374,7 @@ class NameTable:
                 yield f"V.RTG.{row.path}[{index}]", first + offset + index, row
 
     def realtime(self) -> Iterator[tuple[str, int]]:
-        """Every V.RTG and V.RTA value that programs know: its name, its cell."""
+        """Yield name and cell of every V.RTG and V.RTA value that programs may use."""
         for axis, number in self._axes.items():
             for row, offset in self._rta.values():
                 if row.decoder or row.cycle:
@@ -382,7 +387,7 @@ class NameTable:
                     yield f"V.RTG.{row.path}{element}", cell
 
     def values(self) -> Iterator[tuple[str, int, str]]:
-        """Every number and string of V.E and V.CH: its name, its first cell, its type."""
+        """Yield name, first cell and type of every number and string of V.E and V.CH."""
         for family, variables in self._variables.items():
             for name, (node, cell) in variables.items():
                 for path, leaf, first in leaf_cells(node, f"V.{family}.{name}", cell):
@@ -398,7 +403,7 @@ def _resolve_row(
     first: int,
     linear: bool,
 ) -> Location | NotFound:
-    """A row of one of the access tables."""
+    """Return the location of a row of one of the access tables, or why there is none."""
     name = f"V.{family}.{path}" + (f".{axis}" if axis else "")
     names = {key: row for key, (row, _) in rows.items() if row.decoder or row.cycle}
     if path not in names:

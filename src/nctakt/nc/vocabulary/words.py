@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Words of a block, and the synchronisation types of M and H functions, with their support.
 
-The G functions and the M functions of the controller: ``functions.py``.
+G functions and the M functions of the controller: ``functions.py``.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ TECHNOLOGY = table(
     ),
 )
 
-#: Words of a block and what stands in front of one.
+#: Words of a block and of its head.
 WORDS = table(
     Kind.WORD,
     ("%", SIMULATED, "name of a program", "Name eines Programms"),

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""The tree of an NC program: frozen nodes, each with the place where it stands.
+"""The tree of an NC program: frozen nodes, each with its span in the text.
 
-Out of the parser, into the printer, the checker, the decoder. Nodes hold what was written, not what
-it means: which letters are axes of this machine, which words exist and what is allowed where is the
-checker's matter. Names of words, keywords, functions and variable families are in upper case,
-names of user variables and texts as they were written. A span covers the node's first line only.
+Made by the parser; read by printer, checker and decoder. Nodes hold the program as written, not its
+meaning: the checker decides which letters are axes of the machine, which words exist and what is
+allowed where. Names of words, keywords, functions and variable families are in upper case, names of
+user variables and texts as written. A span covers the first line of a node only.
 
-Layout: ``Expression`` (values), ``BlockWord`` (what stands in a block), ``Statement`` (what a
-program is made of; each has a ``Head`` with block number, skip level and label).
+Layout: ``Expression`` (values), ``BlockWord`` (words of a block), ``Statement`` (parts of a
+program, each with a ``Head`` of block number, skip level and label).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ AssignmentOperator = Literal["=", "+=", "-=", "*=", "/="]
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """Anything that has a place in the program's text."""
+    """A part of the program's text."""
 
     span: Span
 
@@ -34,12 +34,12 @@ class Node:
 
 @dataclass(frozen=True, slots=True)
 class Expression(Node):
-    """Something that has a value."""
+    """A node with a value."""
 
 
 @dataclass(frozen=True, slots=True)
 class Number(Expression):
-    """A literal; a sign in front of it is part of it (``X-2``), so that constants are one node."""
+    """A literal with its sign (``X-2``), so that a constant is one node."""
 
     value: float
 
@@ -108,8 +108,9 @@ class Unary(Expression):
 
 @dataclass(frozen=True, slots=True)
 class Binary(Expression):
-    """``left operator right``; the operator as in ``nc/vocabulary/operators.py``, words in upper
-    case."""
+    """``left operator right``; operators as in ``nc/vocabulary/operators.py``, words in upper
+    case.
+    """
 
     operator: str
     left: Expression
@@ -164,10 +165,10 @@ class BlockWord(Node):
 
 @dataclass(frozen=True, slots=True)
 class Word(BlockWord):
-    """``G01``, ``F100``, ``S.POS=314``; a word without a value if ``value`` is ``None``.
+    """``G01``, ``F100``, ``S.POS=314``; ``value`` is ``None`` for a word without a value.
 
-    ``additional`` is the value of ``M110=130`` or ``G129=50``, ``arguments`` are those of
-    ``G805[1, 2]``. Any unknown word is kept here as well.
+    ``additional``: the value of ``M110=130`` or ``G129=50``; ``arguments``: those of ``G805[1,
+    2]``. Unknown words are kept as well.
     """
 
     name: str
@@ -178,9 +179,10 @@ class Word(BlockWord):
 
 @dataclass(frozen=True, slots=True)
 class AxisWord(BlockWord):
-    """A word whose name may be an axis (A B C Q U V W X Y Z first): ``X10``, ``X1=10``, ``XR=5``.
+    """A word whose name may be that of an axis (first letter A B C Q U V W X Y Z): ``X10``,
+    ``XR=5``.
 
-    Whether the machine has that axis is not known here.
+    The checker decides whether the machine has that axis.
     """
 
     name: str
@@ -207,9 +209,9 @@ class StringWord(BlockWord):
 
 @dataclass(frozen=True, slots=True)
 class Head:
-    """What stands in front of a block's content.
+    """The parts in front of a block's content.
 
-    ``number``: the N word's value. ``skip``: the level 1 … 10 of ``/`` (``/`` alone is 1).
+    ``number``: the value of the N word. ``skip``: the level 1 … 10 of ``/`` (``/`` alone is 1).
     ``label``: ``N20`` for ``N20:``, ``NAME`` in upper case for ``[NAME]``.
     """
 
@@ -230,7 +232,7 @@ class Statement(Node):
 
 @dataclass(frozen=True, slots=True)
 class Block(Statement):
-    """Words; none where a block has only a number or a label."""
+    """A block of words; empty if it has only a number or a label."""
 
     words: tuple[BlockWord, ...]
 
@@ -277,7 +279,7 @@ class MacroDefinition(Statement):
 
 @dataclass(frozen=True, slots=True)
 class ElseIf(Node):
-    """A ``$ELSEIF`` branch; a frequency here is an error that the checker reports (22021)."""
+    """A ``$ELSEIF`` branch; the checker reports a frequency as an error (22021)."""
 
     head: Head
     frequency: Frequency | None
@@ -289,8 +291,7 @@ class ElseIf(Node):
 class If(Statement):
     """``$IF … $ENDIF``, also ``$IF c $GOTO N20``.
 
-    ``else_body`` and ``else_span`` (the place of ``$ELSE``) are ``None`` without ``$ELSE``.
-
+    ``else_body`` and ``else_span`` (the span of ``$ELSE``) are ``None`` without ``$ELSE``.
     ``preprocessor`` for ``#IF … #ENDIF``.
     """
 
@@ -332,7 +333,7 @@ class RealtimeLoop(Statement):
 
 @dataclass(frozen=True, slots=True)
 class Do(Statement):
-    """``$DO … $ENDDO condition``: goes on while the condition holds."""
+    """``$DO … $ENDDO condition``: repeats while the condition holds."""
 
     body: tuple[Statement, ...]
     condition: Expression
@@ -384,7 +385,7 @@ class Continue(Statement):
 class RealtimeCycle(Statement):
     """``#RT CYCLE [DEF] [ID=… SCOPE=… END_ACTION=…] … #RT CYCLE END`` (RC-101).
 
-    ``end_span`` is the place of its end, its begin where the end is missing.
+    ``end_span``: the span of its end, or of its start if the end is missing.
     """
 
     definition_only: bool
@@ -446,10 +447,10 @@ class UserError(Statement):
 
 @dataclass(frozen=True, slots=True)
 class HashCommand(Statement):
-    """Any other ``#`` command, and a known one in a form that it does not have.
+    """Any other ``#`` command, and a known one in an unknown form.
 
     ``words``: the words behind ``#`` up to the first bracket or value (``CHANNEL INIT``, ``KIN
-    ID``). ``arguments``: what follows, in order.
+    ID``). ``arguments``: the rest, in order.
     """
 
     words: tuple[Name, ...]
@@ -463,7 +464,7 @@ OffsetCommandName = Literal["PSET", "PRESET", "SUPPRESS OFFSETS"]
 class OffsetCommand(Statement):
     """``#PSET X0``, ``#PRESET X0``, ``#SUPPRESS OFFSETS [ZERO] X0``.
 
-    ``name``: the words behind ``#``. ``kinds``: what stands in brackets. ``words``: the rest.
+    ``name``: the words behind ``#``. ``kinds``: the items in brackets. ``words``: the rest.
     """
 
     name: OffsetCommandName
@@ -503,9 +504,9 @@ class ProgramStart(Statement):
 
 @dataclass(frozen=True, slots=True)
 class Unreadable(Statement):
-    """A block that is no NC text, where that does not forbid to run the program.
+    """A block that is not NC text in a part of the program that normally never runs.
 
-    Behind a program end and inside ``$IF 0``; whoever gets there by a jump has to refuse it.
+    It follows a program end or is inside ``$IF 0``; the decoder refuses it if a jump reaches it.
     """
 
     text: str

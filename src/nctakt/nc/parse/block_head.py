@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What stands in front of a block: skip level, block number, label; and ``%`` lines.
+"""The head of a block: skip level, block number, label; and ``%`` lines.
 
-In: a block's text at its beginning. Out: a ``Head``; the position stands behind it. A label is
-``N20:`` or a name in brackets, and does not distinguish upper and lower case.
+In: a block's text at its start. Out: a ``Head``; the reading position is behind it. A label is
+``N20:`` or a name in brackets; case does not matter.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _START = re.compile(r"\s*%\s*(?:([Ll])\s+(?=\S))?(.*\S)?", re.DOTALL)
 
 
 def parse_head(text: BlockText) -> Head:
-    """Skip level, number and label of the block."""
+    """Return skip level, number and label of the block; raises ``BlockError``."""
     match = text.match(_HEAD)
     assert match is not None
     skip, digits, colon, name = match.groups()
@@ -48,12 +48,12 @@ def parse_head(text: BlockText) -> Head:
 
 
 def number_label(digits: str) -> str:
-    """The label of a block number: ``N020`` and ``N20`` are the same."""
+    """Return the label of a block number; ``N020`` and ``N20`` are the same."""
     return "N" + (digits.lstrip("0") or "0")
 
 
 def parse_label(text: BlockText) -> str | None:
-    """The label that a jump names."""
+    """Return the label that a jump names, ``None`` without one."""
     match = text.match(_LABEL)
     if match is None:
         return None
@@ -61,7 +61,7 @@ def parse_label(text: BlockText) -> str | None:
 
 
 def parse_program_start(text: BlockText) -> ProgramStart:
-    """The ``%name`` or ``%L name`` that stands next; blanks inside the name belong to it."""
+    """Return the ``%name`` or ``%L name`` at the reading position; the name may contain blanks."""
     start = text.skip_blanks()
     match = text.match(_START)
     assert match is not None

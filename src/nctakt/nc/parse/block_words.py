@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The words of a block -> statements.
 
-In: a block's text behind its number and label. Out: a ``Block``, or assignments, calls and macro
-definitions, or several of them where one line holds several. Words need no blanks between them and
-allow them nearly everywhere. Blocks of letters and numbers only, which most programs consist of,
-take a short way: one pattern per word.
+In: a block's text behind its head. Out: a ``Block``, or assignments, calls and macro definitions;
+one line may hold several. Words need no blanks between them and allow blanks nearly everywhere.
+Blocks of letters and numbers only, the majority in most programs, are read with one pattern per
+word.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ _NUMBERED = frozenset("DGHMT")
 #: Letters of functions of the PLC.
 _FUNCTIONS = frozenset("HM")
 
-# L calls, N numbers, P is a parameter: they are never plain.
+# L is a call, N a block number, P a parameter: never plain.
 _PLAIN_WORD = re.compile(r"\s*([A-KMOQ-Za-kmoq-z])\s*([+-]?(?:\d+\.?\d*|\.\d+))", re.ASCII)
 _PLAIN_KINDS: dict[str, tuple[type[AxisWord] | type[Word], str]] = {
     letter: (AxisWord if letter.upper() in AXIS_LETTERS else Word, letter.upper())
@@ -95,7 +95,9 @@ _NAME_KEYWORD = re.compile(r"\s*(NAME)\s*=", re.IGNORECASE)
 
 
 def parse_plain(text: BlockText, head: Head) -> Block | None:
-    """The block, if it holds nothing but letters with numbers; the position stays if not."""
+    """Return the block if it consists of letters with numbers only; else leave the position
+    unchanged.
+    """
     if len(text.pieces) > 1:
         return None
     content, file, line = text.text, text.file, text.line_number
@@ -109,7 +111,7 @@ def parse_plain(text: BlockText, head: Head) -> Block | None:
         value = Number(Span(file, line, digits_at + 1, end + 1), float(number))
         make, name = _PLAIN_KINDS[letter]
         words.append(make(Span(file, line, column, end + 1), name, value))
-    # A number too large for float64 is for the long way to report.
+    # The general parser reports a number too large for float64.
     if not words or end - start > 300 or not (end == len(content) or content[end:].isspace()):
         return None
     text.pos = len(content)
@@ -117,7 +119,7 @@ def parse_plain(text: BlockText, head: Head) -> Block | None:
 
 
 def parse_content(text: BlockText, head: Head) -> list[Statement]:
-    """The statements of the rest of the block, at least one; the first of them has the head."""
+    """Return the statements of the rest of the block, at least one; the first has the head."""
     plain = parse_plain(text, head)
     if plain is not None:
         return [plain]
@@ -128,7 +130,7 @@ def parse_content(text: BlockText, head: Head) -> list[Statement]:
 
 
 def parse_offsets(text: BlockText, head: Head) -> OffsetCommand | None:
-    """The ``#`` command whose rest are words as in any block; ``None`` for any other command."""
+    """Return a ``#`` command followed by words of a block; ``None`` for any other command."""
     start = text.skip_blanks()
     match = text.match(_OFFSETS)
     if match is None:
@@ -143,7 +145,7 @@ def parse_offsets(text: BlockText, head: Head) -> OffsetCommand | None:
 
 
 def _statement(text: BlockText, head: Head) -> Statement:
-    """One statement; words end where a variable begins, which is assigned or stands alone."""
+    """Return one statement; its words end where an assigned or bare variable begins."""
     start = text.skip_blanks()
     if text.looking_at(_TARGET) is not None:
         return _assignment(text, head)
@@ -214,7 +216,7 @@ def _call(text: BlockText, *, local: bool) -> _Call:
 
 
 def _without_name(keywords: list[Keyword | Expression], start: int) -> BlockError:
-    """No NAME: perhaps a keyword is a misspelt one, else nothing tells what is called."""
+    """Return the error for a call without NAME: a misspelt keyword if there is one."""
     for item in keywords:
         if isinstance(item, Keyword) and nearest(item.name, ("NAME",)):
             return BlockError(
@@ -231,7 +233,7 @@ def _call_item(text: BlockText, depth: int) -> Keyword | Expression:
 
 
 def _called_name(text: BlockText) -> Expression:
-    """A text in quotes, a variable, or whatever stands up to the next blank or bracket."""
+    """Return a quoted text, a variable, or the characters up to the next blank or bracket."""
     quoted = text.match(STRING)
     if quoted is not None:
         return StringLiteral(text.span(quoted.start(1) - 1, quoted.end()), quoted[1])
@@ -279,7 +281,7 @@ def _word(text: BlockText) -> BlockWord:
 
 
 def _computed(text: BlockText, name: str, start: int, value: Expression | None) -> BlockWord:
-    """``XP1``; ``M[P1]=5``, a function whose number is computed, with its own value."""
+    """Return a word with a computed value: ``XP1``, or ``M[P1]=5`` with an additional value."""
     if name.upper() in _FUNCTIONS and value is not None and text.match(EQUALS) is not None:
         additional = parse_expression(text, names=False)
         return Word(text.span(start, text.pos), name.upper(), value, additional)
@@ -301,7 +303,7 @@ def _optional_value(text: BlockText, *, equals: bool) -> Expression | None:
 
 
 def _named_word(text: BlockText, named: re.Match[str]) -> BlockWord:
-    """``X1=10``, ``F=100``, ``M110=130``."""
+    """Return a word of the form ``X1=10``, ``F=100``, ``M110=130``."""
     letters, digits = named[1].upper(), named[2]
     if digits and letters[1:] == "P" and letters[0] in _FUNCTIONS:
         text.pos = named.start(1) + 1
@@ -316,7 +318,7 @@ def _named_word(text: BlockText, named: re.Match[str]) -> BlockWord:
 
 
 def _numbered_command(text: BlockText, command: re.Match[str]) -> BlockWord:
-    """``S2[M03 REV=1000]``, ``M17[MAIN]``, ``G805[1, 2]``."""
+    """Return a word of the form ``S2[M03 REV=1000]``, ``M17[MAIN]``, ``G805[1, 2]``."""
     name = command[1].upper()
     if name[0] == "G" and name[1:].isdigit():
         number = number_at(text, command.start(1) + 1, command.end(1))
@@ -327,7 +329,9 @@ def _numbered_command(text: BlockText, command: re.Match[str]) -> BlockWord:
 
 
 def _with_bare_value(text: BlockText, start: int, value: Number) -> Word:
-    """``G04 3.0``: a value of its own behind a G word, unless it is assigned to."""
+    """Return a G word with the value behind it, ``G04 3.0``, unless that is an assignment's
+    target.
+    """
     behind = text.pos
     additional: Expression | None = None
     if text.looking_at(_BARE_VALUE) is not None:

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Lines that open, divide or close a structure, and jumps: ``$`` words, ``#RT CYCLE``, ``#IF``.
 
-In: a block's text at its ``$`` or ``#``. Out: what it does to the open structures. If a condition
-cannot be read, the structure is opened nevertheless, so that its end does not become a second
-mistake.
+In: a block's text at its ``$`` or ``#``. Out: changes of the open structures. A structure is opened
+even if its condition cannot be read, so that its end does not cause a second message.
 """
 
 from __future__ import annotations
@@ -80,7 +79,7 @@ _DOLLAR = re.compile(r"\s*\$")
 
 
 class CurrentLine(NamedTuple):
-    """The line at hand: its text, what stood in front, its first word with ``$`` or ``#``."""
+    """The line being read: its text, head, open structures, and first word with ``$`` or ``#``."""
 
     text: BlockText
     head: Head
@@ -89,17 +88,17 @@ class CurrentLine(NamedTuple):
     word: str
 
     def span(self) -> Span:
-        """The place of the first word."""
+        """Return the span of the first word."""
         return self.text.span(self.start, self.start + len(self.word))
 
     def opening(self, end: str) -> Opening:
-        """This line as the one that opens a structure."""
+        """Return this line as the opening of a structure that ends with ``end``."""
         span = self.span()
         return Opening(self.word, end, span, self.text.source_line(span), self.head)
 
 
 def control_line(text: BlockText, head: Head, structures: StructureStack) -> None:
-    """A line that begins with ``$``."""
+    """Read a line that begins with ``$``; raises ``BlockError``."""
     match = text.match(_DOLLAR_WORD)
     assert match is not None
     word = "$" + match[1].upper()
@@ -118,7 +117,7 @@ def control_line(text: BlockText, head: Head, structures: StructureStack) -> Non
 
 
 def hash_line(text: BlockText, head: Head, structures: StructureStack) -> None:
-    """A line that begins with ``#``."""
+    """Read a line that begins with ``#``; raises ``BlockError``."""
     start = text.skip_blanks()
     preprocessor = text.match(_PREPROCESSOR)
     if preprocessor is not None:
@@ -137,7 +136,7 @@ def hash_line(text: BlockText, head: Head, structures: StructureStack) -> None:
     except BlockError as error:
         if handler is None:
             raise
-        # What the line opens or closes counts even if the rest of it cannot be read.
+        # The line opens or closes its structure even if the rest of it cannot be read.
         structures.block_error(text, error)
         arguments = ()
         text.pos = len(text.text)
@@ -152,7 +151,7 @@ def hash_line(text: BlockText, head: Head, structures: StructureStack) -> None:
 
 
 def _value(current: CurrentLine) -> Expression:
-    """The expression that follows; if there is none, that is reported and TRUE stands for it."""
+    """Return the expression that follows; report a missing one and return TRUE for it."""
     try:
         return parse_expression(current.text)
     except BlockError as error:
@@ -174,7 +173,7 @@ def _stray(current: CurrentLine, begin: str) -> None:
 
 
 def _find(current: CurrentLine, begin: str) -> Frame | None:
-    """The structure that this line divides or closes, or the report that there is none."""
+    """Return the structure that this line divides or closes; report it if there is none."""
     frame = current.structures.find(lambda open_frame: open_frame.opening.begin == begin)
     if frame is None:
         _stray(current, begin)
@@ -204,7 +203,7 @@ def _if(current: CurrentLine) -> None:
 
 
 def _one_line_body(text: BlockText) -> Statement:
-    """What may stand behind the condition in the same line: a jump."""
+    """Return the jump behind a condition in the same line."""
     match = text.match(_DOLLAR_WORD)
     assert match is not None
     start = match.start(1) - 1
@@ -260,7 +259,7 @@ def _close(current: CurrentLine, begin: str) -> None:
 
 
 def _for(current: CurrentLine) -> None:
-    """If the loop's line cannot be read, a ``$WHILE`` stands for it."""
+    """Open a ``$FOR`` loop; a ``$WHILE`` loop if its line cannot be read."""
     text = current.text
     opening = current.opening("$ENDFOR")
     try:
@@ -370,7 +369,7 @@ def _jump(current: CurrentLine) -> None:
     current.structures.add_block(statement, current.text)
 
 
-#: What each word with ``$`` does.
+#: Handlers of the words with ``$``.
 CONTROL_WORDS: dict[str, Callable[[CurrentLine], None]] = {
     "$IF": _if,
     "$ELSEIF": _else_if,
@@ -419,7 +418,7 @@ def _realtime_cycle(current: CurrentLine, command: RawCommand) -> None:
             cycle_control(current.text, current.head, command), current.text
         )
     else:
-        # Was it a definition, its end is still to come; it shall not be a second mistake.
+        # If it was meant as a definition, its end follows and must not cause a second message.
         current.structures.expect_stray_cycle_end()
         has_action = words[0] in CYCLE_ACTIONS and len(words) > 1
         wrong = command.words[3 if has_action else 2]
@@ -443,7 +442,7 @@ def _end_realtime_cycle(current: CurrentLine, command: RawCommand) -> None:
 
 
 def _realtime_loop(current: CurrentLine, command: RawCommand) -> None:
-    """``#RT WHILE``, with ``[MODULO]`` or without."""
+    """Open ``#RT WHILE``, with or without ``[MODULO]``."""
     frame = LoopFrame(current.opening("#RT ENDWHILE"))
     current.structures.open(frame)
     for wrong in command.words[2:]:

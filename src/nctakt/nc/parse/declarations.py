@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The lines between ``#VAR`` and ``#ENDVAR`` -> declarations.
+r"""The lines between ``#VAR`` and ``#ENDVAR`` -> declarations.
 
 In: a block's text behind its head. Out: ``V.L.NAME[3] : STRING[20] = value`` as a node. An initial
-value in brackets may go on in the next lines, with ``\\`` at their ends or without.
+value in brackets may continue in the next lines, with or without ``\\`` at their ends.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _TYPE = re.compile(r"\s*([^\W\d]\w*)")
 
 
 def whole_declaration(text: BlockText, lexer: Lexer) -> BlockText:
-    """The text with the lines that its open brackets need, at the same reading position."""
+    """Return the text extended by the lines that its open brackets need."""
     while _is_open(text.text):
         longer = lexer.extend(text)
         if longer is None:
@@ -44,7 +44,7 @@ def _is_open(content: str) -> bool:
 
 
 def parse_declaration(text: BlockText, head: Head) -> Declaration:
-    """One declaration; anything else is 900116."""
+    """Return one declaration; raises ``BlockError`` 900116 for anything else."""
     start = text.skip_blanks()
     variable = parse_variable(text)
     if variable is None:

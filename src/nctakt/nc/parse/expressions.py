@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Text -> expression trees, and what expressions have in common with commands: ``[ … ]`` lists.
+"""Text -> expression trees, and the ``[ … ]`` lists that expressions and commands share.
 
-In: a block's text at the reading position. Out: nodes of ``tree.py``; the position stands behind
-them. Infix operators are put together with two stacks, so only brackets and functions recurse, and
-neither their nesting nor the height of the tree goes beyond ``EXPRESSION_DEPTH`` (50861).
+In: a block's text at the reading position. Out: nodes of ``tree.py``; the position is behind them.
+Infix operators are combined with two stacks, so that only brackets and functions recurse; neither
+their nesting nor the height of the tree exceeds ``EXPRESSION_DEPTH`` (50861).
 """
 
 from __future__ import annotations
@@ -43,11 +43,11 @@ from nctakt.nc.tree import (
 )
 from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS, INFIX, PREFIX
 
-#: Nodes from the root of an expression to any leaf, and brackets inside each other. Whoever walks
-#: the tree may recurse that deep.
+#: Maximum height of an expression tree in nodes, and of nested brackets. Functions that walk the
+#: tree may recurse that deep.
 EXPRESSION_DEPTH = 64
 
-#: How messages call the end of a block, in any language.
+#: The end of a block in messages.
 END_OF_BLOCK = Text("the end of the block", "dem Satzende")
 
 FUNCTION_NAMES = "|".join(sorted(FUNCTIONS, key=len, reverse=True))
@@ -86,7 +86,7 @@ Item = Keyword | Expression
 
 
 class Sized(NamedTuple):
-    """An expression with the number of nodes from it to its farthest leaf."""
+    """An expression with the height of its tree in nodes."""
 
     node: Expression
     height: int
@@ -98,7 +98,7 @@ class _SizedTarget(NamedTuple):
 
 
 class _PendingOperator(NamedTuple):
-    """An operator that waits for its right operand; ``start`` is where it stands."""
+    """An operator without its right operand; ``start``: its position in the text."""
 
     symbol: str
     precedence: int
@@ -107,17 +107,17 @@ class _PendingOperator(NamedTuple):
 
 
 def parse_expression(text: BlockText, *, names: bool = True) -> Expression:
-    """The expression at the reading position; ``names``: a bare word is a value, too."""
+    """Return the expression at the reading position; ``names``: a bare word is a value, too."""
     return _expression(text, 0, names).node
 
 
 def starts_value(text: BlockText) -> bool:
-    """Whether a value other than a bare word stands next."""
+    """Return whether a value other than a bare word follows."""
     return text.looking_at(_STARTS_VALUE) is not None
 
 
 def parse_target(text: BlockText) -> Variable | Parameter | None:
-    """A variable or a parameter, if one stands next."""
+    """Return the variable or parameter that follows, ``None`` if there is none."""
     target = _target(text, 0)
     return None if target is None else target.node
 
@@ -125,7 +125,7 @@ def parse_target(text: BlockText) -> Variable | Parameter | None:
 def expected(
     text: BlockText, message: Message = VALUE_EXPECTED, symbol: str | None = None
 ) -> BlockError:
-    """The error that something is missing at the reading position, showing what stands there."""
+    """Return the error for something missing at the reading position; shows what was found."""
     token = text.looking_at(_NEXT_TOKEN)
     word: str | Text = END_OF_BLOCK
     if token is None:
@@ -140,7 +140,7 @@ def expected(
 
 
 def number_at(text: BlockText, start: int, end: int) -> Number:
-    """The literal at a place; one that no float64 holds is 900119."""
+    """Return the literal at a position; raises ``BlockError`` 900119 if float64 cannot hold it."""
     value = float(text.text[start:end])
     if isinf(value):
         raise BlockError(NUMBER_TOO_LARGE, start, end)
@@ -148,7 +148,7 @@ def number_at(text: BlockText, start: int, end: int) -> Number:
 
 
 def unreadable(text: BlockText) -> BlockError:
-    """The error that nobody knows what to do with the text at the reading position."""
+    """Return the error for unexpected text at the reading position."""
     closing = text.looking_at(CLOSING)
     if closing is not None:
         return BlockError(UNMATCHED_CLOSING_BRACKET, closing.end() - 1, closing.end())
@@ -156,23 +156,23 @@ def unreadable(text: BlockText) -> BlockError:
 
 
 def shown(piece: str) -> str:
-    """A piece of the text for a message: short, and nothing in it that does not print."""
+    """Return a piece of the text for a message, cut to 40 characters, all printable."""
     return "".join(c if c.isprintable() else f"U+{ord(c):04X}" for c in piece[:40])
 
 
 def quoted(piece: str) -> str:
-    """The same in quotation marks."""
+    """Return a piece of the text for a message, in quotation marks."""
     return f"'{shown(piece)}'"
 
 
 def require(text: BlockText, pattern: re.Pattern[str], symbol: str) -> None:
-    """Go behind a sign that has to stand next."""
+    """Skip a required sign; raises ``BlockError`` if it is missing."""
     if text.match(pattern) is None:
         raise expected(text, SYMBOL_EXPECTED, symbol=symbol)
 
 
 def _expression(text: BlockText, depth: int, names: bool) -> Sized:
-    """Operands and operators on two stacks; an operator is applied when a weaker one follows."""
+    """Return an expression; an operator is applied when one of lower precedence follows."""
     if depth > EXPRESSION_DEPTH:
         raise _too_deep(text)
     operands: list[Sized] = []
@@ -180,7 +180,7 @@ def _expression(text: BlockText, depth: int, names: bool) -> Sized:
     while True:
         while (prefix := text.match(_PREFIX)) is not None:
             symbol = prefix[1].upper()
-            # A plus sign in front changes nothing and leaves no node.
+            # A plus sign as a prefix makes no node.
             if symbol != "+":
                 waiting.append(
                     _PendingOperator(symbol, PREFIX[symbol].precedence, True, prefix.start(1))
@@ -227,7 +227,7 @@ def _too_deep(text: BlockText) -> BlockError:
 
 
 def _operand(text: BlockText, depth: int, names: bool) -> Sized:
-    """A number, text, variable, parameter, function, constant, bracket or bare word."""
+    """Return a number, text, variable, parameter, function, constant, bracket or bare word."""
     number = text.match(NUMBER)
     if number is not None:
         return Sized(number_at(text, *number.span(1)), 1)
@@ -262,7 +262,7 @@ def _operand(text: BlockText, depth: int, names: bool) -> Sized:
 
 
 def _brackets(text: BlockText, depth: int) -> Sized:
-    """``[a]`` is a, ``[a, b]`` the value of an array."""
+    """Return the value in brackets, ``[a]``, or the value of an array, ``[a, b]``."""
     start = text.skip_blanks()
     items = parse_list(text, depth)
     if len(items) == 1:
@@ -272,7 +272,7 @@ def _brackets(text: BlockText, depth: int) -> Sized:
 
 
 def parse_list(text: BlockText, depth: int = 0) -> list[Sized]:
-    """``[a, b, …]`` at the reading position; at least one value."""
+    """Return the values of ``[a, b, …]`` at the reading position, at least one."""
     start = text.skip_blanks()
     require(text, OPENING, "[")
     items = [_expression(text, depth + 1, True)]
@@ -306,7 +306,7 @@ def _target(text: BlockText, depth: int) -> _SizedTarget | None:
 
 
 def parse_variable(text: BlockText, *, whole_family: bool = False) -> Variable | None:
-    """A variable, if one stands next; ``whole_family``: ``V.E.`` may have no name behind it."""
+    """Return the variable that follows; ``whole_family``: ``V.E.`` needs no name."""
     match = text.match(VARIABLE)
     if match is None:
         return None
@@ -319,7 +319,7 @@ def parse_variable(text: BlockText, *, whole_family: bool = False) -> Variable |
 def _variable(
     text: BlockText, start: int, synchronous: bool, depth: int, whole_family: bool
 ) -> _SizedTarget:
-    """The variable whose family stands next; ``start`` is where its ``V`` stands."""
+    """Return the variable whose family follows; ``start``: the position of its ``V``."""
     family = text.match(_FAMILY)
     if family is None:
         raise expected(text, NAME_EXPECTED)
@@ -351,7 +351,7 @@ def _checked(text: BlockText, height: int) -> int:
 
 
 def is_keyword_list(text: BlockText) -> bool:
-    """Whether the ``[`` at the reading position opens keywords and not a value."""
+    """Return whether the ``[`` at the reading position opens keywords rather than a value."""
     opening = text.looking_at(OPENING)
     assert opening is not None
     if CLOSING.match(text.text, opening.end()) is not None:
@@ -364,7 +364,7 @@ def is_keyword_list(text: BlockText) -> bool:
 def parse_items(
     text: BlockText, depth: int = 0, item: Callable[[BlockText, int], Item] | None = None
 ) -> tuple[Item, ...]:
-    """``[ … ]`` at the reading position with keywords and values, commas between them or none.
+    """Return the keywords and values of ``[ … ]``, with or without commas between them.
 
     ``item`` reads one of them, by default ``parse_item``.
     """
@@ -382,7 +382,7 @@ def parse_items(
 
 
 def parse_item(text: BlockText, depth: int = 0) -> Item:
-    """One keyword with its value, or one value."""
+    """Return one keyword with its value, or one value."""
     named = text.match(_CALL_KEYWORD)
     if named is None and not starts_value(text):
         named = text.match(_KEYWORD_AND_DIGITS)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """``#`` commands -> statements, and the ``#`` lines that open or close a structure.
 
-In: a block's text at its ``#``. Each command is read the same way, words and then arguments; then a
-few known ones get a node of their own if they have the form that they should have. What has not
-stays a ``HashCommand``, which the checker refuses or accepts by its name.
+In: a block's text at its ``#``. Every command is read as words and arguments; some known ones then
+get a node of their own if their form is right. All others become a ``HashCommand``, which the
+checker refuses or accepts by name.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ class RawCommand:
 
 
 def parse_words(text: BlockText) -> tuple[Name, ...]:
-    """``#`` and the words behind it, at least one."""
+    """Return the words behind ``#``, at least one."""
     text.match(_HASH)
     words: list[Name] = []
     while (word := text.looking_at(_WORD)) is not None:
@@ -84,7 +84,7 @@ def parse_words(text: BlockText) -> tuple[Name, ...]:
 
 
 def parse_arguments(text: BlockText, name: tuple[str, ...]) -> tuple[Argument, ...]:
-    """What follows the words, up to the end of the block."""
+    """Return the arguments behind the words, up to the end of the block."""
     arguments: list[Argument] = []
     if name == ("TIME",) and not text.at_end():
         # The only command whose brackets may be those of an expression: ``#TIME [P1] * 2``.
@@ -96,7 +96,7 @@ def parse_arguments(text: BlockText, name: tuple[str, ...]) -> tuple[Argument, .
 
 
 def _components(text: BlockText) -> Argument:
-    """Values in brackets by their places (``#CS``); none between two commas is 0."""
+    """Return values in brackets by position (``#CS``); an empty position is 0."""
     if text.looking_at(OPENING) is None:
         return _argument(text)
     start = text.skip_blanks()
@@ -125,7 +125,9 @@ def _argument(text: BlockText) -> Argument:
 
 
 def only_bracket(command: RawCommand) -> tuple[Item, ...] | None:
-    """The items of the one bracket that the command has; none is as good as an empty one."""
+    """Return the items of a command's only bracket, empty without one; ``None`` for other
+    arguments.
+    """
     if not command.arguments:
         return ()
     if len(command.arguments) > 1 or not isinstance(command.arguments[0], Bracket):
@@ -134,7 +136,7 @@ def only_bracket(command: RawCommand) -> tuple[Item, ...] | None:
 
 
 def cycle_keywords(text: BlockText, command: RawCommand) -> tuple[Item, ...]:
-    """The keywords of an ``#RT CYCLE`` line, which may have nothing else behind its words."""
+    """Return the keywords of an ``#RT CYCLE`` line; raises ``BlockError`` for other arguments."""
     items = only_bracket(command)
     if items is None:
         wrong = next(
@@ -148,7 +150,7 @@ def cycle_keywords(text: BlockText, command: RawCommand) -> tuple[Item, ...]:
 
 
 def simple_command(text: BlockText, head: Head, command: RawCommand) -> Statement:
-    """The statement of a command that opens and closes nothing."""
+    """Return the statement of a command that opens and closes no structure."""
     special = _SPECIAL.get(command.words[0].name)
     statement = special(text, head, command) if special is not None else None
     if statement is not None:
@@ -158,7 +160,7 @@ def simple_command(text: BlockText, head: Head, command: RawCommand) -> Statemen
 
 
 def cycle_control(text: BlockText, head: Head, command: RawCommand) -> CycleControl:
-    """``#RT CYCLE`` with one of the ``CYCLE_ACTIONS``."""
+    """Return ``#RT CYCLE`` with one of the ``CYCLE_ACTIONS``."""
     keywords = cycle_keywords(text, command)
     action = " ".join(command.name[2:])
     return CycleControl(text.span(command.start, command.end), head, action, keywords)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-r"""Lines -> blocks of text in which only what counts is left.
+r"""Lines -> blocks of text without comments.
 
-In: a ``Source``. Out: one ``BlockText`` per block, from which the parser takes its tokens by
-compiled patterns. Here the lines are put together (``\`` at the end, comment lines between the
-parts), comments become blanks of the same length, so that each column stays true,
-``#COMMENT BEGIN … #COMMENT END`` is left out, and the length of a block is checked. A token is
-found only when the parser wants it: what ``C:\a.nc`` is depends on what stands before it.
+In: a ``Source``. Out: one ``BlockText`` per block, from which the parser takes tokens with compiled
+patterns. The lexer joins lines (``\\`` at the end, comment lines between the parts), replaces
+comments by blanks of the same length to keep columns true, drops ``#COMMENT BEGIN … #COMMENT END``,
+and checks the length of a block. Tokens are found on demand, because the meaning of ``C:\\a.nc``
+depends on what precedes it.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from nctakt.messages.nc_text import (
 )
 from nctakt.nc.source import LineReader, Source
 
-#: Characters that a block may have, and those beyond which it is not read at all (20301).
+#: Maximum length of a block in characters, and the length beyond which it is not read (20301).
 BLOCK_LENGTH = 4000
 BLOCK_LENGTH_HARD = 4096
 
@@ -44,9 +44,9 @@ _NEW_STATEMENT = re.compile(
 
 
 class BlockError(Exception):
-    """Ends the reading of one block; the parser makes a diagnostic of it and goes on behind it.
+    """Ends the reading of one block; the parser reports it and continues with the next block.
 
-    ``start`` and ``end`` are places in the block's text; ``span`` stands instead of them if given.
+    ``start`` and ``end``: positions in the block's text; ``span`` replaces them if given.
     """
 
     def __init__(
@@ -61,7 +61,7 @@ class BlockError(Exception):
 
 
 class Piece(NamedTuple):
-    """Where a line begins in a block's text, its number, and the whole line as it was."""
+    """One line of a block: its start in the block's text, its number, and the original line."""
 
     start: int
     number: int
@@ -69,7 +69,7 @@ class Piece(NamedTuple):
 
 
 class BlockText:
-    """The text of one block and how far it has been read.
+    r"""The text of one block and the reading position in it.
 
     ``text`` has blanks for comments, a newline between the lines of a block, and no ``\\``.
     """
@@ -84,7 +84,7 @@ class BlockText:
         self.pos = 0
 
     def span(self, start: int, end: int) -> Span:
-        """The place of ``text[start:end]``; it ends with the line that it begins in."""
+        """Return the span of ``text[start:end]``, cut at the end of its first line."""
         if len(self.pieces) == 1:
             return Span(self.file, self.line_number, start + 1, max(start + 1, end) + 1)
         index = bisect_right(self.pieces, start, key=_start) - 1
@@ -95,33 +95,33 @@ class BlockText:
         return Span(self.file, piece.number, column, max(column, end - piece.start) + 1)
 
     def source_line(self, span: Span) -> str:
-        """The whole line in which a span of this block stands."""
+        """Return the whole line of a span of this block."""
         return self.pieces[span.line - self.line_number].line
 
     def text_of(self, span: Span) -> str:
-        """What a span of this block covers."""
+        """Return the text that a span of this block covers."""
         return self.source_line(span)[span.column - 1 : span.end_column - 1]
 
     def match(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        """Match at the reading position and go behind it, or stay."""
+        """Match at the reading position and advance behind the match."""
         match = pattern.match(self.text, self.pos)
         if match is not None:
             self.pos = match.end()
         return match
 
     def looking_at(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        """Match at the reading position and stay."""
+        """Match at the reading position without advancing."""
         return pattern.match(self.text, self.pos)
 
     def skip_blanks(self) -> int:
-        """Go to the next character that is no blank; its index, or the text's length."""
+        """Skip blanks; return the index of the next character, or the text's length."""
         match = _BLANKS.match(self.text, self.pos)
         assert match is not None
         self.pos = match.end()
         return self.pos
 
     def at_end(self) -> bool:
-        """Whether nothing but blanks is left."""
+        """Skip blanks; return whether the text ends."""
         return self.skip_blanks() == len(self.text)
 
 
@@ -133,10 +133,10 @@ def _start(piece: Piece) -> int:
 
 
 def without_comments(line: str) -> str:
-    """The line with a blank for each character of a comment; ``;`` cuts the line off.
+    """Return the line with a blank for each character of a comment, cut off at ``;``.
 
-    ``( … )`` nest, and one that is not closed ends with the line. Inside a text in double quotes
-    nothing is a comment.
+    ``( … )`` nest, and one that is not closed ends with the line. A text in double quotes contains
+    no comments.
     """
     match = _COMMENT_START.search(line)
     if match is None:
@@ -173,9 +173,9 @@ def _end_of_parentheses(line: str, start: int) -> int:
 
 
 class Lexer:
-    """Gives the blocks of a source one by one; each line is read once and only when it is due.
+    """Yields the blocks of a source; each line is read once, on demand.
 
-    Between two blocks others may take lines from ``lines``.
+    Between two blocks the caller may consume ``lines``.
     """
 
     def __init__(self, source: Source, collector: Collector, first_line: int = 1) -> None:
@@ -186,7 +186,7 @@ class Lexer:
         self._finished = False
 
     def blocks(self) -> Iterator[BlockText]:
-        """The blocks in which anything stands."""
+        """Yield the blocks that are not empty."""
         while (line := self._next_line()) is not None:
             number, raw = line
             text = without_comments(raw)
@@ -207,9 +207,10 @@ class Lexer:
                 yield block
 
     def extend(self, block: BlockText) -> BlockText | None:
-        """The block with the next line joined to it, for a value over several lines in ``#VAR``.
+        """Return the block joined with the next line, for a value over several lines in ``#VAR``.
 
-        ``None`` if the next line begins something new, or there is none, or it gets too long.
+        ``None`` if the next line begins something new, if there is none, or if the block gets too
+        long.
         """
         while (line := self._next_line()) is not None:
             number, raw = line
@@ -222,7 +223,7 @@ class Lexer:
                 return None
             text = text.rstrip().removesuffix("\\")
             piece = Piece(len(block.text) + 1, number, raw)
-            # Lines that were skipped keep the numbers of the pieces without gaps.
+            # Skipped lines become empty pieces, so that the line numbers have no gaps.
             gap = [
                 Piece(piece.start, skipped, "")
                 for skipped in range(block.pieces[-1].number + 1, number)
@@ -249,11 +250,11 @@ class Lexer:
 
     @property
     def is_between(self) -> bool:
-        """Whether the next line of ``lines`` is the next one that a block would begin with."""
+        """Whether the next block begins with the next line of ``lines``."""
         return self._waiting is None and not self._finished
 
     def _joined(self, text: str, number: int, raw: str) -> BlockText | None:
-        """Put together what ``\\`` continues; lines without content between count for nothing."""
+        r"""Join the lines that ``\\`` continues; lines without content between them are skipped."""
         pieces = [Piece(0, number, raw)]
         parts = [text.rstrip()[:-1]]
         length = len(parts[0])
@@ -279,7 +280,7 @@ class Lexer:
         return BlockText(self._file, "\n".join(parts), pieces)
 
     def _without_comment_block(self, text: str, number: int, raw: str) -> str:
-        """What stands before ``#COMMENT BEGIN``; the lines up to the end are read and dropped."""
+        """Return the text before ``#COMMENT BEGIN`` and skip the lines up to its end."""
         begin = _COMMENT_BEGIN.search(text)
         if begin is None or text.count('"', 0, begin.start()) % 2:
             return text

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Structures that are open while the parser goes through the blocks.
+"""Open structures of the parser.
 
-Each frame stands for one opened structure: it takes the statements inside it and becomes a node
-when it is closed. A stack of frames replaces recursion, so that nothing overflows. A frame whose
-end is missing becomes a node as well: what is inside it shall be checked, too.
+A frame stands for one open structure: it collects the statements inside it and becomes a node when
+it is closed. A stack of frames replaces recursion, so that nothing overflows. A frame without its
+end becomes a node as well, so that its content is checked, too.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from nctakt.nc.tree import (
 
 @dataclass(slots=True)
 class Opening:
-    """The block that opens a structure: words for messages, place, the whole line."""
+    """The block that opens a structure: begin and end words for messages, span, whole line."""
 
     begin: str
     end: str
@@ -49,9 +49,9 @@ class Opening:
 
 @dataclass(slots=True)
 class Frame:
-    """An open structure; ``body`` takes the statements of the branch that is open.
+    """An open structure; ``body`` collects the statements of the open branch.
 
-    ``inside_unreachable``: the branch that this structure stands in can never run.
+    ``inside_unreachable``: the enclosing branch can never run.
     """
 
     opening: Opening
@@ -60,16 +60,16 @@ class Frame:
 
     @property
     def is_unreachable(self) -> bool:
-        """Whether the open branch can never run, so that its text need not be NC text."""
+        """Whether the open branch can never run, so that it need not be NC text."""
         return False
 
     def finish(self) -> Statement:
-        """The node of the structure."""
+        """Return the node of the structure."""
         raise AssertionError(self.opening.begin)
 
 
 def is_false(condition: Expression) -> bool:
-    """Whether a condition is a constant that is false."""
+    """Return whether a condition is constant and false."""
     if isinstance(condition, Number):
         return abs(condition.value) < 0.5
     return isinstance(condition, Constant) and condition.name == "FALSE"
@@ -210,7 +210,7 @@ class LoopFrame(Frame):
 
 
 class _EndConditionFrame(Frame):
-    """A loop whose condition stands at its end; it counts as false where the end is missing."""
+    """A loop with its condition at the end; false if the end is missing."""
 
     __slots__ = ("condition",)
 
@@ -246,9 +246,9 @@ class CycleFrame(Frame):
         super().__init__(opening)
         self.definition_only = definition_only
         self.keywords: tuple[Item, ...] = ()
-        #: Where its end stands, once that was found.
+        #: The span of its end; of its start until the end is found.
         self.end_span = opening.span
-        #: Whether it was reported already that the ends do not fit.
+        #: Whether mismatched ends have been reported.
         self.reported = False
 
     def finish(self) -> RealtimeCycle:
@@ -263,7 +263,7 @@ class CycleFrame(Frame):
 
 
 class VariablesFrame(Frame):
-    """``#VAR``; ``failed_lines`` counts the blocks in a row that declare nothing."""
+    """``#VAR``; ``failed_lines`` counts consecutive blocks that declare nothing."""
 
     __slots__ = ("declarations", "failed_lines")
 

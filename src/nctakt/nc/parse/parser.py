@@ -2,9 +2,9 @@
 """NC text -> tree.
 
 In: a ``Source``. Out: its statements one by one, read no further than needed (``parse``), or the
-whole program (``parse_program``). Each mistake is a diagnostic, and reading goes on at the next
-block. The parser accepts a little more than is valid: which words and commands exist and what is
-allowed where is the checker's matter. The grammar as text: ``grammar.txt``.
+whole program (``parse_program``). Each mistake is a diagnostic, and reading continues with the next
+block. The parser accepts a little more than is valid: the checker knows which words and commands
+exist and where they are allowed. The grammar as text: ``grammar.txt``.
 """
 
 from __future__ import annotations
@@ -38,19 +38,19 @@ from nctakt.nc.vocabulary.functions import ENDS
 
 
 def parse(source: Source, collector: Collector) -> Iterator[Statement]:
-    """The statements of a source in their order; diagnostics in the order of their discovery.
+    """Yield the statements of a source; diagnostics in the order of discovery.
 
-    A structure is one statement, given when it is closed. Lines are read when they are due.
+    A structure is one statement, yielded when it is closed. Lines are read on demand.
     """
     for _, statement in StatementReader(source, collector):
         yield statement
 
 
 class StatementReader:
-    """As ``parse``, from a line on, each statement with the line in which it begins.
+    """Iterates over the statements from a line on, each with its first line.
 
-    ``first_line`` is one that was given before, so that no structure is open there. Between two
-    statements others may take lines (``lines``).
+    ``first_line`` is the first line of a statement, so that no structure is open there. Between two
+    statements the caller may consume ``lines``.
     """
 
     def __init__(self, source: Source, collector: Collector, first_line: int = 1) -> None:
@@ -67,7 +67,7 @@ class StatementReader:
 
     @property
     def lines(self) -> LineReader | None:
-        """The lines that come next, unless they belong to what has been begun."""
+        """The lines that follow; ``None`` while they belong to an open statement."""
         structures = self._structures
         is_between = structures.top is None and self._given == len(structures.ready)
         return self._lexer.lines if is_between and self._lexer.is_between else None
@@ -93,7 +93,7 @@ class StatementReader:
             collector.report(PROGRAM_EMPTY, span, source.line_of(span))
 
     def _ready(self, begin: int) -> Iterator[tuple[int, Statement]]:
-        """What is finished, counted as it is given."""
+        """Yield the finished statements and count them."""
         self._given = 0
         for statement in self._structures.ready:
             self._given += 1
@@ -101,7 +101,7 @@ class StatementReader:
 
 
 def parse_program(source: Source, collector: Collector) -> Program:
-    """The whole program; diagnostics in the order of the text."""
+    """Return the whole program; diagnostics in the order of the text."""
     found_errors = Collector()
     program = _assemble(source, StatementReader(source, found_errors), found_errors)
     found_errors.diagnostics.sort(key=_position)
@@ -115,7 +115,7 @@ def _position(diagnostic: Diagnostic) -> tuple[int, int]:
 
 
 def _block(text: BlockText, lexer: Lexer, structures: StructureStack) -> None:
-    """One block into the structure, or the report why that cannot be."""
+    """Add one block to the structures, or report why it cannot be read."""
     head = NO_HEAD
     try:
         head = parse_head(text)
@@ -170,9 +170,9 @@ def _program_start(text: BlockText, structures: StructureStack) -> None:
 def _declaration_line(
     text: BlockText, first: str, head: Head, lexer: Lexer, structures: StructureStack
 ) -> bool:
-    """A line inside ``#VAR``; false if the line does not belong there, and ``#VAR`` is closed.
+    """Read a line inside ``#VAR``; return false if it does not belong there.
 
-    A second line in a row that declares nothing tells that ``#ENDVAR`` was forgotten.
+    A second consecutive line that declares nothing shows that ``#ENDVAR`` is missing.
     """
     frame = structures.top
     assert isinstance(frame, VariablesFrame)
@@ -203,12 +203,12 @@ def _declares(text: BlockText) -> bool:
 def sections(
     source: Source, statements: Iterator[tuple[int, Statement]], collector: Collector
 ) -> Iterator[tuple[int, int, Statement]]:
-    """Line, section and statement: 0 is the main program, 1 … are the local subprograms.
+    """Yield line, section and statement: section 0 is the main program, 1 … local subprograms.
 
-    -1 is what never runs. The ``%`` line that begins a section comes first in it: ``%L name`` a
-    subprogram, the first other one the main program unless that has begun without one. Inside the
-    main program a further ``%`` line is a comment; behind a subprogram it begins a program that
-    never runs, with a warning.
+    Section -1 never runs. A section begins with its ``%`` line: ``%L name`` a subprogram, the first
+    other one the main program unless that has begun without one. Inside the main program a further
+    ``%`` line is a comment; behind a subprogram it begins a program that never runs, with a
+    warning.
     """
     section = subprograms = 0
     begun = False
@@ -232,7 +232,7 @@ def sections(
 def _assemble(
     source: Source, statements: Iterator[tuple[int, Statement]], collector: Collector
 ) -> Program:
-    """Main program and local subprograms from the statements in their order."""
+    """Return main program and local subprograms."""
     name = ""
     bodies: dict[int, list[Statement]] = {0: []}
     starts: dict[int, ProgramStart] = {}

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Tree -> NC text, so that reading the text gives the same tree again.
+"""Tree -> NC text; parsing the text gives the same tree again.
 
-In: nodes of ``tree.py`` as the parser makes them. Out: lines, two blanks for each structure that
-they stand in. Comments and the numbers of closing lines are not in the tree and so not in the text.
+In: nodes of ``tree.py`` from the parser. Out: lines, indented by two blanks for each structure.
+Comments and the numbers of closing lines are not in the tree and therefore not in the text.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ from nctakt.nc.tree import (
 )
 from nctakt.nc.vocabulary.operators import INFIX, PREFIX
 
-#: How strong a node binds that needs no brackets anywhere.
+#: Precedence of a node that never needs brackets.
 _ATOM = 100
 _NO_WORDS = frozenset(("MOD", "XOR"))
 
@@ -74,14 +74,14 @@ _NO_WORDS = frozenset(("MOD", "XOR"))
 
 
 def format_number(value: float) -> str:
-    """The shortest digits that give the same value again, without an exponent."""
+    """Return the shortest digits of a value, without an exponent."""
     if value == int(value):
         return str(int(value))
     return format(Decimal(repr(value)), "f")
 
 
 def format_expression(node: Expression) -> str:
-    """One expression, with brackets only where precedence needs them."""
+    """Return one expression, with brackets only where precedence needs them."""
     return _FORMATS[type(node)](node)
 
 
@@ -96,7 +96,7 @@ def _format_binary(node: Binary) -> str:
 def _operand(node: Expression, least: int, *, right: bool = False) -> str:
     text = format_expression(node)
     if right and _has_prefix(node):
-        # A prefix begins an operand wherever one may stand, however strong the operator is.
+        # A prefix may begin any operand, whatever the precedence of the operator.
         return text
     return text if _strength(node) >= least else f"[{text}]"
 
@@ -157,7 +157,7 @@ _FORMATS: dict[type[Expression], Callable[[Any], str]] = {
 
 
 def format_items(items: tuple[Keyword | Expression, ...]) -> str:
-    """``[ … ]`` with keywords and values; a comma where a blank could join two of them."""
+    """Return ``[ … ]`` with keywords and values; commas where a blank could join two of them."""
     parts: list[str] = []
     for item in items:
         if parts:
@@ -184,7 +184,7 @@ def _is_natural(value: Expression) -> bool:
 
 
 def format_word(word: BlockWord) -> str:
-    """One word of a block."""
+    """Return one word of a block."""
     if isinstance(word, StringWord):
         return f'"{word.text}"'
     if isinstance(word, BracketCommand):
@@ -209,7 +209,7 @@ def format_word(word: BlockWord) -> str:
 
 
 def print_program(program: Program) -> str:
-    """The whole program: main program first, then the local subprograms."""
+    """Return the whole program: main program first, then the local subprograms."""
     lines: list[str] = []
     if program.name:
         lines.append(f"%{program.name}")
@@ -221,7 +221,7 @@ def print_program(program: Program) -> str:
 
 
 def print_statement(statement: Statement, indent: str = "") -> Iterator[str]:
-    """The lines of one statement."""
+    """Yield the lines of one statement."""
     simple = _SIMPLE.get(type(statement))
     if simple is None:
         yield from _STRUCTURES[type(statement)](statement, indent)
@@ -231,7 +231,7 @@ def print_statement(statement: Statement, indent: str = "") -> Iterator[str]:
 
 
 def format_head(head: Head) -> str:
-    """Skip level, number and label, with a blank behind; empty without them."""
+    """Return skip level, number and label with a blank behind; empty without them."""
     text = ""
     if head.skip is not None:
         text = "/ " if head.skip == 1 else f"/{head.skip} "

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What is open while the blocks go by, and where statements and mistakes go.
+"""The stack of open structures, and the destinations of statements and mistakes.
 
 In: opened and closed structures, statements, mistakes. Out: finished statements in ``ready`` and
-diagnostics in the collector. The rules of recovery are here: a closing word closes the nearest
-structure that it fits, what stands open above that is reported and closed as well; what fits
-nothing is reported and has no effect.
+diagnostics in the collector. Rules of recovery: a closing word closes the nearest structure that it
+fits; open structures above that are reported and closed as well; a closing word that fits nothing
+is reported and has no effect.
 """
 
 from __future__ import annotations
@@ -25,21 +25,21 @@ from nctakt.nc.parse.lexer import BlockError, BlockText
 from nctakt.nc.parse.open_structures import CycleFrame, Frame, LoopFrame, SwitchFrame
 from nctakt.nc.tree import Head, Statement, Unreadable
 
-#: Structures inside each other. Whoever walks the tree may recurse that deep.
+#: Maximum nesting of structures. Functions that walk the tree may recurse that deep.
 STRUCTURE_DEPTH = 100
 
 
 class StructureStack:
-    """The stack of open structures; ``ready`` holds what is finished and inside nothing."""
+    """The stack of open structures; ``ready``: finished statements outside of any structure."""
 
     def __init__(self, collector: Collector) -> None:
         self.ready: list[Statement] = []
         self._stack: list[Frame] = []
         self._collector = collector
-        #: Behind a program end text is read with patience: it may be no NC text at all.
+        #: Behind a program end mistakes are tolerated: the rest may not be NC text.
         self._ended = False
         self._warned_of_rest = False
-        #: Ends of realtime cycles that were closed for want of one, should it still come.
+        #: Surplus ends of realtime cycles to be tolerated.
         self._forgiven_ends = 0
 
     @property
@@ -50,21 +50,23 @@ class StructureStack:
     # --- statements ------------------------------------------------------------------------------
 
     def add(self, statement: Statement) -> None:
-        """Put a statement into the open branch, or out if nothing is open."""
+        """Add a statement to the open branch, or to ``ready`` if nothing is open."""
         if not self._stack:
             self.ready.append(statement)
         else:
             self._stack[-1].body.append(statement)
 
     def add_block(self, statement: Statement, text: BlockText) -> None:
-        """Add what is not a structure; between ``$SWITCH`` and ``$CASE`` it has no place."""
+        """Add a statement that is not a structure; not allowed between ``$SWITCH`` and
+        ``$CASE``.
+        """
         top = self.top
         if isinstance(top, SwitchFrame) and not top.cases:
             self.report(STATEMENT_BEFORE_CASE, statement.span, text.source_line(statement.span))
         self.add(statement)
 
     def add_unreadable(self, text: BlockText, head: Head, error: BlockError) -> None:
-        """Report why a block could not be read, and keep its place."""
+        """Report why a block could not be read, and add it as ``Unreadable``."""
         self.block_error(text, error)
         content = text.text.strip()
         start = text.text.index(content) if content else 0
@@ -72,25 +74,25 @@ class StructureStack:
         self.add(Unreadable(span, head, content))
 
     def end_program(self) -> None:
-        """A program end stood here: what follows runs only if a jump leads there."""
+        """Note a program end; later blocks run only if a jump leads there."""
         self._ended = not self._stack
 
     def begin_program(self) -> None:
-        """A ``%`` line: nothing stays open, and mistakes count again."""
+        """Close all structures at a ``%`` line; mistakes are reported again."""
         self.close_all()
         self._ended = self._warned_of_rest = False
 
     # --- mistakes --------------------------------------------------------------------------------
 
     def block_error(self, text: BlockText, error: BlockError) -> None:
-        """Report why a block could not be read, unless it stands where nothing ever runs."""
+        """Report why a block could not be read, unless it can never run."""
         if self._stack and (self._stack[-1].is_unreachable or self._stack[-1].inside_unreachable):
             return
         span = error.span or text.span(error.start, error.end)
         self.report(error.message, span, text.source_line(span), **error.values)
 
     def report(self, message: Message, span: Span, line: str, **values: object) -> None:
-        """Report a mistake; behind a program end one warning stands for all of them."""
+        """Report a mistake; behind a program end one warning replaces all reports."""
         if not self._ended:
             self._collector.report(message, span, line, **values)
         elif not self._warned_of_rest:
@@ -100,7 +102,7 @@ class StructureStack:
     # --- structures ------------------------------------------------------------------------------
 
     def open(self, frame: Frame) -> None:
-        """Begin a structure."""
+        """Open a structure; report it if the nesting is too deep."""
         if self._stack:
             frame.inside_unreachable = (
                 self._stack[-1].is_unreachable or self._stack[-1].inside_unreachable
@@ -117,7 +119,7 @@ class StructureStack:
             )
 
     def find(self, fits: Callable[[Frame], bool]) -> Frame | None:
-        """The innermost structure that fits; those inside it are reported and closed."""
+        """Return the innermost structure that fits; report and close those inside it."""
         index = self._index(fits)
         if index is None:
             return None
@@ -126,7 +128,7 @@ class StructureStack:
         return self._stack[index]
 
     def _index(self, fits: Callable[[Frame], bool]) -> int | None:
-        """Where the innermost structure that fits is; looked for no deeper than structures go."""
+        """Return the index of the innermost structure that fits, within the allowed depth."""
         last = len(self._stack) - 1
         for index in range(last, max(-1, last - 2 * STRUCTURE_DEPTH), -1):
             if fits(self._stack[index]):
@@ -134,14 +136,14 @@ class StructureStack:
         return None
 
     def close(self, frame: Frame) -> None:
-        """The innermost structure ends; one that is too deep leaves no node."""
+        """Close the innermost structure; one nested too deep leaves no node."""
         assert frame is self._stack[-1]
         self._stack.pop()
         if len(self._stack) < STRUCTURE_DEPTH:
             self.add(frame.finish())
 
     def give_up(self) -> None:
-        """The innermost structure lacks its end: report that, and close it."""
+        """Report that the innermost structure lacks its end, and close it."""
         frame = self._stack[-1]
         opening = frame.opening
         if isinstance(frame, CycleFrame):
@@ -163,23 +165,23 @@ class StructureStack:
         self.close(frame)
 
     def close_all(self) -> None:
-        """The text ends, or another program begins: whatever is open lacks its end."""
+        """Close all structures at the end of a program, reporting each."""
         while self._stack:
             self.give_up()
 
     def forgive_cycle_end(self) -> bool:
-        """Whether an ``#RT CYCLE END`` without begin belongs to a cycle reported before."""
+        """Return whether a surplus ``#RT CYCLE END`` belongs to a cycle reported before."""
         if not self._forgiven_ends:
             return False
         self._forgiven_ends -= 1
         return True
 
     def expect_stray_cycle_end(self) -> None:
-        """One ``#RT CYCLE END`` more than begins will come: its begin was reported already."""
+        """Expect one surplus ``#RT CYCLE END``, whose cycle has been reported."""
         self._forgiven_ends += 1
 
     def close_cycle_before(self, span: Span, line: str) -> None:
-        """A definition begins: none may be open (22005)."""
+        """Report an open cycle when a definition begins (22005)."""
         index = self._index(_is_cycle)
         if index is None:
             return
@@ -188,7 +190,7 @@ class StructureStack:
         self.report(CYCLE_BEGIN_END_MISMATCH, span, line, found="#RT CYCLE")
         cycle.reported = True
         if cycle is self.top:
-            # Most likely its end was forgotten; if not, the end that is left over is forgiven.
+            # Most likely its end was forgotten; if not, the surplus end is tolerated.
             self.expect_stray_cycle_end()
             self.close(cycle)
 

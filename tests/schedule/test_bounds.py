@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The responses of the analysis are never below those of a simulation: in random lists."""
+"""The responses of the analysis are never below those of a simulation."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def simulated(model: Model) -> int:
     return 2 * hyperperiod(model) + 4
 
 
-@seeds_in_parts(10_000, 200, 1000)
+@seeds_in_parts(10_000, 10_000, 1000)
 def test_no_simulation_exceeds_its_bound(seeds: range) -> None:
     """Random lists of all kinds: no response, no overflow that the analysis excludes.
 
@@ -36,10 +36,10 @@ def test_no_simulation_exceeds_its_bound(seeds: range) -> None:
             if task.is_exact and numbers.due:
                 exact += 1
                 assert task.response == numbers.response_max, seed
-    assert exact >= len(seeds) // 5
+    assert exact > len(seeds) // 5
 
 
-@seeds_in_parts(1000, 20, 100)
+@seeds_in_parts(1000, 1000, 250)
 def test_worst_phase_is_a_bound_for_all_phases(seeds: range) -> None:
     """A load that names no phase: the bound holds for each of them."""
     for seed in seeds:

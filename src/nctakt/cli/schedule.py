@@ -89,7 +89,7 @@ def _show(words: dict[str, Any]) -> int:
 def _simulate(words: dict[str, Any]) -> int:
     from nctakt.schedule.documents import simulation_document  # noqa: PLC0415
     from nctakt.schedule.findings import simulation_findings  # noqa: PLC0415
-    from nctakt.schedule.report import simulation_report  # noqa: PLC0415
+    from nctakt.schedule.report import response_report, simulation_report  # noqa: PLC0415
     from nctakt.schedule.simulate import simulate as run_model  # noqa: PLC0415
     from nctakt.schedule.worst_phase import simulate_worst_phases  # noqa: PLC0415
 
@@ -104,6 +104,8 @@ def _simulate(words: dict[str, Any]) -> int:
     found = [*collector.diagnostics, *simulation_findings(run)]
     phases = simulate_worst_phases(run)
     report = simulation_report(run, phases, words["language"])
+    if words["histogram"]:
+        report += "\n".join([*response_report(run, words["language"]), ""])
     code = publish(words, read.found, found, report, simulation_document(run, phases))
     outputs.write(run, report)
     return code

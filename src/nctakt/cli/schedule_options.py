@@ -118,6 +118,7 @@ MODEL_OPTIONS = (
     click.option("--cycles", type=click.IntRange(min=1), metavar="N", help="So many NC cycles."),
 )
 OUTPUT_OPTIONS = (
+    click.option("--histogram", is_flag=True, help="Percentiles and histograms of responses."),
     click.option("--plot", metavar="FILE", help="Draw the schedule (.svg, .png, .html)."),
     click.option("--vcd", metavar="FILE", help="Write an oscilloscope trace for GTKWave."),
     click.option("--perfetto", metavar="FILE", help="Write a trace for ui.perfetto.dev (JSON)."),

@@ -83,6 +83,7 @@ def _run(words: dict[str, Any]) -> int:
     from nctakt.linux.report import plan_report, run_report  # noqa: PLC0415
     from nctakt.linux.run import run_plan  # noqa: PLC0415
     from nctakt.schedule.findings import simulation_findings  # noqa: PLC0415
+    from nctakt.schedule.report import response_report  # noqa: PLC0415
     from nctakt.schedule.simulate import simulate  # noqa: PLC0415
 
     check_system()
@@ -105,6 +106,8 @@ def _run(words: dict[str, Any]) -> int:
     found = [*collector.diagnostics, *simulation_findings(measurement.run, foreign)]
     simulated = simulate(model, measurement.run.cycles, record=0)
     report = run_report(measurement, plan, simulated, language)
+    if words["histogram"]:
+        report += "\n".join([*response_report(measurement.run, language), ""])
     code = publish(words, read.found, found, report, run_document(measurement, simulated))
     outputs.write(measurement.run, report)
     return code

@@ -25,8 +25,11 @@ cdef class Counters:
     cdef list _runners
     cdef bint _has_runners
     cdef long long[::1] _cycles
+    cdef list _responses
+    cdef long long[::1] _shifts
 
     cpdef overflow(self, Py_ssize_t i, long long now)
+    @cython.locals(counts=dict, step=cython.longlong)
     cpdef finish(self, Py_ssize_t i, long long response)
     cpdef runs_late(self, Py_ssize_t cpu, Py_ssize_t i)
     @cython.locals(total=cython.longlong, share=cython.longlong, place=cython.Py_ssize_t)

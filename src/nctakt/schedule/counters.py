@@ -9,13 +9,25 @@ adds up can be multiplied when the schedule repeats; a repetition brings no new 
 from __future__ import annotations
 
 from array import array
+from dataclasses import dataclass
 
 from nctakt.schedule.model import Model
+from nctakt.schedule.responses import ResponseCounts
 from nctakt.schedule.results import TaskNumbers, WindowsNumbers
 
 _NONE = -1
+#: So many different responses of a task are told apart, then neighbours count together.
+_MAX_STEPS = 4096
 #: No point of suspension in a cycle: a moment before all others.
 NEVER = -(1 << 62)
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """What adds up, at one moment."""
+
+    numbers: list[list[int]]
+    responses: list[ResponseCounts]
 
 
 class Counters:
@@ -46,6 +58,9 @@ class Counters:
         self._culprits = [_numbers(count) for _ in range(places)]
         self._runners: list[list[int]] = [[] for _ in range(max(model.cpus) + 1)]
         self._has_runners = False
+        #: For each task how many jobs had which response, in steps of 2 ** ``_shifts``.
+        self._responses: list[dict[int, int]] = [{} for _ in range(count)]
+        self._shifts = _numbers(count)
         # Cycles: over before their point of suspension, with something suspended.
         self._cycles = _numbers(2)
 
@@ -65,15 +80,25 @@ class Counters:
             *self._culprits,
         ]
 
-    def snapshot(self) -> list[list[int]]:
-        """All that adds up, as it stands."""
-        return [list(numbers) for numbers in self._additive()]
+    def snapshot(self) -> Snapshot:
+        """Return all that adds up, as it stands."""
+        return Snapshot(
+            [list(numbers) for numbers in self._additive()],
+            [self._responses_of(i) for i in range(len(self._responses))],
+        )
 
-    def repeat(self, before: list[list[int]], times: int) -> None:
-        """What came since ``before`` comes ``times`` times more."""
-        for numbers, old in zip(self._additive(), before, strict=True):
+    def repeat(self, before: Snapshot, times: int) -> None:
+        """Add what came since ``before`` so many ``times`` more."""
+        for numbers, old in zip(self._additive(), before.numbers, strict=True):
             for i, value in enumerate(old):
                 numbers[i] += (numbers[i] - value) * times
+        for i, earlier in enumerate(before.responses):
+            counts, shift = self._responses[i], self._shifts[i]
+            known: dict[int, int] = {}
+            for response, count in earlier.counts:
+                known[response >> shift] = known.get(response >> shift, 0) + count
+            for step in counts:
+                counts[step] += (counts[step] - known.get(step, 0)) * times
 
     def overflow(self, i: int, now: int) -> None:
         """An activation of task ``i`` found it busy."""
@@ -88,6 +113,27 @@ class Counters:
         self._response_max[i] = max(self._response_max[i], response)
         if response < self._response_min[i] or self._response_min[i] == _NONE:
             self._response_min[i] = response
+        counts = self._responses[i]
+        step = response >> self._shifts[i]
+        counts[step] = counts.get(step, 0) + 1
+        if len(counts) > _MAX_STEPS:
+            self._coarsen(i)
+
+    def _coarsen(self, i: int) -> None:
+        """Double the steps of a task's responses until there are half as many."""
+        counts = self._responses[i]
+        while len(counts) > _MAX_STEPS // 2:
+            wider: dict[int, int] = {}
+            for step, count in counts.items():
+                wider[step >> 1] = wider.get(step >> 1, 0) + count
+            counts = wider
+            self._shifts[i] += 1
+        self._responses[i] = counts
+
+    def _responses_of(self, i: int) -> ResponseCounts:
+        shift = self._shifts[i]
+        counts = tuple((step << shift, count) for step, count in self._responses[i].items())
+        return ResponseCounts(1 << shift, tuple(sorted(counts)))
 
     def runs_late(self, cpu: int, i: int) -> None:
         """Task ``i`` runs behind the point of suspension."""
@@ -155,6 +201,7 @@ class Counters:
                 _known(self._response_max[i], self.completed[i]),
                 since,
                 _known(self._first_overflow[i], self.overflows[i]),
+                self._responses_of(i),
             )
             for i, since in enumerate(unfinished)
         )

@@ -14,7 +14,11 @@ from nctakt.schedule.effective_table import EffectiveRow
 from nctakt.schedule.margins import Margins
 from nctakt.schedule.model import NS_PER_US, Model, Task
 from nctakt.schedule.report import rounded_mean
+from nctakt.schedule.responses import PERCENTILES_PER_MILLE
 from nctakt.schedule.results import Simulation, TaskNumbers, WindowsNumbers
+
+#: The most bars of a histogram.
+_MAX_BARS = 100
 
 Document = dict[str, object]
 
@@ -143,6 +147,12 @@ def _thread(run: Simulation, task: Task, numbers: TaskNumbers) -> Document:
         "response_min_us": _us(numbers.response_min),
         "response_mean_us": _us(mean),
         "response_max_us": _us(numbers.response_max),
+        "percentiles_us": {
+            f"{one / 10:g}": _us(numbers.responses.percentile(one)) for one in PERCENTILES_PER_MILLE
+        },
+        "histogram_us": [
+            [_us(low), _us(high), count] for low, high, count in numbers.responses.bars(_MAX_BARS)
+        ],
         "overflows": numbers.overflows,
         "lost": numbers.lost,
         "suspensions": numbers.suspensions,

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from nctakt.schedule.counters import Counters
+from nctakt.schedule.counters import Counters, Snapshot
 from nctakt.schedule.model import Model
 
 
@@ -44,7 +44,7 @@ class Repetition:
         self.period: int | None = None
         self._kept: tuple[object, ...] | None = None
         self._cycle = 0
-        self._numbers: list[list[int]] = []
+        self._numbers: Snapshot | None = None
         self._patience = 1
         self._seen = 0
 
@@ -53,7 +53,7 @@ class Repetition:
         if self.period is not None or cycle % state.hyperperiod:
             return 0
         key = state.key(now)
-        if key == self._kept:
+        if key == self._kept and self._numbers is not None:
             self.period = cycle - self._cycle
             times = (cycles - cycle) // self.period
             state.counters.repeat(self._numbers, times)

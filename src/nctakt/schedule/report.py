@@ -16,6 +16,7 @@ from nctakt.schedule.findings import culprits, us
 from nctakt.schedule.interpolation_steps import dead_times
 from nctakt.schedule.margins import Margins
 from nctakt.schedule.model import ANY_CPU, Model, TaskClass
+from nctakt.schedule.responses import PERCENTILES_PER_MILLE
 from nctakt.schedule.results import Simulation, TaskNumbers
 
 NONE = "–"
@@ -31,6 +32,8 @@ _SOURCES = {
     "external scheduling": Text("external scheduling", "externes Scheduling"),
 }
 
+#: The bars of a histogram, and the characters of the longest one.
+_MAX_BARS, _BAR_LENGTH = 20, 40
 _OVERFLOWS = Text("overflows", "Überläufe")
 
 
@@ -163,6 +166,44 @@ def _longest(numbers: TaskNumbers) -> str:
 
 def _overflows(numbers: TaskNumbers) -> str:
     return str(numbers.overflows)
+
+
+def response_report(run: Simulation, language: Language) -> list[str]:
+    """Return the percentiles of all responses, and a histogram for each thread."""
+    heads = [
+        Text("Response, µs", "Antwortzeit, µs").get(language),
+        *(f"{_permille(one)} %" for one in PERCENTILES_PER_MILLE),
+        "100 %",
+    ]
+    tasks = list(zip(run.model.tasks, run.tasks, strict=True))
+    rows = []
+    for task, numbers in tasks:
+        longest = numbers.response_max
+        shares = [numbers.responses.percentile(one) for one in PERCENTILES_PER_MILLE]
+        # A share that stands for several responses may end behind the longest of them.
+        times = [one if one is None or longest is None else min(one, longest) for one in shares]
+        rows.append([task.name, *(NONE if one is None else us(one) for one in (*times, longest))])
+    lines = ["", *table(heads, rows)]
+    for task, numbers in tasks:
+        bars = numbers.responses.bars(_MAX_BARS)
+        if bars:
+            lines += ["", task.name, *_histogram(bars)]
+    return lines
+
+
+def _permille(value: int) -> str:
+    return f"{value / 10:g}"
+
+
+def _histogram(bars: list[tuple[int, int, int]]) -> list[str]:
+    most = max(count for _, _, count in bars)
+    names = [f"{us(low)} …" for low, _, _ in bars]
+    width = max(len(name) for name in names)
+    digits = len(str(most))
+    return [
+        f"  {name:>{width}}  {count:>{digits}}  {'█' * -(-_BAR_LENGTH * count // most)}".rstrip()
+        for name, (_, _, count) in zip(names, bars, strict=True)
+    ]
 
 
 def numbers_report(run: Simulation, language: Language) -> list[str]:

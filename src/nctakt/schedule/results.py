@@ -10,6 +10,7 @@ import enum
 from dataclasses import dataclass
 
 from nctakt.schedule.model import Model
+from nctakt.schedule.responses import ResponseCounts
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +20,7 @@ class TaskNumbers:
     ``due``: activations. ``completed``: jobs that ended. ``lost``: activations that never became
     a job. ``suspensions``: cycles in which it was stopped for Windows with work left.
     ``response_*`` are ``None`` without a completed job; ``unfinished_since``: when the job that
-    is still busy at the end was due.
+    is still busy at the end was due. ``responses``: how many jobs had which response.
     """
 
     due: int
@@ -33,6 +34,7 @@ class TaskNumbers:
     response_max: int | None
     unfinished_since: int | None
     first_overflow: int | None
+    responses: ResponseCounts
 
 
 @dataclass(frozen=True, slots=True)

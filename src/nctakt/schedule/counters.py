@@ -9,25 +9,16 @@ adds up can be multiplied when the schedule repeats; a repetition brings no new 
 from __future__ import annotations
 
 from array import array
-from dataclasses import dataclass
 
 from nctakt.schedule.model import Model
 from nctakt.schedule.responses import ResponseCounts
-from nctakt.schedule.results import TaskNumbers, WindowsNumbers
+from nctakt.schedule.results import Snapshot, TaskNumbers, WindowsNumbers
 
 _NONE = -1
 #: So many different responses of a task are told apart, then neighbours count together.
 _MAX_STEPS = 4096
 #: No point of suspension in a cycle: a moment before all others.
 NEVER = -(1 << 62)
-
-
-@dataclass(frozen=True, slots=True)
-class Snapshot:
-    """What adds up, at one moment."""
-
-    numbers: list[list[int]]
-    responses: list[ResponseCounts]
 
 
 class Counters:

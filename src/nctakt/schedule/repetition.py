@@ -10,8 +10,9 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from nctakt.schedule.counters import Counters, Snapshot
+from nctakt.schedule.counters import Counters
 from nctakt.schedule.model import Model
+from nctakt.schedule.results import Snapshot
 
 
 class RepeatingState(Protocol):

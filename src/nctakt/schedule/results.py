@@ -38,6 +38,14 @@ class TaskNumbers:
 
 
 @dataclass(frozen=True, slots=True)
+class Snapshot:
+    """All that adds up in a simulation, at one moment."""
+
+    numbers: list[list[int]]
+    responses: list[ResponseCounts]
+
+
+@dataclass(frozen=True, slots=True)
 class WindowsNumbers:
     """Windows on one processor (``cpu`` 0: their sum) over a simulation.
 

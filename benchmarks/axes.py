@@ -16,8 +16,9 @@ from collections.abc import Callable
 from typing import Any
 
 from nctakt.base.mode import is_compiled
+from nctakt.kernel import codes
 from nctakt.kernel.axes.axes import Axes
-from nctakt.kernel.axes.single_axes import PLC_OWNER, SingleAxes
+from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.kernel import Kernel
 
@@ -45,7 +46,7 @@ class Bench:
     def move(self, target: float, speed: float) -> None:
         """Give each axis a target."""
         for axis in range(self.count):
-            assert self.single.absolute(axis, target, speed, 0, 2, PLC_OWNER) == 0
+            assert self.single.absolute(axis, target, speed, 0, 2, codes.PLC_OWNER) == 0
 
     def ticks(self, count: int) -> None:
         """Run so many ticks."""
@@ -87,7 +88,7 @@ def target_cost(jerk: float) -> tuple[float, float]:
 
     def targets() -> None:
         for i in range(TARGETS):
-            bench.single.absolute(0, 100.0 if i & 64 else -100.0, SPEED, 0, 2, PLC_OWNER)
+            bench.single.absolute(0, 100.0 if i & 64 else -100.0, SPEED, 0, 2, codes.PLC_OWNER)
             bench.ticks(1)
             if i & 1023 == 0:
                 bench.record.take_events()

@@ -9,9 +9,8 @@ from pathlib import Path
 import pytest
 from kernel_rig import DEMO, Rig, controller_with
 
-from nctakt.kernel import rows
-from nctakt.kernel.cycles import cycles
-from nctakt.kernel.cycles.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
+from nctakt.kernel import codes, rows
+from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.run.controller import Controller, NcText
 
@@ -49,14 +48,14 @@ class Managed(Rig):
 
 def unknown() -> Managed:
     """No cycle has the ID any more."""
-    rig = Managed(PROG)
+    rig = Managed(codes.PROG_SCOPE)
     rig.run(1)
     rig.command(DELETE)
     rig.run(1)
     return rig
 
 
-def defined(scope: int = PROG) -> Managed:
+def defined(scope: int = codes.PROG_SCOPE) -> Managed:
     """Defined, never started."""
     rig = Managed(scope, starts=False)
     rig.run(1)
@@ -65,21 +64,21 @@ def defined(scope: int = PROG) -> Managed:
 
 def armed() -> Managed:
     """Scope BLOCK, before its block."""
-    rig = Managed(BLOCK)
+    rig = Managed(codes.BLOCK_SCOPE)
     rig.run(1)
     return rig
 
 
-def running(scope: int = PROG) -> Managed:
+def running(scope: int = codes.PROG_SCOPE) -> Managed:
     """Running, with a block if that is its scope."""
     rig = Managed(scope)
-    if scope == BLOCK:
+    if scope == codes.BLOCK_SCOPE:
         rig.dwell(1000)
     rig.run(1)
     return rig
 
 
-def held(scope: int = PROG) -> Managed:
+def held(scope: int = codes.PROG_SCOPE) -> Managed:
     """Held while it ran."""
     rig = Managed(scope)
     rig.run(1)
@@ -91,13 +90,13 @@ def held(scope: int = PROG) -> Managed:
 STATES = {
     "unknown": unknown,
     "defined": defined,
-    "defined BLOCK": lambda: defined(BLOCK),
+    "defined BLOCK": lambda: defined(codes.BLOCK_SCOPE),
     "armed": armed,
     "running": running,
-    "running GLOBAL": lambda: running(GLOBAL),
+    "running GLOBAL": lambda: running(codes.GLOBAL_SCOPE),
     "held": held,
-    "held GLOBAL": lambda: held(GLOBAL),
-    "held before its block": lambda: held(BLOCK),
+    "held GLOBAL": lambda: held(codes.GLOBAL_SCOPE),
+    "held before its block": lambda: held(codes.BLOCK_SCOPE),
 }
 
 NO_CYCLE = [(rows.EVENT_ERROR, 50858.0)]
@@ -107,23 +106,23 @@ DELETED = [(rows.EVENT_ENDED, float(rows.ENDED_BY_DELETE))]
 
 #: What a command does in a state: the events, and the state afterwards.
 EFFECTS = {
-    ("unknown", START): (NO_CYCLE, cycles.DEAD),
-    ("unknown", HOLD): (NO_CYCLE, cycles.DEAD),
-    ("unknown", CONTINUE): (NO_CYCLE, cycles.DEAD),
-    ("unknown", ABORT): (NO_CYCLE, cycles.DEAD),
-    ("unknown", DELETE): ([(rows.EVENT_NOTICE, 900410.0)], cycles.DEAD),
-    ("defined", START): (STARTED, cycles.RUNNING),
-    ("defined BLOCK", START): (STARTED, cycles.ARMED),
-    ("armed", START): (STARTED, cycles.ARMED),
-    ("armed", HOLD): ([(rows.EVENT_HELD, 0.0)], cycles.HELD),
-    ("running", START): (STARTED, cycles.RUNNING),
-    ("running", HOLD): ([(rows.EVENT_HELD, 0.0)], cycles.HELD),
-    ("running GLOBAL", HOLD): ([(rows.EVENT_HELD, 0.0)], cycles.HELD),
-    ("held", START): (STARTED, cycles.RUNNING),
-    ("held", CONTINUE): ([(rows.EVENT_CONTINUED, 0.0)], cycles.RUNNING),
-    ("held GLOBAL", CONTINUE): ([(rows.EVENT_CONTINUED, 0.0)], cycles.RUNNING),
-    ("held before its block", CONTINUE): ([(rows.EVENT_CONTINUED, 0.0)], cycles.ARMED),
-    ("held before its block", START): (STARTED, cycles.ARMED),
+    ("unknown", START): (NO_CYCLE, codes.DEAD),
+    ("unknown", HOLD): (NO_CYCLE, codes.DEAD),
+    ("unknown", CONTINUE): (NO_CYCLE, codes.DEAD),
+    ("unknown", ABORT): (NO_CYCLE, codes.DEAD),
+    ("unknown", DELETE): ([(rows.EVENT_NOTICE, 900410.0)], codes.DEAD),
+    ("defined", START): (STARTED, codes.RUNNING),
+    ("defined BLOCK", START): (STARTED, codes.ARMED),
+    ("armed", START): (STARTED, codes.ARMED),
+    ("armed", HOLD): ([(rows.EVENT_HELD, 0.0)], codes.HELD),
+    ("running", START): (STARTED, codes.RUNNING),
+    ("running", HOLD): ([(rows.EVENT_HELD, 0.0)], codes.HELD),
+    ("running GLOBAL", HOLD): ([(rows.EVENT_HELD, 0.0)], codes.HELD),
+    ("held", START): (STARTED, codes.RUNNING),
+    ("held", CONTINUE): ([(rows.EVENT_CONTINUED, 0.0)], codes.RUNNING),
+    ("held GLOBAL", CONTINUE): ([(rows.EVENT_CONTINUED, 0.0)], codes.RUNNING),
+    ("held before its block", CONTINUE): ([(rows.EVENT_CONTINUED, 0.0)], codes.ARMED),
+    ("held before its block", START): (STARTED, codes.ARMED),
 }
 
 
@@ -132,12 +131,12 @@ def expected(name: str, action: int, before: int) -> tuple[list[tuple[int, float
     if (name, action) in EFFECTS:
         return EFFECTS[(name, action)]
     if action == START:
-        return STARTED, cycles.RUNNING
+        return STARTED, codes.RUNNING
     if action == HOLD:
         return [(rows.EVENT_NOTICE, 900411.0)], before
     if action == CONTINUE:
         return [(rows.EVENT_NOTICE, 900412.0)], before
-    return (ABORTED, before) if action == ABORT else (DELETED, cycles.DEAD)
+    return (ABORTED, before) if action == ABORT else (DELETED, codes.DEAD)
 
 
 @pytest.mark.parametrize("action", [START, HOLD, CONTINUE, ABORT, DELETE])
@@ -152,14 +151,14 @@ def test_every_command_in_every_state(name: str, action: int) -> None:
     assert rig.state == after
     runs = rig.made.runs
     rig.run(3)
-    assert rig.made.runs - runs == (3 if after == cycles.RUNNING else 0)
+    assert rig.made.runs - runs == (3 if after == codes.RUNNING else 0)
     assert bool(rig.channel.is_stopped) is (events == NO_CYCLE)
 
 
 @pytest.mark.parametrize(("action", "waits"), [(HOLD, True), (DELETE, True), (ABORT, False)])
 def test_hold_and_delete_wait_for_the_first_run(action: int, waits: bool) -> None:
     """HOLD and DELETE are not taken in the tick in which the cycle was started (RC-004)."""
-    rig = Managed(PROG)
+    rig = Managed(codes.PROG_SCOPE)
     rig.command(action)
     first = rig.events()
     assert (len(first) == 2) is waits
@@ -169,7 +168,7 @@ def test_hold_and_delete_wait_for_the_first_run(action: int, waits: bool) -> Non
 
 def test_a_block_cycle_with_def_is_armed_by_each_start() -> None:
     """With DEF each START arms it for one block; held before it, it waits again (RC-105)."""
-    rig = Managed(BLOCK, starts=False)
+    rig = Managed(codes.BLOCK_SCOPE, starts=False)
     for ticks in (3, 5):
         rig.command(START)
         rig.dwell(ticks)
@@ -177,7 +176,7 @@ def test_a_block_cycle_with_def_is_armed_by_each_start() -> None:
     rig.dwell(4)
     rig.run_to_the_end()
     assert rig.made.runs == 8
-    assert rig.state == cycles.DEFINED
+    assert rig.state == codes.DEFINED
 
 
 def test_a_block_cycle_held_in_its_block_ends_with_it() -> None:
@@ -197,14 +196,19 @@ def test_a_block_cycle_held_in_its_block_ends_with_it() -> None:
 def test_end_of_program_ends_what_is_local() -> None:
     """M30 ends BLOCK and PROG cycles in each state, GLOBAL ones live on (RC-105 … RC-107)."""
     rig = Rig()
-    made = {scope: rig.cycle(scope, identity=scope + 1) for scope in (BLOCK, PROG, GLOBAL)}
+    made = {
+        scope: rig.cycle(scope, identity=scope + 1)
+        for scope in (codes.BLOCK_SCOPE, codes.PROG_SCOPE, codes.GLOBAL_SCOPE)
+    }
     rig.run(1)
     rig.channel.put([rows.PROGRAM_END, 0, 0, 0])
     rig.run(1)
     assert rig.channel.program_ended
     rig.channel.accept_end()
     rig.run(5)
-    assert [made[scope].runs for scope in (BLOCK, PROG, GLOBAL)] == [0, 1, 7]
+    assert [
+        made[scope].runs for scope in (codes.BLOCK_SCOPE, codes.PROG_SCOPE, codes.GLOBAL_SCOPE)
+    ] == [0, 1, 7]
     assert rig.channel.manager.running_count == 1
     assert rig.channel.manager.armed_count == 0
 
@@ -212,7 +216,7 @@ def test_end_of_program_ends_what_is_local() -> None:
 def test_a_reset_keeps_global_cycles_with_their_states() -> None:
     """In a reset no cycle runs; PROG cycles are deleted, GLOBAL ones run on after it (RC-007)."""
     rig = Rig()
-    local, everywhere = rig.cycle(PROG, 1), rig.cycle(GLOBAL, 2)
+    local, everywhere = rig.cycle(codes.PROG_SCOPE, 1), rig.cycle(codes.GLOBAL_SCOPE, 2)
     rig.segment(200.0)
     rig.run(300)
     rig.channel.request_reset()

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from kernel_rig import DEMO, Rig
 
-from nctakt.kernel import kernel as reasons
+from nctakt.kernel import codes
 from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.tick.channel import LOW_WATER
 from nctakt.run.queue_feeder import HIGH_WATER
@@ -108,9 +108,9 @@ def test_more_ticks_than_an_integer_holds_are_no_end_in_the_past() -> None:
     rig = Rig()
     rig.run(3)
     rig.channel.decoder_open = True
-    assert rig.machine.kernel.run((1 << 63) - 1) == reasons.REFILL
+    assert rig.machine.kernel.run((1 << 63) - 1) == codes.REFILL
     rig.channel.decoder_open = False
-    assert rig.machine.kernel.run(-1) == reasons.DONE
+    assert rig.machine.kernel.run(-1) == codes.DONE
     assert rig.machine.kernel.tick == 3
 
 

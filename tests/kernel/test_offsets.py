@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Offsets between ACS and PCS (MO-8, RC-407)."""
 
+from nctakt.kernel import codes
 from nctakt.kernel.axes import coordinates
 from nctakt.kernel.axes.axes import Axes
 
@@ -10,11 +11,11 @@ def test_offsets_are_summed_by_their_kinds() -> None:
     offsets = coordinates.Offsets(2)
     axes = Axes(bytearray(8 * 40), 0, 2)
     assert offsets.of(1, 127) == 0.0
-    for kind in range(coordinates.KINDS):
+    for kind in range(codes.OFFSET_KINDS):
         axes.shift(1, kind, 2.0**kind)
     assert axes.offsets.of(1, 127) == 127.0
-    assert axes.offsets.of(1, 1 << coordinates.CLAMP) == 8.0
-    assert axes.offsets.of(1, (1 << coordinates.ZERO) + (1 << coordinates.TOOL)) == 17.0
+    assert axes.offsets.of(1, 1 << codes.CLAMP_OFFSET) == 8.0
+    assert axes.offsets.of(1, (1 << codes.ZERO_OFFSET) + (1 << codes.TOOL_OFFSET)) == 17.0
     assert axes.offsets.of(0, 127) == 0.0
 
 
@@ -24,8 +25,8 @@ def test_positions_in_pcs_lack_the_offsets() -> None:
     cells = memoryview(memory).cast("d")
     axes = Axes(memory, 0, 1)
     axes.place(0, 100.0)
-    axes.shift(0, coordinates.ZERO, 11.0)
-    axes.shift(0, coordinates.ADD_ZERO, 0.5)
+    axes.shift(0, codes.ZERO_OFFSET, 11.0)
+    axes.shift(0, codes.ADD_ZERO_OFFSET, 0.5)
     assert list(cells[0:3]) == [100.0] * 3
     assert list(cells[3:7]) == [100.0, 100.0, 100.0, 0.0]
     assert list(cells[7:11]) == [88.5, 88.5, 88.5, 0.0]

@@ -7,7 +7,7 @@ import pytest
 from kernel_rig import DEMO, RAPID, Rig, assert_within_limits
 
 from nctakt.base.failure import Failure
-from nctakt.kernel.plc.panel import SINGLE_BLOCK, START
+from nctakt.kernel import cells
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import PlcView
 from nctakt.run.stimuli import Stimulus
@@ -20,13 +20,13 @@ def test_single_block_stops_at_the_end_of_a_block_that_others_pass() -> None:
     rig = Rig()
     panel = rig.channel.panel
     panel.begin_program()
-    panel.put(SINGLE_BLOCK, 1.0)
+    panel.put(cells.PANEL_SINGLE_BLOCK, 1.0)
     rig.segment(10.0, speed=100.0, end_speed=100.0, exact_stop=False)
     rig.segment(10.0, speed=100.0)
     rig.run(200)
     assert panel.is_paused
     assert rig.x[-1] == rig.x[-50] == 10.0
-    panel.put(START, 1.0)
+    panel.put(cells.PANEL_START, 1.0)
     rig.run(200)
     assert not panel.is_paused
     assert rig.x[-1] == 20.0
@@ -43,7 +43,7 @@ def test_single_block_that_comes_too_late_stops_at_the_next_end() -> None:
     rig.segment(60.0, speed=400.0)
     while rig.x[-1:] < [55.0]:
         rig.run(1)
-    panel.put(SINGLE_BLOCK, 1.0)
+    panel.put(cells.PANEL_SINGLE_BLOCK, 1.0)
     rig.run(500)
     assert panel.is_paused
     assert rig.x[-1] == 120.0
@@ -55,11 +55,11 @@ def test_single_block_switched_off_in_time_passes_the_end() -> None:
     rig = Rig()
     panel = rig.channel.panel
     panel.begin_program()
-    panel.put(SINGLE_BLOCK, 1.0)
+    panel.put(cells.PANEL_SINGLE_BLOCK, 1.0)
     rig.segment(60.0, speed=100.0, end_speed=100.0, exact_stop=False)
     rig.segment(60.0, speed=100.0)
     rig.run(300)
-    panel.put(SINGLE_BLOCK, 0.0)
+    panel.put(cells.PANEL_SINGLE_BLOCK, 0.0)
     ticks = 300 + rig.run_to_the_end()
     assert not panel.is_paused
     assert rig.x[-1] == 120.0

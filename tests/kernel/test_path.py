@@ -12,9 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_rig import ACCELERATION, DEMO, RAPID, TICK_T, Rig, assert_within_limits
 
-from nctakt.kernel import rows
-from nctakt.kernel.cycles.cycles import BLOCK
-from nctakt.kernel.plc.panel import FEED_HOLD, OVERRIDE
+from nctakt.kernel import cells, codes, rows
 from nctakt.run.controller import Controller, NcText
 
 often = settings(max_examples=60, deadline=None, derandomize=True, database=None)
@@ -118,11 +116,13 @@ def test_overrides_and_holds_never_break_a_limit(seed: int) -> None:
     while rig.channel.queued() or rig.channel.path.is_active:
         rig.run(chance.randint(1, 30))
         if len(rig.x) < 1500:
-            rig.channel.panel.put(OVERRIDE, chance.choice((0.0, 3.0, 50.0, 100.0, 120.0)))
-            rig.channel.panel.put(FEED_HOLD, chance.random() < 0.3)
+            rig.channel.panel.put(
+                cells.PANEL_OVERRIDE, chance.choice((0.0, 3.0, 50.0, 100.0, 120.0))
+            )
+            rig.channel.panel.put(cells.PANEL_FEED_HOLD, chance.random() < 0.3)
         else:
-            rig.channel.panel.put(OVERRIDE, 100.0)
-            rig.channel.panel.put(FEED_HOLD, False)
+            rig.channel.panel.put(cells.PANEL_OVERRIDE, 100.0)
+            rig.channel.panel.put(cells.PANEL_FEED_HOLD, False)
         assert len(rig.x) < 20_000
     rig.run(1)
     assert_within_limits(rig.x, highest * 1.2)
@@ -134,7 +134,7 @@ def test_an_override_step_acts_in_its_tick_within_the_acceleration() -> None:
     rig = Rig()
     rig.segment(300.0)
     rig.run(200)
-    rig.channel.panel.put(OVERRIDE, 50.0)
+    rig.channel.panel.put(cells.PANEL_OVERRIDE, 50.0)
     rig.run(100)
     found = [
         (after - before) / TICK_T for before, after in zip(rig.x[198:], rig.x[199:], strict=False)
@@ -168,7 +168,7 @@ def test_overrides_of_cycles_keep_the_limits(seed: int) -> None:
 def test_a_block_end_is_passed_with_the_override_that_holds() -> None:
     """At 50 % a block that passes its end with 100 mm/s passes it with 50: no jump there."""
     rig = Rig()
-    rig.channel.panel.put(OVERRIDE, 50.0)
+    rig.channel.panel.put(cells.PANEL_OVERRIDE, 50.0)
     rig.segment(10.0, speed=100.0, end_speed=100.0, exact_stop=False)
     rig.segment(10.0, speed=100.0)
     rig.run_to_the_end()
@@ -182,7 +182,7 @@ def test_an_override_step_behind_a_block_end_counts_the_carried_time_once() -> N
     rig.segment(20.0, speed=100.0)
     while rig.channel.path.serial < 2:
         rig.run(1)
-    rig.channel.panel.put(OVERRIDE, 90.0)
+    rig.channel.panel.put(cells.PANEL_OVERRIDE, 90.0)
     rig.run_to_the_end()
     assert_within_limits(rig.x, 100.0)
 
@@ -197,11 +197,11 @@ def test_feed_hold_stops_over_block_ends_and_goes_on() -> None:
     while rig.x[-1:] < [59.6]:
         rig.run(1)
     held_at = rig.x[-1]
-    rig.channel.panel.put(FEED_HOLD, True)
+    rig.channel.panel.put(cells.PANEL_FEED_HOLD, True)
     rig.run(150)
     assert rig.x[-1] == pytest.approx(held_at + 400.0**2 / (2 * ACCELERATION), abs=1e-6)
     assert rig.x[-1] == rig.x[-2]
-    rig.channel.panel.put(FEED_HOLD, False)
+    rig.channel.panel.put(cells.PANEL_FEED_HOLD, False)
     rig.run_to_the_end()
     assert rig.x[-1] == rig.end
     assert_within_limits(rig.x, 400.0)
@@ -212,9 +212,9 @@ def test_hold_in_a_dwell_stops_its_count() -> None:
     rig = Rig()
     rig.dwell(10)
     rig.run(4)
-    rig.channel.panel.put(FEED_HOLD, True)
+    rig.channel.panel.put(cells.PANEL_FEED_HOLD, True)
     rig.run(7)
-    rig.channel.panel.put(FEED_HOLD, False)
+    rig.channel.panel.put(cells.PANEL_FEED_HOLD, False)
     assert rig.run_to_the_end() == 6
 
 
@@ -258,7 +258,7 @@ def test_a_block_cycle_in_front_of_a_passed_block_runs_with_it() -> None:
     """The cycle is taken in the tick behind the block end, and runs while the block is current."""
     rig = Rig()
     rig.segment(10.0, speed=100.0, end_speed=100.0, exact_stop=False)
-    made = rig.cycle(BLOCK)
+    made = rig.cycle(codes.BLOCK_SCOPE)
     rig.segment(10.0, speed=100.0)
     begins = None
     for tick in range(400):
@@ -275,7 +275,7 @@ def test_a_block_cycle_in_front_of_a_block_within_a_tick_runs_once() -> None:
     """A block blended away inside one tick gives one run in the next tick (RC-105)."""
     rig = Rig()
     rig.segment(10.0, speed=100.0, end_speed=100.0, exact_stop=False)
-    made = rig.cycle(BLOCK)
+    made = rig.cycle(codes.BLOCK_SCOPE)
     rig.segment(0.01, speed=100.0, end_speed=100.0, exact_stop=False)
     rig.segment(10.0, speed=100.0)
     rig.run_to_the_end()

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from kernel_rig import DEMO
 
-from nctakt.kernel.plc.panel import OVERRIDE
+from nctakt.kernel import cells
 from nctakt.nc.vocabulary.realtime_variables import AXIS_VARIABLES, CHANNEL_VARIABLES
 from nctakt.run.controller import Controller, NcText
 
@@ -35,7 +35,7 @@ UNWRITTEN = (
 def half_way() -> Controller:
     """In the middle of a motion, with both overrides written, the operator's at 30.5 %."""
     controller = Controller(DEMO)
-    controller._machine.channels[0].panel.put(OVERRIDE, 30.5)
+    controller._machine.channels[0].panel.put(cells.PANEL_OVERRIDE, 30.5)
     controller.start(NcText("p.nc", PROGRAM))
     controller.step(400)
     return controller

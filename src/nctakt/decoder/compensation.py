@@ -30,10 +30,10 @@ from nctakt.decoder.fast.compensated_lines import CompensatedLines
 from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.pending_motion import PendingMotion, at_tool, block_length, share_of_contour
 from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM, Arc
-from nctakt.decoder.state.commands import Answer, Command, ProgramEnd, Segment, pack, waits
+from nctakt.decoder.state.commands import Answer, Command, ProgramEnd, Segment, waits
 from nctakt.decoder.state.environment import DecodeError
+from nctakt.decoder.state.packing import takes_time
 from nctakt.decoder.values.variables import Values
-from nctakt.kernel import rows
 from nctakt.messages import diagnostic
 from nctakt.messages.tools import (
     ARC_REVERSED_BY_RADIUS,
@@ -184,7 +184,7 @@ class Compensation:
         compensation = self._state.compensation
         tool.side = 1.0 if (d or before) > 0.0 else -1.0
         tool.masks = compensation.masks
-        is_feed = segment.motion == rows.FEED_MOTION
+        is_feed = segment.is_feed
         if segment.arc is None:
             if d == before:
                 tool.line(*ends, d, d, is_feed)
@@ -235,7 +235,7 @@ class Compensation:
             self._values.fail(TOO_MANY_COMMANDS_IN_CONTOUR, self._path.span, count=MAX_BETWEEN)
         self._between += 1
         self._motions[-1].between.append(command)
-        if isinstance(command, Segment) or pack(command)[rows.KIND] in rows.TIMED_KINDS:
+        if takes_time(command):
             self._pass_time(command)
 
     def _moves_others(self, segment: Segment) -> bool:
@@ -468,8 +468,7 @@ class Compensation:
         """The pieces of a motion; only the last one stops exactly."""
         first, second = PLANES[self._state.plane]
         segment = motion.segment
-        is_feed = segment.motion == rows.FEED_MOTION
-        if motion.time_s > 0.0 and is_feed and pieces:
+        if motion.time_s > 0.0 and segment.is_feed and pieces:
             lengths = [length for _, length in pieces]
             length = block_length(segment, lengths, self._environment.axes, (first, second))
             segment = replace(segment, feed=length / motion.time_s)
@@ -485,7 +484,7 @@ class Compensation:
                 arc = Arc(first, second, *piece[5:8])
                 row = arc.row
                 self._path.check_extremes(arc, start, motion.span)
-                if motion.adapts and is_feed and motion.time_s == 0.0:
+                if motion.adapts and segment.is_feed and motion.time_s == 0.0:
                     feed *= share_of_contour(segment, row, start)
             self._path.check_limits(target, (first, second), motion.span)
             yield replace(

@@ -39,12 +39,12 @@ from nctakt.decoder.state.commands import (
 )
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
-from nctakt.decoder.state.offsets import ALL, remaining_offset_kinds
+from nctakt.decoder.state.offsets import remaining_offset_kinds
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.texts import FormatError, format_text
 from nctakt.decoder.values.variables import Values
+from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
-from nctakt.kernel.cycles.cycles import BLOCK, GLOBAL, PROG
 from nctakt.messages.checked_cycles import INVALID_CYCLE_ID, INVALID_GLOBAL_CYCLE_ID
 from nctakt.messages.decoder import (
     JUMP_TARGET_NOT_NC_TEXT,
@@ -71,7 +71,7 @@ EXPLICIT = ["EXPL", "SYN"]
 #: The words of the command that ends a modal call.
 NO_MODAL = ["DISABLE", "MODAL", "CYCLE"]
 
-_SCOPE_NAMES = {BLOCK: "BLOCK", PROG: "PROG", GLOBAL: "GLOBAL"}
+_SCOPE_NAMES = {codes.BLOCK_SCOPE: "BLOCK", codes.PROG_SCOPE: "PROG", codes.GLOBAL_SCOPE: "GLOBAL"}
 
 
 class ProgramDecoder:
@@ -312,7 +312,7 @@ class ProgramDecoder:
                 yield from self._command(statement, number)
         return ""
 
-    def _block(self, block: tree.Block, number: int, kinds: int = ALL) -> Decoding:
+    def _block(self, block: tree.Block, number: int, kinds: int = codes.ALL_OFFSETS) -> Decoding:
         """Words; then what they call, then the end of a program among them.
 
         ``kinds``: which offsets the block's positions have.
@@ -387,10 +387,10 @@ class ProgramDecoder:
     ) -> Generator[Command, Answer]:
         identity = yield from self._identity(statement, number)
         scope_word = _keyword(statement.keywords, "SCOPE")
-        scope = PROG if scope_word is None else SCOPES[_word(scope_word)]
+        scope = codes.PROG_SCOPE if scope_word is None else SCOPES[_word(scope_word)]
         if identity is not None and identity < 1:
             self._values.fail(
-                INVALID_GLOBAL_CYCLE_ID if scope == GLOBAL else INVALID_CYCLE_ID,
+                INVALID_GLOBAL_CYCLE_ID if scope == codes.GLOBAL_SCOPE else INVALID_CYCLE_ID,
                 statement.span,
                 id=identity,
             )
@@ -400,7 +400,7 @@ class ProgramDecoder:
         self._keep_cycle(built)
         starts = not statement.definition_only
         self._uncertain_axes.define_cycle(
-            built.identity, built.axes, is_block=scope == BLOCK, starts=starts
+            built.identity, built.axes, is_block=scope == codes.BLOCK_SCOPE, starts=starts
         )
         end_action = _keyword(statement.keywords, "END_ACTION")
         moves_on = end_action is not None and _word(end_action) == "MOVE_CONT"

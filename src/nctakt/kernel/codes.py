@@ -7,6 +7,165 @@ The numbers of rows and cells stand in ``rows.py``.
 
 from __future__ import annotations
 
+# --- why ``Kernel.run`` returns -------------------------------------------------------------------
+
+(
+    DONE,  # all ticks are done
+    REFILL,  # the queue of a channel runs low
+    ANSWER,  # what a decoder waits for is there
+    PROGRAM_END,
+    ERROR,
+    FULL,  # the record has no room for another tick
+    START,
+    RESET,
+) = range(8)
+
+# --- realtime cycles ------------------------------------------------------------------------------
+
+#: States of a slot of the cycle manager.
+(
+    EMPTY,
+    LOADED,  # the definition is on its way
+    DEFINED,  # not started
+    ARMED,  # started, waits for its block (BLOCK)
+    RUNNING,
+    HELD,
+    DEAD,  # has ended, Python has not freed the slot yet
+) = range(7)
+
+#: Scopes.
+BLOCK_SCOPE, PROG_SCOPE, GLOBAL_SCOPE = range(3)
+
+#: Management commands (RC-111).
+CONTROL_START, CONTROL_HOLD, CONTROL_CONTINUE, CONTROL_ABORT, CONTROL_DELETE = range(1, 6)
+
+#: What a condition or a branch has come to.
+(
+    UNKNOWN,  # a condition that was not evaluated yet
+    FALSE,
+    TRUE,
+    STOPS,  # the cycle must stop
+) = range(-1, 3)
+
+#: The reaction of an ``#ERROR`` that no reset takes back (RC 7).
+FATAL_REACTION = 7
+
+#: Actions of ``#TIMER``.
+TIMER_START, TIMER_STOP, TIMER_READ, TIMER_CLEAR = range(1, 5)
+
+# --- axes -----------------------------------------------------------------------------------------
+
+#: Kinds of offsets of an axis, in the order in which ``X[INDP OFFSET=…]`` names them (RC-407).
+(
+    ZERO_OFFSET,
+    ADD_ZERO_OFFSET,
+    PSET_OFFSET,
+    CLAMP_OFFSET,
+    TOOL_OFFSET,
+    MEASURE_OFFSET,
+    MANUAL_OFFSET,
+    OFFSET_KINDS,
+) = range(8)
+
+#: Sets of offsets as bits: bit k stands for kind k.
+ALL_OFFSETS = (1 << OFFSET_KINDS) - 1
+OFFSETS_BUT_TOOL = ALL_OFFSETS - (1 << TOOL_OFFSET)
+
+#: The override of independent motion (P-AXIS-00491).
+CHANNEL_OVERRIDE, LOWER_OVERRIDE, OWN_OVERRIDE = range(3)
+
+#: What an axis does in independent motion; from ``BRAKING`` on it has no target.
+(
+    IDLE,
+    TO_POSITION,
+    ENDLESS,
+    BY_DISTANCE,  # only as what waits: it begins as ``TO_POSITION``
+    BRAKING,
+) = range(5)
+
+#: How a command of independent motion begins: instead of the present motion, behind it.
+ABORTING, BUFFERED = range(2)
+
+#: Directions of independent motion: as now, or of modulo axes the shorter one.
+NEGATIVE, PRESENT, POSITIVE, SHORTEST = range(-1, 3)
+
+#: PLCopen states.
+(
+    STANDSTILL,
+    DISCRETE_MOTION,
+    CONTINUOUS_MOTION,
+    STOPPING,
+    ERROR_STOP,
+    SYNCHRONIZED_MOTION,  # the axis belongs to the path
+) = range(1, 7)
+
+#: Whether an axis stands for a position request; any other number is that of a message (RC-409).
+STANDS, MOVES_STILL = range(2)
+
+#: The owner of the PLC's first request; the others follow.
+PLC_OWNER = 1_000_000
+
+#: Requests of the PLC for an axis.
+ABSOLUTE, RELATIVE, VELOCITY, HALT, CLEAR_FAULT = range(1, 6)
+
+#: Why a cycle's command for an axis is refused in the tick: numbers of ``REFUSALS`` in
+#: ``nc/vocabulary/axis_commands.py``.
+FEED_UNKNOWN, FEED_ZERO = range(7, 9)
+FEED_NEGATIVE = 12
+
+#: The unknown of a trajectory: how far its highest speed lies above the slowest that makes sense,
+#: as the root of the difference; the acceleration with which ``top_v`` is passed while braking;
+#: that up to which a braking is taken back.
+HIGHEST_SPEED, CROSSING, LEAST_BRAKING = range(3)
+
+# --- spindles -------------------------------------------------------------------------------------
+
+#: Jobs: the M functions.
+SPINDLE_FORWARD, SPINDLE_BACKWARD, SPINDLE_STOP = range(3, 6)
+SPINDLE_POSITION = 19
+
+#: What a spindle does.
+STANDING, TURNING, POSITIONING = range(3)
+
+# --- PLC ------------------------------------------------------------------------------------------
+
+#: States of a slot for a technology function, and of the job of a spindle under the PLC.
+FREE, WAITING, ACKNOWLEDGED = range(3)
+
+#: States of a channel on its panel.
+CHANNEL_READY, CHANNEL_RUNNING, CHANNEL_ERROR, CHANNEL_RESET = range(4)
+
+#: How the path walks over its history.
+AT_FRONT, WALKS_BACKWARD, WALKS_FORWARD = range(3)
+
+#: Phases of measuring an edge joint.
+(
+    NOT_MEASURING,
+    SEEKS_EDGE,
+    FOUND_EDGE,
+    BRAKES_FOR_JOINT,
+    AWAITS_FUNCTION,
+) = range(5)
+
+#: Types of variables in the image of the HLI.
+(
+    IMAGE_BOOLEAN,
+    IMAGE_SGN08,
+    IMAGE_UNS08,
+    IMAGE_SGN16,
+    IMAGE_UNS16,
+    IMAGE_SGN32,
+    IMAGE_UNS32,
+    IMAGE_REAL64,
+    IMAGE_STRING,
+) = range(9)
+
+# --- path -----------------------------------------------------------------------------------------
+
+#: After every eighth segment the look-ahead with a limit of the jerk checks whether it may end: the
+#: last bits of their number then.
+FAR_CHECK = 7
+
 #: Stages of a segment (``path/geometry.py``), in the order in which the path passes them forward.
 (
     BEFORE_STAGES,

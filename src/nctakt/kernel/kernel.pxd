@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of kernel.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport codes, rows
 from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.plc.axis_requests cimport AxisRequests
 from nctakt.kernel.tick.channel cimport Channel

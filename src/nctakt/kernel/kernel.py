@@ -12,7 +12,7 @@ import struct
 
 import cython
 
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.base.bounds import check_range
@@ -24,16 +24,6 @@ from nctakt.kernel.tick.channel import Channel
 #: Ticks of one call at most, far from what an integer of 64 bits cannot hold.
 MOST_TICKS = 1 << 60
 
-# Why ``run`` returned.
-DONE = 0
-REFILL = 1
-ANSWER = 2
-PROGRAM_END = 3
-ERROR = 4
-FULL = 5
-START = 6
-RESET = 7
-
 
 class Lane:
     """The channels of the machine as a chain, since the tick cannot walk through a list.
@@ -43,7 +33,7 @@ class Lane:
 
     def needs_python(self) -> int:
         """The first reason why one of the channels needs Python."""
-        return 0
+        return codes.DONE
 
     def event_bound(self) -> int:
         """The most events of one tick."""
@@ -151,7 +141,7 @@ class Kernel:
             self.input_words[i] = word
 
     def run(self, ticks: int) -> int:
-        """Run up to ``ticks`` ticks: why it returned, ``DONE`` after all of them."""
+        """Run up to ``ticks`` ticks: why it returned, ``codes.DONE`` after all of them."""
         ticks = min(ticks, MOST_TICKS)
         with cython.nogil:
             reason = self.loop(ticks)
@@ -173,7 +163,7 @@ class Kernel:
             if reason:
                 return reason
             if not self.record.has_room(self.event_bound(), self.lane.probe_bound()):
-                return 5
+                return codes.FULL
             self.run_tick()
         return self.lane.needs_python()
 
@@ -203,7 +193,7 @@ class Kernel:
             self.image.publish(self.tick + 1)
         self.record_row()
         self.tick += 1
-        return DONE
+        return codes.DONE
 
     def note_overflow(self, thread: int) -> None:
         """A thread of the schedule overflows in the tick that comes."""

@@ -135,12 +135,12 @@ def _arguments(count: int) -> range:
 ) = _arguments(2)
 (STOP_REACTION,) = _arguments(1)  # USER_STOP: RC
 (
-    SPINDLE_INDEX,  # index of the spindle in the channel; of AWAIT_SPINDLE, too
-    SPINDLE_FUNCTION,  # 3, 4, 5 or 19
-    SPINDLE_SPEED,  # degrees/s
-    SPINDLE_POSITION,  # degrees
-    SPINDLE_DIRECTION,  # 1, -1; 0: the shorter way
-    SPINDLE_TICKS,  # how long the default PLC takes
+    JOB_SPINDLE,  # index of the spindle in the channel; of AWAIT_SPINDLE, too
+    JOB_FUNCTION,  # 3, 4, 5 or 19
+    JOB_SPEED,  # degrees/s
+    JOB_POSITION,  # degrees
+    JOB_DIRECTION,  # 1, -1; 0: the shorter way
+    JOB_TICKS,  # how long the default PLC takes
 ) = _arguments(6)
 (MARK_TICK,) = _arguments(1)  # BLOCK_MARK: tick in which the block was decoded
 (
@@ -376,6 +376,35 @@ MOTION_HELD, MOTION_CONTINUED, MOTION_STOPPED = range(3)
 #: Kinds of probe rows: a condition is false or true from this tick on; after a tick without one a
 #: series of evaluations begins in this tick, or one of run-throughs of a body.
 PROBE_FALSE, PROBE_TRUE, PROBE_EVALUATED, PROBE_RAN = range(4)
+
+
+# --- trajectories of single axes and spindles -----------------------------------------------------
+
+#: Columns of a plan; the phases follow from ``PLAN_PHASES`` on.
+(
+    PLAN_LAST,  # number of the last phase, counted from 0
+    PLAN_DURATION,  # s
+    PLAN_PHASE,  # the phase of the last evaluation
+    PLAN_PHASES,
+) = range(4)
+
+#: Columns of a phase of constant jerk: its start.
+(
+    PHASE_TIME,  # s
+    PHASE_DISTANCE,  # mm, degrees
+    PHASE_SPEED,  # /s
+    PHASE_ACCELERATION,  # /s²
+    PHASE_JERK,  # /s³
+    PHASE_WIDTH,
+) = range(6)
+
+#: The most phases of a plan, and its columns.
+MAX_PHASES = 9
+PLAN_WIDTH = PLAN_PHASES + MAX_PHASES * PHASE_WIDTH
+
+#: The matrix of a turned coordinate system, row by row.
+MATRIX_SIDE = 3
+MATRIX_SIZE = 9
 
 
 def segment_width(axis_count: int) -> int:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from nctakt.kernel.plc.axis_requests import ABSOLUTE, CLEAR_FAULT, HALT, RELATIVE, VELOCITY
+from nctakt.kernel import codes
 
 if TYPE_CHECKING:
     from nctakt.run.plc_view import PlcView
@@ -114,7 +114,7 @@ class MC_MoveAbsolute(AxisBlock):
         buffered: bool = False,
     ) -> None:
         """``direction`` counts for modulo axes; ``buffered``: behind the running motion."""
-        self._call(hli, execute, ABSOLUTE, position, velocity, int(buffered), direction)
+        self._call(hli, execute, codes.ABSOLUTE, position, velocity, int(buffered), direction)
 
 
 class MC_MoveRelative(AxisBlock):
@@ -130,7 +130,7 @@ class MC_MoveRelative(AxisBlock):
         buffered: bool = False,
     ) -> None:
         """``buffered``: behind the running motion, from where that one ends."""
-        self._call(hli, execute, RELATIVE, distance, velocity, int(buffered), SHORTEST)
+        self._call(hli, execute, codes.RELATIVE, distance, velocity, int(buffered), SHORTEST)
 
 
 class MC_MoveVelocity(AxisBlock):
@@ -148,7 +148,7 @@ class MC_MoveVelocity(AxisBlock):
         buffered: bool = False,
     ) -> None:
         """``direction``: ``POSITIVE``, ``NEGATIVE`` or ``CURRENT``."""
-        self._call(hli, execute, VELOCITY, 0.0, velocity, int(buffered), direction)
+        self._call(hli, execute, codes.VELOCITY, 0.0, velocity, int(buffered), direction)
         self.in_velocity = self.active and hli.is_axis_at_speed(self.axis)
 
 
@@ -157,7 +157,7 @@ class MC_Halt(AxisBlock):
 
     def __call__(self, hli: PlcView, *, execute: bool) -> None:
         """Done when the axis stands, aborted when it moves again before."""
-        self._call(hli, execute, HALT, 0.0, 0.0, 0, SHORTEST)
+        self._call(hli, execute, codes.HALT, 0.0, 0.0, 0, SHORTEST)
 
     def _look(self, hli: PlcView) -> None:
         state = hli.axis(self.axis)["state"]
@@ -177,7 +177,7 @@ class MC_Reset(AxisBlock):
 
     def __call__(self, hli: PlcView, *, execute: bool) -> None:
         """Done in the tick that latches it, with an axis that has no error as well."""
-        self._call(hli, execute, CLEAR_FAULT, 0.0, 0.0, 0, SHORTEST)
+        self._call(hli, execute, codes.CLEAR_FAULT, 0.0, 0.0, 0, SHORTEST)
 
     def _look(self, hli: PlcView) -> None:
         self._end()

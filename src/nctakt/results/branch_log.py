@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 from nctakt.base.source_ids import begins_at
 from nctakt.decoder.cycles.builder import CycleBranch, FrozenValue
+from nctakt.kernel import codes
 from nctakt.kernel.cycles import conditions
 from nctakt.nc.check.branches import BranchOutline, accesses_in, combined
 from nctakt.nc.parse.printer import format_expression
@@ -121,8 +122,8 @@ class ConditionLog:
 
     def __init__(self, node: conditions.Condition, living_from: int | None) -> None:
         self.node = node
-        has_truth = living_from is not None and node.truth != conditions.UNKNOWN
-        self._was_true = node.truth == 1 if has_truth else None
+        has_truth = living_from is not None and node.truth != codes.UNKNOWN
+        self._was_true = node.truth == codes.TRUE if has_truth else None
         self.truths = TruthCount(continued(node.next_tick, living_from), self._was_true)
         self._changes: deque[Change] = deque(maxlen=CHANGES_KEPT)
         self._left_out = 0

@@ -17,8 +17,7 @@ from typing import Protocol
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.cycles.builder import CycleDefinition
-from nctakt.kernel import rows
-from nctakt.kernel.cycles.cycles import DEFINED, HELD
+from nctakt.kernel import codes, rows
 from nctakt.messages.realtime import BLOCK_CYCLE_NEVER_RAN
 from nctakt.nc.check.branches import (
     branch_outlines,
@@ -115,8 +114,8 @@ class ProbeLog:
         self.left_out = 0
         for definition, state in living:
             cycle = self._add(definition, first_tick)
-            cycle.live(LifeEvent(first_tick, "created" if state == DEFINED else "living"))
-            if state == HELD:
+            cycle.live(LifeEvent(first_tick, "created" if state == codes.DEFINED else "living"))
+            if state == codes.HELD:
                 cycle.live(LifeEvent(first_tick, "held"))
 
     # --- while the run goes on ------------------------------------------------------------------

@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.kernel import kernel as reasons
+from nctakt.kernel import codes
 from nctakt.messages import diagnostic
 from nctakt.messages.user_errors import STOPPED_BY_FATAL_USER_ERROR
 from nctakt.results.run import RunState
@@ -153,28 +153,28 @@ class ChannelRun:
     def serve(self) -> None:
         """Do what is due before the next tick: feed the queue, end or begin a program."""
         reason = self.channel.due()
-        if reason == reasons.ERROR:
+        if reason == codes.ERROR:
             if self._stopped_at < 0:
                 self._stopped_at = self._machine.kernel.tick
             self.channel.clear_error()
             self.channel.panel.end_program()
             self._stop()
-        elif reason == reasons.PROGRAM_END:
+        elif reason == codes.PROGRAM_END:
             self.channel.accept_end()
             self.channel.panel.end_program()
             self.feeder = None
             self._outcome = "ended"
-        elif reason == reasons.START:
+        elif reason == codes.START:
             assert self._selected is not None
             self.begin(self._selected)
-        elif reason == reasons.RESET:
+        elif reason == codes.RESET:
             self._give_up()
             self.channel.panel.accept_reset()
             self._outcome = "reset"
-        elif reason == reasons.ANSWER:
+        elif reason == codes.ANSWER:
             assert self.feeder is not None
             self.feeder.answer()
-        elif reason == reasons.REFILL:
+        elif reason == codes.REFILL:
             assert self.feeder is not None
             self.feeder.refill()
 

@@ -16,7 +16,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.files.access import FileAccess
-from nctakt.kernel import kernel as reasons
+from nctakt.kernel import codes
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine, load_machine
@@ -479,10 +479,10 @@ class Controller:
         self._machine.reserve()
         reason = self._kernel.lose_tick() if is_lost else self._kernel.run(due - self.tick)
         self._recording.drain()
-        if reason not in (reasons.DONE, reasons.FULL):
+        if reason not in (codes.DONE, codes.FULL):
             for channel in self._channels:
                 channel.serve()
-        if self._plc is not None and self._kernel.tick == due and reason != reasons.FULL:
+        if self._plc is not None and self._kernel.tick == due and reason != codes.FULL:
             for _ in range(plc_calls):
                 self._plc.cycle(PlcView(self._machine))
 

@@ -10,7 +10,8 @@ from nctakt.base.source_ids import SourceFiles, begins_at
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.decoder.state.commands import UserMessage
 from nctakt.decoder.state.uncertain_axes import LivingCycle
-from nctakt.kernel.cycles.cycles import DEFINED, HELD, CycleManager, RealtimeCycle
+from nctakt.kernel import codes
+from nctakt.kernel.cycles.cycles import CycleManager, RealtimeCycle
 from nctakt.results.run import FrozenValue, Reaction
 
 
@@ -101,9 +102,11 @@ class EventRegistry:
         cycles = []
         for cycle in manager.loaded:
             state = manager.state_of(cycle.slot)
-            if DEFINED <= state <= HELD:
+            if codes.DEFINED <= state <= codes.HELD:
                 definition = self._living[cycle.serial]
-                cycles.append(LivingCycle(definition.identity, definition.axes, state != DEFINED))
+                cycles.append(
+                    LivingCycle(definition.identity, definition.axes, state != codes.DEFINED)
+                )
         return tuple(cycles)
 
     # --- registration ---------------------------------------------------------------------------

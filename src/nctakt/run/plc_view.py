@@ -13,7 +13,7 @@ from typing import Protocol
 
 from nctakt.base.failure import Failure
 from nctakt.hli.layout import AXIS, CHANNEL
-from nctakt.kernel.plc.axis_requests import CLEAR_FAULT, HALT
+from nctakt.kernel import codes
 from nctakt.messages import diagnostic
 from nctakt.messages.folders import UNKNOWN_CHANNEL
 from nctakt.messages.memory import NOT_VISIBLE_TO_PLC
@@ -177,7 +177,7 @@ class PlcView:
     ) -> int:
         """A request for the next tick (``kernel/plc/axis_requests.py``): its owner number."""
         axis = self._axis(name)
-        if kind not in (HALT, CLEAR_FAULT) and not (
+        if kind not in (codes.HALT, codes.CLEAR_FAULT) and not (
             math.isfinite(value) and 0.0 < speed < math.inf
         ):
             raise Failure(diagnostic(INVALID_AXIS_COMMAND, name=name, value=value, speed=speed))

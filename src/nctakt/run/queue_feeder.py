@@ -17,6 +17,7 @@ from nctakt.decoder.state import commands
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.modal_state import state_at_program_start
+from nctakt.decoder.state.packing import pack
 from nctakt.decoder.state.program_variables import Scopes
 from nctakt.kernel import rows
 from nctakt.messages.realtime import TOO_MANY_CYCLES
@@ -222,7 +223,7 @@ class QueueFeeder:
                 self._channel.block_goes_on()
             self._decoder.pass_time(command)
             return
-        row = commands.pack(command, subject)
+        row = pack(command, subject)
         if isinstance(command, commands.LoopBegin):
             self._channel.begin_loop(row)
         elif isinstance(command, commands.LoopEnd):

@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.kernel.cycles.cycles import DEFINED, HELD
+from nctakt.kernel import codes
 from nctakt.nc.outline import ProgramText
 from nctakt.results.coverage import Coverage
 from nctakt.results.probe_log import ProbeLog
@@ -117,7 +117,7 @@ class Recording:
             (machine.registry.definition(cycle.serial), manager.state_of(cycle.slot))
             for manager in (channel.manager for channel in machine.channels)
             for cycle in manager.loaded
-            if DEFINED <= manager.state_of(cycle.slot) <= HELD
+            if codes.DEFINED <= manager.state_of(cycle.slot) <= codes.HELD
         ]
         return ProbeLog(machine.registry, machine.kernel.tick, living)
 

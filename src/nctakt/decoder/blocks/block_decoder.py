@@ -36,10 +36,10 @@ from nctakt.decoder.state.commands import (
     TechnologyOutput,
 )
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
-from nctakt.decoder.state.offsets import ALL, ZERO_GROUPS
+from nctakt.decoder.state.offsets import ZERO_GROUPS
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
-from nctakt.kernel import rows
+from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.offsets import MOST_GROUPS
 from nctakt.lists.declared.technology_functions import TechnologyFunction
@@ -127,7 +127,7 @@ class BlockDecoder:
             yield from offsets.preset(axis, position, value, source, number)
 
     def block(
-        self, block: tree.Block, number: int, kinds: int = ALL
+        self, block: tree.Block, number: int, kinds: int = codes.ALL_OFFSETS
     ) -> Generator[Command, Answer, bool]:
         """The commands of a block; true when it ends the program.
 
@@ -372,7 +372,7 @@ class BlockDecoder:
         self._state.positions = target
         if segment is None:
             return
-        if segment.motion == rows.FEED_MOTION and self.technology.awaits_feed:
+        if segment.is_feed and self.technology.awaits_feed:
             yield from self.technology.before_feed()
         yield segment
 

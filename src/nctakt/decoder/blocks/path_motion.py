@@ -15,9 +15,8 @@ from nctakt.decoder.blocks import segments
 from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
 from nctakt.decoder.state.commands import Answer, Command, Segment
-from nctakt.decoder.state.offsets import ALL
 from nctakt.decoder.values.variables import Values
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.messages.coordinate_systems import ARC_PLANE_ASKEW, WORD_IN_ROTATED_COORDINATE_SYSTEM
 from nctakt.messages.decoder import TARGET_OUTSIDE_LIMITS
 from nctakt.messages.motion import (
@@ -70,7 +69,7 @@ class PathWords:
 
     centre: dict[str, tuple[Span, float]] = field(default_factory=dict)
     once: frozenset[int] = frozenset()
-    offset_kinds: int = ALL
+    offset_kinds: int = codes.ALL_OFFSETS
 
 
 class PathMotion:

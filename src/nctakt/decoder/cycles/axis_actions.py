@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.variables import Values
-from nctakt.kernel.axes.coordinates import KINDS
+from nctakt.kernel import codes
 from nctakt.kernel.cycles import actions
 from nctakt.kernel.cycles.expressions import Constant, Expression
 from nctakt.kernel.cycles.instructions import Statement
@@ -23,9 +23,6 @@ from nctakt.nc.vocabulary.axis_commands import (
     AxisTraits,
     read_axis_command,
 )
-
-#: All kinds of offsets as bits.
-ALL_OFFSETS = (1 << KINDS) - 1
 
 
 class ActionBuilder:
@@ -57,7 +54,9 @@ class ActionBuilder:
         position = self._expressions.build(command.position).node
         offsets = 0
         if command.offset:
-            offsets = ALL_OFFSETS if command.offset == "ALL" else 1 << OFFSETS.index(command.offset)
+            offsets = (
+                codes.ALL_OFFSETS if command.offset == "ALL" else 1 << OFFSETS.index(command.offset)
+            )
         unit = self._state.length_unit_mm if nature.is_linear else 1.0
         return actions.MoveAxis(*moving, position, unit, bool(command.absolute), offsets)
 

@@ -19,10 +19,11 @@ from nctakt.decoder.cycles.memory_budget import memory_bytes
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.fusing import Operand, constant, load
 from nctakt.decoder.values.variables import Values
+from nctakt.kernel import codes
 from nctakt.kernel.cycles import branches, expressions, fused, instructions, user_errors
 from nctakt.kernel.cycles.branches import Branch, Reaction
 from nctakt.kernel.cycles.conditions import Combination, Condition
-from nctakt.kernel.cycles.cycles import BLOCK, GLOBAL, PROG, RealtimeCycle
+from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.nc import tree
@@ -32,7 +33,7 @@ from nctakt.nc.vocabulary.spindle_commands import split
 from nctakt.nc.vocabulary.system_variables import is_decoder_data
 from nctakt.nc.vocabulary.variable_table import Location
 
-SCOPES = {"BLOCK": BLOCK, "PROG": PROG, "GLOBAL": GLOBAL}
+SCOPES = {"BLOCK": codes.BLOCK_SCOPE, "PROG": codes.PROG_SCOPE, "GLOBAL": codes.GLOBAL_SCOPE}
 
 #: What ``kernel/base/timers.py`` calls the actions of ``#TIMER``.
 TIMER_ACTIONS = {"START": 1, "STOP": 2, "READ": 3, "CLEAR": 4}

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What goes down the queue to the realtime part: plain data, no text, no names.
 
-``pack`` turns a command into a row of the queue (``kernel/rows.py``). A command that
-``waits`` is answered through the decoder's ``yield``: with the value that was read, or the axes'
-positions.
+``packing.py`` turns them into rows of the queue. A command that ``waits`` is answered through the
+decoder's ``yield``: with the value that was read, or the axes' positions.
 """
 
 from __future__ import annotations
@@ -11,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.kernel.cycles.cycles import RealtimeCycle
 
 
@@ -65,6 +64,11 @@ class Segment(Command):
     modifiers: FeedModifiers | None = None
     goes_on: bool = False
 
+    @property
+    def is_feed(self) -> bool:
+        """Whether the motion is made with a path feed, not at rapid traverse."""
+        return self.motion == rows.FEED_MOTION
+
 
 @dataclass(frozen=True, slots=True)
 class Dwell(Command):
@@ -77,7 +81,7 @@ class Dwell(Command):
 class LoadCycle(Command):
     """A realtime cycle, defined and, unless ``definition_only``, started when it is taken.
 
-    ``identity`` is 0 without an ID; ``scope`` as in ``kernel/cycles/cycles.py``. ``moves_on``: its
+    ``identity`` is 0 without an ID; ``scope``: ``codes.BLOCK_SCOPE`` …. ``moves_on``: its
     motions go on when it ends (MOVE_CONT).
     """
 
@@ -89,7 +93,13 @@ class LoadCycle(Command):
 
 
 #: Actions of ``CycleControl`` by the words of the language.
-CONTROL_ACTIONS = {"START": 1, "HOLD": 2, "CONTINUE": 3, "ABORT ACTION": 4, "DELETE": 5}
+CONTROL_ACTIONS = {
+    "START": codes.CONTROL_START,
+    "HOLD": codes.CONTROL_HOLD,
+    "CONTINUE": codes.CONTROL_CONTINUE,
+    "ABORT ACTION": codes.CONTROL_ABORT,
+    "DELETE": codes.CONTROL_DELETE,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -374,92 +384,6 @@ class ClearHistory(Command):
 
 #: What the decoder gets back from a command that waits.
 Answer = float | tuple[float, ...] | None
-
-
-def pack(command: Command, reference: int = 0) -> list[float]:
-    """The row of a command; ``reference`` is the slot of a cycle or the number of a text or
-    program."""
-    head = (command.source, command.number)
-    row: list[float]
-    match command:
-        case Dwell():
-            return [rows.DWELL, *head, command.ticks]
-        case LoadCycle():
-            return [rows.DEFINE_CYCLE, *head, reference, not command.definition_only]
-        case CycleControl():
-            return [rows.CONTROL_CYCLE, *head, command.action, command.identity]
-        case TechnologyOutput():
-            row = [rows.TECHNOLOGY, *head, command.function, command.ticks]
-            return [*row, command.value is not None, command.value or 0]
-        case AwaitAcknowledge():
-            return [rows.AWAIT_ACKNOWLEDGE, *head, command.function]
-        case SpindleJob():
-            row = [rows.SPINDLE, *head, command.spindle, command.function, command.speed_v]
-            return [*row, command.position, command.direction, command.ticks]
-        case AwaitSpindle():
-            return [rows.AWAIT_SPINDLE, *head, command.spindle]
-        case WriteVariable():
-            return [rows.WRITE_VARIABLE, *head, command.cell, command.value, command.is_reported]
-        case WriteText():
-            row = [rows.WRITE_TEXT, *head, command.cell, command.first, len(command.data)]
-            return [*row, command.zeros, *command.data]
-        case UserMessage():
-            return [rows.MESSAGE, *head, reference]
-        case SetOffset():
-            return [rows.SET_OFFSET, *head, command.axis, command.kind, command.value]
-        case SetOrigin():
-            return [rows.SET_ORIGIN, *head, command.axis, command.value]
-        case SetTurn():
-            first, second, third = command.axes
-            if not command.matrix:
-                return [rows.SET_TURN, *head, first]
-            return [rows.SET_TURN, *head, first, second + 1, third + 1, *command.matrix]
-        case Freeze():
-            return [rows.FREEZE, *head, command.serial, reference, command.value]
-        case UserErrorReport():
-            return [rows.USER_ERROR, *head, command.identity, command.reaction]
-        case UserErrorValue():
-            kind = rows.USER_TEXT if command.is_text else rows.USER_VALUE
-            return [kind, *head, command.code, command.content]
-        case UserErrorStop():
-            return [rows.USER_STOP, *head, command.reaction]
-        case Flush():
-            return [rows.FLUSH, *head, command.waits]
-        case ReadRealtime():
-            return [rows.READ, *head, True, command.cell]
-        case PositionRequest():
-            return [rows.POSITIONS, *head, True, len(command.axes), *command.axes]
-        case BlockMark():
-            return [rows.BLOCK_MARK, *head, reference]
-        case WaitMark():
-            return [rows.WAIT_MARK, *head, command.reason, command.cell]
-        case ProgramTimer():
-            return [rows.TIMER, *head, command.timer, command.action]
-        case FixedStop():
-            row = [rows.FIXED_STOP, *head, command.axis, command.is_on, command.limit]
-            return [*row, command.ticks, command.begin, command.end, command.needed]
-        case Measure():
-            row = [rows.MEASURE, *head, command.function, command.ticks, command.residual]
-            return [*row, command.value is not None, command.value or 0]
-        case ClearHistory():
-            return [rows.CLEAR_HISTORY, *head]
-        case MeasureEnd():
-            return [rows.MEASURE_END, *head]
-        case FixedStopEnd():
-            return [rows.FIXED_STOP_END, *head]
-        case LoopBegin():
-            return [rows.LOOP_BEGIN, *head]
-        case LoopPass():
-            return [rows.LOOP_PASS, *head]
-        case LoopEnd():
-            return [rows.LOOP_END, *head, True]
-        case ProgramEnd():
-            return [rows.PROGRAM_END, *head, reference]
-        case ProgramStop():
-            return [rows.PROGRAM_STOP, *head, command.is_optional]
-        case GiveUp():
-            return [rows.GIVE_UP, *head, command.message]
-    raise AssertionError(command)
 
 
 def write_text(

@@ -10,12 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from nctakt.decoder.state.program_variables import Variables
-from nctakt.kernel.base.timers import TIMER_COUNT, Timers
+from nctakt.kernel import cells
+from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.tick.channel import Channel
 from nctakt.lists.machine.machine import Machine
 
 #: Cells of the bank that counts with SYN, one for what each timer has latched.
-TIMER_BYTES = 8 * TIMER_COUNT
+TIMER_BYTES = 8 * cells.TIMERS
 
 
 class ProgramTimers:
@@ -28,8 +29,8 @@ class ProgramTimers:
         self._synchronous = memoryview(latched).cast("d")
         self._tick = tick
         self._cycle_time_us = cycle_time_us
-        self._values = [0.0] * TIMER_COUNT
-        self._counted = [0] * TIMER_COUNT
+        self._values = [0.0] * cells.TIMERS
+        self._counted = [0] * cells.TIMERS
         self._started: dict[int, int] = {}
 
     def command(self, action: str, timer: int) -> None:

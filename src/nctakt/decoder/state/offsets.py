@@ -13,8 +13,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from nctakt.decoder.state.commands import Command, SetOffset
 from nctakt.decoder.state.coordinate_systems import CoordinateSystems
-from nctakt.kernel.axes import coordinates
-from nctakt.kernel.axes.coordinates import ADD_ZERO, CLAMP, PSET, TOOL, ZERO
+from nctakt.kernel import codes
+from nctakt.kernel.axes.coordinates import Offsets
 from nctakt.lists.declared.offsets import ClampOffsets, ZeroOffsets
 from nctakt.nc.tree import Keyword, OffsetCommand
 from nctakt.nc.vocabulary.functions import ZERO_OFFSETS
@@ -24,25 +24,24 @@ ZERO_GROUPS = {function: group for group, function in enumerate(ZERO_OFFSETS)}
 
 #: The kinds of offsets by the keywords of the language, as bits (RC-407).
 KEYWORDS = {
-    "ZERO": 1 << ZERO,
-    "ADD_ZERO": 1 << ADD_ZERO,
-    "PSET": 1 << PSET,
-    "CLAMP": 1 << CLAMP,
-    "TOOL": 1 << TOOL,
-    "MEASURE": 1 << coordinates.MEASURE,
-    "MANUAL": 1 << coordinates.MANUAL,
+    "ZERO": 1 << codes.ZERO_OFFSET,
+    "ADD_ZERO": 1 << codes.ADD_ZERO_OFFSET,
+    "PSET": 1 << codes.PSET_OFFSET,
+    "CLAMP": 1 << codes.CLAMP_OFFSET,
+    "TOOL": 1 << codes.TOOL_OFFSET,
+    "MEASURE": 1 << codes.MEASURE_OFFSET,
+    "MANUAL": 1 << codes.MANUAL_OFFSET,
 }
-ALL = (1 << coordinates.KINDS) - 1
-KEYWORDS["ALL"] = ALL
+KEYWORDS["ALL"] = codes.ALL_OFFSETS
 
 #: The kinds that a coordinate system of the program takes over when it begins: all but the tool's.
-KINDS_IN_SYSTEMS = tuple(kind for kind in range(coordinates.KINDS) if kind != TOOL)
+KINDS_IN_SYSTEMS = tuple(kind for kind in range(codes.OFFSET_KINDS) if kind != codes.TOOL_OFFSET)
 
 
 def remaining_offset_kinds(command: OffsetCommand) -> int:
     """The kinds of offsets that ``#SUPPRESS OFFSETS`` leaves to its block."""
     named = [KEYWORDS[kind.name] for kind in command.kinds if isinstance(kind, Keyword)]
-    return ALL - sum(dict.fromkeys(named)) if named else 0
+    return codes.ALL_OFFSETS - sum(dict.fromkeys(named)) if named else 0
 
 
 class ActiveOffsets:
@@ -57,22 +56,22 @@ class ActiveOffsets:
         self, axes: Sequence[int], zero_offsets: ZeroOffsets, clamp_offsets: ClampOffsets
     ) -> None:
         self._axes = tuple(axes)
-        self._values = [[0.0] * coordinates.KINDS for _ in axes]
+        self._values = [[0.0] * codes.OFFSET_KINDS for _ in axes]
         self.zero_groups = {group: dict(values) for group, values in zero_offsets.groups.items()}
         self.default_group = zero_offsets.default_group
         self._clamp_offsets = clamp_offsets
         self.clamp_group = 0
         self.systems = CoordinateSystems(self._axes)
 
-    def total(self, axis: int, kinds: int = ALL) -> float:
+    def total(self, axis: int, kinds: int = codes.ALL_OFFSETS) -> float:
         """What the offsets of these kinds add to an absolute position of this axis.
 
         In a coordinate system of the program the tool is outside of it (``inside``).
         """
         if self.systems.is_active:
-            kinds &= ALL - KEYWORDS["TOOL"]
+            kinds &= codes.ALL_OFFSETS - KEYWORDS["TOOL"]
         values = self._values[axis]
-        if kinds == ALL:
+        if kinds == codes.ALL_OFFSETS:
             return sum(values)
         return sum(value for kind, value in enumerate(values) if kinds >> kind & 1)
 
@@ -82,27 +81,27 @@ class ActiveOffsets:
 
     # --- coordinate systems ---------------------------------------------------------------------
 
-    def inside(self, positions: Sequence[float], kinds: int = ALL) -> list[float]:
+    def inside(self, positions: Sequence[float], kinds: int = codes.ALL_OFFSETS) -> list[float]:
         """Positions of the axes -> in the coordinate system of the program, with offsets yet."""
         if not self.systems.is_active:
             return list(positions)
         return self.systems.inside(positions, self._tool(kinds))
 
-    def outside(self, positions: Sequence[float], kinds: int = ALL) -> list[float]:
+    def outside(self, positions: Sequence[float], kinds: int = codes.ALL_OFFSETS) -> list[float]:
         """What ``inside`` was made of."""
         if not self.systems.is_active:
             return list(positions)
         return self.systems.outside(positions, self._tool(kinds))
 
     def _tool(self, kinds: int) -> list[float]:
-        acts = kinds >> TOOL & 1
-        return [values[TOOL] if acts else 0.0 for values in self._values]
+        acts = kinds >> codes.TOOL_OFFSET & 1
+        return [values[codes.TOOL_OFFSET] if acts else 0.0 for values in self._values]
 
     def enter_system(
         self, components: Sequence[float], source: int, number: int
     ) -> Iterator[Command]:
         """``#CS ON``: the offsets that are active shift it, and begin anew in it."""
-        without_tool = ALL - KEYWORDS["TOOL"]
+        without_tool = codes.ALL_OFFSETS - KEYWORDS["TOOL"]
         shift = [self.total(axis, without_tool) for axis in range(len(self._axes))]
         kept = tuple(tuple(values) for values in self._values)
         yield from self.systems.enter(components, shift, kept, source, number)
@@ -116,10 +115,10 @@ class ActiveOffsets:
             before = {axis: values[kind] for axis, values in enumerate(kept)}
             yield from self._set_group(kind, before, source, number)
 
-    def adopt(self, offsets: coordinates.Offsets) -> None:
+    def adopt(self, offsets: Offsets) -> None:
         """Take over what the realtime part has: behind a reset some commands were never taken."""
         for values, axis in zip(self._values, self._axes, strict=True):
-            for kind in range(coordinates.KINDS):
+            for kind in range(codes.OFFSET_KINDS):
                 values[kind] = offsets.of(axis, 1 << kind)
 
     # --- commands, from ``source`` in the block ``number`` ---------------------------------------
@@ -127,43 +126,43 @@ class ActiveOffsets:
     def begin_program(self) -> Iterator[Command]:
         """Zero and clamp offsets as the lists say; those of the program before it are gone."""
         yield from self.systems.begin_program()
-        yield from self._set_group(ZERO, self._group(self.default_group), 0, 0)
+        yield from self._set_group(codes.ZERO_OFFSET, self._group(self.default_group), 0, 0)
         clamp = self._clamp_offsets.groups.get(self.clamp_group, {})
-        yield from self._set_group(CLAMP, clamp, 0, 0)
-        for kind in (ADD_ZERO, PSET, TOOL):
+        yield from self._set_group(codes.CLAMP_OFFSET, clamp, 0, 0)
+        for kind in (codes.ADD_ZERO_OFFSET, codes.PSET_OFFSET, codes.TOOL_OFFSET):
             yield from self._set_group(kind, {}, 0, 0)
 
     def select_group(self, group: int, source: int, number: int) -> Iterator[SetOffset]:
         """G53 … G59, G159; a group that the list does not name has no offsets."""
-        yield from self._set_group(ZERO, self._group(group), source, number)
+        yield from self._set_group(codes.ZERO_OFFSET, self._group(group), source, number)
 
     def add_zero(
         self, axis: int, value: float, relative: bool, source: int, number: int
     ) -> Iterator[SetOffset]:
         """G92 for one axis: instead of the offset that it has, or under G91 in addition to it."""
-        before = self._values[axis][ADD_ZERO] if relative else 0.0
-        yield from self._set(axis, ADD_ZERO, before + value, source, number)
+        before = self._values[axis][codes.ADD_ZERO_OFFSET] if relative else 0.0
+        yield from self._set(axis, codes.ADD_ZERO_OFFSET, before + value, source, number)
 
     def set_zero(self, axis: int, value: float, source: int, number: int) -> Iterator[SetOffset]:
         """Another zero offset of one axis, until the next is selected."""
-        yield from self._set(axis, ZERO, value, source, number)
+        yield from self._set(axis, codes.ZERO_OFFSET, value, source, number)
 
     def preset(
         self, axis: int, position: float, value: float, source: int, number: int
     ) -> Iterator[SetOffset]:
         """``#PSET``: where the axis stands (ACS) is called ``value`` from now on."""
-        others = self.total(axis, ALL - KEYWORDS["PSET"])
-        yield from self._set(axis, PSET, position - others - value, source, number)
+        others = self.total(axis, codes.ALL_OFFSETS - KEYWORDS["PSET"])
+        yield from self._set(axis, codes.PSET_OFFSET, position - others - value, source, number)
 
     def release(self, axis: int, source: int, number: int) -> Iterator[SetOffset]:
         """``#PRESET``: no preset for this axis."""
-        yield from self._set(axis, PSET, 0.0, source, number)
+        yield from self._set(axis, codes.PSET_OFFSET, 0.0, source, number)
 
     def set_tool(
         self, offsets: Mapping[int, float], source: int, number: int
     ) -> Iterator[SetOffset]:
         """The offsets of the tool, by the places of the axes."""
-        yield from self._set_group(TOOL, offsets, source, number)
+        yield from self._set_group(codes.TOOL_OFFSET, offsets, source, number)
 
     def _group(self, group: int) -> Mapping[int, float]:
         return self.zero_groups.get(group, {})

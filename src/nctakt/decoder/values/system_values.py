@@ -14,7 +14,7 @@ from nctakt.decoder.state.commands import SetOffset
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.tools import Fail
-from nctakt.kernel.axes.coordinates import ADD_ZERO, CLAMP, ZERO
+from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.offsets import MOST_GROUPS
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
@@ -73,13 +73,13 @@ class SystemValues:
             case "-SWE" | "-SWE_MDS":
                 return axis.software_limit_low
             case "BZP":
-                return offsets.value(index, ADD_ZERO)
+                return offsets.value(index, codes.ADD_ZERO_OFFSET)
             case "PZV":
-                return offsets.value(index, CLAMP)
+                return offsets.value(index, codes.CLAMP_OFFSET)
             case "MODULO_VALUE":
                 return axis.modulo_range
             case "NP_AKT.V":
-                return offsets.value(index, ZERO)
+                return offsets.value(index, codes.ZERO_OFFSET)
         return offsets.zero_groups.get(self._group(variable, system), {}).get(index, 0.0)
 
     def _of_channel(self, subject: str) -> float:

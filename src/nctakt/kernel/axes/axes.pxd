@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of axes.py.
 cimport cython
+from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.axes.coordinates cimport Offsets, Turns
 
@@ -38,6 +39,7 @@ cdef class Axes:
     cdef double[::1] shown_real
     cdef double[::1] shown_target
 
+    cdef Py_ssize_t cell_of(self, Py_ssize_t i) noexcept nogil
     @cython.locals(i=Py_ssize_t, step=double, sent=double, lag=double)
     cdef void follow(self) noexcept nogil
     @cython.locals(half=double)
@@ -49,16 +51,16 @@ cdef class Axes:
     cdef int is_shown(self, Py_ssize_t i, double real) noexcept nogil
     @cython.locals(base=Py_ssize_t, rest=double, shift=double)
     cdef void publish_axis(self, Py_ssize_t i, double here, double real, double there) noexcept nogil
-    @cython.locals(base=Py_ssize_t, pct=double)
+    @cython.locals(base=Py_ssize_t, pct=double, cycle_pct=double)
     cdef void publish_override(self, Py_ssize_t i, double operator_pct) noexcept nogil
     @cython.locals(real=double)
     cdef double real_place(self, Py_ssize_t i) noexcept nogil
     cdef void show_state(self, Py_ssize_t i, int state) noexcept nogil
     cdef void set_offset(self, Py_ssize_t axis, int kind, double value) noexcept nogil
-    @cython.locals(j=Py_ssize_t, k=Py_ssize_t, place=int, source=Py_ssize_t, x=double, y=double, z=double)
+    @cython.locals(j=Py_ssize_t, k=Py_ssize_t, cell=int, x=double, y=double, z=double)
     cdef void publish_turned(self, Py_ssize_t i) noexcept nogil
-    @cython.locals(base=Py_ssize_t, value=double)
-    cdef void publish_inside(self, Py_ssize_t i, Py_ssize_t axis, int column, int place, double x, double y, double z) noexcept nogil
+    @cython.locals(first=Py_ssize_t, second=Py_ssize_t, third=Py_ssize_t, value=double)
+    cdef void publish_inside(self, Py_ssize_t i, Py_ssize_t axis, int column, int cell, double x, double y, double z) noexcept nogil
     cdef void set_origin(self, Py_ssize_t axis, double value) noexcept nogil
     cdef void turn(self, double[::1] row, Py_ssize_t base) noexcept nogil
     cdef void publish_system(self, Py_ssize_t base, double here, double real, double there, double rest) noexcept nogil

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The machine's axes: command, actual and target position, and what cycles read of them.
 
-Arrays over the axes, since the tick walks over all of them. Each axis has a row of cells in the
-memory, in the order of ``nc/vocabulary/variable_table.py`` (``AXIS_VARIABLES``): positions in ACS,
-MCS, PCS and IPO (RC-304). PCS differs by the offsets in ``coordinates.py``.
+Arrays over the axes, since the tick walks over all of them. Each axis has cells in the memory
+(``cells.py``): positions in ACS, MCS, PCS and IPO (RC-304). PCS differs by the offsets in
+``coordinates.py``.
 
 The simulated drive (MO-10): an axis follows its command at once (MO-15), or with the lag of a
 position control whose gain is kv, of which feed-forward takes a share: the following error e obeys
@@ -23,7 +23,8 @@ it. The cells of an axis are written where its positions are others than those s
 
 from __future__ import annotations
 
-from nctakt.kernel.axes.coordinates import KINDS, Offsets, Turns
+from nctakt.kernel import cells, codes, rows
+from nctakt.kernel.axes.coordinates import Offsets, Turns
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index
 
@@ -74,7 +75,11 @@ class Axes:
     def begin_tick(self) -> None:
         """The CYCLE overrides are 100 % again (RC-305)."""
         for i in range(self.count):
-            self.cells[self.first_cell + i * 21 + 15] = 100.0
+            self.cells[self.cell_of(i) + cells.AXIS_OVERRIDE_VEL_CYCLE] = 100.0
+
+    def cell_of(self, i: int) -> int:
+        """The first cell of an axis."""
+        return self.first_cell + i * cells.AXIS_CELLS
 
     def follow(self) -> None:
         """The drives' tick, where any has a lag or gets its commands late."""
@@ -125,47 +130,49 @@ class Axes:
 
     def publish_axis(self, i: int, here: float, real: float, there: float) -> None:
         """Write the positions of an axis in all systems, of a modulo axis within its range."""
-        base = self.first_cell + i * 21
+        base = self.cell_of(i)
         rest = there - here
         if self.modulo_range[i] > 0.0:
             here = arithmetic.within(here, self.modulo_low[i], self.modulo_range[i])
             real = arithmetic.within(real, self.modulo_low[i], self.modulo_range[i])
             there = arithmetic.within(there, self.modulo_low[i], self.modulo_range[i])
-        self.cells[base] = here
-        self.cells[base + 1] = real
-        self.cells[base + 2] = there
-        self.publish_system(base + 3, here, real, there, rest)
+        self.cells[base + cells.AXIS_ACS_ACT_POS] = here
+        self.cells[base + cells.AXIS_ACS_CUR_POS] = real
+        self.cells[base + cells.AXIS_ACS_CMD_POS] = there
+        self.publish_system(base + cells.AXIS_MCS_ACT_POS, here, real, there, rest)
+        self.publish_system(base + cells.AXIS_IPO_ACT_POS, here, real, there, rest)
         shift = self.offsets.program[i]
-        self.publish_system(base + 7, here - shift, real - shift, there - shift, rest)
-        self.publish_system(base + 11, here, real, there, rest)
+        base += cells.AXIS_PCS_ACT_POS
+        self.publish_system(base, here - shift, real - shift, there - shift, rest)
 
     def publish_turned(self, i: int) -> None:
         """PCS of the three axes of a turned system: its inverse matrix from the other side."""
         j = self.turns.second[i] - 1
         k = self.turns.third[i] - 1
-        for place in range(4):
-            source = self.first_cell + (6 if place == 3 else place)
-            x = self.cells[source + i * 21]
-            y = self.cells[source + j * 21]
-            z = self.cells[source + k * 21]
-            if place < 3:
+        for cell in range(cells.SYSTEM_CELLS):
+            x = self.cells[self.cell_of(i) + cells.AXIS_MCS_ACT_POS + cell]
+            y = self.cells[self.cell_of(j) + cells.AXIS_MCS_ACT_POS + cell]
+            z = self.cells[self.cell_of(k) + cells.AXIS_MCS_ACT_POS + cell]
+            if cell != cells.SYSTEM_DIST_TO_GO:
                 x -= self.offsets.outer(i)
                 y -= self.offsets.outer(j)
                 z -= self.offsets.outer(k)
-            self.publish_inside(i, i, 0, place, x, y, z)
-            self.publish_inside(i, j, 1, place, x, y, z)
-            self.publish_inside(i, k, 2, place, x, y, z)
+            self.publish_inside(i, i, 0, cell, x, y, z)
+            self.publish_inside(i, j, 1, cell, x, y, z)
+            self.publish_inside(i, k, 2, cell, x, y, z)
 
     def publish_inside(
-        self, i: int, axis: int, column: int, place: int, x: float, y: float, z: float
+        self, i: int, axis: int, column: int, cell: int, x: float, y: float, z: float
     ) -> None:
-        """One coordinate in PCS; the way that is left has no offset."""
-        base = 9 * i + column
-        value = self.turns.matrix[base] * x + self.turns.matrix[base + 3] * y
-        value += self.turns.matrix[base + 6] * z
-        if place < 3:
+        """One coordinate in PCS; the distance to go has no offset."""
+        first = rows.MATRIX_SIZE * i + column
+        second = first + rows.MATRIX_SIDE
+        third = second + rows.MATRIX_SIDE
+        value = self.turns.matrix[first] * x + self.turns.matrix[second] * y
+        value += self.turns.matrix[third] * z
+        if cell != cells.SYSTEM_DIST_TO_GO:
             value -= self.offsets.inner(axis)
-        self.cells[self.first_cell + axis * 21 + 7 + place] = value
+        self.cells[self.cell_of(axis) + cells.AXIS_PCS_ACT_POS + cell] = value
 
     def real_place(self, i: int) -> float:
         """The actual position: behind the command by the lag, and never beyond an obstacle."""
@@ -178,27 +185,28 @@ class Axes:
         self, base: int, here: float, real: float, there: float, rest: float
     ) -> None:
         """Command, actual and target position and distance to go in one system."""
-        self.cells[base] = here
-        self.cells[base + 1] = real
-        self.cells[base + 2] = there
-        self.cells[base + 3] = rest
+        self.cells[base + cells.SYSTEM_ACT_POS] = here
+        self.cells[base + cells.SYSTEM_CUR_POS] = real
+        self.cells[base + cells.SYSTEM_CMD_POS] = there
+        self.cells[base + cells.SYSTEM_DIST_TO_GO] = rest
 
     def publish_override(self, i: int, operator_pct: float) -> None:
         """The override of an independent motion: of the channel or the axis (P-AXIS-00491)."""
-        base = self.first_cell + i * 21
+        base = self.cell_of(i)
         pct = operator_pct
-        if self.override_mode[i] == 1:
+        if self.override_mode[i] == codes.LOWER_OVERRIDE:
             pct = min(pct, self.override_pct[i])
-        elif self.override_mode[i] == 2:
+        elif self.override_mode[i] == codes.OWN_OVERRIDE:
             pct = self.override_pct[i]
-        pct = min(pct * self.cells[base + 15] / 100.0, self.max_override_pct[i])
+        cycle_pct = self.cells[base + cells.AXIS_OVERRIDE_VEL_CYCLE]
+        pct = min(pct * cycle_pct / 100.0, self.max_override_pct[i])
         self.independent_pct[i] = pct
-        if pct != self.cells[base + 16]:
-            self.cells[base + 16] = arithmetic.round_half_even(pct)
+        if pct != self.cells[base + cells.AXIS_OVERRIDE_VEL_TOTAL]:
+            self.cells[base + cells.AXIS_OVERRIDE_VEL_TOTAL] = arithmetic.round_half_even(pct)
 
     def show_state(self, i: int, state: int) -> None:
         """Publish the PLCopen state of an axis (``single_axes.py``)."""
-        self.cells[self.first_cell + i * 21 + 20] = state
+        self.cells[self.cell_of(i) + cells.AXIS_STATE] = state
 
     def set_offset(self, axis: int, kind: int, value: float) -> None:
         """Another offset is active: the positions in PCS differ from now on (MO-8)."""
@@ -230,7 +238,7 @@ class Axes:
     def shift(self, index: int, kind: int, value: float) -> None:
         """``set_offset`` for Python's side: before the first tick."""
         check_index(index, self.count, "axis")
-        check_index(kind, KINDS, "kind of offset")
+        check_index(kind, codes.OFFSET_KINDS, "kind of offset")
         self.set_offset(index, kind, value)
 
     def set_modulo(self, index: int, low: float, full: float) -> None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of axis_motions.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.base.record cimport Record

@@ -13,27 +13,12 @@ while they move, and are put back into the range when they stand.
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.base.record import Record
-
-# What an axis does, and what waits behind it.
-IDLE = 0
-POSITION = 1
-ENDLESS = 2
-RELATIVE = 3
-BRAKING = 4
-
-# PLCopen states, as the trace has them.
-STANDSTILL = 1
-DISCRETE_MOTION = 2
-CONTINUOUS_MOTION = 3
-STOPPING = 4
-ERROR_STOP = 5
-SYNCHRONIZED_MOTION = 6
 
 
 class AxisMotions:
@@ -96,7 +81,7 @@ class AxisMotions:
         self.ring_size = count
         for axis in range(count):
             self.last_direction[axis] = 1.0
-            self.axes.show_state(axis, 1)
+            self.axes.show_state(axis, codes.STANDSTILL)
 
     def configure(
         self, axis: int, *, low: float, high: float, speed: float, acceleration: float, jerk: float
@@ -118,7 +103,7 @@ class AxisMotions:
 
     def is_at_speed(self, axis: int) -> int:
         """Whether an endless motion has reached its speed."""
-        if self.kind[axis] != 2 or self.planned_v[axis] <= 0.0:
+        if self.kind[axis] != codes.ENDLESS or self.planned_v[axis] <= 0.0:
             return 0
         return 1 if self.speed[axis] == self.direction[axis] * self.planned_v[axis] else 0
 
@@ -132,23 +117,23 @@ class AxisMotions:
         """Let the waiting motion be the present one; it is planned in the next step."""
         kind = self.next_kind[axis]
         here = self.axes.command[axis]
-        self.next_kind[axis] = 0
+        self.next_kind[axis] = codes.IDLE
         self.direction[axis] = self.next_direction[axis]
-        if self.next_direction[axis] == 0:
+        if self.next_direction[axis] == codes.PRESENT:
             self.direction[axis] = self.last_direction[axis]
-        if kind == 2:
+        if kind == codes.ENDLESS:
             self.goal[axis] = self.high[axis] if self.direction[axis] > 0.0 else self.low[axis]
             self.end[axis] = self.goal[axis]
-        elif kind == 3:
+        elif kind == codes.BY_DISTANCE:
             self.goal[axis] = here + self.next_value[axis]
             self.end[axis] = self.in_range(axis, self.goal[axis])
-            kind = 1
+            kind = codes.TO_POSITION
         else:
             self.end[axis] = self.in_range(axis, self.next_value[axis])
             self.goal[axis] = self.next_value[axis]
             if self.axes.modulo_range[axis] > 0.0:
                 self.goal[axis] = here + self.turn(axis, self.end[axis] - here)
-        if self.kind[axis] == 0:
+        if self.kind[axis] == codes.IDLE:
             self.active_count += 1
             self.axes.independent[axis] = 1
         self.kind[axis] = kind
@@ -158,10 +143,12 @@ class AxisMotions:
         self.sources[axis] = self.next_source[axis]
         self.wanted_v[axis] = self.next_v[axis]
         self.planned_v[axis] = -1.0
-        self.axes.target[axis] = self.goal[axis] if kind == 1 else here
+        self.axes.target[axis] = self.goal[axis] if kind == codes.TO_POSITION else here
         self.axes.has_moved = True
-        self.axes.show_state(axis, 3 if kind == 2 else 2)
-        if kind == 2:
+        self.axes.show_state(
+            axis, codes.CONTINUOUS_MOTION if kind == codes.ENDLESS else codes.DISCRETE_MOTION
+        )
+        if kind == codes.ENDLESS:
             self.event(rows.EVENT_AXIS_ENDLESS, axis, self.direction[axis])
         else:
             self.event(rows.EVENT_AXIS_BEGUN, axis, self.end[axis])
@@ -169,7 +156,7 @@ class AxisMotions:
                 self.fail(axis, 900436)
                 return
         if self.held[axis]:
-            self.axes.show_state(axis, 1)
+            self.axes.show_state(axis, codes.STANDSTILL)
             self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_HELD)
 
     def turn(self, axis: int, way_d: float) -> float:
@@ -178,7 +165,7 @@ class AxisMotions:
         In a given direction the axis never comes back: what it needs to brake is gone for it.
         """
         full_d = self.axes.modulo_range[axis]
-        if self.next_direction[axis] == 2:
+        if self.next_direction[axis] == codes.SHORTEST:
             return way_d - full_d * arithmetic.ceiling(way_d / full_d - 0.5)
         brake_d = self.plans.stopping_d(
             self.speed[axis], self.acceleration[axis], self.limit_a[axis], self.limit_j[axis]
@@ -199,14 +186,14 @@ class AxisMotions:
         """Tell that the waiting and the present motion are given up."""
         if self.next_kind[axis]:
             self.drop_next(axis)
-        if 0 < self.kind[axis] < 4:
+        if codes.IDLE < self.kind[axis] < codes.BRAKING:
             self.drop_present(axis)
 
     def drop_next(self, axis: int) -> None:
         """Give up the waiting motion."""
         source, serial = self.next_source[axis], self.next_serial[axis]
         self.record.event(rows.EVENT_AXIS_ENDED, source, serial, axis, rows.MOTION_ABORTED)
-        self.next_kind[axis] = 0
+        self.next_kind[axis] = codes.IDLE
 
     def drop_present(self, axis: int) -> None:
         """Tell that the present motion is given up; its owner has a place free."""
@@ -216,18 +203,18 @@ class AxisMotions:
     def give_up(self, axis: int) -> None:
         """Brake to a stand, whatever the axis had to do."""
         self.drop(axis)
-        if 0 < self.kind[axis] < 4:
+        if codes.IDLE < self.kind[axis] < codes.BRAKING:
             self.brake(axis)
 
     def brake(self, axis: int) -> None:
         """The motion has been given up: only its speed is left."""
-        self.kind[axis] = 4
+        self.kind[axis] = codes.BRAKING
         self.held[axis] = 0
-        self.axes.show_state(axis, 4)
+        self.axes.show_state(axis, codes.STOPPING)
 
     def come_to_stand(self, axis: int) -> None:
         """The axis stands and has nothing to do, unless a motion waits."""
-        self.kind[axis] = 0
+        self.kind[axis] = codes.IDLE
         self.axes.independent[axis] = 0
         self.held[axis] = 0
         self.owner[axis] = 0
@@ -239,7 +226,7 @@ class AxisMotions:
         if self.next_kind[axis]:
             self.begin(axis)
         else:
-            self.axes.show_state(axis, 5 if self.fault[axis] else 1)
+            self.axes.show_state(axis, codes.ERROR_STOP if self.fault[axis] else codes.STANDSTILL)
 
     def fail(self, axis: int, message: int) -> None:
         """The motion ends with an error; what waits is dropped."""
@@ -269,7 +256,7 @@ class AxisMotions:
     def step_axis(self, axis: int) -> None:
         """Go to where the plan is at the end of this tick; plan anew where the limit changed."""
         top_v = 0.0
-        if self.kind[axis] != 4 and not self.held[axis]:
+        if self.kind[axis] != codes.BRAKING and not self.held[axis]:
             top_v = self.wanted_v[axis] * self.axes.independent_pct[axis] / 100.0
             top_v = min(top_v, self.limit_v[axis])
         if top_v != self.planned_v[axis]:
@@ -286,7 +273,7 @@ class AxisMotions:
         self.acceleration[axis] = self.plans.acceleration_a
         if self.speed[axis] != 0.0:
             self.last_direction[axis] = 1.0 if self.speed[axis] > 0.0 else -1.0
-        if self.kind[axis] == 2:
+        if self.kind[axis] == codes.ENDLESS:
             self.axes.target[axis] = self.axes.command[axis]
             if self.next_kind[axis] and not self.next_held[axis] and self.is_at_speed(axis):
                 self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_DONE)
@@ -297,7 +284,9 @@ class AxisMotions:
         self.planned_v[axis] = top_v
         self.ticks[axis] = 0
         self.start_d[axis] = self.axes.command[axis]
-        if top_v == 0.0 or (self.kind[axis] == 2 and not arithmetic.is_finite(self.goal[axis])):
+        if top_v == 0.0 or (
+            self.kind[axis] == codes.ENDLESS and not arithmetic.is_finite(self.goal[axis])
+        ):
             self.plans.plan_speed(
                 axis,
                 top_v * self.direction[axis],
@@ -319,19 +308,21 @@ class AxisMotions:
 
     def arrive(self, axis: int, top_v: float) -> int:
         """The plan is over: 1 when the motion has ended with it."""
-        if self.kind[axis] == 4:
+        if self.kind[axis] == codes.BRAKING:
             self.plans.evaluate(axis, self.plans.duration_t(axis))
             place = self.start_d[axis] + self.plans.distance_d
             self.axes.command[axis] = self.in_range(axis, place)
             self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_STOPPED)
             self.come_to_stand(axis)
             return 1
-        if top_v == 0.0 or (self.kind[axis] == 2 and not arithmetic.is_finite(self.goal[axis])):
+        if top_v == 0.0 or (
+            self.kind[axis] == codes.ENDLESS and not arithmetic.is_finite(self.goal[axis])
+        ):
             if self.held[axis]:
-                self.axes.show_state(axis, 1)
+                self.axes.show_state(axis, codes.STANDSTILL)
             return 0
         self.axes.command[axis] = self.end[axis]
-        if self.kind[axis] == 2:
+        if self.kind[axis] == codes.ENDLESS:
             self.fail(axis, 900434)
         else:
             self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_DONE)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of coordinates.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport codes, rows
 
 @cython.final
 cdef class Offsets:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of single_axes.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.axes.axis_motions cimport AxisMotions
 
 @cython.final
@@ -19,7 +19,7 @@ cdef class SingleAxes(AxisMotions):
     cdef void put(self, Py_ssize_t axis, int kind, double value, double speed_v, int direction, int mode, long long owner) noexcept nogil
     @cython.locals(axis=Py_ssize_t)
     cdef void hold(self, long long owner) noexcept nogil
-    @cython.locals(axis=Py_ssize_t)
+    @cython.locals(axis=Py_ssize_t, is_endless=cython.bint)
     cdef void resume(self, long long owner) noexcept nogil
     @cython.locals(axis=Py_ssize_t)
     cdef void abort(self, long long owner) noexcept nogil

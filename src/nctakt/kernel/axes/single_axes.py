@@ -2,18 +2,15 @@
 """Independent motion: axes that cycles or the PLC move beside the path (MO-11, MO-13).
 
 Commands and questions; what the axes then do in each tick is in ``axis_motions.py``. An owner is a
-number: 0 nobody, channel * 1024 + slot + 1 a realtime cycle, 1000000 the PLC. Each command answers
-0, or the number of the message that refuses it; then nothing changes.
+number: 0 nobody, channel * 1024 + slot + 1 a realtime cycle, from ``codes.PLC_OWNER`` on the PLC.
+Each command answers 0, or the number of the message that refuses it; then nothing changes.
 """
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.axis_motions import AxisMotions
 from nctakt.kernel.base.bounds import check_finite, check_index, check_range
-
-#: Owner of what the PLC commands.
-PLC_OWNER = 1_000_000
 
 #: The highest number that an owner can have.
 MAX_OWNER = (1 << 62) - 1
@@ -32,40 +29,39 @@ class SingleAxes(AxisMotions):
     def move_to(
         self, axis: int, target: float, speed_v: float, mode: int, direction: int, owner: int
     ) -> int:
-        """To a position; ``mode`` 0 ABORTING, 1 BUFFERED.
+        """To a position; ``mode``: ``codes.ABORTING`` or ``codes.BUFFERED``.
 
-        ``direction`` counts for modulo axes only: 2 the short way, 1 and -1 that direction, 0 the
-        present one (CUR).
+        ``direction`` (``codes.POSITIVE`` …) counts for modulo axes only.
         """
         message = self.refusal(axis, mode)
         if message == 0 and self.is_beyond(axis, target):
             message = 900432
         if message == 0:
-            self.put(axis, 1, target, speed_v, direction, mode, owner)
+            self.put(axis, codes.TO_POSITION, target, speed_v, direction, mode, owner)
         return message
 
     def move_by(self, axis: int, distance: float, speed_v: float, mode: int, owner: int) -> int:
         """By a distance: from where the axis is commanded to be, BUFFERED from where it will be."""
         message = self.refusal(axis, mode)
         start = self.axes.command[axis]
-        if mode == 1 and self.kind[axis] == 1:
+        if mode == codes.BUFFERED and self.kind[axis] == codes.TO_POSITION:
             start = self.goal[axis]
         if message == 0 and self.is_beyond(axis, start + distance):
             message = 900432
         if message == 0:
-            self.put(axis, 3, distance, speed_v, 0, mode, owner)
+            self.put(axis, codes.BY_DISTANCE, distance, speed_v, codes.PRESENT, mode, owner)
         return message
 
     def run_endless(self, axis: int, speed_v: float, direction: int, mode: int, owner: int) -> int:
         """On and on in a direction (0: the present one), at most to the software limit."""
         message = self.refusal(axis, mode)
         if message == 0:
-            self.put(axis, 2, 0.0, speed_v, direction, mode, owner)
+            self.put(axis, codes.ENDLESS, 0.0, speed_v, direction, mode, owner)
         return message
 
     def stop(self, axis: int, owner: int) -> int:
         """Brake and stand; what the axis had to do is given up, whoever commanded it."""
-        message = self.refusal(axis, 0)
+        message = self.refusal(axis, codes.ABORTING)
         if message == 0:
             self.give_up(axis)
         return message
@@ -80,7 +76,7 @@ class SingleAxes(AxisMotions):
             return 900430
         if self.fault[axis]:
             return 900431
-        return 900433 if mode == 1 and self.next_kind[axis] else 0
+        return 900433 if mode == codes.BUFFERED and self.next_kind[axis] else 0
 
     def put(
         self,
@@ -93,7 +89,7 @@ class SingleAxes(AxisMotions):
         owner: int,
     ) -> None:
         """Note a motion: for the end of the present one (BUFFERED), or instead of it."""
-        if mode == 0:
+        if mode == codes.ABORTING:
             self.drop(axis)
         self.next_kind[axis] = kind
         self.next_owner[axis] = owner
@@ -103,7 +99,7 @@ class SingleAxes(AxisMotions):
         self.next_v[axis] = speed_v
         self.next_direction[axis] = direction
         self.next_held[axis] = 0
-        if mode == 0 or self.kind[axis] == 0:
+        if mode == codes.ABORTING or self.kind[axis] == codes.IDLE:
             self.begin(axis)
 
     # --- what owners do with all their motions --------------------------------------------------
@@ -118,9 +114,13 @@ class SingleAxes(AxisMotions):
         for axis in range(self.count):
             if self.next_kind[axis] and self.next_owner[axis] == owner:
                 self.next_held[axis] = 1
-            if self.owner[axis] == owner and 0 < self.kind[axis] < 4 and not self.held[axis]:
+            if (
+                self.owner[axis] == owner
+                and codes.IDLE < self.kind[axis] < codes.BRAKING
+                and not self.held[axis]
+            ):
                 self.held[axis] = 1
-                self.axes.show_state(axis, 4)
+                self.axes.show_state(axis, codes.STOPPING)
                 self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_HELD)
 
     def resume(self, owner: int) -> None:
@@ -133,7 +133,10 @@ class SingleAxes(AxisMotions):
             if self.owner[axis] == owner and self.held[axis]:
                 self.held[axis] = 0
                 self.planned_v[axis] = -1.0
-                self.axes.show_state(axis, 3 if self.kind[axis] == 2 else 2)
+                is_endless = self.kind[axis] == codes.ENDLESS
+                self.axes.show_state(
+                    axis, codes.CONTINUOUS_MOTION if is_endless else codes.DISCRETE_MOTION
+                )
                 self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_CONTINUED)
 
     def abort(self, owner: int) -> None:
@@ -143,7 +146,7 @@ class SingleAxes(AxisMotions):
         for axis in range(self.count):
             if self.next_kind[axis] and self.next_owner[axis] == owner:
                 self.drop_next(axis)
-            if self.owner[axis] == owner and 0 < self.kind[axis] < 4:
+            if self.owner[axis] == owner and codes.IDLE < self.kind[axis] < codes.BRAKING:
                 self.drop_present(axis)
                 self.brake(axis)
 
@@ -162,7 +165,7 @@ class SingleAxes(AxisMotions):
         """How many motions of the owner are open, the waiting ones with them (RC-408)."""
         found = 0
         for axis in range(self.count):
-            if 0 < self.kind[axis] < 4 and self.owner[axis] == owner:
+            if codes.IDLE < self.kind[axis] < codes.BRAKING and self.owner[axis] == owner:
                 found += 1
             if self.next_kind[axis] and self.next_owner[axis] == owner:
                 found += 1
@@ -171,7 +174,7 @@ class SingleAxes(AxisMotions):
     def open_on(self, axis: int, owner: int) -> int:
         """How many of the owner's open motions are motions of this axis."""
         found = 0
-        if 0 < self.kind[axis] < 4 and self.owner[axis] == owner:
+        if codes.IDLE < self.kind[axis] < codes.BRAKING and self.owner[axis] == owner:
             found += 1
         if self.next_kind[axis] and self.next_owner[axis] == owner:
             found += 1
@@ -203,12 +206,12 @@ class SingleAxes(AxisMotions):
         return 0
 
     def obstacle(self, axis: int) -> int:
-        """Why the path cannot take the axis over: 0 it can, 1 not yet, else a message (RC-409)."""
+        """``codes.STANDS``, ``codes.MOVES_STILL``, or why it never will: a message (RC-409)."""
         if self.held[axis]:
             return 900447
-        if self.kind[axis] == 2:
+        if self.kind[axis] == codes.ENDLESS:
             return 900446
-        return 0 if self.is_free(axis) else 1
+        return codes.STANDS if self.is_free(axis) else codes.MOVES_STILL
 
     def belong(self, axis: int) -> None:
         """A channel has this axis: it is told of the axis' errors, and resets it."""
@@ -235,18 +238,18 @@ class SingleAxes(AxisMotions):
         if self.fault[axis]:
             self.take_fault(axis)
             self.fault[axis] = 0
-            self.axes.show_state(axis, 4 if self.kind[axis] else 1)
+            self.axes.show_state(axis, codes.STOPPING if self.kind[axis] else codes.STANDSTILL)
         return 0
 
     # --- what can be asked ----------------------------------------------------------------------
 
     def is_free(self, axis: int) -> int:
         """Whether the path may move the axis: no motion, none held, none braking (MO-13)."""
-        return 1 if self.kind[axis] == 0 else 0
+        return 1 if self.kind[axis] == codes.IDLE else 0
 
     def stands(self, axis: int) -> int:
         """Whether the axis has come to a stand: without a motion, or held."""
-        if self.kind[axis] == 0:
+        if self.kind[axis] == codes.IDLE:
             return 1
         return 1 if self.held[axis] and self.speed[axis] == 0.0 else 0
 
@@ -256,18 +259,18 @@ class SingleAxes(AxisMotions):
 
     def is_endless(self, axis: int) -> int:
         """Whether the axis moves without a target."""
-        return 1 if self.kind[axis] == 2 else 0
+        return 1 if self.kind[axis] == codes.ENDLESS else 0
 
     def state(self, axis: int) -> int:
-        """The PLCopen state (the constants above)."""
-        shown = int(self.axes.cells[self.axes.first_cell + axis * 21 + 20])
+        """The PLCopen state (``codes.STANDSTILL`` …)."""
+        shown = int(self.axes.cells[self.axes.cell_of(axis) + cells.AXIS_STATE])
         return shown
 
     def is_ending(self, axis: int) -> int:
         """Whether the axis will stand without another command."""
-        if self.kind[axis] == 4:
+        if self.kind[axis] == codes.BRAKING:
             return 1
-        if self.kind[axis] == 0:
+        if self.kind[axis] == codes.IDLE:
             return 0
         if self.held[axis]:
             return 0 if self.speed[axis] == 0.0 else 1
@@ -275,7 +278,7 @@ class SingleAxes(AxisMotions):
             return 0
         if self.next_kind[axis] and not self.next_held[axis]:
             return 1
-        return 1 if self.kind[axis] == 1 else 0
+        return 1 if self.kind[axis] == codes.TO_POSITION else 0
 
     def event_bound(self, commands: int) -> int:
         """The most events of a tick that takes so many commands of the queues."""
@@ -290,8 +293,8 @@ class SingleAxes(AxisMotions):
         check_index(axis, self.count, "axis")
         check_finite(value, "position or distance")
         check_finite(speed_v, "speed")
-        check_range(mode, 0, 1, "buffer mode")
-        check_range(direction, -1, 2, "direction")
+        check_range(mode, codes.ABORTING, codes.BUFFERED, "buffer mode")
+        check_range(direction, codes.NEGATIVE, codes.SHORTEST, "direction")
         check_range(owner, 0, MAX_OWNER, "owner")
 
     def absolute(
@@ -303,7 +306,7 @@ class SingleAxes(AxisMotions):
 
     def relative(self, axis: int, distance: float, speed_v: float, mode: int, owner: int) -> int:
         """``move_by``."""
-        self.check_command(axis, distance, speed_v, mode, 0, owner)
+        self.check_command(axis, distance, speed_v, mode, codes.PRESENT, owner)
         return self.move_by(axis, distance, speed_v, mode, owner)
 
     def velocity(self, axis: int, speed_v: float, direction: int, mode: int, owner: int) -> int:
@@ -313,7 +316,7 @@ class SingleAxes(AxisMotions):
 
     def halt(self, axis: int, owner: int) -> int:
         """``stop``."""
-        self.check_command(axis, 0.0, 0.0, 0, 0, owner)
+        self.check_command(axis, 0.0, 0.0, codes.ABORTING, codes.PRESENT, owner)
         return self.stop(axis, owner)
 
     def command_owner(self, what: str, owner: int) -> None:

@@ -2,7 +2,7 @@
 # C types of spindles.py.
 cimport cython
 from libc cimport math
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.axes.trajectory cimport Trajectories

@@ -15,24 +15,11 @@ from __future__ import annotations
 
 import math
 
-from nctakt.kernel import rows
+from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.base.record import Record
-
-# What a spindle does.
-STANDING = 0
-TURNING = 1
-POSITIONING = 2
-
-# A PLC spindle's job.
-NO_JOB = 0
-WAITING = 1
-ACKNOWLEDGED = 2
-
-#: Cells of a spindle: speed, position.
-SPINDLE_CELLS = 2
 
 
 class Spindles:
@@ -102,7 +89,9 @@ class Spindles:
 
     def is_ready(self, spindle: int, tick: int) -> int:
         """Whether the spindle takes a job in this tick (else 50935)."""
-        return 1 if self.taken_tick[spindle] != tick and self.plc_state[spindle] == 0 else 0
+        return (
+            1 if self.taken_tick[spindle] != tick and self.plc_state[spindle] == codes.FREE else 0
+        )
 
     def command(
         self,
@@ -126,7 +115,7 @@ class Spindles:
             self.wanted_v[spindle] = speed_v
             return
         speed_v = min(speed_v, self.limit_v[spindle])
-        self.wanted_v[spindle] = 0.0 - speed_v if function == 4 else speed_v
+        self.wanted_v[spindle] = 0.0 - speed_v if function == codes.SPINDLE_BACKWARD else speed_v
         self.plan(spindle, tick)
 
     def tell(self, spindle: int, source: int, serial: int) -> None:
@@ -137,7 +126,7 @@ class Spindles:
         function = self.function[spindle]
         speed = math.fabs(self.wanted_v[spindle]) / 6.0
         self.record.event(rows.EVENT_SPINDLE, source, serial, number, function, speed)
-        if self.function[spindle] == 19:
+        if self.function[spindle] == codes.SPINDLE_POSITION:
             position = self.wanted_position[spindle]
             self.record.event(rows.EVENT_SPINDLE_POSITION, source, serial, number, position)
 
@@ -145,7 +134,7 @@ class Spindles:
         """The job just taken of a PLC spindle; the default PLC acknowledges it in ``done_tick``."""
         if self.is_plc[spindle]:
             self.active_count += 1
-            self.plc_state[spindle] = 1
+            self.plc_state[spindle] = codes.WAITING
             self.issued = self.issued + 1 if self.issued < 2147483647 else 1
             self.job[spindle] = self.issued
             self.version += 1
@@ -153,12 +142,12 @@ class Spindles:
 
     def plan(self, spindle: int, tick: int) -> None:
         """From what the spindle does now to what its job wants."""
-        if self.mode[spindle] == 0:
+        if self.mode[spindle] == codes.STANDING:
             self.active_count += 1
         self.begin_position[spindle] = self.position[spindle]
         self.begin_tick[spindle] = tick
-        if self.function[spindle] == 19 and not self.is_held[spindle]:
-            self.mode[spindle] = 2
+        if self.function[spindle] == codes.SPINDLE_POSITION and not self.is_held[spindle]:
+            self.mode[spindle] = codes.POSITIONING
             self.plans.plan_distance(
                 spindle,
                 self.way(spindle),
@@ -169,9 +158,9 @@ class Spindles:
                 self.limit_j[spindle],
             )
             return
-        self.mode[spindle] = 1
+        self.mode[spindle] = codes.TURNING
         end_v = self.wanted_v[spindle]
-        if self.function[spindle] == 5 or self.is_held[spindle]:
+        if self.function[spindle] == codes.SPINDLE_STOP or self.is_held[spindle]:
             end_v = 0.0
         self.plans.plan_speed(
             spindle,
@@ -222,7 +211,7 @@ class Spindles:
         """Whether the spindle stands and nothing is on its way that turns it."""
         if self.speed_v[spindle] != 0.0 or self.plc_state[spindle]:
             return 0
-        return 1 if self.mode[spindle] == 0 else 0
+        return 1 if self.mode[spindle] == codes.STANDING else 0
 
     def has_plc(self, spindle: int) -> bool:
         """Whether the PLC turns the spindle."""
@@ -254,7 +243,7 @@ class Spindles:
             if self.owner[spindle] == owner and not self.is_plc[spindle]:
                 if self.is_held[spindle] or self.is_open[spindle]:
                     self.is_held[spindle] = 0
-                    self.function[spindle] = 5
+                    self.function[spindle] = codes.SPINDLE_STOP
                     self.plan(spindle, tick)
 
     def leave(self, owner: int) -> None:
@@ -264,8 +253,8 @@ class Spindles:
                 self.owner[spindle] = 0
                 if self.is_held[spindle]:
                     self.is_held[spindle] = 0
-                    self.function[spindle] = 5
-                    if self.mode[spindle] == 0:
+                    self.function[spindle] = codes.SPINDLE_STOP
+                    if self.mode[spindle] == codes.STANDING:
                         self.is_open[spindle] = 0
 
     # --- the tick -------------------------------------------------------------------------------
@@ -275,8 +264,8 @@ class Spindles:
         if self.active_count == 0:
             return
         for spindle in range(self.count):
-            if self.plc_state[spindle] == 2:
-                self.plc_state[spindle] = 0
+            if self.plc_state[spindle] == codes.ACKNOWLEDGED:
+                self.plc_state[spindle] = codes.FREE
                 self.active_count -= 1
                 self.version += 1
                 self.reached_v[spindle] = self.plc_speed(spindle)
@@ -284,20 +273,22 @@ class Spindles:
 
     def plc_speed(self, spindle: int) -> float:
         """What a PLC spindle turns with when its job is done; negative under M4."""
-        if self.function[spindle] == 3:
+        if self.function[spindle] == codes.SPINDLE_FORWARD:
             return self.wanted_v[spindle]
-        return 0.0 - self.wanted_v[spindle] if self.function[spindle] == 4 else 0.0
+        if self.function[spindle] == codes.SPINDLE_BACKWARD:
+            return 0.0 - self.wanted_v[spindle]
+        return 0.0
 
     def step(self, tick: int, acknowledges_itself: int) -> None:
         """One increment of all spindles that turn; then the default PLC, if there is no other."""
         if self.active_count == 0:
             return
         for spindle in range(self.count):
-            if self.mode[spindle] != 0:
+            if self.mode[spindle] != codes.STANDING:
                 self.advance(spindle, tick)
-            if self.plc_state[spindle] == 1 and self.done_tick[spindle] <= tick:
+            if self.plc_state[spindle] == codes.WAITING and self.done_tick[spindle] <= tick:
                 if acknowledges_itself:
-                    self.plc_state[spindle] = 2
+                    self.plc_state[spindle] = codes.ACKNOWLEDGED
 
     def advance(self, spindle: int, tick: int) -> None:
         """The increment of a spindle that has a plan."""
@@ -308,19 +299,21 @@ class Spindles:
         self.acceleration[spindle] = self.plans.acceleration_a
         if time_t >= self.plans.duration_t(spindle) - 1e-12:
             self.arrive(spindle)
-        cell = self.first_cell + 2 * spindle
-        self.cells[cell] = self.speed_v[spindle] / 6.0
-        self.cells[cell + 1] = self.position[spindle]
+        cell = self.first_cell + cells.SPINDLE_CELLS * spindle
+        self.cells[cell + cells.SPINDLE_SPEED] = self.speed_v[spindle] / 6.0
+        self.cells[cell + cells.SPINDLE_POSITION] = self.position[spindle]
 
     def arrive(self, spindle: int) -> None:
         """Speed or position is reached, bit by bit the one that was wanted."""
         self.acceleration[spindle] = 0.0
-        stands = self.mode[spindle] == 2 or self.function[spindle] == 5
-        if self.mode[spindle] == 2:
+        stands = (
+            self.mode[spindle] == codes.POSITIONING or self.function[spindle] == codes.SPINDLE_STOP
+        )
+        if self.mode[spindle] == codes.POSITIONING:
             self.position[spindle] = wrapped(self.wanted_position[spindle])
         if stands or self.is_held[spindle] or self.wanted_v[spindle] == 0.0:
             self.speed_v[spindle] = 0.0
-            self.mode[spindle] = 0
+            self.mode[spindle] = codes.STANDING
             self.active_count -= 1
         else:
             self.speed_v[spindle] = self.wanted_v[spindle]
@@ -355,15 +348,15 @@ class Spindles:
                 self.job[spindle],
             )
             for spindle in range(self.count)
-            if self.plc_state[spindle] == WAITING
+            if self.plc_state[spindle] == codes.WAITING
         ]
 
     def acknowledge(self, spindle: int, serial: int) -> bool:
         """The PLC has done the job of this serial; return whether it is there to be done."""
         check_index(spindle, self.count, "spindle")
-        if self.plc_state[spindle] == NO_JOB or self.job[spindle] != serial:
+        if self.plc_state[spindle] == codes.FREE or self.job[spindle] != serial:
             return False
-        self.plc_state[spindle] = ACKNOWLEDGED
+        self.plc_state[spindle] = codes.ACKNOWLEDGED
         return True
 
     def ending_count(self) -> int:
@@ -371,8 +364,11 @@ class Spindles:
         return sum(
             1
             for spindle in range(self.count)
-            if self.mode[spindle] == POSITIONING
-            or (self.mode[spindle] and (self.function[spindle] == 5 or self.is_held[spindle]))
+            if self.mode[spindle] == codes.POSITIONING
+            or (
+                self.mode[spindle]
+                and (self.function[spindle] == codes.SPINDLE_STOP or self.is_held[spindle])
+            )
         )
 
 

@@ -2,6 +2,7 @@
 # C types of trajectory.py.
 cimport cython
 from libc cimport math
+from nctakt.kernel cimport codes, rows
 
 @cython.final
 cdef class Trajectories:
@@ -40,7 +41,7 @@ cdef class Trajectories:
     cdef int plan_passing(self, Py_ssize_t axis, double distance_d, double start_v, double start_a, double top_v, double goal_v, double limit_a, double limit_j, double fading_j) noexcept nogil
     @cython.locals(rise=double)
     cdef void plan_speed(self, Py_ssize_t axis, double end_v, double start_v, double start_a, double limit_a, double limit_j) noexcept nogil
-    @cython.locals(base=Py_ssize_t, phase=Py_ssize_t, last=Py_ssize_t, since=double, speed_v=double, rise_a=double, jerk=double, half=double)
+    @cython.locals(base=Py_ssize_t, phase=Py_ssize_t, last=Py_ssize_t, begin=Py_ssize_t, behind=Py_ssize_t, since=double, speed_v=double, rise_a=double, jerk=double, half=double)
     cdef void evaluate(self, Py_ssize_t axis, double time_t) noexcept nogil
     cdef void rewind(self, Py_ssize_t axis) noexcept nogil
     cdef double duration_t(self, Py_ssize_t axis) noexcept nogil
@@ -55,7 +56,7 @@ cdef class Trajectories:
     cdef double brake(self, double start_v, double start_a, double sign) noexcept nogil
     @cython.locals(missing_v=double, size_v=double, sign=double)
     cdef double direct(self, double start_v, double start_a) noexcept nogil
-    @cython.locals(settled_v=double, longest_d=double, rising_a=double)
+    @cython.locals(settled_v=double, longest_d=double, rising_a=double, above=double)
     cdef void solve(self, double distance_d) noexcept nogil
     @cython.locals(ramp_v=double, least_v=double, left_d=double, middle2=double, highest_v=double)
     cdef int guess(self, double distance_d, double longest_d) noexcept nogil
@@ -68,12 +69,12 @@ cdef class Trajectories:
     @cython.locals(other=double, before=double, value=double, other_d=double, before_d=double, value_d=double, allowed_d=double, allowed=double, part=double, found=double, found_d=double, ratio=double, ratio_d=double, _attempt=int)
     cdef void search(self, int unknown, double low, double high, double distance_d) noexcept nogil
     cdef void begin(self, Py_ssize_t axis, double top_v, double limit_a, double limit_j) noexcept nogil
-    @cython.locals(place=Py_ssize_t)
+    @cython.locals(begin=Py_ssize_t)
+    cdef void put_phase(self, double start_a, double jerk_j) noexcept nogil
     cdef void append(self, double time_t, double start_a, double jerk_j) noexcept nogil
     @cython.locals(jerk=double)
     cdef double fade(self, double fading_j) noexcept nogil
     cdef void append_both(self) noexcept nogil
     @cython.locals(fading_j=double)
     cdef void append_change(self, double end_v) noexcept nogil
-    @cython.locals(place=Py_ssize_t)
     cdef void finish(self) noexcept nogil

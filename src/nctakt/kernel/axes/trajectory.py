@@ -23,27 +23,17 @@ from __future__ import annotations
 
 import math
 
-# The unknown of a plan: how far its highest speed lies above the slowest that makes sense, as the
-# root of the difference; the acceleration with which ``top_v`` is passed while braking; that up to
-# which a braking is taken back.
-HIGHEST_SPEED = 0
-CROSSING = 1
-LEAST_BRAKING = 2
-
-PHASE_WIDTH = 5
-PLAN_WIDTH = 3 + 9 * PHASE_WIDTH
+from nctakt.kernel import codes, rows
 
 
 class Trajectories:
-    """The plans of ``count`` axes.
+    """The plans of ``count`` axes, a row each (``rows.py``).
 
-    A plan's row: 0 number of phases but the last, 1 duration, 2 the phase of the last evaluation;
-    then for each phase from 3 on: start time, distance, speed, acceleration, jerk. The last phase
-    goes on with the speed that was reached.
+    The last phase of a plan goes on with the speed that was reached.
     """
 
     def __init__(self, count: int) -> None:
-        self.rows = memoryview(bytearray(8 * PLAN_WIDTH * max(1, count))).cast("d")
+        self.rows = memoryview(bytearray(8 * rows.PLAN_WIDTH * max(1, count))).cast("d")
         self.distance_d = 0.0
         self.speed_v = 0.0
         self.acceleration_a = 0.0
@@ -164,19 +154,22 @@ class Trajectories:
 
         The times of one plan have to rise from call to call.
         """
-        base = axis * 48
-        phase = int(self.rows[base + 2])
-        last = int(self.rows[base])
-        while phase < last and time_t >= self.rows[base + 8 + 5 * phase]:
+        base = axis * rows.PLAN_WIDTH
+        phase = int(self.rows[base + rows.PLAN_PHASE])
+        last = int(self.rows[base + rows.PLAN_LAST])
+        begin = base + rows.PLAN_PHASES + rows.PHASE_WIDTH * phase
+        behind = begin + rows.PHASE_WIDTH
+        while phase < last and time_t >= self.rows[behind + rows.PHASE_TIME]:
             phase += 1
-        self.rows[base + 2] = phase
-        base += 3 + 5 * phase
-        since = time_t - self.rows[base]
-        speed_v = self.rows[base + 2]
-        rise_a = self.rows[base + 3]
-        jerk = self.rows[base + 4]
+            begin = behind
+            behind += rows.PHASE_WIDTH
+        self.rows[base + rows.PLAN_PHASE] = phase
+        since = time_t - self.rows[begin + rows.PHASE_TIME]
+        speed_v = self.rows[begin + rows.PHASE_SPEED]
+        rise_a = self.rows[begin + rows.PHASE_ACCELERATION]
+        jerk = self.rows[begin + rows.PHASE_JERK]
         half = 0.5 * since
-        self.distance_d = self.rows[base + 1] + since * (
+        self.distance_d = self.rows[begin + rows.PHASE_DISTANCE] + since * (
             speed_v + half * (rise_a + since * jerk / 3.0)
         )
         self.speed_v = speed_v + since * (rise_a + half * jerk)
@@ -184,11 +177,11 @@ class Trajectories:
 
     def rewind(self, axis: int) -> None:
         """Let ``evaluate`` be asked for an earlier time again."""
-        self.rows[axis * 48 + 2] = 0.0
+        self.rows[axis * rows.PLAN_WIDTH + rows.PLAN_PHASE] = 0.0
 
     def duration_t(self, axis: int) -> float:
         """When the target, or the speed, is reached."""
-        return self.rows[axis * 48 + 1]
+        return self.rows[axis * rows.PLAN_WIDTH + rows.PLAN_DURATION]
 
     def stopping_d(self, start_v: float, start_a: float, limit_a: float, limit_j: float) -> float:
         """The way that braking at once takes."""
@@ -306,12 +299,13 @@ class Trajectories:
         elif self.sign > 0.0 and self.guess(distance_d, longest_d):
             return
         elif settled_v > self.top_v:
-            self.search(1, 0.0 - self.crossing(), 0.0, distance_d)
-        elif distance_d >= self.measure(0, 0.0):
-            self.search(0, 0.0, math.sqrt(self.top_v - self.slowest_v), distance_d)
+            self.search(codes.CROSSING, 0.0 - self.crossing(), 0.0, distance_d)
+        elif distance_d >= self.measure(codes.HIGHEST_SPEED, 0.0):
+            above = math.sqrt(self.top_v - self.slowest_v)
+            self.search(codes.HIGHEST_SPEED, 0.0, above, distance_d)
         else:
             self.sign = -1.0
-            self.search(2, self.from_a, 0.0, distance_d)
+            self.search(codes.LEAST_BRAKING, self.from_a, 0.0, distance_d)
 
     def guess(self, distance_d: float, longest_d: float) -> int:
         """The highest speed where both changes keep the highest acceleration for a while: 1.
@@ -341,14 +335,14 @@ class Trajectories:
         return min(self.limit_a, math.sqrt(max(min(rising, peak2, falling), 0.0)))
 
     def measure(self, unknown: int, value: float) -> float:
-        """The way of the whole plan for a value of the unknown (see the constants above)."""
-        if unknown == 0:
+        """The way of the whole plan for a value of the unknown (``codes.HIGHEST_SPEED`` …)."""
+        if unknown == codes.HIGHEST_SPEED:
             self.middle_v = self.slowest_v + value * value
             self.first_peak2 = self.slowest_peak2 + self.limit_j * value * value
             return self.way()
         self.middle_a = value
         self.middle_v = self.top_v
-        if unknown == 2:
+        if unknown == codes.LEAST_BRAKING:
             turned = value * value - self.from_a * self.from_a
             self.middle_v = self.from_v + 0.5 * turned / self.limit_j
         self.first_peak2 = self.peak2(self.from_v, self.from_a, self.middle_v, value, -1.0)
@@ -407,8 +401,8 @@ class Trajectories:
 
     def begin(self, axis: int, top_v: float, limit_a: float, limit_j: float) -> None:
         """An empty plan."""
-        self.base = axis * 48
-        self.rows[self.base + 2] = 0.0
+        self.base = axis * rows.PLAN_WIDTH
+        self.rows[self.base + rows.PLAN_PHASE] = 0.0
         self.count = 0
         self.end_t = 0.0
         self.end_d = 0.0
@@ -421,16 +415,20 @@ class Trajectories:
         """Append a phase, unless it takes no time."""
         if time_t <= 0.0:
             return
-        place = self.base + 3 + 5 * self.count
+        self.put_phase(start_a, jerk_j)
         self.count += 1
-        self.rows[place] = self.end_t
-        self.rows[place + 1] = self.end_d
-        self.rows[place + 2] = self.end_v
-        self.rows[place + 3] = start_a
-        self.rows[place + 4] = jerk_j
         self.end_t += time_t
         self.end_d += time_t * (self.end_v + 0.5 * time_t * (start_a + time_t * jerk_j / 3.0))
         self.end_v += time_t * (start_a + 0.5 * time_t * jerk_j)
+
+    def put_phase(self, start_a: float, jerk_j: float) -> None:
+        """Write the phase that begins where the plan ends so far."""
+        begin = self.base + rows.PLAN_PHASES + rows.PHASE_WIDTH * self.count
+        self.rows[begin + rows.PHASE_TIME] = self.end_t
+        self.rows[begin + rows.PHASE_DISTANCE] = self.end_d
+        self.rows[begin + rows.PHASE_SPEED] = self.end_v
+        self.rows[begin + rows.PHASE_ACCELERATION] = start_a
+        self.rows[begin + rows.PHASE_JERK] = jerk_j
 
     def fade(self, fading_j: float) -> float:
         """Append the fading of the acceleration of the start, and go on behind it: its way."""
@@ -465,14 +463,9 @@ class Trajectories:
 
     def finish(self) -> None:
         """The last phase: what has been reached is kept."""
-        self.rows[self.base] = self.count
-        self.rows[self.base + 1] = self.end_t
-        place = self.base + 3 + 5 * self.count
-        self.rows[place] = self.end_t
-        self.rows[place + 1] = self.end_d
-        self.rows[place + 2] = self.end_v
-        self.rows[place + 3] = 0.0
-        self.rows[place + 4] = 0.0
+        self.rows[self.base + rows.PLAN_LAST] = self.count
+        self.rows[self.base + rows.PLAN_DURATION] = self.end_t
+        self.put_phase(0.0, 0.0)
 
     # --- Python's side --------------------------------------------------------------------------
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of timers.py.
 cimport cython
+from nctakt.kernel cimport cells, codes
 from nctakt.kernel.base cimport arithmetic
 
 @cython.final

@@ -7,10 +7,8 @@ cells of V.RTG.TIMER.
 
 from __future__ import annotations
 
+from nctakt.kernel import cells, codes
 from nctakt.kernel.base import arithmetic
-
-#: Timers of a channel: IDs 0 … 127.
-TIMER_COUNT = 128
 
 
 class Timers:
@@ -20,24 +18,24 @@ class Timers:
         self.cells = memoryview(memory).cast("d")
         self.first_cell = first_cell
         self.cycle_time_us = cycle_time_us
-        self.is_running = memoryview(bytearray(8 * TIMER_COUNT)).cast("q")
-        self.started_tick = memoryview(bytearray(8 * TIMER_COUNT)).cast("q")
-        self.elapsed_ticks = memoryview(bytearray(8 * TIMER_COUNT)).cast("q")
+        self.is_running = memoryview(bytearray(8 * cells.TIMERS)).cast("q")
+        self.started_tick = memoryview(bytearray(8 * cells.TIMERS)).cast("q")
+        self.elapsed_ticks = memoryview(bytearray(8 * cells.TIMERS)).cast("q")
 
     def command(self, action: int, timer: int, tick: int) -> None:
-        """START 1, STOP 2, READ 3, CLEAR 4.
+        """Carry out an action: ``codes.TIMER_START`` …
 
         START of a running timer has no effect, of a stopped one it counts on; CLEAR zeroes and
         stops, the latched value stays.
         """
-        if action == 1:
+        if action == codes.TIMER_START:
             if not self.is_running[timer]:
                 self.is_running[timer] = 1
                 self.started_tick[timer] = tick
-        elif action == 2:
+        elif action == codes.TIMER_STOP:
             self.elapsed_ticks[timer] = self.elapsed(timer, tick)
             self.is_running[timer] = 0
-        elif action == 3:
+        elif action == codes.TIMER_READ:
             self.latch(timer, tick)
         else:
             self.is_running[timer] = 0

@@ -2,6 +2,7 @@
 # C types of actions.py.
 cimport cython
 from libc cimport math
+from nctakt.kernel cimport codes
 from nctakt.kernel.cycles cimport instructions
 from nctakt.kernel.cycles.expressions cimport Expression
 from nctakt.kernel.cycles.instructions cimport Counted

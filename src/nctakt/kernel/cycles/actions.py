@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 
+from nctakt.kernel import codes
 from nctakt.kernel.cycles import instructions
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.expressions import Expression
@@ -49,7 +50,7 @@ class Feed(Speed):
     def value(self, context: Context) -> float:
         speed_v = self.expression.value(context) * self.unit_v
         if speed_v == 0.0:
-            context.fail(50967, 0, 0.0, 8.0)
+            context.fail(50967, 0, 0.0, codes.FEED_ZERO)
         elif speed_v - speed_v != 0.0:
             context.fail(50879, 0, 0.0, speed_v)
         speed_v = max(-self.highest_v, min(speed_v, self.highest_v))
@@ -62,7 +63,7 @@ class EarlierFeed(Speed):
 
     def value(self, context: Context) -> float:
         if self.memory.speed_v == 0.0:
-            context.fail(50967, 0, 0.0, 7.0)
+            context.fail(50967, 0, 0.0, codes.FEED_UNKNOWN)
         return math.fabs(self.memory.speed_v)
 
 
@@ -176,13 +177,13 @@ class MoveAxis(MovingStatement):
             return 1
         speed_v = self.speed.value(context)
         position_d = self.position.value(context) * self.unit_d
-        direction = 2
+        direction = codes.SHORTEST
         if self.has_direction:
             direction = sign(self.direction.value(context))
         if complete(self, context, position_d + speed_v):
             return 1
         if speed_v < 0.0:
-            return refuse(self, context, 50967, 12)
+            return refuse(self, context, 50967, codes.FEED_NEGATIVE)
         if not has_place(self, context, self.is_buffered):
             context.fail(51028, self.source, context.action_places, 0.0)
             return 1

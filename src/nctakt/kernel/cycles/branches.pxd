@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of branches.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport codes, rows
 from nctakt.kernel.cycles cimport instructions
 from nctakt.kernel.cycles.conditions cimport Condition
 from nctakt.kernel.cycles.instructions cimport Counted, Statement

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from itertools import pairwise
+
+from nctakt.kernel import codes, rows
 from nctakt.kernel.cycles import instructions
 from nctakt.kernel.cycles.conditions import Condition
 from nctakt.kernel.cycles.context import Context
@@ -33,14 +35,14 @@ class Reaction(Counted):
 
 
 def judge(reaction: Reaction, context: Context) -> int:
-    """Evaluate the condition: 0 false, 1 true, 2 the cycle must stop."""
+    """Evaluate the condition: ``codes.FALSE``, ``codes.TRUE`` or ``codes.STOPS``."""
     context.steps += reaction.cost
     if context.steps > context.check_at and context.over_limit(reaction.source):
-        return 2
+        return codes.STOPS
     truth = reaction.condition.decide(context)
     if context.fault:
         instructions.stop(reaction, context)
-        return 2
+        return codes.STOPS
     return truth
 
 
@@ -59,19 +61,19 @@ def react(reaction: Reaction, context: Context) -> int:
 
 
 class Branch(Reaction):
-    """One branch of a plain ``$IF``; ``attempt``: 0 not taken, 1 taken, 2 the cycle must stop."""
+    """One branch of a plain ``$IF``."""
 
     def attempt(self, context: Context) -> int:
-        """Evaluate the condition and, where it holds, run the body."""
+        """Evaluate the condition and, where it holds, run the body; as ``judge``."""
         result = judge(self, context)
-        if result == 1 and react(self, context):
-            return 2
+        if result == codes.TRUE and react(self, context):
+            return codes.STOPS
         return result
 
     def run(self, context: Context) -> int:
         """A plain ``$IF`` with one branch."""
         truth = judge(self, context)
-        return react(self, context) if truth == 1 else truth
+        return react(self, context) if truth == codes.TRUE else truth
 
 
 class Branches(Branch):
@@ -85,7 +87,7 @@ class Branches(Branch):
         self.fourth = fourth
 
     def run(self, context: Context) -> int:
-        return 1 if self.attempt(context) == 2 else 0
+        return 1 if self.attempt(context) == codes.STOPS else 0
 
     def attempt(self, context: Context) -> int:
         result = self.first.attempt(context)
@@ -124,7 +126,7 @@ def branches(alternatives: list[Branch]) -> Branch:
     if count <= 4:
         return Branches(*alternatives, *[NoBranch() for _ in range(4 - count)])
     cuts = [count * i // 4 for i in range(5)]
-    return Branches(*[branches(alternatives[cuts[i] : cuts[i + 1]]) for i in range(4)])
+    return Branches(*[branches(alternatives[begin:end]) for begin, end in pairwise(cuts)])
 
 
 class IfOnce(Reaction):
@@ -138,7 +140,7 @@ class IfOnce(Reaction):
         if self.is_done:
             return 0
         truth = judge(self, context)
-        if truth != 1:
+        if truth != codes.TRUE:
             return truth
         self.is_done = True
         return react(self, context)
@@ -159,9 +161,9 @@ class IfEdge(Reaction):
 
     def run(self, context: Context) -> int:
         truth = judge(self, context)
-        if truth == 2:
+        if truth == codes.STOPS:
             return 1
-        rises = truth == 1 and self.was_true == 0
+        rises = truth == codes.TRUE and self.was_true == 0
         self.was_true = truth
         return react(self, context) if rises else 0
 
@@ -182,7 +184,7 @@ class IfAlways(Reaction):
     def run(self, context: Context) -> int:
         if not self.is_latched:
             truth = judge(self, context)
-            if truth != 1:
+            if truth != codes.TRUE:
                 return truth
             self.is_latched = True
         return react(self, context)

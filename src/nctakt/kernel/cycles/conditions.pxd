@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of conditions.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport codes, rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.cycles.expressions cimport Expression
 from nctakt.kernel.cycles.context cimport Context

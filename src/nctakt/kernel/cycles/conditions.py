@@ -10,25 +10,22 @@ with probes of their own. What a fault leaves is not recorded.
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.expressions import Expression
-
-#: Truth of a condition that was not evaluated yet.
-UNKNOWN = -1
 
 
 class Condition:
     """Base, and null object: always true, nothing recorded.
 
-    ``probe`` is its number in the probe rows; ``truth`` the last one (-1: not evaluated since its
-    cycle's last START). ``next_tick`` is the tick behind its last evaluation, -1 before the first.
+    ``probe`` is its number in the probe rows; ``truth`` the last one, ``codes.UNKNOWN`` from its
+    cycle's START on. ``next_tick`` is the tick behind its last evaluation, -1 before the first.
     """
 
     def __init__(self) -> None:
         self.probe = 0
-        self.truth = -1
+        self.truth = codes.UNKNOWN
         self.next_tick = -1
         self.was_ever_true = False
         self.nearest = 1.7976931348623157e308
@@ -42,7 +39,7 @@ class Condition:
 
     def forget(self) -> None:
         """START: the next evaluation is as the first one (RC-111)."""
-        self.truth = -1
+        self.truth = codes.UNKNOWN
 
 
 def note(condition: Condition, context: Context, truth: int, left: float, right: float) -> None:
@@ -67,7 +64,7 @@ def tell_change(
     if truth == condition.truth or context.fault:
         return
     condition.truth = truth
-    if truth == 1:
+    if truth == codes.TRUE:
         condition.was_ever_true = True
         condition.nearest = -1.0
     context.record.probe(condition.probe, truth, left, right)
@@ -140,7 +137,7 @@ class Combination(Condition):
         self.second = second
 
     def forget(self) -> None:
-        self.truth = -1
+        self.truth = codes.UNKNOWN
         self.first.forget()
         self.second.forget()
 
@@ -151,7 +148,7 @@ class Both(Combination):
     def decide(self, context: Context) -> int:
         first = self.first.decide(context)
         second = self.second.decide(context)
-        truth = 1 if first == 1 and second == 1 else 0
+        truth = 1 if first == codes.TRUE and second == codes.TRUE else 0
         note(self, context, truth, truth, 0.5)
         return truth
 
@@ -162,7 +159,7 @@ class Either(Combination):
     def decide(self, context: Context) -> int:
         first = self.first.decide(context)
         second = self.second.decide(context)
-        truth = 1 if first == 1 or second == 1 else 0
+        truth = 1 if codes.TRUE in (first, second) else 0
         note(self, context, truth, truth, 0.5)
         return truth
 

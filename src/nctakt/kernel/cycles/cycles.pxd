@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of cycles.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport codes, rows
 from nctakt.kernel.cycles.instructions cimport Statement
 from nctakt.kernel.cycles.context cimport Context
 from nctakt.kernel.base.record cimport Record
@@ -64,11 +64,13 @@ cdef class CycleManager:
 
     @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef Py_ssize_t find(self, long long identity) noexcept nogil
+    cdef int is_alive(self, Py_ssize_t slot) noexcept nogil
     @cython.locals(before=cython.longlong)
     cdef void enter(self, Py_ssize_t slot, int state) noexcept nogil
     cdef int awaits_block(self, Py_ssize_t slot) noexcept nogil
     cdef int define(self, Py_ssize_t slot, int starts, long long tick) noexcept nogil
     cdef long long wanted(self, Py_ssize_t slot, int message) noexcept nogil
+    @cython.locals(is_armed=cython.bint)
     cdef void start(self, Py_ssize_t slot, long long tick, long long source) noexcept nogil
     @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef int is_fresh(self, long long identity, long long tick) noexcept nogil
@@ -77,11 +79,13 @@ cdef class CycleManager:
     @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef int control(self, int action, long long identity, long long tick, long long source) noexcept nogil
     cdef void hold(self, Py_ssize_t slot, long long source) noexcept nogil
+    @cython.locals(is_armed=cython.bint)
     cdef void resume(self, Py_ssize_t slot, long long source) noexcept nogil
     @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef void enter_block(self, long long serial) noexcept nogil
     @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
     cdef void leave_blocks(self, long long serial) noexcept nogil
+    @cython.locals(again=cython.bint)
     cdef void end(self, Py_ssize_t slot, int reason) noexcept nogil
     cdef void end_actions(self, Py_ssize_t slot) noexcept nogil
     cdef void abort_actions(self, Py_ssize_t slot) noexcept nogil

@@ -8,26 +8,13 @@ with stands in arrays over the slots, what it runs in a tree of groups of four i
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.axes.spindles import Spindles
-from nctakt.kernel.base.bounds import check_index
+from nctakt.kernel.base.bounds import check_index, check_range
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.instructions import Statement
-
-# States of a slot.
-EMPTY = 0
-LOADED = 1
-DEFINED = 2
-ARMED = 3
-RUNNING = 4
-HELD = 5
-DEAD = 6
-
-BLOCK = 0
-PROG = 1
-GLOBAL = 2
 
 
 class RunThrough:
@@ -81,7 +68,7 @@ class RealtimeCycle(RunThrough):
         self.next_tick = -1
 
     def run_through(self, manager: CycleManager, context: Context) -> int:
-        if manager.state[self.slot] != 4:
+        if manager.state[self.slot] != codes.RUNNING:
             return 0
         if manager.restarts[self.slot]:
             manager.restarts[self.slot] = 0
@@ -140,7 +127,7 @@ class CycleManager:
     def free_slot(self) -> int:
         """A slot for another cycle, -1 when all are taken."""
         for slot in range(self.capacity):
-            if self.state[slot] == EMPTY:
+            if self.state[slot] == codes.EMPTY:
                 return slot
         return -1
 
@@ -156,11 +143,11 @@ class CycleManager:
 
         ``moves_on``: END_ACTION is MOVE_CONT (RC-110).
         """
-        check_index(scope, GLOBAL + 1, "scope")
+        check_range(scope, codes.BLOCK_SCOPE, codes.GLOBAL_SCOPE, "scope")
         slot = self.free_slot()
         if slot < 0:
             return -1
-        self.state[slot] = LOADED
+        self.state[slot] = codes.LOADED
         self.identity[slot] = identity
         self.scope[slot] = scope
         self.source[slot] = source
@@ -178,19 +165,19 @@ class CycleManager:
     def free_dead(self) -> list[RealtimeCycle]:
         """Empty the slots of ended cycles and give the cycles back."""
         self.dead_count = 0
-        dead = [cycle for cycle in self.loaded if self.state[cycle.slot] == DEAD]
+        dead = [cycle for cycle in self.loaded if self.state[cycle.slot] == codes.DEAD]
         if dead:
-            self.loaded = [cycle for cycle in self.loaded if self.state[cycle.slot] != DEAD]
+            self.loaded = [cycle for cycle in self.loaded if self.state[cycle.slot] != codes.DEAD]
             for cycle in dead:
-                self.state[cycle.slot] = EMPTY
+                self.state[cycle.slot] = codes.EMPTY
             self.arrange()
         return dead
 
     def drop_unborn(self) -> None:
         """Forget cycles whose definition was never taken: their program was given up."""
         for cycle in self.loaded:
-            if self.state[cycle.slot] == LOADED:
-                self.state[cycle.slot] = DEAD
+            if self.state[cycle.slot] == codes.LOADED:
+                self.state[cycle.slot] = codes.DEAD
 
     def arrange(self) -> None:
         """Put the loaded cycles in the order of creation: the tree of groups, and their slots."""
@@ -217,49 +204,53 @@ class CycleManager:
         """The slot of the living cycle with this ID, -1 if there is none."""
         for place in range(self.loaded_count):
             slot = self.order[place]
-            if self.identity[slot] == identity and 2 <= self.state[slot] <= 5:
+            if self.identity[slot] == identity and self.is_alive(slot):
                 return slot
         return -1
+
+    def is_alive(self, slot: int) -> int:
+        """Whether a cycle is defined and has not ended."""
+        return 1 if codes.DEFINED <= self.state[slot] <= codes.HELD else 0
 
     def enter(self, slot: int, state: int) -> None:
         """Change a slot's state and keep the counts."""
         before = self.state[slot]
-        if before == 4:
+        if before == codes.RUNNING:
             self.running_count -= 1
         self.armed_count -= self.awaits_block(slot)
         self.state[slot] = state
-        if self.block[slot] != 0 and state not in (4, 5):
+        if self.block[slot] != 0 and state not in (codes.RUNNING, codes.HELD):
             self.block[slot] = 0
             self.in_block_count -= 1
-        if state == 4:
+        if state == codes.RUNNING:
             self.running_count += 1
         self.armed_count += self.awaits_block(slot)
-        if state in (2, 6):
+        if state in (codes.DEFINED, codes.DEAD):
             self.spindles.leave(self.serial[slot])
-        if state == 6:
+        if state == codes.DEAD:
             self.dead_count += 1
-            if before != 1:
+            if before != codes.LOADED:
                 self.memory_used -= self.size[slot]
 
     def awaits_block(self, slot: int) -> int:
         """Whether a cycle with scope BLOCK was started, or held, and its block is still to come."""
-        if self.scope[slot] != 0 or self.block[slot] != 0:
+        if self.scope[slot] != codes.BLOCK_SCOPE or self.block[slot] != 0:
             return 0
-        return 1 if self.state[slot] == 3 or self.state[slot] == 5 else 0
+        return 1 if self.state[slot] in (codes.ARMED, codes.HELD) else 0
 
     def define(self, slot: int, starts: int, tick: int) -> int:
         """The definition is taken: 0, or the message that refuses it (RC-102, RC-108, RC-504)."""
         if self.identity[slot] > 0 and self.find(self.identity[slot]) >= 0:
-            self.enter(slot, 6)
+            self.enter(slot, codes.DEAD)
             return 50900
         if self.memory_used + self.size[slot] > self.memory_limit:
-            self.enter(slot, 6)
+            self.enter(slot, codes.DEAD)
             return 50857 if self.size[slot] > self.memory_limit else 50855
         self.memory_used += self.size[slot]
         self.record.event(
             rows.EVENT_CREATED, self.source[slot], self.serial[slot], self.scope[slot]
         )
-        self.enter(slot, 2)
+        self.enter(slot, codes.DEFINED)
         self.reusable[slot] = 0 if starts else 1
         if starts:
             self.start(slot, tick, self.source[slot])
@@ -277,7 +268,8 @@ class CycleManager:
         self.spindles.resume(self.serial[slot], tick)
         self.single_axes.resume(self.first_owner + slot)
         self.record.event(rows.EVENT_STARTED, source, self.serial[slot])
-        self.enter(slot, 3 if self.scope[slot] == 0 else 4)
+        is_armed = self.scope[slot] == codes.BLOCK_SCOPE
+        self.enter(slot, codes.ARMED if is_armed else codes.RUNNING)
 
     def is_fresh(self, identity: int, tick: int) -> int:
         """RC-004: whether the cycle with this ID was started in this tick."""
@@ -292,39 +284,39 @@ class CycleManager:
             return 0
         for place in range(self.loaded_count):
             slot = self.order[place]
-            if 2 <= self.state[slot] <= 5 and self.scope[slot] != 2:
+            if self.is_alive(slot) and self.scope[slot] != codes.GLOBAL_SCOPE:
                 if self.started_tick[slot] == tick:
                     return 1
         return 0
 
     def control(self, action: int, identity: int, tick: int, source: int) -> int:
-        """START 1, HOLD 2, CONTINUE 3, ABORT ACTION 4, DELETE 5: 0 or the message (RC-111)."""
+        """Carry out ``codes.CONTROL_START`` …: 0, or the message that refuses it (RC-111)."""
         slot = self.find(identity)
         if slot < 0:
-            if action == 5:
+            if action == codes.CONTROL_DELETE:
                 self.record.event(rows.EVENT_NOTICE, source, 0, 900410)
                 return 0
             return 50858
-        if action == 1:
+        if action == codes.CONTROL_START:
             self.start(slot, tick, source)
-        elif action == 2:
+        elif action == codes.CONTROL_HOLD:
             self.hold(slot, source)
-        elif action == 3:
+        elif action == codes.CONTROL_CONTINUE:
             self.resume(slot, source)
-        elif action == 4:
+        elif action == codes.CONTROL_ABORT:
             self.record.event(rows.EVENT_ABORTED, source, self.serial[slot])
             self.spindles.abort(self.serial[slot], tick)
             self.abort_actions(slot)
         else:
-            self.enter(slot, 6)
+            self.enter(slot, codes.DEAD)
             self.record.event(rows.EVENT_ENDED, source, self.serial[slot], rows.ENDED_BY_DELETE)
             self.end_actions(slot)
         return 0
 
     def hold(self, slot: int, source: int) -> None:
         """HOLD: not run from now on, states kept; its motions brake and keep their targets."""
-        if self.state[slot] == 3 or self.state[slot] == 4:
-            self.enter(slot, 5)
+        if self.state[slot] in (codes.ARMED, codes.RUNNING):
+            self.enter(slot, codes.HELD)
             self.record.event(rows.EVENT_HELD, source, self.serial[slot])
             self.spindles.hold(self.serial[slot], self.record.tick)
             self.single_axes.hold(self.first_owner + slot)
@@ -333,8 +325,9 @@ class CycleManager:
 
     def resume(self, slot: int, source: int) -> None:
         """CONTINUE: run again with kept states; a BLOCK cycle held before its block waits again."""
-        if self.state[slot] == 5:
-            self.enter(slot, 3 if self.scope[slot] == 0 and self.block[slot] == 0 else 4)
+        if self.state[slot] == codes.HELD:
+            is_armed = self.scope[slot] == codes.BLOCK_SCOPE and self.block[slot] == 0
+            self.enter(slot, codes.ARMED if is_armed else codes.RUNNING)
             self.record.event(rows.EVENT_CONTINUED, source, self.serial[slot])
             self.spindles.resume(self.serial[slot], self.record.tick)
             self.single_axes.resume(self.first_owner + slot)
@@ -354,8 +347,8 @@ class CycleManager:
                 self.armed_count -= 1
                 self.block[slot] = serial
                 self.in_block_count += 1
-                if self.state[slot] == 3:
-                    self.enter(slot, 4)
+                if self.state[slot] == codes.ARMED:
+                    self.enter(slot, codes.RUNNING)
 
     def leave_blocks(self, serial: int) -> None:
         """BLOCK cycles whose block is no longer current (``serial``; 0: none) have ended."""
@@ -369,7 +362,8 @@ class CycleManager:
     def end(self, slot: int, reason: int) -> None:
         """A cycle has ended; one with DEF and scope BLOCK can be started again (RC-105)."""
         self.record.event(rows.EVENT_ENDED, self.source[slot], self.serial[slot], reason)
-        self.enter(slot, 2 if self.reusable[slot] and self.scope[slot] == 0 else 6)
+        again = self.reusable[slot] and self.scope[slot] == codes.BLOCK_SCOPE
+        self.enter(slot, codes.DEFINED if again else codes.DEAD)
         self.end_actions(slot)
 
     def end_actions(self, slot: int) -> None:
@@ -394,13 +388,13 @@ class CycleManager:
         """Delete all cycles that do not outlive the program."""
         for place in range(self.loaded_count):
             slot = self.order[place]
-            if 2 <= self.state[slot] <= 5 and self.scope[slot] != 2:
+            if self.is_alive(slot) and self.scope[slot] != codes.GLOBAL_SCOPE:
                 source, serial = self.source[slot], self.serial[slot]
-                if self.state[slot] == 3 and reason == rows.ENDED_BY_SCOPE:
+                if self.state[slot] == codes.ARMED and reason == rows.ENDED_BY_SCOPE:
                     self.record.event(rows.EVENT_NOTICE, source, serial, 900413)
-                if self.state[slot] != 2:
+                if self.state[slot] != codes.DEFINED:
                     self.record.event(rows.EVENT_ENDED, source, serial, reason)
-                self.enter(slot, 6)
+                self.enter(slot, codes.DEAD)
                 self.end_actions(slot)
 
     def run_cycles(self, context: Context) -> int:
@@ -413,6 +407,6 @@ class CycleManager:
         """RC-505: tell the fault; the cycle at fault is ended, its motions are aborted."""
         source, serial = context.fault_source, self.serial[slot]
         self.record.event(rows.EVENT_ERROR, source, serial, context.fault, context.fault_a)
-        self.enter(slot, 6)
+        self.enter(slot, codes.DEAD)
         self.record.event(rows.EVENT_ENDED, self.source[slot], serial, rows.ENDED_BY_ERROR)
         self.abort_actions(slot)

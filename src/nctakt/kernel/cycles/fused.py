@@ -143,8 +143,7 @@ class SumOfTwo(Expression):
 
     def __init__(self, scale: float, terms: Sequence[tuple[int, float]]) -> None:
         self.scale = scale
-        self.a, self.factor_a = terms[0]
-        self.b, self.factor_b = terms[1]
+        (self.a, self.factor_a), (self.b, self.factor_b) = terms
 
     def value(self, context: Context) -> float:
         total = self.factor_a * context.cells[self.a] + self.factor_b * context.cells[self.b]
@@ -156,9 +155,7 @@ class SumOfThree(Expression):
 
     def __init__(self, scale: float, terms: Sequence[tuple[int, float]]) -> None:
         self.scale = scale
-        self.a, self.factor_a = terms[0]
-        self.b, self.factor_b = terms[1]
-        self.c, self.factor_c = terms[2]
+        (self.a, self.factor_a), (self.b, self.factor_b), (self.c, self.factor_c) = terms
 
     def value(self, context: Context) -> float:
         total = self.factor_a * context.cells[self.a] + self.factor_b * context.cells[self.b]
@@ -170,10 +167,8 @@ class SumOfFour(Expression):
 
     def __init__(self, scale: float, terms: Sequence[tuple[int, float]]) -> None:
         self.scale = scale
-        self.a, self.factor_a = terms[0]
-        self.b, self.factor_b = terms[1]
-        self.c, self.factor_c = terms[2]
-        self.d, self.factor_d = terms[3]
+        (self.a, self.factor_a), (self.b, self.factor_b), *rest = terms
+        (self.c, self.factor_c), (self.d, self.factor_d) = rest
 
     def value(self, context: Context) -> float:
         total = self.factor_a * context.cells[self.a] + self.factor_b * context.cells[self.b]

@@ -10,6 +10,8 @@ little recursion.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.cycles.context import Context
@@ -104,7 +106,7 @@ def sequence(statements: list[Statement]) -> Statement:
     if count == 3:
         return Triple(*statements)
     cuts = [count * i // 4 for i in range(5)]
-    return Block(*[sequence(statements[cuts[i] : cuts[i + 1]]) for i in range(4)])
+    return Block(*[sequence(statements[begin:end]) for begin, end in pairwise(cuts)])
 
 
 class Counted(Statement):

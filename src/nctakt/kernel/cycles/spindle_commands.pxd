@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of spindle_commands.py.
 cimport cython
+from nctakt.kernel cimport codes
 from nctakt.kernel.cycles cimport instructions
 from nctakt.kernel.cycles.expressions cimport Expression
 from nctakt.kernel.cycles.instructions cimport Counted

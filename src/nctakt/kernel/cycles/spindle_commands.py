@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from nctakt.kernel import codes
 from nctakt.kernel.cycles import instructions
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.expressions import Expression
@@ -44,7 +45,7 @@ class CommandSpindle(Counted):
             context.fail(50879, self.source, 0.0, position)
         if speed < 0.0:
             context.fail(900470, self.source, speed, 0.0)
-        if self.function == 19 and speed == 0.0:
+        if self.function == codes.SPINDLE_POSITION and speed == 0.0:
             context.fail(900472, self.source, 0.0, 0.0)
         if context.fault:
             return instructions.stop(self, context)

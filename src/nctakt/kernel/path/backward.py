@@ -70,10 +70,10 @@ class Retrace(History):
         return 1 if self.neighbour(place, -1) >= self.path.oldest else 0
 
     def way(self) -> int:
-        """0: the path is at its front, 1: it walks backward over its history, 2: forward."""
+        """How the path walks over its history: ``codes.AT_FRONT`` …"""
         if not self.path.is_away:
-            return 0
-        return 1 if self.path.direction < 0 else 2
+            return codes.AT_FRONT
+        return codes.WALKS_BACKWARD if self.path.direction < 0 else codes.WALKS_FORWARD
 
     def step(self, factor: float, is_stopping: int) -> int:
         """One tick: 1 when the path is at its front again and its segment has ended in this tick.

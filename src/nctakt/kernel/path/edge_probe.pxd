@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of edge_probe.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport codes, rows
 from nctakt.kernel.plc.technology_slots cimport Hli
 from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.base.record cimport Record
@@ -24,6 +24,7 @@ cdef class EdgeProbe:
 
     cdef void arm(self, long long source, long long function, long long ticks, double residual_d) noexcept nogil
     cdef void clear(self) noexcept nogil
+    @cython.locals(rest_d=double)
     cdef int watch(self, long long tick) noexcept nogil
     cdef void put_out(self, long long tick) noexcept nogil
     cdef int finish(self, long long tick) noexcept nogil

@@ -9,7 +9,7 @@ the path stands then.
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.plc.technology_slots import Hli
@@ -18,8 +18,7 @@ from nctakt.kernel.plc.technology_slots import Hli
 class EdgeProbe:
     """The measuring of one channel.
 
-    ``phase``: 0 none, 1 the edge is looked for, 2 it was found, 3 the path brakes, 4 the function
-    is out. ``cell`` is that of V.RTG.MEAS_DELTA.
+    ``phase``: ``codes.NOT_MEASURING`` … ``cell`` is that of V.RTG.MEAS_DELTA.
     """
 
     def __init__(self, path: Path, hli: Hli, record: Record, memory: bytearray, cell: int) -> None:
@@ -28,7 +27,7 @@ class EdgeProbe:
         self.record = record
         self.cells = memoryview(memory).cast("d")
         self.cell = cell
-        self.phase = 0
+        self.phase = codes.NOT_MEASURING
         self.source = 0
         self.function = 0
         self.ticks = 0
@@ -39,7 +38,7 @@ class EdgeProbe:
 
     def arm(self, source: int, function: int, ticks: int, residual_d: float) -> None:
         """The next block is measured in; ``function`` goes out ``residual_d`` behind the edge."""
-        self.phase = 1
+        self.phase = codes.SEEKS_EDGE
         self.source = source
         self.function = function
         self.ticks = ticks
@@ -47,22 +46,23 @@ class EdgeProbe:
 
     def clear(self) -> None:
         """Nothing is measured."""
-        self.phase = 0
+        self.phase = codes.NOT_MEASURING
 
     def watch(self, tick: int) -> int:
         """One tick, before the path's increment: 1 where the path has to brake or to stand."""
-        if self.phase == 1 and self.hli.panel.probe:
+        if self.phase == codes.SEEKS_EDGE and self.hli.panel.probe:
             self.joint_d = self.path.covered_way() + self.residual_d
             self.cells[self.cell] = self.path.rest_d() - self.residual_d
             self.record.event(rows.EVENT_PROBED, self.source, 0, self.cells[self.cell])
-            self.phase = 2
-        if self.phase == 2 and self.path.brake_way() >= self.joint_d - self.path.covered_way():
-            self.phase = 3
-        if self.phase == 3 and self.path.speed_v == 0.0:
+            self.phase = codes.FOUND_EDGE
+        rest_d = self.joint_d - self.path.covered_way()
+        if self.phase == codes.FOUND_EDGE and self.path.brake_way() >= rest_d:
+            self.phase = codes.BRAKES_FOR_JOINT
+        if self.phase == codes.BRAKES_FOR_JOINT and self.path.speed_v == 0.0:
             self.put_out(tick)
-        if self.phase == 4 and not self.hli.program.is_waiting(self.function):
-            self.phase = 0
-        return 1 if self.phase > 2 else 0
+        if self.phase == codes.AWAITS_FUNCTION and not self.hli.program.is_waiting(self.function):
+            self.phase = codes.NOT_MEASURING
+        return 1 if self.phase in (codes.BRAKES_FOR_JOINT, codes.AWAITS_FUNCTION) else 0
 
     def put_out(self, tick: int) -> None:
         """The function goes to the PLC, as soon as there is room."""
@@ -71,15 +71,15 @@ class EdgeProbe:
             self.record.event(
                 rows.EVENT_TECHNOLOGY, self.source, self.has_value, self.function, self.value
             )
-            self.phase = 4
+            self.phase = codes.AWAITS_FUNCTION
 
     def finish(self, tick: int) -> int:
         """The block is over: 1 done, 0 the function is still waited for, -1 no edge was found."""
-        if self.phase == 1:
-            self.phase = 0
+        if self.phase == codes.SEEKS_EDGE:
+            self.phase = codes.NOT_MEASURING
             return -1
-        if 2 <= self.phase <= 3:
+        if self.phase in (codes.FOUND_EDGE, codes.BRAKES_FOR_JOINT):
             self.put_out(tick)
-        if self.phase == 4 and not self.hli.program.is_waiting(self.function):
-            self.phase = 0
-        return 1 if self.phase == 0 else 0
+        if self.phase == codes.AWAITS_FUNCTION and not self.hli.program.is_waiting(self.function):
+            self.phase = codes.NOT_MEASURING
+        return 1 if self.phase == codes.NOT_MEASURING else 0

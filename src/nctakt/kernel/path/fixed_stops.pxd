@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of fixed_stops.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport cells, rows
 from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.base.record cimport Record
 

@@ -8,7 +8,7 @@ shows it in its cells FIXED_STOP.ACTIVE, DETECTED and ACS.POS (``axes.py``).
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from nctakt.kernel import cells, rows
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.path.path import Path
 
@@ -65,10 +65,10 @@ class FixedStops:
 
     def show(self, i: int, position: float) -> None:
         """The cells of an axis."""
-        base = self.path.axes.first_cell + 21 * self.path.members[i]
-        self.path.axes.cells[base + 17] = self.active[i]
-        self.path.axes.cells[base + 18] = self.detected[i]
-        self.path.axes.cells[base + 19] = position
+        base = self.path.axes.cell_of(self.path.members[i])
+        self.path.axes.cells[base + cells.AXIS_FIXED_STOP_ACTIVE] = self.active[i]
+        self.path.axes.cells[base + cells.AXIS_FIXED_STOP_DETECTED] = self.detected[i]
+        self.path.axes.cells[base + cells.AXIS_FIXED_STOP_ACS_POS] = position
 
     def watch(self) -> int:
         """One tick: 1 when the last monitored axis has found its stop in it."""

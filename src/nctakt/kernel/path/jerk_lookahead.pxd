@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of jerk_lookahead.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport codes, rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.segment_limits cimport SegmentLimits

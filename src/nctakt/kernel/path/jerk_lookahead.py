@@ -21,7 +21,7 @@ with no acceleration, whatever is commanded.
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.segment_limits import SegmentLimits
@@ -147,7 +147,7 @@ class JerkAhead(SegmentLimits):
             lent = self.borrow(row, before)
             self.stop_before(row, before, base)
             is_less = 1 if lent < 0 else is_less
-            if is_less == 0 and passed & 7 == 7:
+            if is_less == 0 and passed & codes.FAR_CHECK == codes.FAR_CHECK:
                 if passed >= self.blocks or self.is_far(row, before, self.speed_of(row, before)):
                     return 1
             if self.keep(row, before) == 0 and lent == 0 and passed > 0:

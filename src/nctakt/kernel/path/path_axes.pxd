@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of path_axes.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport codes, rows
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.axes.axes cimport Axes
 

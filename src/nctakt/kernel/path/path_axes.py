@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.path import geometry
@@ -92,7 +92,7 @@ class PathAxes:
             end = self.base + rows.START + (self.count if self.direction > 0 else 0)
             self.axes.target[axis] = self.ring[end + i]
             self.axes.on_path[axis] = 1
-            self.axes.show_state(axis, 6)
+            self.axes.show_state(axis, codes.SYNCHRONIZED_MOTION)
 
     def release(self) -> None:
         """The segment is over: its axes are free."""
@@ -109,7 +109,7 @@ class PathAxes:
         for k in range(self.moved_count):
             axis = self.members[self.moved[k]]
             if not self.axes.independent[axis]:
-                self.axes.show_state(axis, 1)
+                self.axes.show_state(axis, codes.STANDSTILL)
         self.moved_count = 0
 
     def put_axes(self, place: int) -> None:

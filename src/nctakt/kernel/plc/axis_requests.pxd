@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of axis_requests.py.
 cimport cython
+from nctakt.kernel cimport codes
 from nctakt.kernel.axes.single_axes cimport SingleAxes
 
 @cython.final

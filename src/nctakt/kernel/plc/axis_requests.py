@@ -1,27 +1,18 @@
 # SPDX-License-Identifier: MIT
 """What the PLC wants of single axes: posted between two ticks, latched by the next one.
 
-Each request has an owner number of its own, from ``PLC_OWNER`` on, so that the PLC can follow what
-becomes of it: its answer, whether its motion is open, whether it has arrived.
+Each request has an owner number of its own, from ``codes.PLC_OWNER`` on, so that the PLC can follow
+what becomes of it: its answer, whether its motion is open, whether it has arrived.
 """
 
 from __future__ import annotations
 
+from nctakt.kernel import codes
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.base.bounds import check_range
 
-#: The owner of the PLC's first request.
-PLC_OWNER = 1_000_000
-
 #: Requests whose answers are kept; more cannot be posted for one tick.
 CAPACITY = 256
-
-# Kinds of requests.
-ABSOLUTE = 1
-RELATIVE = 2
-VELOCITY = 3
-HALT = 4
-CLEAR_FAULT = 5
 
 
 class AxisRequests:
@@ -46,8 +37,8 @@ class AxisRequests:
         self, kind: int, axis: int, value: float, speed_v: float, mode: int, direction: int
     ) -> int:
         """A request for the next tick: the owner number of what becomes of it, 0: no room."""
-        check_range(kind, ABSOLUTE, CLEAR_FAULT, "kind of request")
-        self.single_axes.check_command(axis, value, speed_v, mode, direction, PLC_OWNER)
+        check_range(kind, codes.ABSOLUTE, codes.CLEAR_FAULT, "kind of request")
+        self.single_axes.check_command(axis, value, speed_v, mode, direction, codes.PLC_OWNER)
         if self.posted - self.latched >= self.capacity:
             return 0
         place = self.posted % self.capacity
@@ -59,16 +50,17 @@ class AxisRequests:
         self.direction[place] = direction
         self.answer[place] = -1
         self.posted += 1
-        return PLC_OWNER + self.posted - 1
+        return codes.PLC_OWNER + self.posted - 1
 
     def answer_to(self, owner: int) -> int:
         """0 accepted, else the message that refuses; -1: no tick has latched it yet.
 
         Raises ``ValueError`` for a number that is not the owner of one of the last requests.
         """
-        newest = PLC_OWNER + self.posted - 1
-        check_range(owner, max(PLC_OWNER, newest - self.capacity + 1), newest, "request")
-        return self.answer[(owner - PLC_OWNER) % self.capacity]
+        newest = codes.PLC_OWNER + self.posted - 1
+        oldest = max(codes.PLC_OWNER, newest - self.capacity + 1)
+        check_range(owner, oldest, newest, "request")
+        return self.answer[(owner - codes.PLC_OWNER) % self.capacity]
 
     def is_open(self, owner: int) -> bool:
         """Whether the motion runs or waits."""
@@ -97,24 +89,24 @@ class AxisRequests:
     def give(self, place: int) -> None:
         """One request."""
         axis = self.axis[place]
-        owner = 1000000 + self.latched
+        owner = codes.PLC_OWNER + self.latched
         mode = int(self.mode[place])
         direction = int(self.direction[place])
         kind = self.kind[place]
         self.single_axes.order(0, 0)
-        if kind == 1:
+        if kind == codes.ABSOLUTE:
             self.answer[place] = self.single_axes.move_to(
                 axis, self.value[place], self.speed_v[place], mode, direction, owner
             )
-        elif kind == 2:
+        elif kind == codes.RELATIVE:
             self.answer[place] = self.single_axes.move_by(
                 axis, self.value[place], self.speed_v[place], mode, owner
             )
-        elif kind == 3:
+        elif kind == codes.VELOCITY:
             self.answer[place] = self.single_axes.run_endless(
                 axis, self.speed_v[place], direction, mode, owner
             )
-        elif kind == 4:
+        elif kind == codes.HALT:
             self.answer[place] = self.single_axes.stop(axis, owner)
         else:
             self.answer[place] = self.single_axes.clear_fault(axis)

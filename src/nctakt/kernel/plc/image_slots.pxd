@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of image_slots.py.
 cimport cython
+from nctakt.kernel cimport cells, codes
 from nctakt.kernel.plc.technology_slots cimport Section
 from nctakt.kernel.axes.spindles cimport Spindles
 
@@ -42,9 +43,9 @@ cdef class SpindleUnits(Units):
     cdef Units others
     cdef long long version
 
-    @cython.locals(i=Py_ssize_t, place=Py_ssize_t, serial=int)
+    @cython.locals(i=Py_ssize_t, answer=Py_ssize_t, serial=int)
     cdef void latch(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void publish(self) noexcept nogil
-    @cython.locals(first=Py_ssize_t, word=Py_ssize_t, direction=cython.longlong, ticks=cython.longlong)
+    @cython.locals(first=Py_ssize_t, word=Py_ssize_t, direction=cython.longlong, backward=int, ticks=cython.longlong)
     cdef void put(self, Py_ssize_t i) noexcept nogil

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
 """What waits for a PLC in the image of the HLI: M and H functions, jobs of its spindles.
 
-A unit takes 40 bytes (``UNIT`` in ``hli/layout.py``). Its serial says which function it holds, 0
-none; it is written last. The PLC acknowledges by writing the serial into its own place of the slot,
-so that each byte has one writer. A spindle's job goes the same way, in ``SPINDLE`` and
-``SPINDLE_COMMAND``.
+A unit (``cells.UNIT_SERIAL`` …) stands as ``UNIT`` in ``hli/layout.py``. Its serial says which
+function it holds, 0 none; it is written last. The PLC acknowledges by writing the serial into its
+own place of the slot, so that each byte has one writer. A spindle's job goes the same way, in
+``SPINDLE`` and ``SPINDLE_COMMAND``.
 """
 
 from __future__ import annotations
 
+from nctakt.kernel import cells, codes
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.plc.technology_slots import Section
 
@@ -62,8 +63,8 @@ class SectionUnits(Units):
         for i in range(self.section.slot_count):
             serial = self.halves[self.acknowledged + i]
             self.published[self.acknowledged + i] = serial
-            if self.section.state[i] == 1 and self.section.serial[i] == serial:
-                self.section.state[i] = 2
+            if self.section.state[i] == codes.WAITING and self.section.serial[i] == serial:
+                self.section.state[i] = codes.ACKNOWLEDGED
         self.others.latch()
 
     def publish(self) -> None:
@@ -75,22 +76,27 @@ class SectionUnits(Units):
 
     def put(self, slot: int) -> None:
         """Write one slot."""
-        first = self.first + 10 * slot
-        if self.section.state[slot] == 0:
-            self.halves[first] = 0
+        first = self.first + cells.UNIT_WIDTH * slot
+        if self.section.state[slot] == codes.FREE:
+            self.halves[first + cells.UNIT_SERIAL] = 0
             return
         function = self.section.function[slot]
-        word = (first + 6) >> 1
-        number = function if function >= 0 else -function - 1
-        self.halves[first + 1] = 1 if function >= 0 else 2
-        self.halves[first + 2] = number
-        self.halves[first + 4] = self.m_axes[number] if function >= 0 else self.h_axes[number]
-        self.halves[first + 3] = self.section.sequence[slot]
-        self.halves[first + 5] = self.section.value[slot]
-        self.words[word] = self.section.tick[slot] * self.cycle_time_us
+        word = (first + cells.UNIT_TIMES) >> 1
+        if function >= 0:
+            self.halves[first + cells.UNIT_LETTER] = cells.LETTER_M
+            self.halves[first + cells.UNIT_NUMBER] = function
+            self.halves[first + cells.UNIT_AXIS] = self.m_axes[function]
+        else:
+            number = -function - 1
+            self.halves[first + cells.UNIT_LETTER] = cells.LETTER_H
+            self.halves[first + cells.UNIT_NUMBER] = number
+            self.halves[first + cells.UNIT_AXIS] = self.h_axes[number]
+        self.halves[first + cells.UNIT_SEQUENCE] = self.section.sequence[slot]
+        self.halves[first + cells.UNIT_VALUE] = self.section.value[slot]
+        self.words[word + cells.IMAGE_TIME] = self.section.tick[slot] * self.cycle_time_us
         ticks = self.section.done[slot] - self.section.tick[slot]
-        self.words[word + 1] = ticks * self.cycle_time_us
-        self.halves[first] = self.section.serial[slot]
+        self.words[word + cells.IMAGE_DURATION] = ticks * self.cycle_time_us
+        self.halves[first + cells.UNIT_SERIAL] = self.section.serial[slot]
 
 
 class SpindleUnits(Units):
@@ -127,11 +133,11 @@ class SpindleUnits(Units):
 
     def latch(self) -> None:
         for i in range(self.spindles.count):
-            place = self.acknowledged + self.answer_stride * i
-            serial = self.halves[place]
-            self.published[place] = serial
-            if self.spindles.plc_state[i] == 1 and self.spindles.job[i] == serial:
-                self.spindles.plc_state[i] = 2
+            answer = self.acknowledged + self.answer_stride * i
+            serial = self.halves[answer]
+            self.published[answer] = serial
+            if self.spindles.plc_state[i] == codes.WAITING and self.spindles.job[i] == serial:
+                self.spindles.plc_state[i] = codes.ACKNOWLEDGED
         self.others.latch()
 
     def publish(self) -> None:
@@ -144,16 +150,17 @@ class SpindleUnits(Units):
     def put(self, i: int) -> None:
         """Write the job of one spindle."""
         first = self.job + self.stride * i
-        if self.spindles.plc_state[i] == 0:
-            self.halves[first] = 0
+        if self.spindles.plc_state[i] == codes.FREE:
+            self.halves[first + cells.SPINDLE_JOB] = 0
             return
-        self.halves[first + 1] = self.spindles.function[i]
+        self.halves[first + cells.SPINDLE_JOB_FUNCTION] = self.spindles.function[i]
         direction = self.spindles.direction[i]
-        self.halves[first + 2] = direction if direction >= 0 else 2
-        word = (first + 4) >> 1
-        self.words[word] = self.spindles.taken_tick[i] * self.cycle_time_us
+        backward = cells.SPINDLE_JOB_BACKWARD
+        self.halves[first + cells.SPINDLE_JOB_DIRECTION] = direction if direction >= 0 else backward
+        word = (first + cells.SPINDLE_JOB_TIMES) >> 1
+        self.words[word + cells.IMAGE_TIME] = self.spindles.taken_tick[i] * self.cycle_time_us
         ticks = self.spindles.done_tick[i] - self.spindles.taken_tick[i]
-        self.words[word + 1] = ticks * self.cycle_time_us
-        self.reals[word + 2] = self.spindles.wanted_v[i] / 6.0
-        self.reals[word + 3] = self.spindles.wanted_position[i]
-        self.halves[first] = self.spindles.job[i]
+        self.words[word + cells.IMAGE_DURATION] = ticks * self.cycle_time_us
+        self.reals[word + cells.IMAGE_SPEED] = self.spindles.wanted_v[i] / 6.0
+        self.reals[word + cells.IMAGE_POSITION] = self.spindles.wanted_position[i]
+        self.halves[first + cells.SPINDLE_JOB] = self.spindles.job[i]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of interface_image.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.plc.image_slots cimport Units
 

@@ -11,23 +11,23 @@ value, the image gets it back, and the first time of each variable is told (9003
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.base.bounds import check_index, check_range
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.image_slots import Units
 
 #: Kinds of entries by the names of their types; STRING and VSTRING are bytes.
 KINDS = {
-    "BOOLEAN": 0,
-    "SGN08": 1,
-    "UNS08": 2,
-    "SGN16": 3,
-    "UNS16": 4,
-    "SGN32": 5,
-    "UNS32": 6,
-    "REAL64": 7,
-    "STRING": 8,
-    "VSTRING": 8,
+    "BOOLEAN": codes.IMAGE_BOOLEAN,
+    "SGN08": codes.IMAGE_SGN08,
+    "UNS08": codes.IMAGE_UNS08,
+    "SGN16": codes.IMAGE_SGN16,
+    "UNS16": codes.IMAGE_UNS16,
+    "SGN32": codes.IMAGE_SGN32,
+    "UNS32": codes.IMAGE_UNS32,
+    "REAL64": codes.IMAGE_REAL64,
+    "STRING": codes.IMAGE_STRING,
+    "VSTRING": codes.IMAGE_STRING,
 }
 
 
@@ -75,8 +75,8 @@ class InterfaceImage:
         check_range(first_input, 0, len(image), "first byte of the inputs")
         for offset, kind, cell, size, _ in table:
             check_range(offset, 0, len(image) - size, "byte of a variable")
-            check_range(kind, 0, 8, "kind of a variable")
-            most = len(image) if kind == KINDS["STRING"] else len(self.scratch)
+            check_range(kind, codes.IMAGE_BOOLEAN, codes.IMAGE_STRING, "kind of a variable")
+            most = len(image) if kind == codes.IMAGE_STRING else len(self.scratch)
             check_range(size, 1, most, "bytes of a variable")
             check_range(cell, 0, len(self.cells) - -(-size // 8), "cell of a variable")
         self.image = image
@@ -96,10 +96,10 @@ class InterfaceImage:
         self.is_stale = memoryview(bytearray(8 * count + 8)).cast("q")
         self.was_refused = memoryview(bytearray(8 * count + 8)).cast("q")
         self.refused_cells = memoryview(bytearray(8 * count + 8)).cast("q")
-        cells = sum(-(-row[3] // 8) for row in table)
-        self.shadow = memoryview(bytearray(8 * cells + 8)).cast("q")
-        self.shadowed_cell = memoryview(bytearray(8 * cells + 8)).cast("q")
-        self.shadowed_entry = memoryview(bytearray(8 * cells + 8)).cast("q")
+        shadows = sum(-(-size // 8) for _, _, _, size, _ in table)
+        self.shadow = memoryview(bytearray(8 * shadows + 8)).cast("q")
+        self.shadowed_cell = memoryview(bytearray(8 * shadows + 8)).cast("q")
+        self.shadowed_entry = memoryview(bytearray(8 * shadows + 8)).cast("q")
         self.shadow_count = 0
         self.stale_count = count
         for i, (offset, kind, cell, size, is_input) in enumerate(table):
@@ -116,7 +116,9 @@ class InterfaceImage:
                 self.shadowed_entry[self.shadow_count] = i
                 self.shadow_count += 1
         self.count = count
-        self.event_bound = sum(1 for row in table if row[4] and row[1] == KINDS["REAL64"])
+        self.event_bound = sum(
+            1 for _, kind, _, _, is_input in table if is_input and kind == codes.IMAGE_REAL64
+        )
         self.refused_count = 0
         self.refused_told = 0
         self.word_count = len(image) // 8
@@ -171,7 +173,7 @@ class InterfaceImage:
         self.units.latch()
         for i in range(self.count):
             if self.is_input[i] and self.has_come(i):
-                if self.kind[i] == 8:
+                if self.kind[i] == codes.IMAGE_STRING:
                     self.take_string(i)
                 else:
                     self.take_number(i)
@@ -212,7 +214,7 @@ class InterfaceImage:
             return
         self.cells[cell] = value
         self.remember(entry)
-        if self.kind[entry] == 0 and self.scratch[0] > 1:
+        if self.kind[entry] == codes.IMAGE_BOOLEAN and self.scratch[0] > 1:
             self.mark_stale(entry)
 
     def refuse(self, entry: int) -> None:
@@ -227,19 +229,19 @@ class InterfaceImage:
 
     def number(self, kind: int) -> float:
         """The number in the scratch bytes."""
-        if kind == 0:
+        if kind == codes.IMAGE_BOOLEAN:
             return 1.0 if self.scratch[0] else 0.0
-        if kind == 1:
+        if kind == codes.IMAGE_SGN08:
             return self.as_signed_8[0]
-        if kind == 2:
+        if kind == codes.IMAGE_UNS08:
             return self.scratch[0]
-        if kind == 3:
+        if kind == codes.IMAGE_SGN16:
             return self.as_signed_16[0]
-        if kind == 4:
+        if kind == codes.IMAGE_UNS16:
             return self.as_unsigned_16[0]
-        if kind == 5:
+        if kind == codes.IMAGE_SGN32:
             return self.as_signed_32[0]
-        if kind == 6:
+        if kind == codes.IMAGE_UNS32:
             return self.as_unsigned_32[0]
         return self.as_real[0]
 
@@ -261,11 +263,11 @@ class InterfaceImage:
 
         The sequence is odd meanwhile.
         """
-        self.image_words[self.clock_word] += 1
+        self.image_words[self.clock_word + cells.CLOCK_SEQUENCE] += 1
         self.units.publish()
         self.publish_cells()
-        self.image_words[self.clock_word + 1] = ticks
-        self.image_words[self.clock_word] += 1
+        self.image_words[self.clock_word + cells.CLOCK_TICK] = ticks
+        self.image_words[self.clock_word + cells.CLOCK_SEQUENCE] += 1
 
     def publish_cells(self) -> None:
         """The variables that have changed, and those that must be written all the same."""
@@ -283,7 +285,7 @@ class InterfaceImage:
         if self.is_stale[entry]:
             self.is_stale[entry] = 0
             self.stale_count -= 1
-        if self.kind[entry] == 8:
+        if self.kind[entry] == codes.IMAGE_STRING:
             self.put_string(entry)
         else:
             self.put_number(entry)
@@ -304,17 +306,17 @@ class InterfaceImage:
 
     def set_number(self, kind: int, value: float) -> None:
         """Put a number into the scratch bytes."""
-        if kind == 1:
+        if kind == codes.IMAGE_SGN08:
             self.as_signed_8[0] = int(value)
-        elif kind <= 2:
+        elif kind in (codes.IMAGE_BOOLEAN, codes.IMAGE_UNS08):
             self.scratch[0] = int(value)
-        elif kind == 3:
+        elif kind == codes.IMAGE_SGN16:
             self.as_signed_16[0] = int(value)
-        elif kind == 4:
+        elif kind == codes.IMAGE_UNS16:
             self.as_unsigned_16[0] = int(value)
-        elif kind == 5:
+        elif kind == codes.IMAGE_SGN32:
             self.as_signed_32[0] = int(value)
-        elif kind == 6:
+        elif kind == codes.IMAGE_UNS32:
             # the bits of a signed number: where a long has 32 bits, it holds no larger ones
             if value > 2147483647.0:
                 value -= 4294967296.0

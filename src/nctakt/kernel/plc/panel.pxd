@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of panel.py.
 cimport cython
+from nctakt.kernel cimport cells, codes
 
 @cython.final
 cdef class Panel:
@@ -25,7 +26,7 @@ cdef class Panel:
     cdef readonly bint start_taken
     cdef readonly bint reset_taken
 
-    @cython.locals(base=Py_ssize_t)
+    @cython.locals(base=Py_ssize_t, is_backward=bint)
     cdef void latch(self) noexcept nogil
     cdef void take_start(self, int can_start) noexcept nogil
     cdef int lets_go(self, long long line, bint moves, bint is_begun) noexcept nogil

@@ -1,26 +1,15 @@
 # SPDX-License-Identifier: MIT
 """The operator's side of one channel: what is commanded, latched at the start of a tick (MO-6).
 
-Each value has a cell from ``first_cell`` on, in the order of ``hli/layout.py`` (``PANEL`` with the
-commands, then ``LAMPS``). Whoever plays the PLC writes the commands' cells between two ticks; the
-tick works with the copies that ``latch`` has made. START and RESET are keys: the tick that finds
-one pressed takes it and writes 0.
+Each value has a cell (``cells.PANEL_OVERRIDE`` …). Whoever plays the PLC writes the commands' cells
+between two ticks; the tick works with the copies that ``latch`` has made. START and RESET are keys:
+the tick that finds one pressed takes it and writes 0.
 """
 
 from __future__ import annotations
 
+from nctakt.kernel import cells, codes
 from nctakt.kernel.base.bounds import check_range
-
-# Commands, as rows of the table.
-OVERRIDE = 0
-FEED_HOLD = 1
-SINGLE_BLOCK = 2
-START = 3
-RESET = 4
-PLC_PRESENT = 5
-BACKWARD_MOTION = 6
-PROBE = 7
-OPTIONAL_STOP = 8
 
 
 class Panel:
@@ -44,24 +33,26 @@ class Panel:
         self.start_taken = False
         self.reset_taken = False
         self.backward_motion = False
-        self.cells[first_cell] = 100.0
+        self.cells[first_cell + cells.PANEL_OVERRIDE] = 100.0
         self.latch()
 
     # --- Python's side, between two ticks -------------------------------------------------------
 
-    def put(self, row: int, value: float) -> None:
-        """Write the command in this row of the table."""
-        check_range(row, OVERRIDE, OPTIONAL_STOP, "command of the panel")
-        self.cells[self.first_cell + row] = value
+    def put(self, command: int, value: float) -> None:
+        """Write a command, ``cells.PANEL_OVERRIDE`` … ``cells.PANEL_OPTIONAL_STOP``."""
+        check_range(
+            command, cells.PANEL_OVERRIDE, cells.PANEL_OPTIONAL_STOP, "command of the panel"
+        )
+        self.cells[self.first_cell + command] = value
 
     def arm(self, is_armed: bool) -> None:
         """A program is selected and waits for START, or no longer."""
         self.is_armed = is_armed
-        self.cells[self.first_cell + 11] = is_armed
+        self.cells[self.first_cell + cells.PANEL_ARMED] = is_armed
 
     def show_size(self, blocks: int) -> None:
         """So many blocks fit into the history of the path."""
-        self.cells[self.first_cell + 16] = blocks
+        self.cells[self.first_cell + cells.PANEL_HISTORY_SIZE] = blocks
 
     def begin_program(self) -> None:
         """A program has begun: its first block needs no START of its own."""
@@ -87,20 +78,21 @@ class Panel:
     def latch(self) -> None:
         """Start of a tick: the commands of now are in force."""
         base = self.first_cell
-        self.override_pct = max(self.cells[base], 0.0)
-        self.feed_hold = self.cells[base + 1] != 0.0
-        self.single_block = self.cells[base + 2] != 0.0
-        self.start_pressed = self.cells[base + 3] != 0.0
-        self.reset_pressed = self.cells[base + 4] != 0.0
-        self.plc_present = self.cells[base + 5] != 0.0
-        self.turns_back = self.cells[base + 6] != 0.0 and not self.backward_motion
-        self.backward_motion = self.cells[base + 6] != 0.0
-        self.probe = self.cells[base + 7] != 0.0
-        self.optional_stop = self.cells[base + 8] != 0.0
+        self.override_pct = max(self.cells[base + cells.PANEL_OVERRIDE], 0.0)
+        self.feed_hold = self.cells[base + cells.PANEL_FEED_HOLD] != 0.0
+        self.single_block = self.cells[base + cells.PANEL_SINGLE_BLOCK] != 0.0
+        self.start_pressed = self.cells[base + cells.PANEL_START] != 0.0
+        self.reset_pressed = self.cells[base + cells.PANEL_RESET] != 0.0
+        self.plc_present = self.cells[base + cells.PANEL_PLC_PRESENT] != 0.0
+        is_backward = self.cells[base + cells.PANEL_BACKWARD_MOTION] != 0.0
+        self.turns_back = is_backward and not self.backward_motion
+        self.backward_motion = is_backward
+        self.probe = self.cells[base + cells.PANEL_PROBE] != 0.0
+        self.optional_stop = self.cells[base + cells.PANEL_OPTIONAL_STOP] != 0.0
         if self.start_pressed:
-            self.cells[base + 3] = 0.0
+            self.cells[base + cells.PANEL_START] = 0.0
         if self.reset_pressed:
-            self.cells[base + 4] = 0.0
+            self.cells[base + cells.PANEL_RESET] = 0.0
             self.reset_taken = True
 
     def take_start(self, can_start: int) -> None:
@@ -139,20 +131,20 @@ class Panel:
         return self.is_paused
 
     def publish(self, state: int, message: int) -> None:
-        """End of a tick: the lamps. ``state`` 2 error, 3 reset, else 0; ID of the error."""
+        """End of a tick: the lamps. ``state``: error, reset or ready; ID of the error."""
         base = self.first_cell
-        if state == 0 and self.is_running:
-            state = 1
-        self.cells[base + 9] = state
-        self.cells[base + 10] = self.is_paused
-        self.cells[base + 11] = self.is_armed
-        self.cells[base + 12] = message
+        if state == codes.CHANNEL_READY and self.is_running:
+            state = codes.CHANNEL_RUNNING
+        self.cells[base + cells.PANEL_STATE] = state
+        self.cells[base + cells.PANEL_PAUSED] = self.is_paused
+        self.cells[base + cells.PANEL_ARMED] = self.is_armed
+        self.cells[base + cells.PANEL_ERROR] = message
 
     def show_loop(self, is_inside: bool) -> None:
         """The path is in a realtime loop, or no longer."""
-        self.cells[self.first_cell + 15] = is_inside
+        self.cells[self.first_cell + cells.PANEL_INSIDE_RT_LOOP] = is_inside
 
     def show_history(self, retrace: int, blocks: int) -> None:
-        """How the path walks over its history (0 not at all), and the blocks that are in it."""
-        self.cells[self.first_cell + 13] = retrace
-        self.cells[self.first_cell + 14] = blocks
+        """How the path walks over its history (``codes.AT_FRONT`` …), and the blocks in it."""
+        self.cells[self.first_cell + cells.PANEL_RETRACE] = retrace
+        self.cells[self.first_cell + cells.PANEL_HISTORY] = blocks

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of technology_slots.py.
 cimport cython
+from nctakt.kernel cimport codes
 from nctakt.kernel.plc.panel cimport Panel
 
 @cython.final

@@ -11,15 +11,12 @@ by the ticks that the function takes (P-CHAN-00040, P-CHAN-00026).
 
 from __future__ import annotations
 
+from nctakt.kernel import codes
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.plc.panel import Panel
 
 #: Slots of a section: a number of ours, no source gives one (RC-403).
 SLOT_COUNT = 20
-
-FREE = 0
-WAITING = 1
-ACKNOWLEDGED = 2
 
 
 class Section:
@@ -51,8 +48,8 @@ class Section:
         if self.taken_count == 0:
             return
         for i in range(self.slot_count):
-            if self.state[i] == 2:
-                self.state[i] = 0
+            if self.state[i] == codes.ACKNOWLEDGED:
+                self.state[i] = codes.FREE
                 self.taken_count -= 1
                 self.version += 1
 
@@ -64,13 +61,13 @@ class Section:
         if self.issued_in_tick >= self.slot_count:
             return 0
         for i in range(self.slot_count):
-            if self.state[i] == 0:
+            if self.state[i] == codes.FREE:
                 self.issued_in_tick += 1
                 self.taken_count += 1
                 self.version += 1
                 self.issued = self.issued + 1 if self.issued < 2147483647 else 1
                 self.serial[i] = self.issued
-                self.state[i] = 1
+                self.state[i] = codes.WAITING
                 self.function[i] = function
                 self.sequence[i] = self.issued_in_tick
                 self.tick[i] = tick
@@ -89,7 +86,7 @@ class Section:
         if self.taken_count == 0:
             return 0
         for i in range(self.slot_count):
-            if self.state[i] != 0 and self.function[i] == function:
+            if self.state[i] != codes.FREE and self.function[i] == function:
                 return 1
         return 0
 
@@ -98,13 +95,13 @@ class Section:
         if self.taken_count == 0:
             return
         for i in range(self.slot_count):
-            if self.state[i] == 1 and self.done[i] <= tick:
-                self.state[i] = 2
+            if self.state[i] == codes.WAITING and self.done[i] <= tick:
+                self.state[i] = codes.ACKNOWLEDGED
 
     def clear(self) -> None:
         """Reset: nothing waits any more."""
         for i in range(self.slot_count):
-            self.state[i] = 0
+            self.state[i] = codes.FREE
         self.taken_count = 0
         self.version += 1
 
@@ -118,18 +115,23 @@ class Section:
         found = [
             (i, self.function[i], self.sequence[i], self.tick[i], self.serial[i])
             for i in range(self.slot_count)
-            if self.state[i] == WAITING
+            if self.state[i] == codes.WAITING
         ]
-        found.sort(key=lambda entry: (entry[3], entry[2]))
-        return found
+        return sorted(found, key=_order)
 
     def acknowledge(self, slot: int, serial: int) -> bool:
         """The PLC has taken the function of this serial; return whether the slot holds it."""
         check_index(slot, self.slot_count, "slot")
-        if self.state[slot] == FREE or self.serial[slot] != serial:
+        if self.state[slot] == codes.FREE or self.serial[slot] != serial:
             return False
-        self.state[slot] = ACKNOWLEDGED
+        self.state[slot] = codes.ACKNOWLEDGED
         return True
+
+
+def _order(entry: tuple[int, int, int, int, int]) -> tuple[int, int]:
+    """Tick and number in it of what waits."""
+    _, _, sequence, tick, _ = entry
+    return tick, sequence
 
 
 class Hli:

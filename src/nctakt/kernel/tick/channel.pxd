@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of channel.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.tick.command_execution cimport Commands
 
@@ -21,6 +21,7 @@ cdef class Channel(Commands):
 
     @cython.locals(commands=Py_ssize_t, single=Py_ssize_t)
     cdef Py_ssize_t event_bound(self) noexcept nogil
+    @cython.locals(has_slot=bint)
     cdef int needs_python(self) noexcept nogil
     cdef int is_idle(self) noexcept nogil
     @cython.locals(is_empty=bint, can_go=bint)
@@ -28,9 +29,9 @@ cdef class Channel(Commands):
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self, long long tick) noexcept nogil
     cdef void run_cycles(self) noexcept nogil
-    @cython.locals(factor=double, stops=bint, goes_on=int)
+    @cython.locals(factor=double, stops=bint, goes_on=int, total_pct=double)
     cdef void interpolate(self) noexcept nogil
-    @cython.locals(factor=double)
+    @cython.locals(cycle_pct=double, factor=double)
     cdef double override(self) noexcept nogil
     cdef void watch_stops(self) noexcept nogil
     @cython.locals(goes_on=int)

@@ -10,7 +10,7 @@ and events tell it.
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.record import Record
@@ -146,7 +146,7 @@ class Channel(Commands):
         if kind == rows.AWAIT_ACKNOWLEDGE:
             return ("acknowledgement", int(self.queue[base + rows.AWAITED_FUNCTION]))
         if kind in (rows.SPINDLE, rows.AWAIT_SPINDLE):
-            spindle = int(self.queue[base + rows.SPINDLE_INDEX])
+            spindle = int(self.queue[base + rows.JOB_SPINDLE])
             is_plc = self.context.spindles.has_plc(spindle)
             word = "spindle acknowledged" if is_plc else "spindle"
             return (word, self.context.spindles.first_number + spindle)
@@ -159,24 +159,25 @@ class Channel(Commands):
     # --- the tick -------------------------------------------------------------------------------
 
     def needs_python(self) -> int:
-        """Why the kernel must return before the next tick: 0 not at all, 1 … 7 (``kernel.py``)."""
+        """Why the kernel must return before the next tick: ``codes.DONE`` not at all."""
         if self.panel.reset_taken:
-            return 7
+            return codes.RESET
         if self.panel.start_taken:
-            return 6
+            return codes.START
         if self.error_pending:
-            return 4
+            return codes.ERROR
         if self.program_ended:
-            return 3
+            return codes.PROGRAM_END
         if self.answer_ready:
-            return 2
+            return codes.ANSWER
         if self.is_paced:
-            return 0
+            return codes.DONE
         if self.decoder_open and self.wants_slot:
-            return 1 if self.manager.dead_count > 0 or self.is_idle() else 0
+            has_slot = self.manager.dead_count > 0 or self.is_idle()
+            return codes.REFILL if has_slot else codes.DONE
         if self.decoder_open and self.timed_count < self.low_water:
-            return 1
-        return 0
+            return codes.REFILL
+        return codes.DONE
 
     def is_idle(self) -> int:
         """Whether nothing is queued or current, and no cycle waits for its block's end."""
@@ -212,7 +213,7 @@ class Channel(Commands):
             self.manager.reset()
             for i in range(self.path.count):
                 self.context.single_axes.reset(self.path.members[i])
-        self.cells[self.first_cell] = 100.0
+        self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_CYCLE] = 100.0
 
     def run_cycles(self) -> None:
         """All active realtime cycles, once; none during a reset (RC-007)."""
@@ -229,7 +230,7 @@ class Channel(Commands):
         stops = self.is_stopped or self.is_resetting or self.panel.feed_hold or self.is_at_stop
         if self.is_looping and not self.path.is_away:
             self.prolong_loop()
-        if self.edge.phase > 0 and self.path.is_active and not self.path.is_away:
+        if self.edge.phase != codes.NOT_MEASURING and self.path.is_active and not self.path.is_away:
             if self.edge.watch(self.context.tick):
                 stops = True
         self.publish_block()
@@ -243,7 +244,8 @@ class Channel(Commands):
             goes_on = self.path.step(factor, stops)
         if goes_on:
             self.go_on(stops)
-        self.cells[self.first_cell + 1] = arithmetic.round_half_even(self.total_pct)
+        total_pct = arithmetic.round_half_even(self.total_pct)
+        self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_TOTAL] = total_pct
         if self.stops.count > 0 and not self.path.is_away:
             self.watch_stops()
         if (factor == 0.0 and not stops) or self.has_told_spindle:
@@ -279,7 +281,8 @@ class Channel(Commands):
         ``total_pct``: operator's, programmed and CYCLE part.
         """
         self.overrides.operator_pct = self.panel.override_pct
-        self.overrides.cycle_pct = self.cells[self.first_cell]
+        cycle_pct = self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_CYCLE]
+        self.overrides.cycle_pct = cycle_pct
         self.path.common_factor = self.overrides.parts(0) / 100.0
         self.path.bare_factor = self.overrides.parts(1) / 100.0
         if self.path.is_active and not self.path.is_dwell:
@@ -303,7 +306,7 @@ class Channel(Commands):
             self.publish_block()
         goes_on = self.retrace.step(factor, stops)
         if self.retrace.entered >= 0.0:
-            self.cells[self.first_cell + 7] = self.retrace.entered
+            self.cells[self.first_cell + cells.CHANNEL_BLOCK] = self.retrace.entered
         if self.retrace.fault != 0:
             self.report(self.retrace.fault_source, self.retrace.fault, self.path.refused_axis)
             self.retrace.fault = 0
@@ -323,7 +326,7 @@ class Channel(Commands):
     def publish_block(self) -> None:
         """The N number of the block that is current in this tick, its last one included."""
         number = self.path.block_number() if self.path.is_active else 0.0
-        self.cells[self.first_cell + 7] = number
+        self.cells[self.first_cell + cells.CHANNEL_BLOCK] = number
 
     def go_on(self, stops: int) -> None:
         """The path passes block ends: what stands between is taken in the next tick (RC-003).
@@ -359,7 +362,11 @@ class Channel(Commands):
 
     def end_tick(self) -> None:
         """Answer what waits for the path to stand; end a reset; publish (RC-005, RC-007)."""
-        state = 3 if self.is_resetting else 2 if self.is_stopped else 0
+        state = codes.CHANNEL_READY
+        if self.is_resetting:
+            state = codes.CHANNEL_RESET
+        elif self.is_stopped:
+            state = codes.CHANNEL_ERROR
         if self.path.stands():
             if not self.is_stopped and not self.path.is_away:
                 if self.waiting == rows.LOOP_END:
@@ -376,9 +383,9 @@ class Channel(Commands):
         self.panel.publish(state, self.error_message)
         if self.path.history_size > 0:
             self.panel.show_history(self.retrace.way(), self.path.used - self.path.oldest)
-        self.cells[self.first_cell + 6] = self.path.speed_v
-        self.cells[self.first_cell + 8] = self.manager.running_count
-        self.cells[self.first_cell + 9] = self.path.rest_d()
+        self.cells[self.first_cell + cells.CHANNEL_PATH_SPEED] = self.path.speed_v
+        self.cells[self.first_cell + cells.CHANNEL_CYCLES_ACTIVE] = self.manager.running_count
+        self.cells[self.first_cell + cells.CHANNEL_PATH_DIST_TO_GO] = self.path.rest_d()
 
     def report_axes(self) -> None:
         """An independent motion of one of the channel's axes has failed: error state."""
@@ -392,10 +399,10 @@ class Channel(Commands):
             return 0
         base = self.head % self.capacity * self.width
         message = self.context.single_axes.asked(self.queue, base)
-        if message > 1:
+        if message > codes.MOVES_STILL:
             source = int(self.queue[base + rows.SOURCE])
             self.report(source, message, self.context.single_axes.asked_axis)
-        return 1 if message == 0 else 0
+        return 1 if message == codes.STANDS else 0
 
     def answer_waiting(self) -> None:
         """Flush and synchronous read at the head: answered with the values of now."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of command_execution.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.cycles.cycles cimport CycleManager
 from nctakt.kernel.path.edge_probe cimport EdgeProbe
@@ -59,6 +59,7 @@ cdef class Commands(CommandRing):
     cdef void take_measure(self, Py_ssize_t base) noexcept nogil
     @cython.locals(found=int)
     cdef int take_measure_end(self, long long tick, Py_ssize_t base) noexcept nogil
+    @cython.locals(is_enabled=bint)
     cdef int goes_round(self) noexcept nogil
     cdef void prolong_loop(self) noexcept nogil
     cdef void leave_loop(self, long long source) noexcept nogil

@@ -2,13 +2,12 @@
 """What the commands of a channel's queue do when they are taken (RC-003, RC-004).
 
 ``Commands.take_commands`` is the first phase of a channel's tick; ``channel.py`` has the others.
-The channel's cells stand from ``first_cell`` on in the order of ``nc/vocabulary/variable_table.py``
-(``CHANNEL_VARIABLES``).
+The channel's cells (``cells.py``) stand from ``first_cell`` on.
 """
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base.record import Record
@@ -51,7 +50,7 @@ class Commands(CommandRing):
         self.manager = manager
         self.stops = FixedStops(path, record)
         self.is_at_stop = False
-        self.edge = EdgeProbe(path, hli, record, memory, first_cell + 3)
+        self.edge = EdgeProbe(path, hli, record, memory, first_cell + cells.CHANNEL_MEAS_DELTA)
         self.context = Context(memory, record, hli, timers, single_axes)
         self.overrides = Overrides(self.context)
         self.retrace = Retrace(path, hli.panel, record, ahead, self.overrides)
@@ -175,7 +174,7 @@ class Commands(CommandRing):
         elif kind == rows.LOOP_BEGIN:
             self.take_loop(base)
         elif kind == rows.LOOP_PASS:
-            self.cells[self.first_cell + 5] += 1.0
+            self.cells[self.first_cell + cells.CHANNEL_LOOP_COUNT] += 1.0
         elif kind == rows.PROGRAM_STOP:
             self.timed_count -= 1
             if self.panel.stop_for_program(self.queue[base + rows.STOP_IS_OPTIONAL] != 0.0):
@@ -280,7 +279,9 @@ class Commands(CommandRing):
         source = int(self.queue[base + rows.SOURCE])
         action = int(self.queue[base + rows.CONTROL_ACTION])
         identity = int(self.queue[base + rows.CONTROL_IDENTITY])
-        if action in (2, 5) and self.manager.is_fresh(identity, tick):
+        if action in (codes.CONTROL_HOLD, codes.CONTROL_DELETE) and self.manager.is_fresh(
+            identity, tick
+        ):
             return 0
         message = self.manager.control(action, identity, tick, source)
         if message != 0:
@@ -302,26 +303,26 @@ class Commands(CommandRing):
 
     def take_spindle(self, tick: int, base: int) -> int:
         """A spindle's job of the main program; waits until the spindle can take it."""
-        spindle = int(self.queue[base + rows.SPINDLE_INDEX])
+        spindle = int(self.queue[base + rows.JOB_SPINDLE])
         if not self.context.spindles.is_ready(spindle, tick):
             return 0
         self.context.spindles.command(
             spindle,
-            int(self.queue[base + rows.SPINDLE_FUNCTION]),
-            self.queue[base + rows.SPINDLE_SPEED],
-            self.queue[base + rows.SPINDLE_POSITION],
-            int(self.queue[base + rows.SPINDLE_DIRECTION]),
+            int(self.queue[base + rows.JOB_FUNCTION]),
+            self.queue[base + rows.JOB_SPEED],
+            self.queue[base + rows.JOB_POSITION],
+            int(self.queue[base + rows.JOB_DIRECTION]),
             0,
             tick,
         )
         self.context.spindles.tell(spindle, int(self.queue[base + rows.SOURCE]), 0)
-        ticks = int(self.queue[base + rows.SPINDLE_TICKS])
+        ticks = int(self.queue[base + rows.JOB_TICKS])
         self.context.spindles.hand_over(spindle, tick + ticks)
         return 1
 
     def take_spindle_wait(self, base: int) -> int:
         """Speed or position of a spindle is waited for; a held job would never have them."""
-        spindle = int(self.queue[base + rows.SPINDLE_INDEX])
+        spindle = int(self.queue[base + rows.JOB_SPINDLE])
         if self.context.spindles.is_busy(spindle):
             if not self.context.spindles.is_held[spindle]:
                 return 0
@@ -363,8 +364,8 @@ class Commands(CommandRing):
 
     def take_loop(self, base: int) -> None:
         """The begin of a realtime loop: without its condition it is passed over."""
-        self.cells[self.first_cell + 5] = 0.0
-        self.is_skipping = self.cells[self.first_cell + 4] == 0.0
+        self.cells[self.first_cell + cells.CHANNEL_LOOP_COUNT] = 0.0
+        self.is_skipping = self.cells[self.first_cell + cells.CHANNEL_LOOP_ENABLED] == 0.0
         self.is_looping = not self.is_skipping
         self.panel.show_loop(self.is_looping)
         source = int(self.queue[base + rows.SOURCE])
@@ -415,7 +416,8 @@ class Commands(CommandRing):
 
     def goes_round(self) -> int:
         """Whether the condition of the loop that the path is in holds."""
-        return 1 if self.is_looping and self.cells[self.first_cell + 4] != 0.0 else 0
+        is_enabled = self.cells[self.first_cell + cells.CHANNEL_LOOP_ENABLED] != 0.0
+        return 1 if self.is_looping and is_enabled else 0
 
     def leave_loop(self, source: int) -> None:
         """The path has come to the loop's end, and the condition does not hold."""
@@ -469,7 +471,7 @@ class Commands(CommandRing):
     def stop_for_user(self, reaction: int) -> None:
         """An ``#ERROR`` with RC from 1 on: error state until a reset, with RC 7 for good."""
         self.enter_error(900464)
-        if reaction == 7:
+        if reaction == codes.FATAL_REACTION:
             self.error_message = 900465
             self.is_fatal = True
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The commands that wait for a channel: a ring of rows of float64.
 
-A command (``decoder/state/commands.py`` packs it) is a row (``rows.py``). A segment is prepared as
+A command (``decoder/state/packing.py`` packs it) is a row (``rows.py``). A segment is prepared as
 it comes, so that those before it may go faster. Commands that take time are counted
 (``timed_count``); a rounding, which belongs to the segment in front of it, is not.
 """

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""A command of the decoder -> a row of the queue, its columns in the order of ``kernel/rows.py``.
+
+Segments are not packed but prepared in the queue (``CommandRing.put_segment``).
+"""
+
+from __future__ import annotations
+
+from nctakt.decoder.state.commands import (
+    AwaitAcknowledge,
+    AwaitSpindle,
+    BlockMark,
+    ClearHistory,
+    Command,
+    CycleControl,
+    Dwell,
+    FixedStop,
+    FixedStopEnd,
+    Flush,
+    Freeze,
+    GiveUp,
+    LoadCycle,
+    LoopBegin,
+    LoopEnd,
+    LoopPass,
+    Measure,
+    MeasureEnd,
+    PositionRequest,
+    ProgramEnd,
+    ProgramStop,
+    ProgramTimer,
+    ReadRealtime,
+    Segment,
+    SetOffset,
+    SetOrigin,
+    SetTurn,
+    SpindleJob,
+    TechnologyOutput,
+    UserErrorReport,
+    UserErrorStop,
+    UserErrorValue,
+    UserMessage,
+    WaitMark,
+    WriteText,
+    WriteVariable,
+)
+from nctakt.kernel import rows
+
+
+def pack(command: Command, reference: int = 0) -> list[float]:
+    """Return the row of a command.
+
+    ``reference`` is the slot of a cycle or the number of a text or program.
+    """
+    head = (command.source, command.number)
+    row: list[float]
+    match command:
+        case Dwell():
+            return [rows.DWELL, *head, command.ticks]
+        case LoadCycle():
+            return [rows.DEFINE_CYCLE, *head, reference, not command.definition_only]
+        case CycleControl():
+            return [rows.CONTROL_CYCLE, *head, command.action, command.identity]
+        case TechnologyOutput():
+            row = [rows.TECHNOLOGY, *head, command.function, command.ticks]
+            return [*row, command.value is not None, command.value or 0]
+        case AwaitAcknowledge():
+            return [rows.AWAIT_ACKNOWLEDGE, *head, command.function]
+        case SpindleJob():
+            row = [rows.SPINDLE, *head, command.spindle, command.function, command.speed_v]
+            return [*row, command.position, command.direction, command.ticks]
+        case AwaitSpindle():
+            return [rows.AWAIT_SPINDLE, *head, command.spindle]
+        case WriteVariable():
+            return [rows.WRITE_VARIABLE, *head, command.cell, command.value, command.is_reported]
+        case WriteText():
+            row = [rows.WRITE_TEXT, *head, command.cell, command.first, len(command.data)]
+            return [*row, command.zeros, *command.data]
+        case UserMessage():
+            return [rows.MESSAGE, *head, reference]
+        case SetOffset():
+            return [rows.SET_OFFSET, *head, command.axis, command.kind, command.value]
+        case SetOrigin():
+            return [rows.SET_ORIGIN, *head, command.axis, command.value]
+        case SetTurn():
+            first, second, third = command.axes
+            if not command.matrix:
+                return [rows.SET_TURN, *head, first]
+            return [rows.SET_TURN, *head, first, second + 1, third + 1, *command.matrix]
+        case Freeze():
+            return [rows.FREEZE, *head, command.serial, reference, command.value]
+        case UserErrorReport():
+            return [rows.USER_ERROR, *head, command.identity, command.reaction]
+        case UserErrorValue():
+            kind = rows.USER_TEXT if command.is_text else rows.USER_VALUE
+            return [kind, *head, command.code, command.content]
+        case UserErrorStop():
+            return [rows.USER_STOP, *head, command.reaction]
+        case Flush():
+            return [rows.FLUSH, *head, command.waits]
+        case ReadRealtime():
+            return [rows.READ, *head, True, command.cell]
+        case PositionRequest():
+            return [rows.POSITIONS, *head, True, len(command.axes), *command.axes]
+        case BlockMark():
+            return [rows.BLOCK_MARK, *head, reference]
+        case WaitMark():
+            return [rows.WAIT_MARK, *head, command.reason, command.cell]
+        case ProgramTimer():
+            return [rows.TIMER, *head, command.timer, command.action]
+        case FixedStop():
+            row = [rows.FIXED_STOP, *head, command.axis, command.is_on, command.limit]
+            return [*row, command.ticks, command.begin, command.end, command.needed]
+        case Measure():
+            row = [rows.MEASURE, *head, command.function, command.ticks, command.residual]
+            return [*row, command.value is not None, command.value or 0]
+        case ClearHistory():
+            return [rows.CLEAR_HISTORY, *head]
+        case MeasureEnd():
+            return [rows.MEASURE_END, *head]
+        case FixedStopEnd():
+            return [rows.FIXED_STOP_END, *head]
+        case LoopBegin():
+            return [rows.LOOP_BEGIN, *head]
+        case LoopPass():
+            return [rows.LOOP_PASS, *head]
+        case LoopEnd():
+            return [rows.LOOP_END, *head, True]
+        case ProgramEnd():
+            return [rows.PROGRAM_END, *head, reference]
+        case ProgramStop():
+            return [rows.PROGRAM_STOP, *head, command.is_optional]
+        case GiveUp():
+            return [rows.GIVE_UP, *head, command.message]
+    raise AssertionError(command)
+
+
+def takes_time(command: Command) -> bool:
+    """Return whether ticks pass while the command is executed."""
+    return isinstance(command, Segment) or pack(command)[rows.KIND] in rows.TIMED_KINDS

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""Where the realtime part writes what others read: cells of the memory, words of the image.
+
+The order is that of the tables that others read by, which a test compares with these names.
+``cells.pxd`` has the same names as constants of C; ``scripts/constants`` writes it from this file.
+"""
+
+from __future__ import annotations
+
+# --- cells of the memory --------------------------------------------------------------------------
+
+#: Cells of an axis, in the order of ``AXIS_VARIABLES`` in ``nc/vocabulary/realtime_variables.py``.
+(
+    AXIS_ACS_ACT_POS,
+    AXIS_ACS_CUR_POS,
+    AXIS_ACS_CMD_POS,
+    AXIS_MCS_ACT_POS,
+    AXIS_MCS_CUR_POS,
+    AXIS_MCS_CMD_POS,
+    AXIS_MCS_DIST_TO_GO,
+    AXIS_PCS_ACT_POS,
+    AXIS_PCS_CUR_POS,
+    AXIS_PCS_CMD_POS,
+    AXIS_PCS_DIST_TO_GO,
+    AXIS_IPO_ACT_POS,
+    AXIS_IPO_CUR_POS,
+    AXIS_IPO_CMD_POS,
+    AXIS_IPO_DIST_TO_GO,
+    AXIS_OVERRIDE_VEL_CYCLE,
+    AXIS_OVERRIDE_VEL_TOTAL,
+    AXIS_FIXED_STOP_ACTIVE,
+    AXIS_FIXED_STOP_DETECTED,
+    AXIS_FIXED_STOP_ACS_POS,
+    AXIS_STATE,
+    AXIS_CELLS,
+) = range(22)
+
+#: Cells of a coordinate system of an axis: MCS, PCS and IPO.
+SYSTEM_ACT_POS, SYSTEM_CUR_POS, SYSTEM_CMD_POS, SYSTEM_DIST_TO_GO, SYSTEM_CELLS = range(5)
+
+#: Cells of a channel, in the order of ``CHANNEL_VARIABLES`` in
+#: ``nc/vocabulary/realtime_variables.py``; the timers stand at the end.
+(
+    CHANNEL_OVERRIDE_VEL_CYCLE,
+    CHANNEL_OVERRIDE_VEL_TOTAL,
+    CHANNEL_CYCLES_DIAG_LEVEL,
+    CHANNEL_MEAS_DELTA,
+    CHANNEL_LOOP_ENABLED,
+    CHANNEL_LOOP_COUNT,
+    CHANNEL_PATH_SPEED,
+    CHANNEL_BLOCK,
+    CHANNEL_CYCLES_ACTIVE,
+    CHANNEL_PATH_DIST_TO_GO,
+    CHANNEL_TIMER,
+) = range(11)
+
+#: Timers of a channel.
+TIMERS = 128
+
+#: Cells of the operator's panel, in the order of ``PANEL`` and ``LAMPS`` in ``hli/layout.py``.
+(
+    PANEL_OVERRIDE,
+    PANEL_FEED_HOLD,
+    PANEL_SINGLE_BLOCK,
+    PANEL_START,
+    PANEL_RESET,
+    PANEL_PLC_PRESENT,
+    PANEL_BACKWARD_MOTION,
+    PANEL_PROBE,
+    PANEL_OPTIONAL_STOP,
+    PANEL_STATE,  # the lamps begin
+    PANEL_PAUSED,
+    PANEL_ARMED,
+    PANEL_ERROR,
+    PANEL_RETRACE,
+    PANEL_HISTORY,
+    PANEL_INSIDE_RT_LOOP,
+    PANEL_HISTORY_SIZE,
+    PANEL_CELLS,
+) = range(18)
+
+#: Cells of a spindle, in the order of ``SPINDLE_VALUES`` in
+#: ``nc/vocabulary/realtime_variables.py``.
+SPINDLE_SPEED, SPINDLE_POSITION, SPINDLE_CELLS = range(3)
+
+# --- the interface image --------------------------------------------------------------------------
+
+#: A unit of a technology function in int32, as ``UNIT`` in ``hli/layout.py``.
+(
+    UNIT_SERIAL,
+    UNIT_LETTER,
+    UNIT_NUMBER,
+    UNIT_SEQUENCE,
+    UNIT_AXIS,
+    UNIT_VALUE,
+    UNIT_TIMES,  # the words below begin
+) = range(7)
+UNIT_WIDTH = 10
+
+#: The letters of a unit.
+LETTER_M, LETTER_H = range(1, 3)
+
+#: The job of a spindle in int32, from ``job`` of ``SPINDLE`` in ``hli/layout.py`` on.
+(
+    SPINDLE_JOB,
+    SPINDLE_JOB_FUNCTION,
+    SPINDLE_JOB_DIRECTION,
+    SPINDLE_JOB_GAP,
+    SPINDLE_JOB_TIMES,  # the words below begin
+) = range(5)
+
+#: Direction of a spindle's job back to a position.
+SPINDLE_JOB_BACKWARD = 2
+
+#: Words of 8 bytes of both; the last two of a spindle's job only.
+IMAGE_TIME, IMAGE_DURATION, IMAGE_SPEED, IMAGE_POSITION = range(4)
+
+#: Words of the clock of the image: sequence and tick.
+CLOCK_SEQUENCE, CLOCK_TICK = range(2)

@@ -587,6 +587,66 @@ def test_numbers_of_functions_stand_in_one_table(folder: str) -> None:
     assert found == []
 
 
+#: What the realtime part counts or measures, and therefore compares with numbers.
+COUNTED = ("count", "rest", "degrees")
+#: Attributes whose numbers are names of ``kernel/codes.py`` or ``kernel/rows.py``.
+CODED = re.compile(r"(kind|state|stage|phase|mode|reason|scope|action|owner)$")
+#: Calls that take such a number, with its position.
+CODED_ARGUMENTS = {"event": 0, "enter": 1, "show_state": 1, "clamp": 2}
+#: From here on a number is a message's, by which users and manuals know it.
+FIRST_MESSAGE = 1000
+
+
+def number_of(node: ast.AST) -> float:
+    """The number of a literal, 0 for anything else, for a message's and for a negative one."""
+    value = node.value if isinstance(node, ast.Constant) else 0
+    if isinstance(value, bool) or not isinstance(value, int | float) or value >= FIRST_MESSAGE:
+        return 0
+    return value
+
+
+def nameless_numbers(tree: ast.AST) -> Iterator[ast.expr | ast.stmt]:
+    """Literal columns, and literal numbers that stand for a kind, a state or a reason."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Subscript) and not isinstance(node.slice, ast.Slice):
+            before = {
+                part.right
+                for part in ast.walk(node.slice)
+                if isinstance(part, ast.BinOp) and isinstance(part.op, ast.Sub)
+            }
+            if any(number_of(part) for part in ast.walk(node.slice) if part not in before):
+                yield node
+        elif isinstance(node, ast.Compare):
+            named = ast.unparse(node.left).split(".")[-1] in COUNTED
+            for operation, other in zip(node.ops, node.comparators, strict=True):
+                if isinstance(operation, ast.Eq | ast.NotEq | ast.In | ast.NotIn) and not named:
+                    if any(map(number_of, [node.left, other, *getattr(other, "elts", [])])):
+                        yield node
+        elif isinstance(node, ast.Assign) and number_of(node.value) > 1:
+            owners = [getattr(target, "value", target) for target in node.targets]
+            names = [ast.unparse(part).split("[")[0] for part in (*node.targets, *owners)]
+            if any(CODED.search(name) for name in names):
+                yield node
+        elif isinstance(node, ast.Call):
+            position = CODED_ARGUMENTS.get(ast.unparse(node.func).split(".")[-1])
+            if position is not None and any(map(number_of, node.args[position : position + 1])):
+                yield node
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        *(KERNEL / f"{module}.py" for module in MODULES if module != "base/arithmetic"),
+        *sorted((PACKAGE / "decoder" / "contour").glob("*.py")),
+    ],
+    ids=lambda path: path.relative_to(PACKAGE).as_posix(),
+)
+def test_columns_and_codes_are_named(path: Path) -> None:
+    """``kernel/rows.py``, ``cells.py`` and ``codes.py`` name what rows, cells and arrays hold."""
+    found = [f"{node.lineno}: {ast.unparse(node)}" for node in nameless_numbers(tree_of(path))]
+    assert found == []
+
+
 # --- names ----------------------------------------------------------------------------------------
 
 #: Words with too many meanings to be a name: position, slot, source, length, path; reported …

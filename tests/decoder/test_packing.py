@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: MIT
+"""Each argument of a packed command stands in the column that has its name."""
+
+from __future__ import annotations
+
+import pytest
+
+from nctakt.decoder.state import commands
+from nctakt.decoder.state.commands import Command
+from nctakt.decoder.state.packing import pack
+from nctakt.kernel import rows
+
+SOURCE, NUMBER, REFERENCE = 901, 902, 903
+
+#: Command without source and number, its kind and what stands in the columns of that kind. No two
+#: values of a command are equal, but for those that are 0 or 1.
+CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
+    (commands.Dwell, {"ticks": 11}, rows.DWELL, {rows.DWELL_TICKS: 11}),
+    (
+        commands.CycleControl,
+        {"action": 11, "identity": 12},
+        rows.CONTROL_CYCLE,
+        {rows.CONTROL_ACTION: 11, rows.CONTROL_IDENTITY: 12},
+    ),
+    (
+        commands.TechnologyOutput,
+        {"function": 11, "ticks": 12, "value": 13},
+        rows.TECHNOLOGY,
+        {
+            rows.TECHNOLOGY_FUNCTION: 11,
+            rows.TECHNOLOGY_TICKS: 12,
+            rows.TECHNOLOGY_HAS_VALUE: 1,
+            rows.TECHNOLOGY_VALUE: 13,
+        },
+    ),
+    (
+        commands.TechnologyOutput,
+        {"function": 11, "ticks": 12},
+        rows.TECHNOLOGY,
+        {rows.TECHNOLOGY_HAS_VALUE: 0, rows.TECHNOLOGY_VALUE: 0},
+    ),
+    (
+        commands.AwaitAcknowledge,
+        {"function": 11},
+        rows.AWAIT_ACKNOWLEDGE,
+        {rows.AWAITED_FUNCTION: 11},
+    ),
+    (
+        commands.SpindleJob,
+        {
+            "spindle": 11,
+            "function": 12,
+            "speed_v": 13.0,
+            "position": 14.0,
+            "direction": 15,
+            "ticks": 16,
+        },
+        rows.SPINDLE,
+        {
+            rows.JOB_SPINDLE: 11,
+            rows.JOB_FUNCTION: 12,
+            rows.JOB_SPEED: 13,
+            rows.JOB_POSITION: 14,
+            rows.JOB_DIRECTION: 15,
+            rows.JOB_TICKS: 16,
+        },
+    ),
+    (commands.AwaitSpindle, {"spindle": 11}, rows.AWAIT_SPINDLE, {rows.JOB_SPINDLE: 11}),
+    (
+        commands.WriteVariable,
+        {"cell": 11, "value": 12.0, "is_reported": True},
+        rows.WRITE_VARIABLE,
+        {rows.VARIABLE_CELL: 11, rows.VARIABLE_VALUE: 12, rows.VARIABLE_IS_REPORTED: 1},
+    ),
+    (
+        commands.WriteText,
+        {"cell": 11, "first": 12, "data": b"AB", "zeros": 13},
+        rows.WRITE_TEXT,
+        {
+            rows.TEXT_CELL: 11,
+            rows.TEXT_FIRST: 12,
+            rows.TEXT_COUNT: 2,
+            rows.TEXT_ZEROS: 13,
+            rows.TEXT_CHARACTERS: ord("A"),
+            rows.TEXT_CHARACTERS + 1: ord("B"),
+        },
+    ),
+    (commands.UserMessage, {"text": "T"}, rows.MESSAGE, {rows.MESSAGE_TEXT: REFERENCE}),
+    (
+        commands.SetOffset,
+        {"axis": 11, "kind": 12, "value": 13.0},
+        rows.SET_OFFSET,
+        {rows.OFFSET_AXIS: 11, rows.OFFSET_KIND: 12, rows.OFFSET_VALUE: 13},
+    ),
+    (
+        commands.SetOrigin,
+        {"axis": 11, "value": 12.0},
+        rows.SET_ORIGIN,
+        {rows.ORIGIN_AXIS: 11, rows.ORIGIN_VALUE: 12},
+    ),
+    (
+        commands.SetTurn,
+        {"axes": (11, 12, 14), "matrix": (21.0, 22.0, 23.0, 24.0, 25.0, 26.0, 27.0, 28.0, 29.0)},
+        rows.SET_TURN,
+        {
+            rows.TURN_FIRST: 11,
+            rows.TURN_SECOND: 13,
+            rows.TURN_THIRD: 15,
+            rows.TURN_MATRIX: 21,
+            rows.TURN_MATRIX + 8: 29,
+        },
+    ),
+    (
+        commands.Freeze,
+        {"serial": 11, "name": "N", "value": 12.0},
+        rows.FREEZE,
+        {rows.FROZEN_CYCLE: 11, rows.FROZEN_NAME: REFERENCE, rows.FROZEN_VALUE: 12},
+    ),
+    (
+        commands.UserErrorReport,
+        {"identity": 11, "reaction": 12},
+        rows.USER_ERROR,
+        {rows.ERROR_IDENTITY: 11, rows.ERROR_REACTION: 12},
+    ),
+    (
+        commands.UserErrorValue,
+        {"code": 11, "content": 12.0, "is_text": False},
+        rows.USER_VALUE,
+        {rows.VALUE_KEYWORD: 11, rows.VALUE_NUMBER: 12},
+    ),
+    (
+        commands.UserErrorValue,
+        {"code": 11, "content": 12.0, "is_text": True},
+        rows.USER_TEXT,
+        {rows.USER_TEXT_KEYWORD: 11, rows.USER_TEXT_NUMBER: 12},
+    ),
+    (commands.UserErrorStop, {"reaction": 11}, rows.USER_STOP, {rows.STOP_REACTION: 11}),
+    (commands.Flush, {"waits": True}, rows.FLUSH, {rows.IS_ANSWERED: 1}),
+    (commands.ReadRealtime, {"cell": 11}, rows.READ, {rows.IS_ANSWERED: 1, rows.READ_CELL: 11}),
+    (
+        commands.PositionRequest,
+        {"axes": (11, 12)},
+        rows.POSITIONS,
+        {
+            rows.IS_ANSWERED: 1,
+            rows.POSITIONS_COUNT: 2,
+            rows.POSITIONS_AXES: 11,
+            rows.POSITIONS_AXES + 1: 12,
+        },
+    ),
+    (commands.BlockMark, {}, rows.BLOCK_MARK, {rows.MARK_TICK: REFERENCE}),
+    (
+        commands.WaitMark,
+        {"reason": 11, "cell": 12},
+        rows.WAIT_MARK,
+        {rows.WAIT_REASON: 11, rows.WAIT_CELL: 12},
+    ),
+    (
+        commands.ProgramTimer,
+        {"timer": 11, "action": 12},
+        rows.TIMER,
+        {rows.TIMER_NUMBER: 11, rows.TIMER_ACTION: 12},
+    ),
+    (
+        commands.FixedStop,
+        {
+            "axis": 11,
+            "is_on": True,
+            "limit": 12.0,
+            "ticks": 13,
+            "begin": 14.0,
+            "end": 15.0,
+            "needed": True,
+        },
+        rows.FIXED_STOP,
+        {
+            rows.FIXED_STOP_AXIS: 11,
+            rows.FIXED_STOP_IS_ON: 1,
+            rows.FIXED_STOP_LIMIT: 12,
+            rows.FIXED_STOP_TICKS: 13,
+            rows.FIXED_STOP_FROM: 14,
+            rows.FIXED_STOP_TO: 15,
+            rows.FIXED_STOP_IS_NEEDED: 1,
+        },
+    ),
+    (commands.FixedStopEnd, {}, rows.FIXED_STOP_END, {}),
+    (
+        commands.Measure,
+        {"function": 11, "ticks": 12, "residual": 13.0, "value": 14},
+        rows.MEASURE,
+        {
+            rows.MEASURE_FUNCTION: 11,
+            rows.MEASURE_TICKS: 12,
+            rows.MEASURE_RESIDUAL: 13,
+            rows.MEASURE_HAS_VALUE: 1,
+            rows.MEASURE_VALUE: 14,
+        },
+    ),
+    (commands.MeasureEnd, {}, rows.MEASURE_END, {}),
+    (commands.ClearHistory, {}, rows.CLEAR_HISTORY, {}),
+    (commands.LoopBegin, {}, rows.LOOP_BEGIN, {}),
+    (commands.LoopPass, {}, rows.LOOP_PASS, {}),
+    (commands.LoopEnd, {}, rows.LOOP_END, {rows.IS_ANSWERED: 1}),
+    (commands.ProgramEnd, {}, rows.PROGRAM_END, {rows.PROGRAM_NUMBER: REFERENCE}),
+    (
+        commands.ProgramStop,
+        {"is_optional": True},
+        rows.PROGRAM_STOP,
+        {rows.STOP_IS_OPTIONAL: 1},
+    ),
+    (commands.GiveUp, {"message": 11}, rows.GIVE_UP, {rows.GIVE_UP_MESSAGE: 11}),
+]
+
+
+@pytest.mark.parametrize(
+    ("command", "arguments", "kind", "columns"),
+    CASES,
+    ids=[f"{case[0].__name__}-{number}" for number, case in enumerate(CASES)],
+)
+def test_arguments_stand_in_their_columns(
+    command: type[Command], arguments: dict[str, object], kind: int, columns: dict[int, float]
+) -> None:
+    row = pack(command(SOURCE, NUMBER, **arguments), REFERENCE)
+    head = {rows.KIND: kind, rows.SOURCE: SOURCE, rows.BLOCK_NUMBER: NUMBER}
+    expected = head | columns
+    assert {column: row[column] for column in expected} == expected

@@ -127,6 +127,24 @@ INVALID_EXPECTATION = error(
         "die Erwartung, wie sie im Kommentar steht",
     ),
 )
+MISSPELT_KEYWORD = error(
+    900662,
+    en="'{word}:' in a comment is nearly '{keyword}:'",
+    de="'{word}:' in einem Kommentar ist beinahe '{keyword}:'",
+    remedy_en="Write '; {keyword}: …' so that it is checked, or another word in a plain comment.",
+    remedy_de="'; {keyword}: …' schreiben, damit es geprüft wird, sonst ein anderes Wort wählen.",
+    word=("the word in the comment", "das Wort im Kommentar"),
+    keyword=("the keyword", "das Schlüsselwort"),
+)
+NO_BRANCH_IN_LINE = error(
+    900663,
+    en="no realtime cycle of this run has a branch in line {line}",
+    de="kein Echtzeit-Zyklus dieses Laufs hat einen Zweig in Zeile {line}",
+    remedy_en="Branches stand in the lines {known}.",
+    remedy_de="Zweige stehen in den Zeilen {known}.",
+    line=("the line", "die Zeile"),
+    known=("the lines with branches", "die Zeilen mit Zweigen"),
+)
 INVALID_GIVEN_INPUT = error(
     900661,
     en="'{text}' cannot be given to a run",

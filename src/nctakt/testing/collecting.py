@@ -41,9 +41,9 @@ class NcItem(pytest.Item):
         try:
             script = read_script(self.path, text)
             run = self._run(script, text)
+            wrong = list(differences(run, script.expectations, self._shown()))
         except Failure as failure:
             raise UnmetError("\n".join(one.render() for one in failure.diagnostics)) from failure
-        wrong = list(differences(run, script.expectations, self._shown()))
         if wrong:
             raise UnmetError("\n\n".join(wrong))
 

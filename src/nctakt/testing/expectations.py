@@ -24,6 +24,7 @@ Behind a value ``at TIME`` or ``at end``.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
@@ -33,8 +34,9 @@ from nctakt.base.failure import Failure
 from nctakt.lists.format import times
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import INVALID_EXPECTATION, INVALID_GIVEN_INPUT
+from nctakt.messages.inputs import INVALID_EXPECTATION, INVALID_GIVEN_INPUT, MISSPELT_KEYWORD
 from nctakt.run.stimuli import Stimulus, parse_assignment
+from nctakt.testing.keywords import heads, keyword_near
 
 #: How far a value may be from the expected one unless the expectation says so.
 TOLERANCE = 1e-6
@@ -102,11 +104,13 @@ class Script:
 def read_script(path: Path, text: str) -> Script:
     """The expectations of a program; raises ``Failure`` with every comment that is not understood.
 
-    900660 no expectation, 900661 nothing that can be given; 900510 … 900512 for times and values.
+    900660 no expectation, 900661 nothing that can be given, 900662 a misspelt keyword; 900510 …
+    900512 for times and values.
     """
     script = Script()
     found: list[Diagnostic] = []
     for number, line in enumerate(text.splitlines(), 1):
+        found.extend(_misspelt_keywords(path, number, line))
         match = _COMMENT.search(line)
         if match is None:
             continue
@@ -129,6 +133,15 @@ def read_script(path: Path, text: str) -> Script:
     if found:
         raise Failure(*found)
     return script
+
+
+def _misspelt_keywords(path: Path, number: int, line: str) -> Iterator[Diagnostic]:
+    """The words of a line that are nearly ``expect`` or ``given``."""
+    for match in heads(line):
+        word, keyword = match["word"], keyword_near(match["word"])
+        if word.lower() != keyword:
+            span = Span(str(path), number, match.start("word") + 1, match.end("word") + 1)
+            yield diagnostic(MISSPELT_KEYWORD, span, line, word=word, keyword=keyword)
 
 
 class _NotUnderstoodError(Exception):

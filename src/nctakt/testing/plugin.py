@@ -8,7 +8,6 @@ asks for it.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,8 +18,6 @@ if TYPE_CHECKING:
     from nctakt.lists.machine.machine import Machine
     from nctakt.run.controller import Controller
     from nctakt.testing.queries import NcRun
-
-_EXPECTS = re.compile(rb";\s*expect:", re.IGNORECASE)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -59,11 +56,13 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
-    """An NC file with at least one expectation in its comments is a test."""
+    """Collect an NC file with at least one expectation in its comments, even a misspelt one."""
     patterns = parent.config.getini("nctakt_files")
     if not any(file_path.match(pattern) for pattern in patterns):
         return None
-    if not _EXPECTS.search(file_path.read_bytes()):
+    from nctakt.testing.keywords import has_expectation  # noqa: PLC0415 - see above
+
+    if not has_expectation(file_path.read_bytes().decode("latin-1")):
         return None
     from nctakt.testing.collecting import NcFile  # noqa: PLC0415 - see above
 

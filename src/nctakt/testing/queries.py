@@ -13,8 +13,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from nctakt.base.diagnostics import NOTHING
+from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.machine import Machine, load_machine
+from nctakt.messages import diagnostic
+from nctakt.messages.inputs import NO_BRANCH_IN_LINE
 from nctakt.plc import AnyPlc, load_plc
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
@@ -215,7 +219,15 @@ class NcRun:
         return [message.text for message in self.run.messages]
 
     def fired(self, *, cycle: int | str | None = None, line: int | None = None) -> Occurrences:
-        """When an ``$IF`` of a realtime cycle fired: that of a line, any of a cycle, any at all."""
+        """Return when a branch of a realtime cycle fired: that of a line, of a cycle, or any.
+
+        Raises ``Failure`` (900663) if no cycle of the run has a branch in the line.
+        """
+        spans = [reaction.span for one in self.run.cycles for reaction in one.reactions]
+        lines = sorted({span.line for span in spans if span is not None})
+        if line is not None and line not in lines:
+            known = ", ".join(map(str, lines)) or NOTHING
+            raise Failure(diagnostic(NO_BRANCH_IN_LINE, line=line, known=known))
         asked = "fired"
         asked += "" if cycle is None else f" cycle {cycle}"
         asked += "" if line is None else f" line {line}"

@@ -8,11 +8,8 @@ realtime part, a user who asks for it.
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
 from collections.abc import Mapping
 from functools import cache, partial
-from pathlib import Path
 from types import MappingProxyType
 
 from nctakt.base.diagnostics import Message, Severity
@@ -69,8 +66,12 @@ note = partial(_declare, Severity.NOTE)
 @cache
 def catalogue() -> Mapping[int, Message]:
     """Return all messages by number, in the order of their numbers; imports their modules."""
-    for module in pkgutil.iter_modules([str(Path(__file__).parent)]):
-        importlib.import_module(f"nctakt.messages.{module.name}")
+    import importlib  # noqa: PLC0415 - who knows a message by its name needs neither
+    import pkgutil  # noqa: PLC0415
+
+    package = importlib.import_module(__package__)
+    for module in pkgutil.iter_modules(package.__path__):
+        importlib.import_module(f"{__package__}.{module.name}")
     return MappingProxyType(dict(sorted(_declared.items())))
 
 

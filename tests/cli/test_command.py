@@ -143,7 +143,7 @@ def test_diagnosis_data_follow_the_programs_level(language: str) -> None:
             "part.nc --plc p.py",
             ("p.py", b"class P:\n  def cycle(self, hli):\n    hli.no"),
             1,
-            "error 900523: the PLC fails after tick 0: AttributeError",
+            "error 900523: the PLC failed after tick 0: AttributeError",
         ),
         ("x.nc", ("x.nc", b"#RT CYCLE\nM30\n"), 1, "error 22005"),
     ],

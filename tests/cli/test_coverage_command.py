@@ -77,7 +77,7 @@ def test_too_little_is_told_and_ends_with_1(capsys: pytest.CaptureFixture[str]) 
     assert main(["coverage", "part.nc", "--fail-under", "50"]) == 0
     assert main(["coverage", "part.nc", "--fail-under", "50.5", "--lang", "de"]) == 1
     shown = capsys.readouterr().err
-    assert "900803: 50 % der Zweige liefen; mindestens 50.5 % sind verlangt" in shown
+    assert "900803: 50 % der Zweige sind gelaufen; mindestens 50.5 % sind verlangt" in shown
 
 
 def test_a_changed_program_drops_what_was_known(
@@ -87,7 +87,7 @@ def test_a_changed_program_drops_what_was_known(
     assert main(["coverage", "part.nc", "--data", "all.json"]) == 0
     (folder / "part.nc").write_text(PART.replace("== 1", "== 2"), "utf-8")
     assert main(["coverage", "part.nc", "--data", "all.json"]) == 0
-    assert "warning 900802: part.nc: its realtime cycles were changed" in capsys.readouterr().err
+    assert "warning 900802: part.nc: its realtime cycles have changed" in capsys.readouterr().err
     assert bodies(folder / "all.json") == [0, 10]
 
 

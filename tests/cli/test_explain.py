@@ -22,10 +22,10 @@ def test_message(capsys: Captured) -> None:
         "    Cause       An asynchronous variable is read once, when the definition is decoded, and"
         " is a\n"
         "                constant in the cycle from then on.\n"
-        "    Remedy      V.E and V.CH: synchronisation TRUE in the variables list, or Vs. for this"
-        " block.\n"
+        "    Remedy      V.E and V.CH: set synchronisation TRUE in the variables list, or use Vs."
+        " for this\n                block.\n"
         "    {name}      the variable\n"
-        "    Effect      the program is given up; what is prepared is still finished; error state"
+        "    Effect      the program is aborted; prepared blocks are still finished; error state"
         " (class 2)\n"
         "    Cleared by  a reset of the channel (class 3)\n"
     )
@@ -68,7 +68,7 @@ def test_misspelt(capsys: Captured) -> None:
     assert main(["explain", "SQRTT", "MOD"]) == 2
     captured = capsys.readouterr()
     assert captured.out.startswith("MOD: operator between two values\n")
-    assert "error 900571: 'SQRTT'" in captured.err
+    assert "error 900571: unknown topic 'SQRTT'" in captured.err
     assert "Did you mean SQRT?" in captured.err
 
 
@@ -77,7 +77,7 @@ def test_unknown(capsys: Captured) -> None:
     assert main(["explain", "@@@", "--lang", "de"]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
-    assert captured.err.startswith("Fehler 900570: '@@@'")
+    assert captured.err.startswith("Fehler 900570: unbekanntes Stichwort '@@@'")
 
 
 def test_topics(capsys: Captured) -> None:

@@ -166,4 +166,4 @@ class Plc:
     assert (found.id, ours.id) == (900523, 900510)
     assert found.text().endswith('read_time("soon")')
     assert "times.py" not in found.text()
-    assert "'soon' is not a time" in found.text()
+    assert "'soon' is not a valid time" in found.text()

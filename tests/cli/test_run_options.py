@@ -229,7 +229,7 @@ def test_a_plc_that_fails_while_it_runs_stops_the_run(
 
     asked.behave = behave
     assert main(["run", "part.nc", "--trace", "out.csv"]) == 1
-    assert "error 900523: the PLC fails after tick 3: oops" in capsys.readouterr().err
+    assert "error 900523: the PLC failed after tick 3: oops" in capsys.readouterr().err
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").startswith("tick,")
 
 
@@ -343,8 +343,8 @@ def test_unusable_input_is_told_all_at_once(
     ("words", "text"),
     [
         ("", "Usage"),
-        ("run", "no program is named"),
-        ("rum part.nc", "900912: there is no command rum"),
+        ("run", "no program was named"),
+        ("rum part.nc", "900912: unknown command rum"),
         ("run part.nc --ticks 0", "--ticks"),
         ("run part.nc --ticks many", "--ticks"),
         ("run part.nc --lang fr", "--lang"),
@@ -416,7 +416,7 @@ def test_a_machine_around_the_program_is_told(
     assert asked.machine is None
     told = capsys.readouterr().err
     assert "note 900816: " in told
-    assert "not the machine of hochlauf.lis" in told
+    assert "not on the machine of hochlauf.lis" in told
     assert main("run part.nc --machine .".split()) == 0
     assert main("run part.nc --machine hochlauf.lis".split()) == 0
     assert asked.machine == "hochlauf.lis"

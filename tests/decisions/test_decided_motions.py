@@ -217,7 +217,7 @@ def test_a_speed_beyond_the_axis_list_is_limited_and_told(program: str) -> None:
     assert run.state == "ended"
     (found,) = run.diagnostics
     assert (found.id, found.severity.name) == (900905, "WARNING")
-    assert found.text() == "spindle S turns no faster than 6000 1/min; 99999 is limited to that"
+    assert found.text() == "spindle S: the speed 99999 is limited to 6000 1/min"
     assert numbers(perform(program.replace("99999", "6000"))) == []
 
 

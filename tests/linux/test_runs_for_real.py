@@ -139,7 +139,7 @@ def test_overflow(tmp_path: Path, capsys: Capture, policy: str) -> None:
     assert run(*words, "--cycles", "10", "--overflow", policy, "--force", "--quiet") == 1
     shown = capsys.readouterr()
     found = counts(shown.out, "GEO")
-    assert "error 900630: GEO: " in shown.err
+    assert "error 900630: GEO was" in shown.err
     assert found["overflows"] >= 4
     assert found["due"] == 10
     if policy == "skip":
@@ -457,7 +457,7 @@ def test_all_killed_and_started_again(tmp_path: Path, capsys: Capture) -> None:
         wait_for(lambda: not any(map(is_alive, (scheduler, *workers))))
     assert semaphore_file(name).exists()
     assert run(*words, "--cycles", "3") in (0, 1)
-    assert f"900692: removed what a killed run had left behind: /{name}" in capsys.readouterr().err
+    assert f"900692: removed the leftovers of a killed run: /{name}" in capsys.readouterr().err
     assert left_behind(name) == []
 
 

@@ -37,8 +37,8 @@ def test_a_start_up_list_that_names_itself(tmp_path: Path) -> None:
     text = STARTUP + "werkz_data[0] ./HOCHLAUF.lis\n"
     (found,) = told(tmp_path, {"hochlauf.lis": text})
     assert found == (
-        "6: 900744 lists name each other in a circle: hochlauf.lis → hochlauf.lis; "
-        "it is not followed"
+        "6: 900744 lists refer to each other in a circle: hochlauf.lis → hochlauf.lis; "
+        "the reference is not followed"
     )
 
 
@@ -62,7 +62,7 @@ def test_a_circle_that_does_not_lead_back_ends(tmp_path: Path) -> None:
     }
     (found,) = told(tmp_path, files)
     assert found == (
-        "6: 900745 b.lis is left out: it has no entry of the kind Variables list, "
+        "6: 900745 b.lis is ignored: it has no entries of the kind Variables list, "
         "but some of Start-up list"
     )
 

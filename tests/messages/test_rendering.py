@@ -31,7 +31,7 @@ def test_numbers_are_written_as_a_reader_writes_them(value: float, text: str) ->
     assert number_text(value) == text
     assert (
         diagnostic(INVALID_CONTOUR_DEVIATION, value=value).text()
-        == f"the deviation {text} of contouring is not above 0"
+        == f"the deviation {text} for contouring must be above 0"
     )
 
 
@@ -50,7 +50,7 @@ def test_a_remedy_does_not_ask_for_nothing() -> None:
     assert found.remedy("de") == "Groß- und Kleinschreibung zählt."
     found = diagnostic(UNKNOWN_COMMAND, word="#Q", nearest=NOTHING)
     assert found.remedy("en") == "Check the spelling; nothing that is known here is similar."
-    assert diagnostic(UNKNOWN_COMMAND, word="#Q", nearest="#P").remedy("en") == "Most similar: #P"
+    assert diagnostic(UNKNOWN_COMMAND, word="#Q", nearest="#P").remedy("en") == "Did you mean #P?"
 
 
 @pytest.mark.parametrize(

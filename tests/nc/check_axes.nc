@@ -39,20 +39,20 @@
 #RT CYCLE END
 ; --- other G functions (50965)
 #RT CYCLE
-  X[INDP G02 FEED=1] ; error 50965 "X[INDP …] takes no G2"
+  X[INDP G02 FEED=1] ; error 50965 "G2 is not allowed in X[INDP …]"
   X[INDP G90 G04 POS=1] ; error 50965 "G4"
   X[INDP G90.5 POS=1] ; error 50965 "G90.5"
-  X[INDP G=V.E.VALUE POS=1] ; error 50965 "no G"
+  X[INDP G=V.E.VALUE POS=1] ; error 50965 "G is not allowed in X[INDP …]"
   X[INDP G90 G53 POS=1 G805] ; error 50965 "G53" ; error 50965 "G805"
 #RT CYCLE END
 ; --- combinations (50967)
 #RT CYCLE
-  X[INDP STOP G90] ; error 50967 "STOP stands alone"
-  X[INDP STOP FEED=10] ; error 50967 "STOP stands alone"
-  X[INDP ABORTING STOP] ; error 50967 "STOP stands alone"
-  X[INDP STOP POS=1] ; error 50967 "STOP stands alone"
-  X[INDP STOP OFFSET=ALL] ; error 50967 "STOP stands alone"
-  X[INDP STOP DIR=POS] ; error 50967 "STOP stands alone"
+  X[INDP STOP G90] ; error 50967 "STOP must be alone"
+  X[INDP STOP FEED=10] ; error 50967 "STOP must be alone"
+  X[INDP ABORTING STOP] ; error 50967 "STOP must be alone"
+  X[INDP STOP POS=1] ; error 50967 "STOP must be alone"
+  X[INDP STOP OFFSET=ALL] ; error 50967 "STOP must be alone"
+  X[INDP STOP DIR=POS] ; error 50967 "STOP must be alone"
   X[INDP ABORTING BUFFERED FEED=1] ; error 50967 "ABORTING or BUFFERED"
   X[INDP G90 G91 POS=1] ; error 50967 "G90 or G91"
   X[INDP G90 G00 G01 POS=1] ; error 50967 "G00 or G01"
@@ -60,14 +60,14 @@
   X[INDP G00 POS=1] ; error 50967 "POS needs G90 or G91"
   X[INDP G00 FEED=1]
   X[INDP G90 G00 POS=1 FEED=1]
-  X[INDP FEED=0] ; error 50967 "FEED is 0"
-  X[INDP G90 POS=1 FEED=0] ; error 50967 "FEED is 0"
+  X[INDP FEED=0] ; error 50967 "FEED must not be 0"
+  X[INDP G90 POS=1 FEED=0] ; error 50967 "FEED must not be 0"
   X[INDP G90 POS=1 FEED=-1] ; error 50967 "above 0"
   X[INDP G90 POS=1 DIR=POS]
   A[INDP G91 G00 POS=1 DIR=POS] ; error 50967 "with G91"
-  X[INDP] ; error 50967 "neither POS nor FEED nor STOP"
-  X[INDP DIR=POS] ; error 50967 "neither POS nor FEED nor STOP"
-  X[INDP G00] ; error 50967 "neither POS nor FEED nor STOP"
+  X[INDP] ; error 50967 "POS, FEED or STOP is missing"
+  X[INDP DIR=POS] ; error 50967 "POS, FEED or STOP is missing"
+  X[INDP G00] ; error 50967 "POS, FEED or STOP is missing"
   X[INDP POS=1 G00 FEED=0] ; error 50967 "0" ; error 50967 "needs G90"
 #RT CYCLE END
 ; --- POS with G01 and no FEED for that axis in the whole cycle (50967)
@@ -81,7 +81,7 @@
 #RT CYCLE END
 ; --- axes (RC-406): Y may not be moved on its own here
 #RT CYCLE
-  Y[INDP STOP] ; error 50966 "Y may not be moved on its own"
+  Y[INDP STOP] ; error 50966 "Y must not be moved independently (P-AXIS-00457)"
   Y[INDP POS=1] ; error 50966 "Y" ; error 50967 "POS needs G90 or G91"
   Q[INDP STOP] ; error 900203 "Q[INDP STOP]"
   B1[INDP STOP] ; error 900203 "B1[INDP STOP]"
@@ -90,8 +90,8 @@
 #RT CYCLE END
 ; --- keywords that are none, values that are missing or too many
 #RT CYCLE
-  X[INDP FEAD=100] ; error 900261 "X[INDP …] has no keyword FEAD"
-  X[INDP G90 POS 10] ; error 900208 "POS" ; error 900261 "no keyword 10"
+  X[INDP FEAD=100] ; error 900261 "X[INDP …]: unknown keyword FEAD"
+  X[INDP G90 POS 10] ; error 900208 "POS" ; error 900261 "X[INDP …]: unknown keyword 10"
   X[INDP G90 POS[10]] ; error 900261 "POS"
   X[INDP FEED] ; error 900208 "FEED"
   X[INDP ABORTING=1 FEED=1] ; error 900263 "ABORTING takes no value"
@@ -109,4 +109,4 @@
   X[INDP FEED="100"] ; error 21981 ""
 #RT CYCLE END
 ; --- outside of realtime cycles
-X[INDP G90 POS=1] ; error 900260 "X[INDP …] belongs into a realtime cycle"
+X[INDP G90 POS=1] ; error 900260 "X[INDP …] belongs in a realtime cycle"

@@ -59,7 +59,7 @@ M30
 #RT CYCLE END
 #RT CYCLE [ID SCOPE=PROG] ; error 900208 "ID"
 #RT CYCLE END
-#RT CYCLE [ID=0 SCOPE=PROG] ; error 50875 "0 is no ID"
+#RT CYCLE [ID=0 SCOPE=PROG] ; error 50875 "0 is not a valid ID of a realtime cycle"
 #RT CYCLE END
 #RT CYCLE [ID=-3] ; error 50875 "-3"
 #RT CYCLE END
@@ -94,7 +94,7 @@ M30
     M99 ; error 50938 "M99"
   $ENDIF
   $IF 0
-    ::: ; error 900229 "no NC text"
+    ::: ; error 900229 "this block is not valid NC text"
   $ENDIF
   #IF V.E.VALUE ; error 22002 "#IF"
   #ENDIF
@@ -150,7 +150,7 @@ M30
   V.E.VALUE = V.P.A
   V.E.INPUT = 1 ; error 900216 "V.E.INPUT"
   V.E.VALUE = V.E.OUTPUT ; error 900217 "V.E.OUTPUT"
-  V.E.VALUE = V.RTG.MEAS_DELTA ; error 21993 "R access to V.RTG.MEAS_DELTA is not defined: program R/W, realtime cycle –"
+  V.E.VALUE = V.RTG.MEAS_DELTA ; error 21993 "R access to V.RTG.MEAS_DELTA is not available here: program R/W, realtime cycle –"
   V.RTG.MEAS_DELTA = 1 ; error 21993 "W access to V.RTG.MEAS_DELTA"
   V.RTG.OVERRIDE.VEL.TOTAL = 50 ; error 21993 "V.RTG.OVERRIDE.VEL.TOTAL"
   V.RTG.TIMER[0] = 0 ; error 21993 "V.RTG.TIMER[]"

@@ -63,12 +63,12 @@ P1 = V.A.+SWE_MDS.Z
 P1 = @P1
 @P1 = 3
 ; --- indices
-P1 = V.E.LIST ; error 900214 "V.E.LIST has 1 indices here, not 0"
-P1 = V.E.VALUE[1] ; error 900214 "V.E.VALUE has 0 indices here, not 1"
-V.E.LIST[1][2] = 1 ; error 900214 "V.E.LIST has 1"
-V.E.LEVEL_1_A.REAL64 = 1 ; error 900214 "V.E.LEVEL_1_A has 1"
+P1 = V.E.LIST ; error 900214 "wrong number of indices for V.E.LIST: 1 expected, 0 given"
+P1 = V.E.VALUE[1] ; error 900214 "wrong number of indices for V.E.VALUE: 0 expected, 1 given"
+V.E.LIST[1][2] = 1 ; error 900214 "wrong number of indices for V.E.LIST: 1 expected, 2 given"
+V.E.LEVEL_1_A.REAL64 = 1 ; error 900214 "wrong number of indices for V.E.LEVEL_1_A: 1 expected, 0 given"
 P1 = V.RTG.TIMER ; error 900214 "V.RTG.TIMER"
-P1 = V.E.LIST[10] ; error 50929 "V.E.LIST[] has no element 10; there are 10"
+P1 = V.E.LIST[10] ; error 50929 "V.E.LIST[] has no element 10"
 V.E.LIST[-1] = 1 ; error 50929 "-1"
 V.E.LIST[9.6] = 1 ; error 50929 "element 10"
 V.E.LIST[9.5] = 1 ; error 50929 "element 10"
@@ -91,7 +91,7 @@ V.E.INPUT += 1 ; error 900216 "V.E.INPUT is READ_ONLY"
 P1 = V.E.OUTPUT ; error 900217 "V.E.OUTPUT is WRITE_ONLY"
 V.E.OUTPUT += 1 ; error 900217 "V.E.OUTPUT is WRITE_ONLY"
 V.E.OUTPUT ; error 900217 "V.E.OUTPUT is WRITE_ONLY"
-V.RTG.OVERRIDE.VEL.CYCLE = 50 ; error 21993 "W access to V.RTG.OVERRIDE.VEL.CYCLE is not defined: program R, realtime cycle R/W"
+V.RTG.OVERRIDE.VEL.CYCLE = 50 ; error 21993 "W access to V.RTG.OVERRIDE.VEL.CYCLE is not available here: program R, realtime cycle R/W"
 V.RTG.OVERRIDE.VEL.TOTAL = 50 ; error 21993 "program R, realtime cycle R"
 V.RTG.TIMER[1] = 0 ; error 21993 "V.RTG.TIMER[]"
 V.RTA.ACS.ACT_POS.X = 0 ; error 21993 "V.RTA.ACS.ACT_POS.X"
@@ -106,7 +106,7 @@ XVs.E.ASYNC YV.E.ASYNC ; error 900228 "V.E.ASYNC"
 V.E.VALUE = Vs.E.VALUE
 #MSG ["%f %f", V.E.ASYNC, Vs.E.ASYNC] ; error 900228 "V.E.ASYNC"
 ; --- texts
-V.E.TEXT = 1 ; error 900342 "1 is no text"
+V.E.TEXT = 1 ; error 900342 "1 is not a text"
 P1 = V.E.TEXT ; error 900340 "V.E.TEXT holds a text"
 P1 = "text" ; error 900340 "holds a text"
 $IF V.E.TEXT == ""
@@ -114,8 +114,8 @@ $ENDIF
 ; --- functions and bare words
 P1 = SINE[30] ; error 900218 "SINE"
 P1 = FOO[V.E.NONE] ; error 900218 "FOO"; error 900213 "V.E.NONE"
-P1 = SIN[1, 2] ; error 900219 "SIN takes 1 arguments, not 2"
-P1 = ATAN2[1] ; error 900219 "ATAN2 takes 2 arguments, not 1"
+P1 = SIN[1, 2] ; error 900219 "wrong number of arguments for SIN: 1 expected, 2 given"
+P1 = ATAN2[1] ; error 900219 "wrong number of arguments for ATAN2: 2 expected, 1 given"
 P1 = SIN ; error 900221 "SIN"
 P1 = TRU ; error 900221 "TRU"
 ; --- structures of control
@@ -184,8 +184,8 @@ $ENDWHILE
 #MSG SAVE EXCLUSIVE ["%d %5.2f %s %%", 1, P1, "text"]
 #MSG SAVE ["%i %u %x %X %o %c %e %E %g %G %+08.3f", 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]
 #MSG ["V.RTG.TIMER[%d] = %f", P1, V.RTG.TIMER[P1]]
-#MSG ["%d"] ; error 900230 "1 values, 0 are given"
-#MSG ["text", 1] ; error 900230 "0 values, 1 are given"
+#MSG ["%d"] ; error 900230 "placeholders in the text: 1, values given: 0"
+#MSG ["text", 1] ; error 900230 "placeholders in the text: 0, values given: 1"
 #MSG ["%d %y", 1, 2] ; error 900231 "%y"
 #MSG ["100 %"] ; error 900231 "%"
 #MSG ["%s", P1]
@@ -211,10 +211,10 @@ $ENDWHILE
   V.S.D : STRING[20] = "text"
   V.CYC.E[P1] : STRING[P2]
   V.P.GROUP[2].POS[3] : REAL
-  V.L.F : INT ; error 900136 "there is no type INT"
+  V.L.F : INT ; error 900136 "unknown type INT"
   V.L.G[0] ; error 900140 "V.L.G[] cannot have 0 elements"
   V.L.H[1][2][3][4][5] ; error 900139 "more than 4 indices"
-  V.E.VALUE = 3 ; error 900137 "V.E.VALUE is no variable that a program makes itself"
+  V.E.VALUE = 3 ; error 900137 "V.E.VALUE is not a variable that programs can create"
   V.L.I = V.E.NONE ; error 900213 "V.E.NONE"
 #ENDVAR
 V.P.X = 1
@@ -238,7 +238,7 @@ $ENDIF
 ; --- functions of names and texts
 P1 = EXIST[V.P.NONE] + EXIST[@P1] + EXIST[M100] + EXIST[V.E.NONE[P1]]
 P1 = EXIST[V.E.NONE[V.E.NONE]] ; error 900213 "V.E.NONE"
-P1 = EXIST[5] ; error 900138 "5 is nothing that can be asked for"
+P1 = EXIST[5] ; error 900138 "5 cannot be queried"
 P1 = EXIST[COLOUR] ; error 900138 "COLOUR"
 P1 = SIZEOF[V.E.LIST] + SIZEOF[V.P.A, 2] + IS_STRING["text"] + IS_NUMBER[P1]
 P1 = LEN["text"] + FIND["text", "x"] + ORD["A"] + STR_TO_REAL["1"] + STR_TO_INT[V.P.T]
@@ -246,7 +246,7 @@ V.E.TEXT = LEFT["text", 2] + RIGHT["text", 1] + MID["text", 1, 2] + REAL_TO_STR[
 V.E.TEXT = INSERT["text", "x", 1] + DELETE["text", 1, 1] + REPLACE["text", "x", 1, 1]
 P1 = LEN[5] ; error 900342 "5"
 P1 = LEFT["text", 2] ; error 900340 "LEFT"
-P1 = LEN["text", 2] ; error 900219 "LEN takes 1"
+P1 = LEN["text", 2] ; error 900219 "wrong number of arguments for LEN: 1 expected, 2 given"
 #RT CYCLE
   V.E.VALUE = LEN["text"] ; error 900220 "LEN"
 #RT CYCLE END

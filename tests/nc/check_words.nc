@@ -159,17 +159,17 @@ $IF P1
   M17 [JUMPS=P1 [MARK]]
   M17 [MARK]
   M17 N20
-  M17 [JUMPS] ; error 900135 "JUMPS says nothing about a return"
+  M17 [JUMPS] ; error 900135 "JUMPS is not a valid option of a return"
   M17 [MAIN JUMPS=2] ; error 900135 "JUMPS"
   M17 [5] ; error 900135 "5"
   M30 ; warning 900124 "M30 in a subprogram ends the main program"
 $ENDIF
 M17
 what follows the end is not checked
-%L SUB ; error 900130 "the local subprogram SUB begins in line 1 already"
+%L SUB ; error 900130 "the local subprogram SUB is already defined in line 1"
 M17
 %MAIN
-M17 ; error 900123 "M17 ends a subprogram, and this is the main program"
+M17 ; error 900123 "M17 ends a subprogram, but this is the main program"
 M29 [MAIN] ; error 900123 "M29"
 M30
 ; --- calls
@@ -187,7 +187,7 @@ LL CYCLE [NAME=SUB @P1=V.E.NONE] ; error 900213 "V.E.NONE"
 LL CYCLE [NAME=SUB @P1=1 @P1=2] ; error 900224 "@P1"
 LL CYCLE [NAME=SUB @P201=1] ; error 900133 "@P201"
 LL CYCLE [NAME=SUB @P1] ; error 900133 "@P1"
-LL CYCLE [NAME=SUB COLOUR=1] ; error 900133 "COLOUR is nothing that a call hands over"
+LL CYCLE [NAME=SUB COLOUR=1] ; error 900133 "COLOUR is not a parameter of a call"
 LL CYCLE [NAME=SUB MODAL_MOVE @P1=1]
 LL CYCLE [NAME=SUB MODAL MODAL_BLOCK] ; error 900224 "MODAL_BLOCK"
 LL CYCLE [NAME=SUB MODAL_MOVE=1] ; error 900133 "MODAL_MOVE"
@@ -209,12 +209,12 @@ $IF 0
 $ENDIF
 $WHILE P1
   [INSIDE] G00 X3
-  $GOTO [INSIDE] ; error 900127 "the label INSIDE stands in a loop"
+  $GOTO [INSIDE] ; error 900127 "the label INSIDE is in a loop: it is not possible to jump there"
   $GOTO [MARK]
 $ENDWHILE
 N30: X1
 N30: X2
-$GOTO N30 ; error 900128 "N30 stands twice"
+$GOTO N30 ; error 900128 "the label N30 is defined twice in this program"
 $IF 1
   [MARK] X4
 $ENDIF
@@ -232,7 +232,7 @@ Q3 ; error 900203 "Q3"
 /#IF 0
   Q1
 #ENDIF
-N10 #IF 1 ; error 900125 "no block number stands before #IF"
+N10 #IF 1 ; error 900125 "there must be no block number before #IF"
 #ENDIF
 ; --- offsets (MO-8)
 G54 X10
@@ -244,7 +244,7 @@ G159 = 96
 G54 = 3 ; error 900212 "G54"
 G92 X10 YP2
 G92 ; error 900771 "G92 names no axis"
-G92 G01 X5 ; error 900772 "G01 cannot stand with G92"
+G92 G01 X5 ; error 900772 "G01 is not allowed with G92, whose values are not a motion"
 #PSET X20 Y[P1 + 2]
 #PSET ; error 900771 "#PSET names no axis"
 #PSET X20 M100 ; error 900772 "M100"
@@ -254,7 +254,7 @@ G92 G01 X5 ; error 900772 "G01 cannot stand with G92"
 #PRESET [ZERO] ; error 900773 "ZERO"
 #SUPPRESS OFFSETS X50 Y100
 N10 #SUPPRESS OFFSETS [ZERO TOOL] G01 X5 F100
-#SUPPRESS OFFSETS [ZERO, TOLL] X5 ; error 900773 "TOLL is no kind of offset"
+#SUPPRESS OFFSETS [ZERO, TOLL] X5 ; error 900773 "TOLL is not a kind of offset"
 #SUPPRESS OFFSETS ; error 900771 "#SUPPRESS OFFSETS names no axis"
 #SUPPRESS OFFSETS [ZERO] ; error 900771 "names no axis"
 ; --- macros are read when they are used
@@ -292,15 +292,15 @@ G03 X10 R5
 R7
 M30
 ; --- #CONTOUR MODE and #SLOPE: misspelt, wrong, not simulated
-#CONTOUR MODE ON [DEVV PATH_DEV=0.1] ; error 900900 "knows no DEVV"
-#CONTOUR MODE [DEV PATH_DEF=0.1] ; error 900900 "knows no PATH_DEF"
-#CONTOUR MODE [DEV PATH_DEV=0] ; error 900707 "deviation 0 of"
-#CONTOUR MODE [DEV PATH_DEV=-0.5] ; error 900707 "deviation -0.5 of"
+#CONTOUR MODE ON [DEVV PATH_DEV=0.1] ; error 900900 "#CONTOUR MODE ON has no keyword DEVV"
+#CONTOUR MODE [DEV PATH_DEF=0.1] ; error 900900 "#CONTOUR MODE has no keyword PATH_DEF"
+#CONTOUR MODE [DEV PATH_DEV=0] ; error 900707 "the deviation 0 for contouring must be above 0"
+#CONTOUR MODE [DEV PATH_DEV=-0.5] ; error 900707 "the deviation -0.5 for contouring must be above 0"
 #CONTOUR MODE [DEV PATH_DEV=P1]
 #CONTOUR MODE [QQ] ; error 900706 "QQ of #CONTOUR MODE"
 #CONTOUR MODE ON DEV ; error 900233 "#CONTOUR MODE"
-#SLOPE [TYP=STEP] ; error 900900 "knows no TYP"
-#SLOPE [TYPE=TRAPEZZ] ; error 900900 "#SLOPE [TYPE] knows no TRAPEZZ"
+#SLOPE [TYP=STEP] ; error 900900 "#SLOPE has no keyword TYP"
+#SLOPE [TYPE=TRAPEZZ] ; error 900900 "#SLOPE [TYPE] has no keyword TRAPEZZ"
 #SLOPE ; error 900233 "#SLOPE"
 M30
 ; --- #ERROR without its equals signs: one mistake each

@@ -47,7 +47,7 @@ P2 = V.E.VALUE
 #RT CYCLE END
 #RT CYCLE
   $IF V.E.VALUE > P1 ; note 900236 "5, set in line 1"
-    V.E.COUNT = 2 ; note 900244 "the realtime cycle of line 3 writes V.E.COUNT, too"
+    V.E.COUNT = 2 ; note 900244 "the realtime cycle in line 3 also writes V.E.COUNT"
   $ENDIF
 #RT CYCLE END
 ; --- timers
@@ -93,7 +93,7 @@ P[P1] = 3
 #RT CYCLE END
 ; --- positions compared exactly (RC-304)
 #RT CYCLE
-  $IF EDGE V.RTA.ACS.ACT_POS.X == 100 ; note 900248 "V.RTA.ACS.ACT_POS.X is compared exactly"
+  $IF EDGE V.RTA.ACS.ACT_POS.X == 100 ; note 900248 "V.RTA.ACS.ACT_POS.X is compared for equality"
   $ENDIF
   $IF EDGE V.E.VALUE == V.RTA.ACS.CUR_POS.Y ; note 900248 "V.RTA.ACS.CUR_POS.Y"
   $ENDIF
@@ -123,9 +123,9 @@ P[P1] = 3
 ; --- overrides of one tick (RC-305)
 #RT CYCLE
   $IF ONCE V.E.TRIGGER
-    V.RTG.OVERRIDE.VEL.CYCLE = 75 ; warning 900242 "V.RTG.OVERRIDE.VEL.CYCLE is written under $IF ONCE"
+    V.RTG.OVERRIDE.VEL.CYCLE = 75 ; warning 900242 "V.RTG.OVERRIDE.VEL.CYCLE is written inside $IF ONCE"
     $IF V.E.COUNT
-      V.RTA.OVERRIDE.VEL.CYCLE.X = 75 ; warning 900242 "V.RTA.OVERRIDE.VEL.CYCLE.X is written under $IF ONCE"
+      V.RTA.OVERRIDE.VEL.CYCLE.X = 75 ; warning 900242 "V.RTA.OVERRIDE.VEL.CYCLE.X is written inside $IF ONCE"
     $ENDIF
   $ENDIF
   $IF EDGE V.E.TRIGGER
@@ -158,7 +158,7 @@ P[P1] = 3
   $ENDIF
 #RT CYCLE END
 ; --- more than fits into a tick (RC-502, RC-503)
-#RT CYCLE ; warning 900246 "can need 250 elementary instructions; P-CHAN-00427 allows 201" ; warning 900247 "time for 200"
+#RT CYCLE ; warning 900246 "may need 250 elementary instructions; P-CHAN-00427 allows 201" ; warning 900247 "time for 200"
   V.E.VALUE = V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE
   V.E.VALUE = V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE
   V.E.VALUE = V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE*V.E.BYTE

@@ -6,7 +6,7 @@
 #RT CYCLE END
 #RT CYCLE [SCOPE=BLOCK]
   V.E.VALUE1 = 1
-  V.E.COUNT = 2 ; note 900244 "line 2 writes V.E.COUNT, V.RTG.OVERRIDE.VEL.CYCLE, too"
+  V.E.COUNT = 2 ; note 900244 "line 2 also writes V.E.COUNT, V.RTG.OVERRIDE.VEL.CYCLE"
   V.E.LIST[2] = 1
   V.RTG.OVERRIDE.VEL.CYCLE = 40
   V.E.VALUE = 1
@@ -20,7 +20,7 @@
 #RT CYCLE DELETE [ID=1]
 #RT CYCLE
   V.E.LIST[1] = 1
-  V.E.VALUE1 = 2 ; note 900244 "line 7 writes V.E.VALUE1"
+  V.E.VALUE1 = 2 ; note 900244 "line 7 also writes V.E.VALUE1"
 #RT CYCLE END
 M30
 #RT CYCLE
@@ -114,7 +114,7 @@ L "other.nc"
 ; --- what empties the channel between G41 and G40 (RC-308)
 P1 = V.RTA.ACS.ACT_POS.X
 G41 X10
-P1 = V.RTA.ACS.ACT_POS.X ; error 20651 "V.RTA.ACS.ACT_POS.X empties the channel, which cannot be while G41"
+P1 = V.RTA.ACS.ACT_POS.X ; error 20651 "V.RTA.ACS.ACT_POS.X empties the channel, which is not possible while G41"
 P1 = V.E.VALUE + Vs.E.ASYNC ; error 20651 "V.E.VALUE" ; error 20651 "V.E.ASYNC"
 P1 = V.E.ASYNC
 V.E.VALUE = P1

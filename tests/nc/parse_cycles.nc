@@ -35,7 +35,7 @@ M101
 #RT CYCLE END
 #RT CYCLE END
 M30
-#RT CYCLE END ; warning 900118 "behind the program end"
+#RT CYCLE END ; warning 900118 "after the program end"
 ; --- a definition inside a definition, inside $IF
 #RT CYCLE [ID=1 SCOPE=PROG]
 $IF V.E.A

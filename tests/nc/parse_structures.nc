@@ -75,8 +75,8 @@ G0 X1
 ; --- $ELSE twice, $ELSEIF behind $ELSE
 $IF P1
 $ELSE
-$ELSE ; error 900120 "$ELSE behind"
-$ELSEIF P2 ; error 900120 "$ELSEIF behind"
+$ELSE ; error 900120 "$ELSE after"
+$ELSEIF P2 ; error 900120 "$ELSEIF after"
 $ENDIF
 ; --- a condition that cannot be read does not make its end a mistake
 $IF P1 > ; error 900101 "the end of the block"
@@ -136,13 +136,13 @@ $ENDWHILE
 G0 X1
 M30
 N20: G0 X2
-This file was made by hand: do not change! ; warning 900118 "behind the program end"
+This file was made by hand: do not change! ; warning 900118 "after the program end"
 :: more of it
 $ENDIF
 %L SUB
 G0 X1 :: ; error 900100 ":"
 M17
-more text: see above ; warning 900118 "behind the program end"
+more text: see above ; warning 900118 "after the program end"
 ; --- a skipped program end is none, nor is one inside a structure
 / M30
 :: ; error 900100 ":"

@@ -25,7 +25,7 @@ G0 X3 ::: ; error 900100 ":"
 text #COMMENT END ; error 20569 "#COMMENT END"
 ; --- a comment block that never ends
 G0 X1
-#COMMENT BEGIN ; error 900112 "never ended"
+#COMMENT BEGIN ; error 900112 "never closed"
 text
 ; --- continued blocks
 G1 X1 \

@@ -76,7 +76,7 @@ def test_the_manuals_example_in_english() -> None:
         ("ended", "1 error", "INFO", "Cycle 1 was ended by an error"),
         ("fired", "1 line 5", "ACTION", "Cycle 1: the branch in line 5 runs"),
         ("written", "V.E.VALUE 16.57", "ACTION", "Cycle 1: V.E.VALUE = 16.57"),
-        ("M", "100 2 426098", "ACTION", "Cycle 1: M100 was put out, number 2 of the tick"),
+        ("M", "100 2 426098", "ACTION", "Cycle 1: M100 was output, number 2 of the tick"),
         ("axis", "Z begun 900", "ACTION", "Cycle 1: axis Z moves to 900"),
         ("axis", "A begun negative", "ACTION", "Cycle 1: axis A moves endlessly in negative"),
         ("axis", "Z done", "ACTION", "Cycle 1: the motion of axis Z is done"),
@@ -85,7 +85,7 @@ def test_the_manuals_example_in_english() -> None:
         ("axis", "Z held", "ACTION", "Cycle 1: the motion of axis Z is put on hold"),
         ("axis", "Z continued", "ACTION", "Cycle 1: the motion of axis Z goes on"),
         ("axis", "Z stopped", "ACTION", "Cycle 1: the motion of axis Z has come to a stand"),
-        ("H", "33 1 426098", "ACTION", "Cycle 1: H33 was put out, number 1 of the tick"),
+        ("H", "33 1 426098", "ACTION", "Cycle 1: H33 was output, number 1 of the tick"),
     ],
 )
 def test_each_event_has_its_level_and_text(kind: str, text: str, level: str, english: str) -> None:
@@ -142,8 +142,8 @@ def test_an_error_is_told_with_its_text() -> None:
     report.add(Event(1, 1000, "error", "900510", place, "1"), 1)
     other = diagnostic(INVALID_TIME, Span("part.nc", 6, 3, 9), text="never")
     found = diagnostic(INVALID_TIME, Span("part.nc", 5, 1, 9), text="soon")
-    assert report.render("en", [other, found]).endswith("900510: 'soon' is not a time\n")
-    assert report.render("de", [found]).endswith("900510: 'soon' ist keine Zeitangabe\n")
+    assert report.render("en", [other, found]).endswith("900510: 'soon' is not a valid time\n")
+    assert report.render("de", [found]).endswith("900510: 'soon' ist keine gültige Zeit\n")
     assert report.render("en", [other]).endswith("900510\n")
 
 

@@ -117,8 +117,8 @@ def test_overflow_that_is_to_be_reported(folder: Path, capsys: Capture) -> None:
     (folder / "load.toml").write_text(load_text(TIGHT | {"task_int": 2100}), "utf-8")
     assert simulate(folder, "--cycles", 60, "--quiet") == 1
     err = capsys.readouterr().err
-    assert "error 900630: GEO: " in err
-    assert "30 overflows, first at 2000 µs" in err
+    assert "error 900630: GEO was" in err
+    assert "overflows: 30, the first at 2000 µs" in err
     assert "warning 900632" in err
 
 

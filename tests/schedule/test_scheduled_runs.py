@@ -334,7 +334,7 @@ def test_overflows_are_those_of_the_ticks(tmp_path: Path) -> None:
     errors = [found.text("en") for found in one.errors]
     assert len(errors) == 1
     assert "GEO" in errors[0]
-    assert "1 overflows, first at 2000" in errors[0]
+    assert "overflows: 1, the first at 2000" in errors[0]
 
 
 def test_answers_come_with_the_decoders_time(tmp_path: Path) -> None:

@@ -175,7 +175,7 @@ def test_texts_have_their_variables_length(texts: Machine, name: str, limit: int
     assert errors(texts.run(f'V.E.{name} = "{"y" * limit}"\nM30')) == []
     run = texts.run(f'V.E.{name} = "{"z" * (limit + 1)}"\nM30')
     assert errors(run) == [900343]
-    assert f"takes {limit} characters; the text has {limit + 1}" in run.diagnostics[0].text("en")
+    assert f"can hold {limit} characters; the text has {limit + 1}" in run.diagnostics[0].text("en")
     assert texts.value(f"V.E.{name}") == "y" * limit
     run = texts.run(f'V.E.{name} += "z"\nM30')
     assert errors(run) == [900343]

@@ -170,7 +170,7 @@ def test_synchronous_members_come_through_the_queue(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "number", "words"),
     [
-        ("V.E.TREE = V.E.SHUT", 900345, "V.E.SHUT has not the type of V.E.TREE"),
+        ("V.E.TREE = V.E.SHUT", 900345, "V.E.SHUT is not of the type of V.E.TREE"),
         ("V.CH.Alike = V.E.TREE", 900345, ""),
         ("V.E.LIST = V.E.OTHER", 900345, ""),
         ("V.E.LIST = V.E.LONGER", 900345, ""),

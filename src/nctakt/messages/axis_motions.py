@@ -7,10 +7,10 @@ from nctakt.messages.catalogue import error
 
 AXIS_NOT_AT_BLOCK_START = error(
     900420,
-    en="the block does not begin where the axis {axis} stands",
+    en="the block does not start where axis {axis} is",
     de="der Satz beginnt nicht dort, wo die Achse {axis} steht",
-    remedy_en="Let the decoder read the positions anew before, with #FLUSH WAIT or #CHANNEL INIT.",
-    remedy_de="Den Dekoder die Positionen vorher neu lesen lassen: #FLUSH WAIT, #CHANNEL INIT",
+    remedy_en="Let the decoder read the positions again first, with #FLUSH WAIT or #CHANNEL INIT.",
+    remedy_de="Den Dekoder vorher die Positionen neu lesen lassen: #FLUSH WAIT, #CHANNEL INIT",
     cause_en="Something other than the path has moved an axis since the block was decoded; the "
     "path never jumps.",
     cause_de="Etwas anderes als die Bahn hat eine Achse bewegt, seit der Satz dekodiert wurde; die "
@@ -21,9 +21,8 @@ AXIS_NOT_AT_BLOCK_START = error(
 )
 AXIS_MOVED_BY_PATH = error(
     900430,
-    en="the axis {axis} is being moved by the path: it takes no command of its own now",
-    de="die Achse {axis} wird gerade von der Bahn bewegt: sie nimmt jetzt keinen eigenen Auftrag "
-    "an",
+    en="axis {axis} is being moved by the path and takes no command of its own now",
+    de="Achse {axis} wird gerade von der Bahn bewegt und nimmt jetzt keinen eigenen Auftrag an",
     remedy_en="Command the axis while no block moves it.",
     remedy_de="Die Achse beauftragen, während kein Satz sie bewegt.",
     cause_en="An axis has one owner at a time: the path while the current block moves it.",
@@ -35,9 +34,9 @@ AXIS_MOVED_BY_PATH = error(
 )
 AXIS_IN_ERROR_STATE = error(
     900431,
-    en="the axis {axis} is in error state: it takes no command before a reset",
-    de="die Achse {axis} ist im Fehlerzustand: vor einem Reset nimmt sie keinen Auftrag an",
-    remedy_en="Reset the channel; the error before this one tells what happened.",
+    en="axis {axis} is in error state and takes no command before a reset",
+    de="Achse {axis} ist im Fehlerzustand und nimmt vor einem Reset keinen Auftrag an",
+    remedy_en="Reset the channel; the error before this one says what happened.",
     remedy_de="Den Kanal zurücksetzen; der Fehler davor sagt, was geschehen ist.",
     axis=("the axis", "die Achse"),
     reaction=6,
@@ -45,11 +44,12 @@ AXIS_IN_ERROR_STATE = error(
 )
 INDP_TARGET_OUTSIDE_LIMITS = error(
     900432,
-    en="the target {target} of the axis {axis} lies beyond its software limits {low} … {high}",
-    de="das Ziel {target} der Achse {axis} liegt außerhalb ihrer Softwareendschalter {low} … "
+    en="the target {target} of axis {axis} is outside its software limits {low} … {high}",
+    de="das Ziel {target} der Achse {axis} liegt außerhalb ihrer Software-Endschalter {low} … "
     "{high}",
     remedy_en="Give a target between kenngr.swe_neg and kenngr.swe_pos, offsets included.",
-    remedy_de="Ein Ziel zwischen kenngr.swe_neg und kenngr.swe_pos angeben, samt Versätzen.",
+    remedy_de="Ein Ziel zwischen kenngr.swe_neg und kenngr.swe_pos angeben, einschließlich "
+    "Verschiebungen.",
     axis=("the axis", "die Achse"),
     target=("the target in mm or degrees", "das Ziel in mm oder Grad"),
     low=("the lower limit", "die untere Grenze"),
@@ -59,9 +59,9 @@ INDP_TARGET_OUTSIDE_LIMITS = error(
 )
 BUFFERED_MOTION_WAITING = error(
     900433,
-    en="a motion of the axis {axis} is waiting already: only one BUFFERED motion can wait",
-    de="es wartet schon eine Bewegung der Achse {axis}: nur eine BUFFERED-Bewegung kann warten",
-    remedy_en="Command the next one when the waiting one has begun, or use ABORTING.",
+    en="a motion of axis {axis} is already waiting: only one BUFFERED motion can wait",
+    de="eine Bewegung der Achse {axis} wartet bereits: nur eine BUFFERED-Bewegung kann warten",
+    remedy_en="Command the next one once the waiting one has started, or use ABORTING.",
     remedy_de="Die nächste erst beauftragen, wenn die wartende begonnen hat, oder ABORTING "
     "verwenden.",
     axis=("the axis", "die Achse"),
@@ -70,11 +70,11 @@ BUFFERED_MOTION_WAITING = error(
 )
 ENDLESS_MOTION_AT_LIMIT = error(
     900434,
-    en="the endless motion of the axis {axis} has come to its software limit",
-    de="die Endlosbewegung der Achse {axis} ist an ihrem Softwareendschalter angekommen",
-    remedy_en="Stop the axis before, or make it a modulo axis.",
-    remedy_de="Die Achse vorher stoppen oder zur Modulo-Achse machen.",
-    cause_en="It was braked so that it stands on the limit.",
+    en="the endless motion of axis {axis} has reached its software limit",
+    de="die Endlosbewegung der Achse {axis} hat ihren Software-Endschalter erreicht",
+    remedy_en="Stop the axis earlier, or make it a modulo axis.",
+    remedy_de="Die Achse früher stoppen oder zur Modulo-Achse machen.",
+    cause_en="It was braked so that it stopped at the limit.",
     cause_de="Sie wurde so gebremst, dass sie auf dem Endschalter steht.",
     axis=("the axis", "die Achse"),
     reaction=6,
@@ -82,9 +82,9 @@ ENDLESS_MOTION_AT_LIMIT = error(
 )
 AXIS_IN_INDEPENDENT_MOTION = error(
     900435,
-    en="the block moves the axis {axis}, which has an independent motion",
-    de="der Satz bewegt die Achse {axis}, die eine unabhängige Bewegung hat",
-    remedy_en="Let the motion end before, or stop the axis.",
+    en="the block moves axis {axis}, which is in an independent motion",
+    de="der Satz bewegt die Achse {axis}, die gerade eine unabhängige Bewegung ausführt",
+    remedy_en="Let the motion finish first, or stop the axis.",
     remedy_de="Die Bewegung vorher enden lassen oder die Achse stoppen.",
     cause_en="An axis has one owner at a time, and the path never jumps. An endless or held motion "
     "never ends by itself.",
@@ -96,15 +96,14 @@ AXIS_IN_INDEPENDENT_MOTION = error(
 )
 BUFFERED_MOTION_OUTSIDE_LIMITS = error(
     900436,
-    en="the waiting motion of the axis {axis} would go beyond a software limit from where it "
-    "begins",
-    de="die wartende Bewegung der Achse {axis} ginge von ihrem Beginn aus über einen "
-    "Softwareendschalter",
+    en="the waiting motion of axis {axis} would go beyond a software limit from where it starts",
+    de="die wartende Bewegung der Achse {axis} würde von ihrem Start aus einen Endschalter "
+    "überfahren",
     remedy_en="Give a shorter distance, or an absolute target.",
     remedy_de="Einen kürzeren Weg oder ein absolutes Ziel angeben.",
-    cause_en="A BUFFERED distance behind an endless motion begins where that one reaches its "
+    cause_en="A BUFFERED distance after an endless motion starts where that motion reaches its "
     "speed.",
-    cause_de="Ein BUFFERED-Weg hinter einer Endlosbewegung beginnt dort, wo diese ihre "
+    cause_de="Ein BUFFERED-Weg nach einer Endlosbewegung beginnt dort, wo diese ihre "
     "Geschwindigkeit erreicht.",
     axis=("the axis", "die Achse"),
     reaction=6,
@@ -112,28 +111,29 @@ BUFFERED_MOTION_OUTSIDE_LIMITS = error(
 )
 ENDLESS_MOTION_BLOCKS_PATH = error(
     900446,
-    en="{axis} moves endlessly beside the path: the block cannot take it over",
+    en="{axis} is moving endlessly beside the path: the block cannot take it over",
     de="{axis} fährt endlos neben der Bahn: der Satz kann sie nicht übernehmen",
-    remedy_en="Stop it before: {axis}[INDP STOP] in the cycle, ABORT ACTION, or END_ACTION.",
+    remedy_en="Stop it first: {axis}[INDP STOP] in the cycle, ABORT ACTION or END_ACTION.",
     remedy_de="Vorher anhalten: {axis}[INDP STOP] im Zyklus, ABORT ACTION oder END_ACTION.",
-    cause_en="A block that programs an axis which a realtime cycle moves waits until that axis "
-    "stands; this one never would.",
+    cause_en="A block that programs an axis moved by a realtime cycle waits until that axis stops; "
+    "this one never would.",
     cause_de="Ein Satz mit einer Achse, die ein Echtzeit-Zyklus bewegt, wartet, bis sie steht; "
-    "diese stünde nie.",
+    "diese bliebe nie stehen.",
     axis=("the axis", "die Achse"),
     reaction=6,
     clearing=6,
 )
 HELD_MOTION_BLOCKS_PATH = error(
     900447,
-    en="a motion of {axis} beside the path is held: the block cannot take it over",
-    de="eine Bewegung von {axis} neben der Bahn ist angehalten: der Satz kann sie nicht übernehmen",
-    remedy_en="Before the block, let it go on with #RT CYCLE CONTINUE or end it with ABORT ACTION.",
+    en="a motion of {axis} beside the path is on hold: the block cannot take the axis over",
+    de="eine Bewegung von {axis} neben der Bahn ist angehalten: der Satz kann die Achse nicht "
+    "übernehmen",
+    remedy_en="Before the block, continue it with #RT CYCLE CONTINUE or end it with ABORT ACTION.",
     remedy_de="Vor dem Satz mit #RT CYCLE CONTINUE fortsetzen oder mit ABORT ACTION abbrechen.",
-    cause_en="The held motion keeps its target and would go on later from a place that the path "
-    "has left.",
-    cause_de="Die angehaltene Bewegung behält ihr Ziel und ginge später von einem Ort aus weiter, "
-    "den die Bahn verlassen hat.",
+    cause_en="The motion on hold keeps its target and would continue later from a position that "
+    "the path has left.",
+    cause_de="Die angehaltene Bewegung behält ihr Ziel und ginge später von einer Position aus "
+    "weiter, die die Bahn verlassen hat.",
     axis=("the axis", "die Achse"),
     reaction=6,
     clearing=6,

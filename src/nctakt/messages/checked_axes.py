@@ -7,11 +7,11 @@ from nctakt.messages.catalogue import error
 
 DUPLICATE_INDP_KEYWORD = error(
     22032,
-    en="{axis}[INDP …]: the keyword {word} stands twice",
-    de="{axis}[INDP …]: das Schlüsselwort {word} steht zweimal",
-    remedy_en="Keep one of both.",
-    remedy_de="Eines von beiden behalten.",
-    cause_en="The keywords of a single-axis command stand in any order, each once.",
+    en="{axis}[INDP …]: the keyword {word} is given twice",
+    de="{axis}[INDP …]: das Schlüsselwort {word} ist doppelt angegeben",
+    remedy_en="Keep one of them.",
+    remedy_de="Eines davon behalten.",
+    cause_en="The keywords of a single-axis command may appear in any order, each once.",
     cause_de="Die Schlüsselwörter eines Einzelachsbefehls stehen in beliebiger Reihenfolge, jedes "
     "einmal.",
     axis=("the axis", "die Achse"),
@@ -21,12 +21,13 @@ DUPLICATE_INDP_KEYWORD = error(
 )
 INDP_KEYWORD_NOT_ALLOWED = error(
     50965,
-    en="{axis}[INDP …] takes no {word}",
-    de="{axis}[INDP …] nimmt kein {word}",
-    remedy_en="G90, G91, G00 and G01 are possible, written as numbers.",
-    remedy_de="Möglich sind G90, G91, G00 und G01, als Zahlen geschrieben.",
-    cause_en="A single axis moves straight: absolute or relative, with rapid speed or with FEED.",
-    cause_de="Eine Einzelachse fährt geradeaus: absolut oder relativ, im Eilgang oder mit FEED.",
+    en="{word} is not allowed in {axis}[INDP …]",
+    de="{word} ist in {axis}[INDP …] nicht erlaubt",
+    remedy_en="Only G90, G91, G00 and G01 are possible, written as numbers.",
+    remedy_de="Möglich sind nur G90, G91, G00 und G01, als Zahlen geschrieben.",
+    cause_en="A single axis moves in a straight line: absolute or relative, at rapid speed or with "
+    "FEED.",
+    cause_de="Eine Einzelachse fährt geradlinig: absolut oder relativ, im Eilgang oder mit FEED.",
     axis=("the axis", "die Achse"),
     word=("the word as written", "das Wort, wie geschrieben"),
     reaction=6,
@@ -34,13 +35,13 @@ INDP_KEYWORD_NOT_ALLOWED = error(
 )
 INDEPENDENT_MOTION_NOT_PERMITTED = error(
     50966,
-    en="{axis} may not be moved on its own (P-AXIS-00457)",
-    de="{axis} darf nicht für sich bewegt werden (P-AXIS-00457)",
-    remedy_en="Write kenngr.enable_single_axis 1 into the list of that axis.",
+    en="{axis} must not be moved independently (P-AXIS-00457)",
+    de="{axis} darf nicht unabhängig bewegt werden (P-AXIS-00457)",
+    remedy_en="Write kenngr.enable_single_axis 1 in the list of that axis.",
     remedy_de="kenngr.enable_single_axis 1 in die Liste dieser Achse schreiben.",
     cause_en="Realtime cycles and the PLC move an axis beside the path only where its list allows "
     "it.",
-    cause_de="Echtzeit-Zyklen und SPS bewegen eine Achse neben der Bahn nur, wo ihre Liste das "
+    cause_de="Echtzeit-Zyklen und SPS bewegen eine Achse nur neben der Bahn, wenn ihre Liste es "
     "erlaubt.",
     axis=("the axis", "die Achse"),
     reaction=6,
@@ -54,7 +55,7 @@ INDEPENDENT_MOTION_REFUSED = error(
     "STOP].",
     remedy_de="{axis}[INDP G90 G01 FEED=500 POS=100], {axis}[INDP FEED=500] oder {axis}[INDP STOP] "
     "schreiben.",
-    cause_en="A single-axis command goes to a position, runs endlessly, or stops; its keywords "
+    cause_en="A single-axis command moves to a position, moves endlessly or stops; its keywords "
     "must say one of these.",
     cause_de="Ein Einzelachsbefehl fährt auf eine Position, fährt endlos oder stoppt; seine "
     "Schlüsselwörter müssen eines davon sagen.",
@@ -65,7 +66,7 @@ INDEPENDENT_MOTION_REFUSED = error(
 )
 INDP_OUTSIDE_REALTIME_CYCLE = error(
     900260,
-    en="{axis}[INDP …] belongs into a realtime cycle",
+    en="{axis}[INDP …] belongs in a realtime cycle",
     de="{axis}[INDP …] gehört in einen Echtzeit-Zyklus",
     remedy_en="Move it into #RT CYCLE … #RT CYCLE END, or move the axis with the path.",
     remedy_de="In #RT CYCLE … #RT CYCLE END verschieben oder die Achse mit der Bahn bewegen.",
@@ -73,8 +74,8 @@ INDP_OUTSIDE_REALTIME_CYCLE = error(
 )
 UNKNOWN_INDP_KEYWORD = error(
     900261,
-    en="{axis}[INDP …] has no keyword {word}",
-    de="{axis}[INDP …] hat kein Schlüsselwort {word}",
+    en="{axis}[INDP …]: unknown keyword {word}",
+    de="{axis}[INDP …]: unbekanntes Schlüsselwort {word}",
     remedy_en="Keywords: ABORTING, BUFFERED, STOP, OFFSET=, G90, G91, G00, G01, FEED=, POS=, DIR=",
     remedy_de="Wörter: ABORTING, BUFFERED, STOP, OFFSET=, G90, G91, G00, G01, FEED=, POS=, DIR=",
     axis=("the axis", "die Achse"),
@@ -84,15 +85,15 @@ INDP_OF_SPINDLE = error(
     900262,
     en="{spindle} is a spindle; INDP moves axes",
     de="{spindle} ist eine Spindel; INDP bewegt Achsen",
-    remedy_en="Name an axis of the channel in front of the bracket.",
+    remedy_en="Name an axis of the channel before the bracket.",
     remedy_de="Vor der Klammer eine Achse des Kanals nennen.",
     spindle=("the spindle", "die Spindel"),
 )
 INDP_KEYWORD_WITH_VALUE = error(
     900263,
     en="the keyword {word} takes no value",
-    de="das Schlüsselwort {word} nimmt keinen Wert",
-    remedy_en="Leave the value out.",
-    remedy_de="Den Wert weglassen.",
+    de="das Schlüsselwort {word} hat keinen Wert",
+    remedy_en="Remove the value.",
+    remedy_de="Den Wert entfernen.",
     word=("the word as written", "das Wort, wie geschrieben"),
 )

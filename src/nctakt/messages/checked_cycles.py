@@ -7,37 +7,37 @@ from nctakt.messages.catalogue import error
 
 FREQUENCY_OUTSIDE_REALTIME_CYCLE = error(
     900222,
-    en="{word}: ONCE, EDGE and ALWAYS belong into a realtime cycle",
+    en="{word}: ONCE, EDGE and ALWAYS belong in a realtime cycle",
     de="{word}: ONCE, EDGE und ALWAYS gehören in einen Echtzeit-Zyklus",
-    remedy_en="Leave the word out, or move the $IF into #RT CYCLE … #RT CYCLE END.",
-    remedy_de="Das Wort weglassen oder das $IF in #RT CYCLE … #RT CYCLE END verschieben.",
+    remedy_en="Remove the word, or move the $IF into #RT CYCLE … #RT CYCLE END.",
+    remedy_de="Das Wort entfernen oder das $IF in #RT CYCLE … #RT CYCLE END verschieben.",
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 LOOP_CONTROL_OUTSIDE_LOOP = error(
     900223,
-    en="{word} stands in nothing that it could leave or repeat",
-    de="{word} steht in nichts, das es verlassen oder wiederholen könnte",
-    remedy_en="Put it into a loop; $BREAK also ends a $CASE.",
+    en="{word} is not inside anything that it could leave or repeat",
+    de="{word} steht nicht in einer Schleife, die es verlassen oder wiederholen könnte",
+    remedy_en="Put it in a loop; $BREAK also ends a $CASE.",
     remedy_de="In eine Schleife setzen; $BREAK beendet auch ein $CASE.",
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 DUPLICATE_KEYWORD = error(
     900224,
-    en="the keyword {word} stands twice",
-    de="das Schlüsselwort {word} steht zweimal",
-    remedy_en="Keep one of both.",
-    remedy_de="Eines von beiden behalten.",
+    en="the keyword {word} is given twice",
+    de="das Schlüsselwort {word} ist doppelt angegeben",
+    remedy_en="Keep one of them.",
+    remedy_de="Eines davon behalten.",
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 INVALID_KEYWORD_VALUE = error(
     900225,
-    en="{word} = {value} does not exist",
-    de="{word} = {value} gibt es nicht",
-    remedy_en="Write one of these: {names}",
-    remedy_de="Eines davon schreiben: {names}",
+    en="{word} = {value} is not valid",
+    de="{word} = {value} ist nicht gültig",
+    remedy_en="Possible values: {names}",
+    remedy_de="Mögliche Werte: {names}",
     word=("the word as written", "das Wort, wie geschrieben"),
     value=("the value as written, or –", "der Wert, wie geschrieben, oder –"),
-    names=("what the keyword may be", "was das Schlüsselwort sein darf"),
+    names=("the possible values", "die möglichen Werte"),
 )
 CYCLE_COMMAND_WITHOUT_ID = error(
     900226,
@@ -49,13 +49,14 @@ CYCLE_COMMAND_WITHOUT_ID = error(
 )
 TEXT_IN_REALTIME_CYCLE = error(
     21981,
-    en="{name} holds a text; realtime cycles know numbers only",
-    de="{name} enthält einen Text; Echtzeit-Zyklen kennen nur Zahlen",
-    remedy_en="Use a variable with a number.",
-    remedy_de="Eine Variable mit einer Zahl verwenden.",
-    cause_en="What runs in each tick computes with numbers of fixed size; texts belong to the "
+    en="{name} holds a text; realtime cycles work with numbers only",
+    de="{name} enthält einen Text; Echtzeit-Zyklen rechnen nur mit Zahlen",
+    remedy_en="Use a variable that holds a number.",
+    remedy_de="Eine Variable verwenden, die eine Zahl enthält.",
+    cause_en="What runs in each tick uses numbers of fixed size; texts are a matter of the "
     "decoder.",
-    cause_de="Was in jedem Takt läuft, rechnet mit Zahlen fester Größe; Texte gehören dem Dekoder.",
+    cause_de="Was in jedem Takt läuft, rechnet mit Zahlen fester Größe; Texte sind Sache des "
+    "Dekoders.",
     name=("the variable", "die Variable"),
     reaction=2,
     clearing=3,
@@ -64,26 +65,25 @@ REALTIME_CYCLES_OFF = error(
     21982,
     en="{command}: realtime cycles are off in this channel (P-CHAN-00406)",
     de="{command}: Echtzeit-Zyklen sind in diesem Kanal ausgeschaltet (P-CHAN-00406)",
-    remedy_en="Write configuration.rt_cycles.enable 1 into the channel list and start again.",
+    remedy_en="Write configuration.rt_cycles.enable 1 in the channel list and restart.",
     remedy_de="configuration.rt_cycles.enable 1 in die Kanalliste schreiben und neu starten.",
-    cause_en="Without an entry in the channel list they are off; a change of it counts from the "
-    "next start.",
-    cause_de="Ohne Eintrag in der Kanalliste sind sie aus; eine Änderung gilt ab dem nächsten "
-    "Start.",
+    cause_en="Without an entry in the channel list they are off; a change takes effect at the next "
+    "start.",
+    cause_de="Ohne Eintrag in der Kanalliste sind sie ausgeschaltet; eine Änderung wirkt ab dem "
+    "nächsten Start.",
     command=("the command", "der Befehl"),
     reaction=2,
     clearing=3,
 )
 INVALID_GLOBAL_CYCLE_ID = error(
     21983,
-    en="a GLOBAL realtime cycle has an ID above 0, not {id}",
-    de="ein GLOBAL-Echtzeit-Zyklus hat eine ID über 0, nicht {id}",
-    remedy_en="Give it a whole number from 1 on.",
+    en="the ID of a GLOBAL realtime cycle must be above 0, not {id}",
+    de="die ID eines GLOBAL-Echtzeit-Zyklus muss größer als 0 sein, nicht {id}",
+    remedy_en="Give it a whole number of at least 1.",
     remedy_de="Eine ganze Zahl ab 1 angeben.",
-    cause_en="A GLOBAL cycle outlives its program; only its ID reaches it later, to hold or delete "
-    "it.",
-    cause_de="Ein GLOBAL-Zyklus überlebt sein Programm; später erreicht ihn nur seine ID, um ihn "
-    "zu halten oder zu löschen.",
+    cause_en="A GLOBAL cycle outlives its program; later it can be held or deleted only by its ID.",
+    cause_de="Ein GLOBAL-Zyklus überlebt sein Programm; später lässt er sich nur über seine ID "
+    "anhalten oder löschen.",
     id=("the ID", "die ID"),
     reaction=2,
     clearing=3,
@@ -94,8 +94,8 @@ AGGREGATE_COPY_IN_CYCLE = error(
     de="{name} kann im Echtzeit-Zyklus nicht als Ganzes kopiert werden",
     remedy_en="Assign member by member: {member}",
     remedy_de="Element für Element zuweisen: {member}",
-    cause_en="One assignment stores one number in a tick, so that the time of a cycle is known.",
-    cause_de="Eine Zuweisung speichert im Takt eine Zahl, damit die Dauer eines Zyklus bekannt "
+    cause_en="An assignment stores one number per tick, so that the run time of a cycle is known.",
+    cause_de="Eine Zuweisung speichert je Takt eine Zahl, damit die Laufzeit eines Zyklus bekannt "
     "ist.",
     name=("the variable", "die Variable"),
     member=("a member of the structure", "ein Element der Struktur"),
@@ -104,27 +104,27 @@ AGGREGATE_COPY_IN_CYCLE = error(
 )
 VALUE_LIST_IN_CYCLE = error(
     22001,
-    en="structure or array {name} cannot be given a list of values in a realtime cycle",
-    de="Struktur oder Feld {name} kann im Echtzeit-Zyklus keine Werteliste zugewiesen werden",
-    remedy_en="Assign member by member, or before the cycle.",
-    remedy_de="Element für Element zuweisen oder vor dem Zyklus.",
-    cause_en="One assignment stores one number in a tick, so that the time of a cycle is known.",
-    cause_de="Eine Zuweisung speichert im Takt eine Zahl, damit die Dauer eines Zyklus bekannt "
+    en="a list of values cannot be assigned to {name} in a realtime cycle",
+    de="{name} kann im Echtzeit-Zyklus keine Werteliste zugewiesen werden",
+    remedy_en="Assign member by member, or assign the list before the cycle.",
+    remedy_de="Element für Element zuweisen oder die Liste vor dem Zyklus zuweisen.",
+    cause_en="An assignment stores one number per tick, so that the run time of a cycle is known.",
+    cause_de="Eine Zuweisung speichert je Takt eine Zahl, damit die Laufzeit eines Zyklus bekannt "
     "ist.",
-    name=("the variable", "die Variable"),
+    name=("the structure or array", "die Struktur oder das Feld"),
     reaction=2,
     clearing=3,
 )
 COMMAND_NOT_ALLOWED_IN_CYCLE = error(
     22002,
-    en="{command} has no meaning in a realtime cycle",
-    de="{command} hat in einem Echtzeit-Zyklus keinen Sinn",
-    remedy_en="A cycle is made of $IF, assignments, M and H functions, spindle and axis commands, "
-    "#TIMER and #ERROR.",
-    remedy_de="Ein Zyklus besteht aus $IF, Zuweisungen, M- und H-Funktionen, Spindel- und "
-    "Achsbefehlen, #TIMER, #ERROR.",
-    cause_en="A realtime cycle is run to its end in every tick: nothing in it can jump, wait, or "
-    "move the path.",
+    en="{command} is not possible in a realtime cycle",
+    de="{command} ist in einem Echtzeit-Zyklus nicht möglich",
+    remedy_en="Possible are $IF, assignments, M and H functions, spindle and axis commands, #TIMER "
+    "and #ERROR.",
+    remedy_de="Möglich sind $IF, Zuweisungen, M- und H-Funktionen, Spindel- und Achsbefehle, "
+    "#TIMER und #ERROR.",
+    cause_en="A realtime cycle runs to its end in every tick: nothing in it can jump, wait or move "
+    "the path.",
     cause_de="Ein Echtzeit-Zyklus läuft in jedem Takt bis zu seinem Ende: nichts darin kann "
     "springen, warten oder die Bahn bewegen.",
     command=("the word or command", "das Wort oder der Befehl"),
@@ -135,10 +135,10 @@ CYCLE_WITHOUT_ID = error(
     22003,
     en="a realtime cycle with {word} needs an ID",
     de="ein Echtzeit-Zyklus mit {word} braucht eine ID",
-    remedy_en="Write ID=1 or another whole number into the brackets.",
+    remedy_en="Write ID=1 or another whole number in the brackets.",
     remedy_de="ID=1 oder eine andere ganze Zahl in die Klammern schreiben.",
-    cause_en="Without an ID nothing could start such a cycle later, or end it.",
-    cause_de="Ohne ID könnte nichts einen solchen Zyklus später starten oder beenden.",
+    cause_en="Without an ID such a cycle could not be started or ended later.",
+    cause_de="Ohne ID ließe sich ein solcher Zyklus später weder starten noch beenden.",
     word=("DEF or SCOPE=GLOBAL", "DEF oder SCOPE=GLOBAL"),
     reaction=2,
     clearing=3,
@@ -147,11 +147,10 @@ UNKNOWN_KEYWORD_IN_CYCLE = error(
     22004,
     en="{command} has no keyword {word} in a realtime cycle",
     de="{command} hat im Echtzeit-Zyklus kein Schlüsselwort {word}",
-    remedy_en="Leave it out.",
-    remedy_de="Weglassen.",
-    cause_en="The command is known in realtime cycles, but this part of it needs the decoder.",
-    cause_de="Der Befehl ist im Echtzeit-Zyklus bekannt, aber dieser Teil davon braucht den "
-    "Dekoder.",
+    remedy_en="Remove it.",
+    remedy_de="Entfernen.",
+    cause_en="The command is available in realtime cycles, but this part of it needs the decoder.",
+    cause_de="Den Befehl gibt es im Echtzeit-Zyklus, aber dieser Teil davon braucht den Dekoder.",
     command=("the command", "der Befehl"),
     word=("the word as written", "das Wort, wie geschrieben"),
     reaction=2,
@@ -163,9 +162,9 @@ TIMER_WITHOUT_SYN = error(
     de="#TIMER braucht im Echtzeit-Zyklus das Wort SYN",
     remedy_en="Write #TIMER {action} SYN.",
     remedy_de="#TIMER {action} SYN schreiben.",
-    cause_en="The decoder's timers run when blocks are decoded, ahead of the motion; those of "
+    cause_en="Timers of the decoder run when blocks are decoded, ahead of the motion; those of "
     "cycles run with the ticks.",
-    cause_de="Die Zeiten des Dekoders laufen beim Dekodieren, der Bewegung voraus; die der Zyklen "
+    cause_de="Zeitgeber des Dekoders laufen beim Dekodieren, der Bewegung voraus; die der Zyklen "
     "laufen mit den Takten.",
     action=("START, STOP, READ or CLEAR", "START, STOP, READ oder CLEAR"),
     reaction=2,
@@ -175,8 +174,10 @@ ASYNCHRONOUS_WRITE_IN_CYCLE = error(
     22009,
     en="{name} is asynchronous and cannot be written in a realtime cycle",
     de="{name} ist asynchron und im Echtzeit-Zyklus nicht beschreibbar",
-    remedy_en="V.E and V.CH: synchronisation TRUE in the variables list, or Vs. for this block.",
-    remedy_de="V.E und V.CH: synchronisation TRUE in der Variablenliste, oder Vs. für diesen Satz.",
+    remedy_en="V.E and V.CH: set synchronisation TRUE in the variables list, or use Vs. for this "
+    "block.",
+    remedy_de="V.E und V.CH: synchronisation TRUE in der Variablenliste setzen, oder Vs. für "
+    "diesen Satz.",
     cause_en="An asynchronous variable is read once, when the definition is decoded, and is a "
     "constant in the cycle from then on.",
     cause_de="Eine asynchrone Variable wird einmal gelesen, wenn die Definition dekodiert wird, "
@@ -187,11 +188,11 @@ ASYNCHRONOUS_WRITE_IN_CYCLE = error(
 )
 ELSEIF_WITH_FREQUENCY = error(
     22021,
-    en="$ELSEIF takes no {word}",
-    de="bei $ELSEIF gibt es kein {word}",
-    remedy_en="Put an $IF {word} of its own into the branch.",
+    en="$ELSEIF cannot have {word}",
+    de="$ELSEIF kann kein {word} haben",
+    remedy_en="Write a separate $IF {word} inside the branch.",
     remedy_de="Ein eigenes $IF {word} in den Zweig schreiben.",
-    cause_en="ONCE, EDGE and ALWAYS keep a state for their own $IF; a further branch would have "
+    cause_en="ONCE, EDGE and ALWAYS keep a state for their own $IF; another branch would have "
     "none.",
     cause_de="ONCE, EDGE und ALWAYS halten einen Zustand für ihr eigenes $IF; ein weiterer Zweig "
     "hätte keinen.",
@@ -201,12 +202,12 @@ ELSEIF_WITH_FREQUENCY = error(
 )
 FREQUENCY_IF_WITH_ELSE = error(
     22022,
-    en="$IF {word} has neither $ELSEIF nor $ELSE",
-    de="$IF {word} hat weder $ELSEIF noch $ELSE",
-    remedy_en="Close it before and write a second $IF.",
+    en="$IF {word} cannot have $ELSEIF or $ELSE",
+    de="$IF {word} kann weder $ELSEIF noch $ELSE haben",
+    remedy_en="Close it first and write a second $IF.",
     remedy_de="Vorher schließen und ein zweites $IF schreiben.",
-    cause_en="While an ALWAYS is latched or a ONCE is done its condition is not evaluated: nothing "
-    "would decide about the other branch.",
+    cause_en="While an ALWAYS is latched or a ONCE is done, its condition is not evaluated: "
+    "nothing would decide on the other branch.",
     cause_de="Solange ALWAYS eingerastet oder ONCE erledigt ist, wird die Bedingung nicht "
     "ausgewertet: nichts entschiede über den anderen Zweig.",
     word=("ONCE, EDGE or ALWAYS", "ONCE, EDGE oder ALWAYS"),
@@ -215,19 +216,19 @@ FREQUENCY_IF_WITH_ELSE = error(
 )
 FUNCTION_GIVEN_TO_AXIS_IN_CYCLE = error(
     901004,
-    en="a realtime cycle cannot give an M or H function to an axis: {command}",
-    de="ein Echtzeit-Zyklus kann keine M- oder H-Funktion an eine Achse geben: {command}",
-    remedy_en="Command the channel's function here, or the axis' in the program.",
+    en="a realtime cycle cannot output an M or H function to an axis: {command}",
+    de="ein Echtzeit-Zyklus kann keine M- oder H-Funktion an eine Achse ausgeben: {command}",
+    remedy_en="Output the function of the channel here, or that of the axis in the program.",
     remedy_de="Hier die Funktion des Kanals ausgeben oder die der Achse im Programm.",
     command=("the command as written", "der Befehl, wie geschrieben"),
 )
 INVALID_CYCLE_ID = error(
     50875,
-    en="{id} is no ID of a realtime cycle",
-    de="{id} ist keine ID eines Echtzeit-Zyklus",
+    en="{id} is not a valid ID of a realtime cycle",
+    de="{id} ist keine gültige ID eines Echtzeit-Zyklus",
     remedy_en="IDs are whole numbers from 1 to 2147483647.",
     remedy_de="IDs sind ganze Zahlen von 1 bis 2147483647.",
-    cause_en="An ID is a whole number from 1 on; expressions in it are computed when the block is "
+    cause_en="An ID is a whole number from 1; expressions in it are computed when the block is "
     "decoded.",
     cause_de="Eine ID ist eine ganze Zahl ab 1; Ausdrücke darin werden beim Dekodieren des Satzes "
     "berechnet.",
@@ -237,28 +238,28 @@ INVALID_CYCLE_ID = error(
 )
 CYCLE_M_FUNCTION_NOT_DEFINED = error(
     50938,
-    en="the channel list does not define M{function}",
-    de="die Kanalliste definiert M{function} nicht",
-    remedy_en="Give it a synchronisation type there: m_synch[{function}] MOS",
-    remedy_de="Dort eine Synchronisationsart angeben: m_synch[{function}] MOS",
-    cause_en="A cycle hands functions to the PLC without waiting; only those of the channel list "
-    "have a number there.",
-    cause_de="Ein Zyklus übergibt der SPS Funktionen, ohne zu warten; dort haben nur die der "
-    "Kanalliste eine Nummer.",
+    en="M{function} is not defined in the channel list",
+    de="M{function} ist in der Kanalliste nicht definiert",
+    remedy_en="Give it a synchronisation type there, for example m_synch[{function}] MOS",
+    remedy_de="Dort eine Synchronisationsart angeben, zum Beispiel m_synch[{function}] MOS",
+    cause_en="A cycle outputs functions to the PLC without waiting; only those of the channel list "
+    "can be output.",
+    cause_de="Ein Zyklus gibt Funktionen an die SPS aus, ohne zu warten; ausgeben lassen sich nur "
+    "die der Kanalliste.",
     function=("the number of the function", "die Nummer der Funktion"),
     reaction=6,
     clearing=6,
 )
 CYCLE_H_FUNCTION_NOT_DEFINED = error(
     50940,
-    en="the channel list does not define H{function}",
-    de="die Kanalliste definiert H{function} nicht",
-    remedy_en="Give it a synchronisation type there: h_synch[{function}] MOS",
-    remedy_de="Dort eine Synchronisationsart angeben: h_synch[{function}] MOS",
-    cause_en="A cycle hands functions to the PLC without waiting; only those of the channel list "
-    "have a number there.",
-    cause_de="Ein Zyklus übergibt der SPS Funktionen, ohne zu warten; dort haben nur die der "
-    "Kanalliste eine Nummer.",
+    en="H{function} is not defined in the channel list",
+    de="H{function} ist in der Kanalliste nicht definiert",
+    remedy_en="Give it a synchronisation type there, for example h_synch[{function}] MOS",
+    remedy_de="Dort eine Synchronisationsart angeben, zum Beispiel h_synch[{function}] MOS",
+    cause_en="A cycle outputs functions to the PLC without waiting; only those of the channel list "
+    "can be output.",
+    cause_de="Ein Zyklus gibt Funktionen an die SPS aus, ohne zu warten; ausgeben lassen sich nur "
+    "die der Kanalliste.",
     function=("the number of the function", "die Nummer der Funktion"),
     reaction=6,
     clearing=6,

@@ -7,10 +7,10 @@ from nctakt.messages.catalogue import error, note, warning
 
 NOTHING_TO_CHECK = warning(
     900580,
-    en="{folder} holds nothing that can be checked",
+    en="{folder} contains nothing that can be checked",
     de="{folder} enthält nichts, was geprüft werden kann",
-    remedy_en="Programs in folders end with {suffixes}, lists with .lis; name other files one by "
-    "one.",
+    remedy_en="Programs in folders end with {suffixes}, lists with .lis; name other files "
+    "individually.",
     remedy_de="Programme in Ordnern enden mit {suffixes}, Listen mit .lis; andere Dateien einzeln "
     "nennen.",
     folder=("the path as it was given", "der Pfad, wie angegeben"),
@@ -18,8 +18,8 @@ NOTHING_TO_CHECK = warning(
 )
 NOT_A_TEXT_FILE = error(
     900581,
-    en="{file} is no text",
-    de="{file} ist kein Text",
+    en="{file} is not a text file",
+    de="{file} ist keine Textdatei",
     remedy_en="Name NC programs and ASCII lists.",
     remedy_de="NC-Programme und ASCII-Listen nennen.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
@@ -28,24 +28,24 @@ FILE_ENCRYPTED = note(
     900582,
     en="{file} is encrypted and cannot be checked",
     de="{file} ist verschlüsselt und kann nicht geprüft werden",
-    remedy_en="Check the program that it was made from.",
-    remedy_de="Das Programm prüfen, aus dem sie entstanden ist.",
+    remedy_en="Check the program from which it was made.",
+    remedy_de="Das Programm prüfen, aus dem die Datei entstanden ist.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 LIST_CHECKED_ALONE = note(
     900583,
-    en="this list is checked alone, as {kind}",
-    de="diese Liste wird allein geprüft, als {kind}",
-    remedy_en="Check the machine's folder for what several lists say together.",
-    remedy_de="Für das, was mehrere Listen zusammen sagen, den Ordner der Maschine prüfen.",
+    en="this list is checked on its own, as {kind}",
+    de="diese Liste wird für sich geprüft, als {kind}",
+    remedy_en="Check the machine folder to check how several lists fit together.",
+    remedy_de="Den Maschinenordner prüfen, um das Zusammenspiel mehrerer Listen zu prüfen.",
     kind=("the kind of list", "die Art der Liste"),
 )
 LIST_KIND_NOT_RECOGNISED = note(
     900584,
-    en="no kind of list that is known has such entries; the list is not checked",
+    en="no known kind of list has such entries; the list is not checked",
     de="keine bekannte Art von Liste hat solche Einträge; die Liste wird nicht geprüft",
-    remedy_en="Known are {kinds}",
-    remedy_de="Bekannt sind {kinds}",
+    remedy_en="Known kinds: {kinds}",
+    remedy_de="Bekannte Arten: {kinds}",
     kinds=("the kinds of lists", "die Arten von Listen"),
 )
 CHECKED_FOR_DEMO_MACHINE = note(
@@ -54,16 +54,17 @@ CHECKED_FOR_DEMO_MACHINE = note(
     de="Programme werden für die Demo-Maschine geprüft",
     remedy_en="--machine {folder} checks them for yours.",
     remedy_de="--machine {folder} prüft sie für die eigene.",
-    folder=("a machine's folder", "der Ordner einer Maschine"),
+    folder=("a machine folder", "ein Maschinenordner"),
 )
 NO_MESSAGE_SELECTED = error(
     900586,
     en="'{text}' selects no message",
     de="'{text}' wählt keine Meldung aus",
-    remedy_en="Write numbers (22009), beginnings (9002) or ranges (22000-22099), divided by "
+    remedy_en="Write numbers (22009), prefixes (9002) or ranges (22000-22099), separated by "
     "commas.",
-    remedy_de="Nummern (22009), Anfänge (9002) oder Bereiche (22000-22099) mit Kommas schreiben.",
-    text=("what was given", "was angegeben wurde"),
+    remedy_de="Nummern (22009), Anfänge (9002) oder Bereiche (22000-22099) durch Kommas getrennt "
+    "angeben.",
+    text=("the word as it was given", "das Wort, wie angegeben"),
 )
 CHECKED_FOR_MACHINE_OF_FILE = note(
     900815,

@@ -18,7 +18,7 @@ LOG_MANAGER_CAPACITY = note(
     de="Echtzeit-Zyklen-Manager: {count} Zyklen",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
-    count=("how many cycles there are", "wie viele Zyklen es gibt"),
+    count=("the maximum number of cycles", "die größte Anzahl von Zyklen"),
 )
 LOG_CYCLE_CREATED = note(
     900552,
@@ -147,7 +147,7 @@ LOG_VARIABLE_WRITTEN = note(
 )
 LOG_FUNCTION_OUTPUT = note(
     900563,
-    en="Cycle {cycle}: {function} was put out, number {sequence} of the tick",
+    en="Cycle {cycle}: {function} was output, number {sequence} of the tick",
     de="Zyklus {cycle}: {function} wurde ausgegeben, Nummer {sequence} im Takt",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
@@ -195,5 +195,5 @@ LOG_MOTION_STATE = note(
         "die ID des Zyklus, ohne ID # und eine Nummer",
     ),
     axis=("the axis", "die Achse"),
-    state=("what has become of it", "was daraus geworden ist"),
+    state=("its new state", "ihr neuer Zustand"),
 )

@@ -7,43 +7,43 @@ from nctakt.messages.catalogue import error
 
 UNKNOWN_TOPIC = error(
     900570,
-    en="'{word}' is known to nobody here",
-    de="'{word}' kennt hier niemand",
-    remedy_en="nctakt explain without a word lists what can be asked for.",
-    remedy_de="nctakt explain ohne Wort zeigt, wonach gefragt werden kann.",
+    en="unknown topic '{word}'",
+    de="unbekanntes Stichwort '{word}'",
+    remedy_en="nctakt explain without a word lists all topics.",
+    remedy_de="nctakt explain ohne Wort zeigt alle Stichwörter.",
     word=("the word as it was given", "das Wort, wie angegeben"),
 )
 MISSPELLED_TOPIC = error(
     900571,
-    en="'{word}' is known to nobody here",
-    de="'{word}' kennt hier niemand",
+    en="unknown topic '{word}'",
+    de="unbekanntes Stichwort '{word}'",
     remedy_en="Did you mean {nearest}?",
-    remedy_de="Ist {nearest} gemeint?",
+    remedy_de="War {nearest} gemeint?",
     word=("the word as it was given", "das Wort, wie angegeben"),
     nearest=("the nearest known word", "das ähnlichste bekannte Wort"),
 )
 CYCLE_NOT_IN_RUN = error(
     900574,
-    en="there is no realtime cycle {cycle} in this run",
-    de="es gibt in diesem Lauf keinen Echtzeit-Zyklus {cycle}",
-    remedy_en="Name one of: {known}",
+    en="this run has no realtime cycle {cycle}",
+    de="dieser Lauf hat keinen Echtzeit-Zyklus {cycle}",
+    remedy_en="Name one of these: {known}",
     remedy_de="Einen von diesen nennen: {known}",
     cycle=("the ID that was given", "die angegebene ID"),
     known=("the IDs of the run's cycles", "die IDs der Zyklen des Laufs"),
 )
 LINE_NOT_IN_CYCLE = error(
     900575,
-    en="line {line} belongs to no realtime cycle",
+    en="line {line} does not belong to a realtime cycle",
     de="Zeile {line} gehört zu keinem Echtzeit-Zyklus",
-    remedy_en="The nearest line that does is {nearest}",
-    remedy_de="Die nächste Zeile, die zu einem gehört, ist {nearest}",
+    remedy_en="The nearest line of a cycle is {nearest}",
+    remedy_de="Die nächste Zeile eines Zyklus ist {nearest}",
     line=("the line that was given", "die angegebene Zeile"),
     nearest=("the nearest line of a cycle", "die nächste Zeile eines Zyklus"),
 )
 TICK_NOT_IN_RUN = error(
     900576,
-    en="tick {tick} is not in the run, which went from tick {first} to tick {last}",
-    de="Takt {tick} liegt nicht im Lauf, der von Takt {first} bis Takt {last} ging",
+    en="tick {tick} is outside the run, which went from tick {first} to tick {last}",
+    de="Takt {tick} liegt außerhalb des Laufs, der von Takt {first} bis Takt {last} ging",
     remedy_en="Give a time within the run.",
     remedy_de="Eine Zeit innerhalb des Laufs angeben.",
     tick=("the tick", "der Takt"),
@@ -52,15 +52,15 @@ TICK_NOT_IN_RUN = error(
 )
 RUN_WITHOUT_CYCLES = error(
     900577,
-    en="there is no realtime cycle {cycle}: this run has defined none",
-    de="es gibt keinen Echtzeit-Zyklus {cycle}: dieser Lauf hat keinen angelegt",
+    en="there is no realtime cycle {cycle}: this run defined none",
+    de="es gibt keinen Echtzeit-Zyklus {cycle}: dieser Lauf hat keinen definiert",
     remedy_en="Ask without a cycle to see which definitions were not reached.",
     remedy_de="Ohne Zyklus fragen, um zu sehen, welche Definitionen nicht erreicht wurden.",
     cycle=("the ID that was given", "die angegebene ID"),
 )
 PROGRAMS_WITHOUT_CYCLES = error(
     900578,
-    en="line {line} belongs to no realtime cycle: the programs have none",
+    en="line {line} does not belong to a realtime cycle: the programs have none",
     de="Zeile {line} gehört zu keinem Echtzeit-Zyklus: die Programme haben keinen",
     remedy_en="Name a program that defines realtime cycles.",
     remedy_de="Ein Programm nennen, das Echtzeit-Zyklen definiert.",

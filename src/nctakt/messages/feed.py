@@ -7,9 +7,9 @@ from nctakt.messages.catalogue import error, warning
 
 FEED_PER_REVOLUTION_SPINDLE_STOPPED = error(
     60131,
-    en="feed per revolution (G95), and the program lets spindle {spindle} stand",
-    de="Vorschub je Umdrehung (G95), und das Programm lässt die Spindel {spindle} stehen",
-    remedy_en="Program M03 or M04 with a speed S before.",
+    en="feed per revolution (G95), but the program leaves spindle {spindle} stopped",
+    de="Vorschub je Umdrehung (G95), aber das Programm lässt die Spindel {spindle} stehen",
+    remedy_en="Program M03 or M04 with a speed S first.",
     remedy_de="Vorher M03 oder M04 mit einer Drehzahl S programmieren.",
     spindle=("the spindle's name", "der Name der Spindel"),
     reaction=6,
@@ -17,9 +17,9 @@ FEED_PER_REVOLUTION_SPINDLE_STOPPED = error(
 )
 INVALID_PROGRAM_OVERRIDE = error(
     900835,
-    en="{word} {value} is no override: {low} … {high} %",
-    de="{word} {value} ist kein Override: {low} … {high} %",
-    remedy_en="100 is the speed as programmed.",
+    en="{word} {value} is not a valid override: {low} … {high} %",
+    de="{word} {value} ist kein gültiger Override: {low} … {high} %",
+    remedy_en="100 is the programmed speed.",
     remedy_de="100 ist die programmierte Geschwindigkeit.",
     word=("FEED_FACT or RAPID_FACT", "FEED_FACT oder RAPID_FACT"),
     value=("the value", "der Wert"),
@@ -30,23 +30,23 @@ INVALID_PROGRAM_OVERRIDE = error(
 )
 FEED_PER_REVOLUTION_WITHOUT_SPINDLE = error(
     900836,
-    en="feed per revolution (G95), and the channel has no main spindle",
-    de="Vorschub je Umdrehung (G95), und der Kanal hat keine Hauptspindel",
-    remedy_en="main_spindle_ax_nr and main_spindle_name of the channel list name it (P-CHAN-00051, "
-    "P-CHAN-00053).",
-    remedy_de="main_spindle_ax_nr und main_spindle_name der Kanalliste nennen sie (P-CHAN-00051, "
-    "P-CHAN-00053).",
+    en="feed per revolution (G95), but the channel has no main spindle",
+    de="Vorschub je Umdrehung (G95), aber der Kanal hat keine Hauptspindel",
+    remedy_en="Name it in the channel list: main_spindle_ax_nr (P-CHAN-00051), main_spindle_name "
+    "(P-CHAN-00053).",
+    remedy_de="Sie in der Kanalliste nennen: main_spindle_ax_nr (P-CHAN-00051), main_spindle_name "
+    "(P-CHAN-00053).",
     reaction=2,
     clearing=3,
 )
 WAITING_FOR_MAIN_SPINDLE = warning(
     900819,
-    en="the path waits for the main spindle, which stands: feed per revolution (G95)",
+    en="the path waits for the main spindle, which is stopped: feed per revolution (G95)",
     de="die Bahn wartet auf die Hauptspindel, die steht: Vorschub je Umdrehung (G95)",
-    remedy_en="Let the spindle turn (M3 S1000), or program the feed per minute (G94).",
+    remedy_en="Let the spindle turn (M3 S1000), or program feed per minute (G94).",
     remedy_de="Die Spindel drehen lassen (M3 S1000) oder den Vorschub je Minute angeben (G94).",
-    cause_en="The speed of the path is that of the spindle times the feed; the path goes on when "
-    "the spindle turns.",
+    cause_en="The path speed is the spindle speed times the feed; the path continues when the "
+    "spindle turns.",
     cause_de="Die Bahngeschwindigkeit ist Drehzahl mal Vorschub; die Bahn fährt weiter, wenn die "
     "Spindel dreht.",
 )

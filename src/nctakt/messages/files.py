@@ -9,8 +9,8 @@ FILE_MISSING = error(
     900500,
     en="{file} does not exist",
     de="{file} gibt es nicht",
-    remedy_en="Check the path; it is relative to the folder in which nctakt runs.",
-    remedy_de="Den Pfad prüfen; er gilt ab dem Ordner, in dem nctakt läuft.",
+    remedy_en="Check the path; it is relative to the folder in which nctakt is run.",
+    remedy_de="Den Pfad prüfen; er gilt relativ zum Ordner, in dem nctakt läuft.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 FOLDER_INSTEAD_OF_FILE = error(
@@ -33,50 +33,50 @@ FILE_NOT_READABLE = error(
     900503,
     en="{file} cannot be read: {reason}",
     de="{file} kann nicht gelesen werden: {reason}",
-    remedy_en="Check the rights of the file, and whether it is complete.",
-    remedy_de="Die Rechte der Datei prüfen, und ob sie vollständig ist.",
+    remedy_en="Check the access rights of the file, and whether it is complete.",
+    remedy_de="Die Zugriffsrechte der Datei prüfen, und ob sie vollständig ist.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
-    reason=("what the system says", "was das System sagt"),
+    reason=("the error of the operating system", "der Fehler des Betriebssystems"),
 )
 STDIN_NAMED_TWICE = error(
     900504,
     en="standard input ('-') is named more than once",
-    de="die Standardeingabe ('-') ist mehrfach genannt",
+    de="die Standardeingabe ('-') ist mehrfach angegeben",
     remedy_en="Name '-' once; further programs need files.",
     remedy_de="'-' einmal nennen; weitere Programme brauchen Dateien.",
 )
 UNKNOWN_TRACE_FORMAT = error(
     900506,
-    en="{file}: the end of the name says no trace format",
-    de="{file}: die Endung nennt kein Format für Aufzeichnungen",
-    remedy_en="Give the file the suffix {suffixes}.",
-    remedy_de="Der Datei eine dieser Endungen geben: {suffixes}.",
+    en="{file}: the suffix is not a known trace format",
+    de="{file}: die Endung nennt kein bekanntes Format für Aufzeichnungen",
+    remedy_en="Use one of these suffixes: {suffixes}.",
+    remedy_de="Eine dieser Endungen verwenden: {suffixes}.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
-    suffixes=("the suffixes that are known", "die bekannten Endungen"),
+    suffixes=("the known suffixes", "die bekannten Endungen"),
 )
 FILE_NOT_WRITABLE = error(
     900507,
     en="{file} cannot be written: {reason}",
     de="{file} kann nicht geschrieben werden: {reason}",
-    remedy_en="Choose a folder that exists, with the right to write and room on the disk.",
+    remedy_en="Choose an existing folder with write permission and free space.",
     remedy_de="Einen vorhandenen Ordner mit Schreibrecht und freiem Platz wählen.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
-    reason=("what the system says", "was das System sagt"),
+    reason=("the error of the operating system", "der Fehler des Betriebssystems"),
 )
 NOT_A_TRACE = error(
     900508,
-    en="{file} is no trace that nctakt has written",
+    en="{file} is not a trace written by nctakt",
     de="{file} ist keine Aufzeichnung von nctakt",
-    remedy_en="Name a file that nctakt run --trace made.",
+    remedy_en="Name a file written by nctakt run --trace.",
     remedy_de="Eine Datei nennen, die nctakt run --trace geschrieben hat.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 OUTPUT_IS_READ = error(
     900913,
-    en="{option} would overwrite {file}, which is read",
-    de="{option} würde {file} überschreiben, das gelesen wird",
-    remedy_en="Give another name for what is written.",
-    remedy_de="Für das, was geschrieben wird, einen anderen Namen angeben.",
+    en="{option} would overwrite {file}, which is an input",
+    de="{option} würde {file} überschreiben, das eine Eingabe ist",
+    remedy_en="Choose another name for the output.",
+    remedy_de="Für die Ausgabe einen anderen Namen wählen.",
     cause_en="Links and other spellings of the path lead to the same file.",
     cause_de="Verknüpfungen und andere Schreibweisen des Pfads führen zur selben Datei.",
     option=("the option that names the output", "die Option, die die Ausgabe nennt"),
@@ -86,47 +86,47 @@ OUTPUTS_ARE_ONE_FILE = error(
     900914,
     en="{option} and {other} would write to the same file, {file}",
     de="{option} und {other} würden in dieselbe Datei schreiben: {file}",
-    remedy_en="Give each of them a file of its own.",
-    remedy_de="Jeder von beiden eine eigene Datei geben.",
+    remedy_en="Choose a separate file for each of them.",
+    remedy_de="Für jede eine eigene Datei wählen.",
     option=("the option that names the output", "die Option, die die Ausgabe nennt"),
     other=("the other output", "die andere Ausgabe"),
     file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 FILE_TOO_LONG = error(
     900915,
-    en="{file} is not read: more than {limit} bytes at once",
-    de="{file} wird nicht gelesen: mehr als {limit} Byte auf einmal",
-    remedy_en="Give a file of text; a long program can be read if it is a plain file with lines.",
-    remedy_de="Eine Textdatei angeben; ein langes Programm wird gelesen, wenn es eine gewöhnliche "
+    en="{file} is too large to be read at once: more than {limit} bytes",
+    de="{file} ist zu groß, um auf einmal gelesen zu werden: mehr als {limit} Byte",
+    remedy_en="Name a text file; a long program can be read if it is a regular file with lines.",
+    remedy_de="Eine Textdatei angeben; ein langes Programm ist lesbar, wenn es eine gewöhnliche "
     "Datei mit Zeilen ist.",
-    cause_en="Lists, pipes, devices and lines that stand together are read at once.",
-    cause_de="Listen, Pipes, Geräte und zusammenstehende Zeilen werden auf einmal gelesen.",
+    cause_en="Lists, pipes, devices and lines that belong together are read at once.",
+    cause_de="Listen, Pipes, Geräte und zusammengehörige Zeilen werden auf einmal gelesen.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
     limit=("the limit in bytes", "die Grenze in Byte"),
 )
 FILE_OUTSIDE = error(
     900917,
-    en="{file} is not read: it lies outside of {folders}",
+    en="{file} is not read: it is outside {folders}",
     de="{file} wird nicht gelesen: es liegt außerhalb von {folders}",
-    remedy_en="Only files in these folders may be read (--confine); move it there.",
-    remedy_de="Nur Dateien in diesen Ordnern dürfen gelesen werden (--confine); dorthin "
+    remedy_en="Only files in these folders may be read (--confine); move the file there.",
+    remedy_de="Nur Dateien in diesen Ordnern dürfen gelesen werden (--confine); die Datei dorthin "
     "verschieben.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
     folders=("the folders that may be read", "die Ordner, die gelesen werden dürfen"),
 )
 OUTPUT_CUT_OFF = note(
     900918,
-    en="what was written until then is in {file}",
+    en="what had been written until then is in {file}",
     de="was bis dahin geschrieben wurde, steht in {file}",
-    remedy_en="It can be read up to its last whole line.",
-    remedy_de="Es kann bis zur letzten ganzen Zeile gelesen werden.",
+    remedy_en="The file can be read up to its last complete line.",
+    remedy_de="Die Datei ist bis zur letzten vollständigen Zeile lesbar.",
     file=("the file", "die Datei"),
 )
 OUTPUT_IN_USE = error(
     900919,
     en="{file} is being written by another run",
     de="{file} wird gerade von einem anderen Lauf geschrieben",
-    remedy_en="Wait for its end, or give another name.",
-    remedy_de="Dessen Ende abwarten oder einen anderen Namen angeben.",
+    remedy_en="Wait until it ends, or choose another name.",
+    remedy_de="Dessen Ende abwarten oder einen anderen Namen wählen.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
 )

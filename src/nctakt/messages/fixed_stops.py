@@ -17,10 +17,11 @@ FIXED_STOP_WITHOUT_MOTION = error(
 )
 INVALID_FIXED_STOP_RANGE = error(
     21968,
-    en="START = {start} and END = {end} of FIXED_STOP are no part of the way",
-    de="START = {start} und END = {end} von FIXED_STOP sind kein Teil des Wegs",
-    remedy_en="Give percents of the block's way: from 0 on, START below END, END at most 100.",
-    remedy_de="Prozente des Wegs im Satz angeben: ab 0, START kleiner als END, END höchstens 100.",
+    en="START = {start} and END = {end} of FIXED_STOP are not a part of the path",
+    de="START = {start} und END = {end} von FIXED_STOP bezeichnen keinen Teil des Weges",
+    remedy_en="Give percentages of the block's path length: from 0, START below END, END at most "
+    "100.",
+    remedy_de="Prozente des Weges im Satz angeben: ab 0, START kleiner als END, END höchstens 100.",
     start=("the value of START", "der Wert von START"),
     end=("the value of END", "der Wert von END"),
     reaction=2,
@@ -28,13 +29,13 @@ INVALID_FIXED_STOP_RANGE = error(
 )
 FIXED_STOP_NOT_FOUND = error(
     50885,
-    en="the axis {axis} has found no fixed stop on its way",
-    de="die Achse {axis} hat auf ihrem Weg keinen Festanschlag gefunden",
-    remedy_en="Move farther, lower POS_LAG_LIMIT, or write ERR_NOT_DETECTED=0.",
+    en="axis {axis} found no fixed stop on its way",
+    de="Achse {axis} hat auf ihrem Weg keinen Festanschlag gefunden",
+    remedy_en="Move further, lower POS_LAG_LIMIT, or write ERR_NOT_DETECTED=0.",
     remedy_de="Weiter fahren, POS_LAG_LIMIT senken oder ERR_NOT_DETECTED=0 schreiben.",
-    cause_en="An axis that is monitored has to meet an obstacle; that of the simulation is "
+    cause_en="A monitored axis must meet an obstacle; in the simulation this is "
     "antr.simu.fixed_stop of the axis list.",
-    cause_de="Eine überwachte Achse muss auf ein Hindernis treffen; das der Simulation ist "
+    cause_de="Eine überwachte Achse muss auf ein Hindernis treffen; in der Simulation ist das "
     "antr.simu.fixed_stop der Achsliste.",
     axis=("the axis", "die Achse"),
     reaction=6,

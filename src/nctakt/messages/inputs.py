@@ -7,8 +7,8 @@ from nctakt.messages.catalogue import error
 
 INVALID_TIME = error(
     900510,
-    en="'{text}' is not a time",
-    de="'{text}' ist keine Zeitangabe",
+    en="'{text}' is not a valid time",
+    de="'{text}' ist keine gültige Zeit",
     remedy_en="Write 1500us, 1.5ms, 2s, 3min, 1h or '300 ticks'; a number alone means seconds.",
     remedy_de="1500us, 1.5ms, 2s, 3min, 1h oder '300 ticks' schreiben; eine Zahl allein bedeutet "
     "Sekunden.",
@@ -20,7 +20,7 @@ WRONG_TIME_TYPE = error(
     de="{value} ist vom Typ {type} und kann keine Zeitangabe sein",
     remedy_en='Give a text such as "20 ms", a number of seconds, or a datetime.timedelta.',
     remedy_de='Einen Text wie "20 ms", eine Zahl in Sekunden oder ein datetime.timedelta angeben.',
-    value=("what was given", "was angegeben wurde"),
+    value=("the value as it was given", "der Wert, wie angegeben"),
     type=("its type in Python", "sein Typ in Python"),
 )
 NOT_A_STIMULUS = error(
@@ -29,7 +29,7 @@ NOT_A_STIMULUS = error(
     de="{value} ist kein Wert zu einer Zeit",
     remedy_en='Give a time, the name of a variable and its value: ("20 ms", "V.E.DOOR", 1).',
     remedy_de='Zeit, Name der Variablen und Wert angeben: ("20 ms", "V.E.DOOR", 1).',
-    value=("what was given", "was angegeben wurde"),
+    value=("the value as it was given", "der Wert, wie angegeben"),
 )
 TEXT_INSTEAD_OF_FILE = error(
     900515,
@@ -41,41 +41,41 @@ TEXT_INSTEAD_OF_FILE = error(
 )
 STIMULUS_WITHOUT_VALUE = error(
     900579,
-    en="--at {time} lacks the value that a variable gets at this time",
-    de="bei --at {time} fehlt der Wert, den eine Variable zu dieser Zeit bekommt",
-    remedy_en="Write --at {time} NAME=VALUE. --state {time} tells how everything stood.",
-    remedy_de="--at {time} NAME=WERT schreiben. --state {time} sagt, wie alles stand.",
+    en="--at {time}: the value that a variable gets at this time is missing",
+    de="--at {time}: der Wert, den eine Variable zu dieser Zeit erhält, fehlt",
+    remedy_en="Write --at {time} NAME=VALUE. --state {time} shows the state at that time.",
+    remedy_de="--at {time} NAME=WERT schreiben. --state {time} zeigt den Zustand zu dieser Zeit.",
     time=("the time as it was given", "die Zeit, wie angegeben"),
 )
 NOT_AN_ASSIGNMENT = error(
     900511,
-    en="'{text}' does not give a value to a variable",
-    de="'{text}' gibt keiner Variablen einen Wert",
+    en="'{text}' does not assign a value to a variable",
+    de="'{text}' weist keiner Variablen einen Wert zu",
     remedy_en="Write NAME=VALUE, such as V.E.VALUE=5.",
     remedy_de="NAME=WERT schreiben, etwa V.E.VALUE=5.",
-    text=("what was given", "was angegeben wurde"),
+    text=("the word as it was given", "das Wort, wie angegeben"),
 )
 UNREADABLE_VALUE = error(
     900512,
-    en="{name}: '{value}' is no value",
-    de="{name}: '{value}' ist kein Wert",
-    remedy_en='Write a number, TRUE, FALSE or a text between "…".',
-    remedy_de='Eine Zahl, TRUE, FALSE oder einen Text zwischen "…" schreiben.',
+    en="{name}: '{value}' is not a valid value",
+    de="{name}: '{value}' ist kein gültiger Wert",
+    remedy_en="Write a number, TRUE, FALSE or a text in double quotes.",
+    remedy_de="Eine Zahl, TRUE, FALSE oder einen Text in Anführungszeichen schreiben.",
     name=("the variable", "die Variable"),
     value=("the value as it was given", "der Wert, wie angegeben"),
 )
 UNKNOWN_MACHINE_VARIABLE = error(
     900540,
-    en="there is no variable {name}",
-    de="es gibt keine Variable {name}",
-    remedy_en="See the machine's variables list for the names.",
+    en="unknown variable {name}",
+    de="unbekannte Variable {name}",
+    remedy_en="The names are in the machine's variables list.",
     remedy_de="Die Namen stehen in der Variablenliste der Maschine.",
     name=("the name", "der Name"),
 )
 MISSPELLED_MACHINE_VARIABLE = error(
     900541,
-    en="there is no variable {name}",
-    de="es gibt keine Variable {name}",
+    en="unknown variable {name}",
+    de="unbekannte Variable {name}",
     remedy_en="Did you mean {nearest}?",
     remedy_de="War {nearest} gemeint?",
     name=("the name", "der Name"),
@@ -86,31 +86,33 @@ VARIABLE_NOT_SETTABLE = error(
     en="{name} belongs to the controller and cannot be set from outside",
     de="{name} gehört der Steuerung und kann nicht von außen gesetzt werden",
     remedy_en="Set V.E or V.CH variables; write V.RT* variables in a program or a realtime cycle.",
-    remedy_de="V.E- oder V.CH-Variablen setzen; V.RT* in Programm oder Echtzeit-Zyklus schreiben.",
+    remedy_de="V.E- oder V.CH-Variablen setzen; V.RT* in einem Programm oder Echtzeit-Zyklus "
+    "schreiben.",
     name=("the name", "der Name"),
 )
 VALUE_NOT_OF_TYPE = error(
     900543,
-    en="{name} of type {type} does not take the value {value}",
-    de="{name} vom Typ {type} nimmt den Wert {value} nicht",
-    remedy_en="Give a number to a number, a text to a text.",
-    remedy_de="Einer Zahl eine Zahl geben, einem Text einen Text.",
+    en="{name} is of type {type} and cannot take the value {value}",
+    de="{name} ist vom Typ {type} und kann den Wert {value} nicht annehmen",
+    remedy_en="Assign a number to a number, a text to a text.",
+    remedy_de="Einer Zahl eine Zahl zuweisen, einem Text einen Text.",
     name=("the variable", "die Variable"),
     type=("its type", "ihr Typ"),
     value=("the value", "der Wert"),
 )
 UNKNOWN_SIGNAL = error(
     900544,
-    en="there is no signal {name}",
-    de="es gibt kein Signal {name}",
-    remedy_en="Signals are X.ACS.ACT_POS and its kin, PATH.SPEED, BLOCK, V.E and V.CH variables.",
-    remedy_de="Signale sind X.ACS.ACT_POS und andere, PATH.SPEED, BLOCK, V.E- und V.CH-Variablen.",
+    en="unknown signal {name}",
+    de="unbekanntes Signal {name}",
+    remedy_en="Signals are X.ACS.ACT_POS and similar, PATH.SPEED, BLOCK, V.E and V.CH variables.",
+    remedy_de="Signale sind X.ACS.ACT_POS und ähnliche, PATH.SPEED, BLOCK, V.E- und "
+    "V.CH-Variablen.",
     name=("the name", "der Name"),
 )
 MISSPELLED_SIGNAL = error(
     900545,
-    en="there is no signal {name}",
-    de="es gibt kein Signal {name}",
+    en="unknown signal {name}",
+    de="unbekanntes Signal {name}",
     remedy_en="Did you mean {nearest}?",
     remedy_de="War {nearest} gemeint?",
     name=("the name", "der Name"),
@@ -118,10 +120,11 @@ MISSPELLED_SIGNAL = error(
 )
 INVALID_EXPECTATION = error(
     900660,
-    en="'{text}' is no expectation",
-    de="'{text}' ist keine Erwartung",
+    en="'{text}' is not a valid expectation",
+    de="'{text}' ist keine gültige Erwartung",
     remedy_en='Write fired, M100, message "…", error 22009, ended, X = 1.5; see docs/testing.md.',
-    remedy_de='Etwa fired, M100, message "…", error 22009, X = 1.5; siehe docs/testing.md.',
+    remedy_de='Möglich sind fired, M100, message "…", error 22009, ended, X = 1.5; siehe '
+    "docs/testing.md.",
     text=(
         "the expectation as it stands in the comment",
         "die Erwartung, wie sie im Kommentar steht",
@@ -147,11 +150,11 @@ NO_BRANCH_IN_LINE = error(
 )
 INVALID_GIVEN_INPUT = error(
     900661,
-    en="'{text}' cannot be given to a run",
-    de="'{text}' kann einem Lauf nicht mitgegeben werden",
+    en="'{text}' is not a valid input of a run",
+    de="'{text}' ist keine gültige Vorgabe für einen Lauf",
     remedy_en="Write V.E.VALUE = 5, V.E.VALUE = 5 at 20ms, plc FILE, machine FOLDER, until TIME, "
     "after TIME or start.",
     remedy_de="V.E.VALUE = 5, V.E.VALUE = 5 at 20ms, plc DATEI, machine ORDNER, until ZEIT, after "
     "ZEIT oder start schreiben.",
-    text=("what stands in the comment", "was im Kommentar steht"),
+    text=("the text of the comment", "der Text des Kommentars"),
 )

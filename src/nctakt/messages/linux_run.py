@@ -7,112 +7,115 @@ from nctakt.messages.catalogue import error, note, warning
 
 LINUX_ONLY = error(
     900680,
-    en="a schedule runs for real on Linux only; this is {system}",
-    de="ein Ablauf läuft nur unter Linux wirklich; das hier ist {system}",
-    remedy_en="Simulate it: nctakt schedule simulate.",
-    remedy_de="Ihn simulieren: nctakt schedule simulate.",
+    en="a schedule can only be run in real time on Linux; this is {system}",
+    de="ein Ablauf lässt sich nur unter Linux wirklich ausführen; dies ist {system}",
+    remedy_en="Simulate it instead, with nctakt schedule simulate.",
+    remedy_de="Ihn stattdessen mit nctakt schedule simulate simulieren.",
     system=("the operating system", "das Betriebssystem"),
 )
 SCHEDULE_RUNNER_MISSING = error(
     900681,
     en="the part that runs schedules is not installed",
-    de="der Teil, der Abläufe laufen lässt, ist nicht installiert",
-    remedy_en="Install nctakt again where there is a C compiler.",
-    remedy_de="nctakt neu installieren, wo ein C-Compiler vorhanden ist.",
+    de="der Teil, der Abläufe ausführt, ist nicht installiert",
+    remedy_en="Reinstall nctakt where a C compiler is available.",
+    remedy_de="nctakt dort neu installieren, wo ein C-Compiler vorhanden ist.",
 )
 SCHED_FIFO_NOT_PERMITTED = warning(
     900682,
-    en="SCHED_FIFO is not permitted ({reason}): ordinary scheduling, which ignores priorities",
-    de="SCHED_FIFO ist nicht erlaubt ({reason}): gewöhnliches Scheduling, das Prioritäten nicht "
-    "kennt",
-    remedy_en="Run as root, or raise rtprio in /etc/security/limits.conf; in a container add the "
+    en="SCHED_FIFO is not permitted ({reason}): ordinary scheduling is used, which ignores "
+    "priorities",
+    de="SCHED_FIFO ist nicht erlaubt ({reason}): es gilt gewöhnliches Scheduling, das Prioritäten "
+    "ignoriert",
+    remedy_en="Run as root, raise rtprio in /etc/security/limits.conf, or give a container the "
     "capability SYS_NICE.",
     remedy_de="Als root starten, rtprio in /etc/security/limits.conf erhöhen oder einem Container "
     "SYS_NICE geben.",
-    reason=("what the system says", "was das System sagt"),
+    reason=("the error of the operating system", "der Fehler des Betriebssystems"),
 )
 TIMER_INSTEAD_OF_INTERRUPT = note(
     900683,
-    en="a timer plays the NC interrupts as the load has them: nothing else gives them here",
-    de="ein Timer spielt die NC-Interrupts nach der Last: nichts anderes gibt sie hier",
-    remedy_en="Nothing to do; interrupt_source 3 takes them from a semaphore.",
-    remedy_de="Nichts zu tun; interrupt_source 3 nimmt sie von einem Semaphor.",
+    en="a timer gives the NC interrupts as defined in the load: nothing else gives them here",
+    de="ein Timer gibt die NC-Interrupts gemäß der Last: nichts anderes gibt sie hier",
+    remedy_en="Nothing to do; with interrupt_source 3 they come from a semaphore.",
+    remedy_de="Nichts zu tun; mit interrupt_source 3 kommen sie von einem Semaphor.",
 )
 INVALID_LINUX_SEMAPHORE_NAME = error(
     900684,
-    en="{name} cannot be the name of a semaphore on Linux",
-    de="{name} kann unter Linux kein Semaphor heißen",
-    remedy_en="At most 250 characters, no '/' but one at the begin.",
-    remedy_de="Höchstens 250 Zeichen, kein '/' außer am Anfang.",
+    en="{name} is not a valid name for a semaphore on Linux",
+    de="{name} ist unter Linux kein gültiger Name für einen Semaphor",
+    remedy_en="Use at most 250 characters, and no '/' except at the start.",
+    remedy_de="Höchstens 250 Zeichen verwenden, und kein '/' außer am Anfang.",
     name=("the semaphore", "der Semaphor"),
 )
 SEMAPHORE_EXISTS = error(
     900685,
-    en="semaphore {name} is there already: another run, or another program, has made it",
-    de="den Semaphor {name} gibt es schon: ein anderer Lauf oder ein anderes Programm hat ihn",
-    remedy_en="End the other one; if nobody has it any more, remove its file below /dev/shm.",
-    remedy_de="Das andere beenden; hat ihn niemand mehr, seine Datei unter /dev/shm löschen.",
+    en="semaphore {name} already exists: another run or another program has created it",
+    de="den Semaphor {name} gibt es schon: ein anderer Lauf oder ein anderes Programm hat ihn "
+    "angelegt",
+    remedy_en="End that run; if nobody uses the semaphore any more, remove its file in /dev/shm.",
+    remedy_de="Diesen Lauf beenden; wird der Semaphor nicht mehr benutzt, seine Datei in /dev/shm "
+    "löschen.",
     name=("the semaphore", "der Semaphor"),
 )
 SEMAPHORE_NOT_CREATED = error(
     900686,
-    en="{name} cannot be made: {reason}",
+    en="{name} cannot be created: {reason}",
     de="{name} lässt sich nicht anlegen: {reason}",
-    remedy_en="See that /dev/shm is there and can be written.",
-    remedy_de="Sehen, dass /dev/shm da ist und beschrieben werden kann.",
-    name=("the semaphore, or a file about it", "der Semaphor oder eine Datei über ihn"),
-    reason=("what the system says", "was das System sagt"),
+    remedy_en="Make sure that /dev/shm exists and is writable.",
+    remedy_de="Sicherstellen, dass /dev/shm vorhanden und beschreibbar ist.",
+    name=("the semaphore, or its file", "der Semaphor oder seine Datei"),
+    reason=("the error of the operating system", "der Fehler des Betriebssystems"),
 )
 SEMAPHORE_NOT_OPENED = error(
     900687,
-    en="semaphore '{name}', which is to give the NC interrupts, cannot be opened: {reason}",
-    de="der Semaphor '{name}', der die NC-Interrupts geben soll, lässt sich nicht öffnen: {reason}",
-    remedy_en="Start the program that makes it first; external_object_name or --semaphore names "
-    "it.",
-    remedy_de="Zuerst das Programm starten, das ihn anlegt; external_object_name oder --semaphore "
-    "nennt ihn.",
+    en="semaphore '{name}', which should give the NC interrupts, cannot be opened: {reason}",
+    de="der Semaphor '{name}' für die NC-Interrupts lässt sich nicht öffnen: {reason}",
+    remedy_en="First start the program that creates it; external_object_name or --semaphore gives "
+    "its name.",
+    remedy_de="Zuerst das Programm starten, das ihn anlegt; den Namen gibt external_object_name "
+    "oder --semaphore.",
     name=("the semaphore", "der Semaphor"),
-    reason=("what the system says", "was das System sagt"),
+    reason=("the error of the operating system", "der Fehler des Betriebssystems"),
 )
 CPU_WOULD_STARVE = error(
     900688,
-    en="the threads want {demand} % of CPU {cpu}: under SCHED_FIFO the machine could stand still",
-    de="die Threads wollen {demand} % der CPU {cpu}: mit SCHED_FIFO könnte die Maschine "
-    "stillstehen",
-    remedy_en="Lower the load, run with --no-fifo, or insist with --force.",
-    remedy_de="Die Last verringern, mit --no-fifo laufen lassen oder auf --force bestehen.",
+    en="the threads need {demand} % of CPU {cpu}: with SCHED_FIFO the computer could freeze",
+    de="die Threads brauchen {demand} % der CPU {cpu}: mit SCHED_FIFO könnte der Rechner "
+    "stehenbleiben",
+    remedy_en="Reduce the load, run with --no-fifo, or insist with --force.",
+    remedy_de="Die Last verringern, mit --no-fifo ausführen oder mit --force darauf bestehen.",
     demand=("the demand of all threads, in percent", "der Bedarf aller Threads, in Prozent"),
     cpu=("the processor", "der Prozessor"),
 )
 SCHEDULE_RUN_ENDED = error(
     900689,
-    en="the run was ended from outside, or could not begin ({reason})",
-    de="der Lauf wurde von außen beendet oder konnte nicht beginnen ({reason})",
+    en="the run was ended from outside or could not start ({reason})",
+    de="der Lauf wurde von außen beendet oder konnte nicht starten ({reason})",
     remedy_en="Nothing was left behind; start it again.",
-    remedy_de="Es blieb nichts zurück; neu starten.",
+    remedy_de="Es ist nichts zurückgeblieben; den Lauf neu starten.",
     reason=("what happened", "was geschah"),
 )
 LOAD_MACHINE_IGNORED = note(
     900690,
-    en="machine.{key} of the load does not count: this machine has the CPUs {cpus}",
-    de="machine.{key} der Last zählt nicht: diese Maschine hat die CPUs {cpus}",
-    remedy_en="Nothing to do; a simulation goes by the load.",
-    remedy_de="Nichts zu tun; eine Simulation richtet sich nach der Last.",
+    en="machine.{key} of the load is ignored: this computer has the CPUs {cpus}",
+    de="machine.{key} der Last wird ignoriert: dieser Rechner hat die CPUs {cpus}",
+    remedy_en="Nothing to do; a simulation uses the load.",
+    remedy_de="Nichts zu tun; eine Simulation verwendet die Last.",
     key=("the entry", "der Eintrag"),
-    cpus=("the processors that can be used", "die Prozessoren, die benutzt werden können"),
+    cpus=("the processors that can be used", "die verfügbaren Prozessoren"),
 )
 SCHEDULE_RECORDING_FULL = warning(
     900691,
-    en="the run ended after {cycles} NC cycles: more cannot be recorded",
+    en="the run ended after {cycles} NC cycles: no more can be recorded",
     de="der Lauf endete nach {cycles} NC-Takten: mehr lässt sich nicht aufzeichnen",
-    remedy_en="Run shorter pieces.",
-    remedy_de="In kürzeren Stücken laufen lassen.",
-    cycles=("complete NC cycles", "vollständige NC-Zyklen"),
+    remedy_en="Make shorter runs.",
+    remedy_de="Kürzere Läufe machen.",
+    cycles=("complete NC cycles", "vollständige NC-Takte"),
 )
 LEFTOVERS_REMOVED = note(
     900692,
-    en="removed what a killed run had left behind: {names}",
-    de="entfernt, was ein abgebrochener Lauf zurückgelassen hatte: {names}",
+    en="removed the leftovers of a killed run: {names}",
+    de="Reste eines abgebrochenen Laufs entfernt: {names}",
     remedy_en="Nothing to do.",
     remedy_de="Nichts zu tun.",
     names=("the semaphores", "die Semaphore"),
@@ -120,26 +123,28 @@ LEFTOVERS_REMOVED = note(
 SCHEDULE_RUN_STOPPED = note(
     900693,
     en="stopped after {cycles} complete NC cycles",
-    de="angehalten nach {cycles} ganzen NC-Takten",
+    de="angehalten nach {cycles} vollständigen NC-Takten",
     remedy_en="Nothing to do.",
     remedy_de="Nichts zu tun.",
-    cycles=("complete NC cycles", "vollständige NC-Zyklen"),
+    cycles=("complete NC cycles", "vollständige NC-Takte"),
 )
 LATE_WAKEUPS = warning(
     900694,
-    en="the scheduler woke {count} times later than one time_slice, {latest} µs at most",
-    de="der Scheduler wachte {count}-mal später als ein time_slice auf, höchstens {latest} µs",
-    remedy_en="A kernel with PREEMPT_RT, SCHED_FIFO and a processor of its own make it punctual.",
-    remedy_de="Ein Kernel mit PREEMPT_RT, SCHED_FIFO und eine eigene CPU machen ihn pünktlich.",
-    count=("how often", "wie oft"),
+    en="the scheduler woke up more than one time_slice late {count} times, by up to {latest} µs",
+    de="der Scheduler wachte {count}-mal mehr als ein time_slice zu spät auf, um bis zu {latest} "
+    "µs",
+    remedy_en="A kernel with PREEMPT_RT, SCHED_FIFO and a dedicated processor make it punctual.",
+    remedy_de="Ein Kernel mit PREEMPT_RT, SCHED_FIFO und ein eigener Prozessor machen ihn "
+    "pünktlich.",
+    count=("the number of late wake-ups", "die Anzahl der verspäteten Weckvorgänge"),
     latest=("the longest delay, in µs", "die längste Verspätung in µs"),
 )
 NO_NC_CYCLE_COMPLETED = error(
     900695,
-    en="not one NC cycle was completed",
-    de="kein einziger NC-Takt wurde fertig",
-    remedy_en="Run longer; with interrupt_source 3 see that somebody gives the semaphore.",
-    remedy_de="Länger laufen lassen; bei interrupt_source 3 muss jemand den Semaphor geben.",
+    en="no NC cycle was completed",
+    de="kein NC-Takt wurde vollständig ausgeführt",
+    remedy_en="Run longer; with interrupt_source 3 make sure that the semaphore is given.",
+    remedy_de="Länger laufen lassen; bei interrupt_source 3 muss der Semaphor gegeben werden.",
 )
 CYCLES_MAY_TAKE_WINDOWS_TIME = warning(
     900697,
@@ -150,54 +155,54 @@ CYCLES_MAY_TAKE_WINDOWS_TIME = warning(
     remedy_en="Lower rt_cycles.max_duration ({share} %), or windows_time.",
     remedy_de="rt_cycles.max_duration ({share} %) oder windows_time verringern.",
     channel=("the channel's number", "die Nummer des Kanals"),
-    share=("P-CHAN-00425, in percent of the NC cycle", "P-CHAN-00425 in Prozent des NC-Zyklus"),
-    allowed=("what it is of the NC cycle, in µs", "was das vom NC-Zyklus ist, in µs"),
+    share=("P-CHAN-00425, in percent of the NC cycle", "P-CHAN-00425, in Prozent des NC-Takts"),
+    allowed=("this share of the NC cycle, in µs", "dieser Anteil am NC-Takt, in µs"),
     windows=("windows_time, in µs", "windows_time, in µs"),
     cycle=("cycle_time, in µs", "cycle_time in µs"),
 )
 POSTS_DRAINED = note(
     900696,
-    en="semaphore '{name}' had been posted {count} times before the start; these do not count",
-    de="der Semaphor '{name}' war vor dem Start schon {count}-mal gegeben; das zählt nicht",
+    en="semaphore '{name}' was posted {count} times before the start; these posts are ignored",
+    de="der Semaphor '{name}' wurde vor dem Start schon {count}-mal gegeben; das wird ignoriert",
     remedy_en="Nothing to do; only later posts are NC interrupts.",
     remedy_de="Nichts zu tun; nur spätere sind NC-Interrupts.",
     name=("the semaphore", "der Semaphor"),
-    count=("how often", "wie oft"),
+    count=("the number of posts", "wie oft er gegeben wurde"),
 )
 POSTS_CEASED = warning(
     900698,
-    en="semaphore '{name}' was not posted for {gap} µs from {time} µs on; {expected} µs are usual",
+    en="semaphore '{name}' was not posted for {gap} µs, starting at {time} µs; {expected} µs are "
+    "usual",
     de="der Semaphor '{name}' wurde ab {time} µs für {gap} µs nicht gegeben; üblich sind "
     "{expected} µs",
-    remedy_en="See whether the program that posts it still runs.",
+    remedy_en="Check whether the program that posts it is still running.",
     remedy_de="Prüfen, ob das Programm, das ihn gibt, noch läuft.",
     name=("the semaphore", "der Semaphor"),
-    gap=("the longest time without a post, in µs", "die längste Zeit ohne ihn, in µs"),
-    time=("when that time began, in µs of the run", "wann sie begann, in µs des Laufs"),
+    gap=("the longest time without a post, in µs", "die längste Zeit ohne Freigabe, in µs"),
+    time=("the start of this time, in µs of the run", "der Beginn dieser Zeit, in µs des Laufs"),
     expected=("the period of the NC interrupts, in µs", "die Periode der NC-Interrupts, in µs"),
 )
 NOBODY_WAITS = warning(
     900699,
-    en="hardly anybody waits on semaphore '{name}': {taken} of {count} wake-ups were taken",
-    de="auf den Semaphor '{name}' wartet kaum jemand: {taken} von {count} Weckrufen wurden "
-    "genommen",
-    remedy_en="Start the program of this thread, or play it with --stand-in.",
-    remedy_de="Das Programm dieses Threads starten oder ihn mit --stand-in spielen lassen.",
+    en="hardly anybody waits for semaphore '{name}': {taken} of {count} wake-ups were used",
+    de="auf den Semaphor '{name}' wartet kaum jemand: {taken} von {count} Weckrufen wurden genutzt",
+    remedy_en="Start the program of this thread, or replace it with --stand-in.",
+    remedy_de="Das Programm dieses Threads starten oder es durch --stand-in ersetzen.",
     name=("the semaphore", "der Semaphor"),
-    taken=("how many wake-ups were taken", "wie viele Weckrufe genommen wurden"),
-    count=("how many there were", "wie viele es gab"),
+    taken=("the number of wake-ups that were used", "die Anzahl der genutzten Weckrufe"),
+    count=("the number of wake-ups", "die Anzahl der Weckrufe"),
 )
 SEMAPHORE_NOT_NAMED = error(
     900708,
-    en="nobody names the semaphore that gives the NC interrupts",
-    de="niemand nennt den Semaphor, der die NC-Interrupts gibt",
+    en="the semaphore that gives the NC interrupts is not named",
+    de="der Semaphor, der die NC-Interrupts gibt, ist nicht benannt",
     remedy_en="Name it with --semaphore NAME, or with external_object_name in the list.",
-    remedy_de="Ihn mit --semaphore NAME nennen oder mit external_object_name in der Liste.",
+    remedy_de="Ihn mit --semaphore NAME oder in der Liste mit external_object_name benennen.",
 )
 SEMAPHORE_OPTION_WITHOUT_EFFECT = warning(
     900709,
     en="--semaphore has no effect: interrupt_source is not a semaphore",
-    de="--semaphore bleibt ohne Wirkung: interrupt_source ist kein Semaphor",
-    remedy_en="Leave the option out, or set interrupt_source to 3.",
+    de="--semaphore hat keine Wirkung: interrupt_source ist kein Semaphor",
+    remedy_en="Omit the option, or set interrupt_source to 3.",
     remedy_de="Die Option weglassen oder interrupt_source auf 3 setzen.",
 )

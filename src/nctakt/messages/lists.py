@@ -7,52 +7,55 @@ from nctakt.messages.catalogue import error, note, warning
 
 TEXT_NOT_UTF8 = note(
     900000,
-    en="the text is no UTF-8; it is read as {encoding}",
+    en="the text is not UTF-8; it is read as {encoding}",
     de="der Text ist kein UTF-8; er wird als {encoding} gelesen",
     remedy_en="Save the file as UTF-8.",
     remedy_de="Die Datei als UTF-8 speichern.",
-    encoding=("the encoding that was taken", "die angenommene Kodierung"),
+    encoding=("the assumed encoding", "die angenommene Kodierung"),
 )
 BLANK_MISSING_AFTER_HASH = note(
     900001,
-    en="no blank behind the '#' of a comment line; it is a comment all the same",
-    de="kein Leerzeichen hinter dem '#' einer Kommentarzeile; sie gilt trotzdem als Kommentar",
+    en="the blank after the '#' of a comment line is missing; the line counts as a comment all the "
+    "same",
+    de="nach dem '#' einer Kommentarzeile fehlt das Leerzeichen; sie gilt trotzdem als Kommentar",
     remedy_en="Write '# ' with a blank.",
     remedy_de="'# ' mit Leerzeichen schreiben.",
 )
 HASH_NOT_AT_LINE_START = note(
     900002,
-    en="the '#' of this comment line does not stand at its start; it is a comment all the same",
-    de="das '#' dieser Kommentarzeile steht nicht am Anfang; sie gilt trotzdem als Kommentar",
+    en="the '#' of this comment line is not in the first column; the line counts as a comment all "
+    "the same",
+    de="das '#' dieser Kommentarzeile steht nicht in der ersten Spalte; sie gilt trotzdem als "
+    "Kommentar",
     remedy_en="Move the '#' to the first column.",
     remedy_de="Das '#' in die erste Spalte rücken.",
 )
 UNUSUAL_END_WORD = note(
     900003,
     en="'{word}' is taken as the end of the list",
-    de="'{word}' gilt als Ende der Liste",
+    de="'{word}' wird als Ende der Liste gelesen",
     remedy_en="Write End or Ende.",
     remedy_de="End oder Ende schreiben.",
     word=("the word as it stands in the list", "das Wort, wie es in der Liste steht"),
 )
 TEXT_AFTER_END = note(
     900004,
-    en="text behind the end of the list is ignored, from this line on",
-    de="Text hinter dem Ende der Liste wird ignoriert, ab dieser Zeile",
-    remedy_en="Move the entries before End, or delete them.",
-    remedy_de="Die Einträge vor Ende verschieben oder löschen.",
+    en="text after the end of the list is ignored, from this line on",
+    de="Text nach dem Ende der Liste wird ab dieser Zeile ignoriert",
+    remedy_en="Move the entries before the End line, or delete them.",
+    remedy_de="Die Einträge vor die Zeile Ende verschieben oder löschen.",
 )
 LIST_WITHOUT_END = warning(
     900005,
-    en="the list has no End; it may be cut off",
-    de="der Liste fehlt das Ende; sie ist womöglich abgeschnitten",
-    remedy_en="Close the list with a line End.",
+    en="the list has no End line; it may be truncated",
+    de="der Liste fehlt die Zeile Ende; vielleicht ist sie abgeschnitten",
+    remedy_en="End the list with a line End.",
     remedy_de="Die Liste mit einer Zeile Ende abschließen.",
 )
 NUL_CHARACTER_IN_LINE = warning(
     900006,
-    en="the line contains a NUL character and is left out",
-    de="die Zeile enthält ein NUL-Zeichen und wird ausgelassen",
+    en="the line contains a NUL character and is ignored",
+    de="die Zeile enthält ein NUL-Zeichen und wird ignoriert",
     remedy_en="Delete the character, or save the file as UTF-8.",
     remedy_de="Das Zeichen löschen oder die Datei als UTF-8 speichern.",
 )
@@ -60,43 +63,40 @@ BLANK_MISSING = warning(
     900007,
     en="{key}: a blank is missing here",
     de="{key}: hier fehlt ein Leerzeichen",
-    remedy_en="Put a blank between name, value and comment.",
+    remedy_en="Separate name, value and comment with blanks.",
     remedy_de="Name, Wert und Kommentar durch Leerzeichen trennen.",
     key=("the entry's name", "der Name des Eintrags"),
 )
 UNKNOWN_PARAMETER = warning(
     900008,
-    en="{key} is no parameter of this list; the entry is left out",
-    de="{key} ist kein Parameter dieser Liste; der Eintrag wird ausgelassen",
-    remedy_en="nctakt knows the published parameters; one of a vendor's own has no effect here.",
-    remedy_de="nctakt kennt die veröffentlichten Parameter; ein herstellereigener bleibt hier ohne "
+    en="{key} is not a parameter of this list; the entry is ignored",
+    de="{key} ist kein Parameter dieser Liste; der Eintrag wird ignoriert",
+    remedy_en="nctakt knows all published parameters; a vendor-specific one has no effect here.",
+    remedy_de="nctakt kennt alle veröffentlichten Parameter; ein herstellereigener hat hier keine "
     "Wirkung.",
     key=("the name as it stands in the list", "der Name, wie er in der Liste steht"),
 )
 MISSPELLED_PARAMETER = warning(
     900009,
-    en="{key} is no parameter of this list; the entry is left out",
-    de="{key} ist kein Parameter dieser Liste; der Eintrag wird ausgelassen",
+    en="{key} is not a parameter of this list; the entry is ignored",
+    de="{key} ist kein Parameter dieser Liste; der Eintrag wird ignoriert",
     remedy_en="Did you mean {nearest}?",
-    remedy_de="Ist {nearest} gemeint?",
+    remedy_de="War {nearest} gemeint?",
     key=("the name as it stands in the list", "der Name, wie er in der Liste steht"),
     nearest=("the known name that is most like it", "der ähnlichste bekannte Name"),
 )
 UNKNOWN_ENTRIES = note(
     900010,
-    en="{count} more unknown entries are left out, from this line on",
-    de="{count} weitere unbekannte Einträge werden ausgelassen, ab dieser Zeile",
-    remedy_en="With --verbose each of them is named.",
-    remedy_de="Mit --verbose wird jeder davon genannt.",
-    count=(
-        "the number of the other unknown entries",
-        "die Anzahl der übrigen unbekannten Einträge",
-    ),
+    en="{count} more unknown entries are ignored, from this line on",
+    de="ab dieser Zeile werden {count} weitere unbekannte Einträge ignoriert",
+    remedy_en="Option --verbose names each of them.",
+    remedy_de="Die Option --verbose nennt jeden davon.",
+    count=("the number of entries in the file", "die Anzahl der Einträge in der Datei"),
 )
 PARAMETER_INDEX_OUT_OF_RANGE = warning(
     900011,
-    en="{key}: the index lies outside {low} … {high}; the entry is left out",
-    de="{key}: der Index liegt außerhalb {low} … {high}; der Eintrag wird ausgelassen",
+    en="{key}: the index is outside {low} … {high}; the entry is ignored",
+    de="{key}: der Index liegt außerhalb {low} … {high}; der Eintrag wird ignoriert",
     remedy_en="Use an index from {low} to {high}.",
     remedy_de="Einen Index von {low} bis {high} verwenden.",
     key=("the entry's name", "der Name des Eintrags"),
@@ -105,8 +105,8 @@ PARAMETER_INDEX_OUT_OF_RANGE = warning(
 )
 PARAMETER_OF_OTHER_LIST = warning(
     900012,
-    en="{key} is no parameter of this list; the entry is left out",
-    de="{key} ist kein Parameter dieser Liste; der Eintrag wird ausgelassen",
+    en="{key} is not a parameter of this list; the entry is ignored",
+    de="{key} ist kein Parameter dieser Liste; der Eintrag wird ignoriert",
     remedy_en="It belongs in the {list} list ({id}).",
     remedy_de="Er gehört in die {list}-Liste ({id}).",
     key=("the name as it stands in the list", "der Name, wie er in der Liste steht"),
@@ -117,32 +117,32 @@ VALUE_MISSING = warning(
     900013,
     en="{key} has no value; default {default} is used",
     de="{key} hat keinen Wert; es gilt der Standardwert {default}",
-    remedy_en="Write the value behind the name, or delete the line.",
+    remedy_en="Write the value after the name, or delete the line.",
     remedy_de="Den Wert hinter den Namen schreiben oder die Zeile löschen.",
     key=("the entry's name", "der Name des Eintrags"),
     default=("the value that is used", "der Wert, der gilt"),
 )
 NOT_A_NUMBER = warning(
     900014,
-    en="{key}: '{value}' is no number; default {default} is used",
+    en="{key}: '{value}' is not a number; default {default} is used",
     de="{key}: '{value}' ist keine Zahl; es gilt der Standardwert {default}",
-    remedy_en="Write a number, then a blank before any comment.",
-    remedy_de="Eine Zahl schreiben, vor einem Kommentar ein Leerzeichen.",
+    remedy_en="Write a number, and a blank before any comment.",
+    remedy_de="Eine Zahl schreiben, und vor einem Kommentar ein Leerzeichen.",
     key=("the entry's name", "der Name des Eintrags"),
     value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
     default=("the value that is used", "der Wert, der gilt"),
 )
 QUOTED_NUMBER = warning(
     900015,
-    en="{key}: a number stands in quotation marks; it is taken",
-    de="{key}: eine Zahl steht in Anführungszeichen; sie wird übernommen",
+    en="{key}: the number is in quotation marks; it is accepted",
+    de="{key}: die Zahl steht in Anführungszeichen; sie wird übernommen",
     remedy_en="Write the number without quotation marks.",
     remedy_de="Die Zahl ohne Anführungszeichen schreiben.",
     key=("the entry's name", "der Name des Eintrags"),
 )
 CLOSING_QUOTE_MISSING = warning(
     900016,
-    en="{key}: the closing quotation mark is missing; the text up to the end of the line is taken",
+    en="{key}: the closing quotation mark is missing; the text up to the end of the line is used",
     de="{key}: das schließende Anführungszeichen fehlt; der Text bis zum Zeilenende wird "
     "übernommen",
     remedy_en="Close the text with a quotation mark.",
@@ -151,25 +151,25 @@ CLOSING_QUOTE_MISSING = warning(
 )
 TEXT_AFTER_QUOTE = warning(
     900017,
-    en="{key}: what stands behind the quoted text is no comment, and is ignored",
-    de="{key}: hinter dem Text in Anführungszeichen steht kein Kommentar; es wird ignoriert",
-    remedy_en="Open a comment behind a text with '('.",
+    en="{key}: what follows the quoted text is not a comment and is ignored",
+    de="{key}: was auf den Text in Anführungszeichen folgt, ist kein Kommentar und wird ignoriert",
+    remedy_en="Start a comment after a text with '('.",
     remedy_de="Einen Kommentar hinter einem Text mit '(' beginnen.",
     key=("the entry's name", "der Name des Eintrags"),
 )
 UNQUOTED_SPECIAL_CHARACTERS = warning(
     900018,
-    en="{key}: the text has special characters but no quotation marks; it is taken up to '('",
+    en="{key}: the text has special characters but no quotation marks; it is used up to '('",
     de="{key}: der Text hat Sonderzeichen, aber keine Anführungszeichen; er gilt bis '('",
-    remedy_en="Put the text in quotation marks; open a comment with '('.",
+    remedy_en="Put the text in quotation marks; start a comment with '('.",
     remedy_de="Den Text in Anführungszeichen setzen; einen Kommentar mit '(' beginnen.",
     key=("the entry's name", "der Name des Eintrags"),
 )
 PARAMETER_OUT_OF_RANGE = warning(
     900019,
-    en="{key}: {value} lies outside {range}; default {default} is used",
-    de="{key}: {value} liegt außerhalb {range}; es gilt der Standardwert {default}",
-    remedy_en="Use a value of {range}.",
+    en="{key}: {value} is outside {range}; default {default} is used",
+    de="{key}: {value} liegt nicht in {range}; es gilt der Standardwert {default}",
+    remedy_en="Use a value in {range}.",
     remedy_de="Einen Wert aus {range} verwenden.",
     key=("the entry's name", "der Name des Eintrags"),
     value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
@@ -191,18 +191,18 @@ PARAMETER_TEXT_TOO_LONG = warning(
 UNKNOWN_PARAMETER_VALUE = warning(
     900021,
     en="{key}: '{value}' is not one of {names}; default {default} is used",
-    de="{key}: '{value}' ist nicht eines von {names}; es gilt der Standardwert {default}",
+    de="{key}: '{value}' ist keiner der Werte {names}; es gilt der Standardwert {default}",
     remedy_en="Use one of {names}.",
-    remedy_de="Eines von {names} verwenden.",
+    remedy_de="Einen der Werte {names} verwenden.",
     key=("the entry's name", "der Name des Eintrags"),
     value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
-    names=("the names that are allowed", "die erlaubten Namen"),
+    names=("the allowed names", "die erlaubten Namen"),
     default=("the value that is used", "der Wert, der gilt"),
 )
 NOT_A_BOOLEAN = warning(
     900022,
-    en="{key}: '{value}' is no truth value; default {default} is used",
-    de="{key}: '{value}' ist kein Wahrheitswert; es gilt der Standardwert {default}",
+    en="{key}: '{value}' is not a boolean; default {default} is used",
+    de="{key}: '{value}' ist kein boolescher Wert; es gilt der Standardwert {default}",
     remedy_en="Write FALSE or TRUE.",
     remedy_de="FALSE oder TRUE schreiben.",
     key=("the entry's name", "der Name des Eintrags"),
@@ -211,8 +211,8 @@ NOT_A_BOOLEAN = warning(
 )
 DUPLICATE_ENTRY = warning(
     900023,
-    en="{key} stands in line {first} and in line {second}; line {taken} is taken",
-    de="{key} steht in Zeile {first} und in Zeile {second}; Zeile {taken} gilt",
+    en="{key} is given in line {first} and in line {second}; line {taken} is used",
+    de="{key} steht in Zeile {first} und in Zeile {second}; es gilt Zeile {taken}",
     remedy_en="Delete one of the two lines.",
     remedy_de="Eine der beiden Zeilen löschen.",
     key=("the entry's name", "der Name des Eintrags"),
@@ -222,7 +222,7 @@ DUPLICATE_ENTRY = warning(
 )
 OLD_PARAMETER_NAME = warning(
     900024,
-    en="{alias} is an old name of {key}; the entry is taken",
+    en="{alias} is an old name of {key}; the entry is accepted",
     de="{alias} ist ein alter Name von {key}; der Eintrag wird übernommen",
     remedy_en="Write {key}.",
     remedy_de="{key} schreiben.",
@@ -231,11 +231,11 @@ OLD_PARAMETER_NAME = warning(
 )
 INVALID_PARAMETER_REFERENCE = warning(
     900025,
-    en="{key}: {value} names no parameter of this list that has a value of its own; default "
+    en="{key}: {value} does not name a parameter of this list that has a value of its own; default "
     "{default} is used",
     de="{key}: {value} nennt keinen Parameter dieser Liste mit eigenem Wert; es gilt der "
     "Standardwert {default}",
-    remedy_en="Name a number parameter of the same list, or write the number itself.",
+    remedy_en="Name a numeric parameter of the same list, or write the number itself.",
     remedy_de="Einen Zahlenparameter derselben Liste nennen oder die Zahl selbst schreiben.",
     key=("the entry's name", "der Name des Eintrags"),
     value=("the reference as it stands in the list", "der Verweis, wie er in der Liste steht"),
@@ -243,8 +243,8 @@ INVALID_PARAMETER_REFERENCE = warning(
 )
 PARAMETER_WITHOUT_EFFECT = note(
     900026,
-    en="{key} ({id}) is {value}, default {default}, and has no effect here: {meaning}",
-    de="{key} ({id}) ist {value}, Standardwert {default}, und bleibt hier ohne Wirkung: {meaning}",
+    en="{key} ({id}) is {value} (default {default}) and has no effect here: {meaning}",
+    de="{key} ({id}) ist {value} (Standardwert {default}) und hat hier keine Wirkung: {meaning}",
     remedy_en="Nothing to do: no run depends on it.",
     remedy_de="Nichts zu tun: kein Lauf hängt davon ab.",
     key=("the entry's name", "der Name des Eintrags"),
@@ -255,12 +255,12 @@ PARAMETER_WITHOUT_EFFECT = note(
 )
 PARAMETER_WOULD_CHANGE_RUN = warning(
     900970,
-    en="{key} ({id}) is {value} instead of {default}; this would change a run and has no effect "
-    "here: {meaning}",
-    de="{key} ({id}) ist {value} statt {default}; das würde einen Lauf ändern und bleibt hier ohne "
-    "Wirkung: {meaning}",
+    en="{key} ({id}) is {value}, not {default}; this would change a run, but has no effect here: "
+    "{meaning}",
+    de="{key} ({id}) ist {value}, nicht {default}; das würde einen Lauf ändern, hat hier aber "
+    "keine Wirkung: {meaning}",
     remedy_en="Expect other positions, times or outputs on the machine.",
-    remedy_de="An der Maschine mit anderen Positionen, Zeiten oder Ausgaben rechnen.",
+    remedy_de="An der Maschine andere Positionen, Zeiten oder Ausgaben erwarten.",
     key=("the entry's name", "der Name des Eintrags"),
     id=("the parameter's ID", "die ID des Parameters"),
     value=("the value that the list gives", "der Wert aus der Liste"),
@@ -269,12 +269,12 @@ PARAMETER_WOULD_CHANGE_RUN = warning(
 )
 PARAMETER_MAY_CHANGE_RUN = note(
     900971,
-    en="{key} ({id}) is {value} instead of {default}; this may change a run and has no effect "
-    "here: {meaning}",
-    de="{key} ({id}) ist {value} statt {default}; das kann einen Lauf ändern und bleibt hier ohne "
+    en="{key} ({id}) is {value}, not {default}; this may change a run, but has no effect here: "
+    "{meaning}",
+    de="{key} ({id}) ist {value}, nicht {default}; das kann einen Lauf ändern, hat hier aber keine "
     "Wirkung: {meaning}",
     remedy_en="Expect other positions, times or outputs on the machine.",
-    remedy_de="An der Maschine mit anderen Positionen, Zeiten oder Ausgaben rechnen.",
+    remedy_de="An der Maschine andere Positionen, Zeiten oder Ausgaben erwarten.",
     key=("the entry's name", "der Name des Eintrags"),
     id=("the parameter's ID", "die ID des Parameters"),
     value=("the value that the list gives", "der Wert aus der Liste"),
@@ -285,8 +285,8 @@ WITHOUT_EFFECT_WOULD_CHANGE_RUN = warning(
     900028,
     en="entries without effect here that would change a run: {count} ({names})",
     de="Einträge ohne Wirkung hier, die einen Lauf ändern würden: {count} ({names})",
-    remedy_en="nctakt check --effects lists all of them with their meaning.",
-    remedy_de="nctakt check --effects nennt alle mit ihrer Bedeutung.",
+    remedy_en="List all of them with their meaning: nctakt check --effects",
+    remedy_de="Alle mit ihrer Bedeutung zeigen: nctakt check --effects",
     count=("the number of these entries", "die Anzahl dieser Einträge"),
     names=("the first of them", "die ersten davon"),
 )
@@ -294,14 +294,14 @@ WITHOUT_EFFECT_MAY_CHANGE_RUN = note(
     900029,
     en="entries without effect here that may change a run: {count} ({names})",
     de="Einträge ohne Wirkung hier, die einen Lauf ändern können: {count} ({names})",
-    remedy_en="nctakt check --effects lists all of them with their meaning.",
-    remedy_de="nctakt check --effects nennt alle mit ihrer Bedeutung.",
+    remedy_en="List all of them with their meaning: nctakt check --effects",
+    remedy_de="Alle mit ihrer Bedeutung zeigen: nctakt check --effects",
     count=("the number of these entries", "die Anzahl dieser Einträge"),
     names=("the first of them", "die ersten davon"),
 )
 BEYOND_OTHER_PARAMETER = warning(
     900027,
-    en="{key}: {value} is beyond {other} ({id}); {limit} is used",
+    en="{key}: {value} exceeds the limit {other} ({id}); {limit} is used",
     de="{key}: {value} überschreitet die Grenze {other} ({id}); es gilt {limit}",
     remedy_en="Change one of the two values.",
     remedy_de="Einen der beiden Werte ändern.",
@@ -344,13 +344,13 @@ XML_LIST_TOO_LARGE = error(
 )
 INVALID_SYNCHRONISATION_TYPE = warning(
     20965,
-    en="{key}: '{value}' is no synchronisation type; {default} is used",
+    en="{key}: '{value}' is not a synchronisation type; {default} is used",
     de="{key}: '{value}' ist keine Synchronisationsart; es gilt {default}",
     remedy_en="Use the constants of P-CHAN-00041, joined by '|', or their hexadecimal value.",
     remedy_de="Die Konstanten von P-CHAN-00041, durch '|' verbunden, oder ihren hexadezimalen Wert "
     "verwenden.",
-    cause_en="A function without a valid synchronisation must not be lost, so the safest one is "
-    "taken: the path waits for the PLC.",
+    cause_en="A function without a valid synchronisation must not be lost, so the safest type is "
+    "used: the path waits for the PLC.",
     cause_de="Eine Funktion ohne gültige Synchronisationsart darf nicht verlorengehen; darum gilt "
     "die sicherste: die Bahn wartet auf die SPS.",
     key=("the entry's name", "der Name des Eintrags"),
@@ -361,8 +361,9 @@ INVALID_SYNCHRONISATION_TYPE = warning(
 )
 UNKNOWN_FUNCTION_AXIS = warning(
     900812,
-    en="{key}: no axis or spindle of the channel is called {value}; the function is the channel's",
-    de="{key}: keine Achse oder Spindel des Kanals heißt {value}; die Funktion ist die des Kanals",
+    en="{key}: no axis or spindle of the channel is called {value}; the function belongs to the "
+    "channel",
+    de="{key}: keine Achse oder Spindel des Kanals heißt {value}; die Funktion gehört zum Kanal",
     remedy_en="Use a name of gruppe[0].achse[i].bezeichnung or spindel[i].bezeichnung.",
     remedy_de="Einen Namen aus gruppe[0].achse[i].bezeichnung oder spindel[i].bezeichnung "
     "verwenden.",

@@ -7,19 +7,19 @@ from nctakt.messages.catalogue import error, note, warning
 
 INVALID_LOAD_FILE = error(
     900620,
-    en="{file}: no load in TOML: {reason}",
-    de="{file}: keine Last in TOML: {reason}",
+    en="{file} is not a load in TOML: {reason}",
+    de="{file} ist keine Last in TOML: {reason}",
     remedy_en="Correct the text.",
     remedy_de="Den Text berichtigen.",
     file=("the file", "die Datei"),
-    reason=("what the reader says", "was der Leser sagt"),
+    reason=("the error of the TOML reader", "der Fehler beim Lesen von TOML"),
 )
 LOAD_OF_UNUSED_FUNCTION = warning(
     900621,
-    en="load: {name} is called by no thread of the list; its time is not used",
-    de="Last: {name} ruft kein Thread der Liste; die Zeit wird nicht verwendet",
+    en="load: no thread of the list calls {name}; its time is not used",
+    de="Last: kein Thread der Liste ruft {name} auf; die Zeit wird nicht verwendet",
     remedy_en="The list calls {names}.",
-    remedy_de="Die Liste ruft {names}.",
+    remedy_de="Die Liste ruft {names} auf.",
     name=("the name in the load", "der Name in der Last"),
     names=("the names of the list", "die Namen der Liste"),
 )
@@ -31,7 +31,7 @@ EXECUTION_TIME_MISSING = note(
     remedy_de="'{entry} = ' mit einer Zeit in µs schreiben.",
     name=("the function or external thread", "die Funktion oder der externe Thread"),
     time=("the assumed execution time, in µs", "die angenommene Ausführungszeit in µs"),
-    entry=("how the load names it", "wie die Last es nennt"),
+    entry=("the name of its entry in the load", "der Name des Eintrags in der Last"),
 )
 INVALID_LOAD_VALUE = error(
     900623,
@@ -41,30 +41,30 @@ INVALID_LOAD_VALUE = error(
     remedy_de="Den Eintrag berichtigen.",
     key=("the entry", "der Eintrag"),
     value=("its value", "sein Wert"),
-    expected=("what it should be", "was es sein soll"),
+    expected=("what is expected", "was erwartet wird"),
 )
 UNKNOWN_LOAD_ENTRY = error(
     900624,
-    en="load: {key} is no entry of a load",
-    de="Last: {key} ist kein Eintrag einer Last",
-    remedy_en="Entries there are {names}.",
-    remedy_de="Einträge sind dort {names}.",
+    en="load: unknown entry {key}",
+    de="Last: unbekannter Eintrag {key}",
+    remedy_en="Possible entries: {names}.",
+    remedy_de="Mögliche Einträge: {names}.",
     key=("the entry", "der Eintrag"),
-    names=("what can stand there", "was dort stehen kann"),
+    names=("the possible entries", "die möglichen Einträge"),
 )
 LOAD_ASSUMED = note(
     900625,
-    en="no load is given; the execution times are assumed",
-    de="keine Last angegeben; die Ausführungszeiten sind angenommen",
+    en="no load is given; assumed execution times are used",
+    de="es ist keine Last angegeben; es gelten angenommene Ausführungszeiten",
     remedy_en="Give your own times with --load.",
     remedy_de="Eigene Zeiten mit --load angeben.",
 )
 LOAD_INTERRUPT_WITHOUT_EFFECT = warning(
     900627,
     en="load: interrupt.{key} has no effect: the timer starts the NC cycles",
-    de="Last: interrupt.{key} bleibt ohne Wirkung: der Timer löst die NC-Takte aus",
-    remedy_en="Delete the entry, or choose what interrupt_source means with --convention.",
-    remedy_de="Den Eintrag löschen oder mit --convention wählen, was interrupt_source bedeutet.",
+    de="Last: interrupt.{key} hat keine Wirkung: der Timer startet die NC-Takte",
+    remedy_en="Delete the entry, or use --convention to choose what interrupt_source means.",
+    remedy_de="Den Eintrag löschen oder mit --convention festlegen, was interrupt_source bedeutet.",
     key=("the entry", "der Eintrag"),
 )
 CALL_COUNT_NOT_SIMULATED = error(
@@ -74,6 +74,6 @@ CALL_COUNT_NOT_SIMULATED = error(
     remedy_en="Set calls_per_cycle so that there are at most {limit}.",
     remedy_de="calls_per_cycle so setzen, dass es höchstens {limit} sind.",
     thread=("the thread", "der Thread"),
-    count=("its calls", "seine Aufrufe"),
-    limit=("the most calls", "die meisten Aufrufe"),
+    count=("the number of its calls", "die Anzahl seiner Aufrufe"),
+    limit=("the maximum number of calls", "die größte Anzahl von Aufrufen"),
 )

@@ -7,62 +7,63 @@ from nctakt.messages.catalogue import error, warning
 
 ARC_WITHOUT_CENTRE = error(
     900700,
-    en="the arc has no centre and no radius",
+    en="the arc has neither a centre nor a radius",
     de="der Kreisbogen hat weder Mittelpunkt noch Radius",
     remedy_en="Program the centre with I, J or K, or a radius R other than 0.",
     remedy_de="Den Mittelpunkt mit I, J oder K programmieren oder einen Radius R ungleich 0.",
-    cause_en="G02 and G03 need a centre that is not the start itself; a radius may stand in an "
-    "earlier block.",
-    cause_de="G02 und G03 brauchen einen Mittelpunkt, der nicht der Start selbst ist; ein Radius "
-    "darf in einem früheren Satz stehen.",
+    cause_en="G02 and G03 need a centre other than the start point; the radius may be programmed "
+    "in an earlier block.",
+    cause_de="G02 und G03 brauchen einen Mittelpunkt, der nicht der Startpunkt ist; der Radius "
+    "darf aus einem früheren Satz stammen.",
     reaction=2,
     clearing=3,
 )
 ARC_RADIUS_TOO_SMALL = error(
     900701,
-    en="no arc of the radius {radius} leads to this target; it takes at least {least}",
-    de="kein Kreisbogen mit dem Radius {radius} führt zu diesem Ziel; nötig ist mindestens {least}",
+    en="no arc of radius {radius} leads to this target; it must be at least {least}",
+    de="kein Kreisbogen mit Radius {radius} führt zu diesem Ziel; nötig ist mindestens {least}",
     remedy_en="Program a larger radius, or the centre. A full circle needs its centre.",
     remedy_de="Einen größeren Radius oder den Mittelpunkt programmieren. Ein Vollkreis braucht "
     "seinen Mittelpunkt.",
     radius=("the radius in mm", "der Radius in mm"),
-    least=("half the way to the target in mm", "der halbe Weg zum Ziel in mm"),
+    least=("half the distance to the target in mm", "der halbe Abstand zum Ziel in mm"),
     reaction=2,
     clearing=3,
 )
 ARC_TARGET_OFF_CIRCLE = error(
     900702,
-    en="the arc's target is {off} mm off the circle of radius {radius} about its centre",
+    en="the target of the arc is {off} mm off the circle of radius {radius} around its centre",
     de="das Ziel des Kreisbogens liegt {off} mm neben dem Kreis mit Radius {radius} um den "
     "Mittelpunkt",
-    remedy_en="Correct the target or the centre; G161 has absolute centres, G162 those from the "
-    "start on.",
-    remedy_de="Ziel oder Mittelpunkt berichtigen; G161 hat absolute Mittelpunkte, G162 solche vom "
-    "Start aus.",
-    cause_en="0.01 mm or a thousandth of the radius are tolerated, less where both ends are close "
-    "to each other.",
-    cause_de="0,01 mm oder ein Tausendstel des Radius werden hingenommen, weniger, wo beide Enden "
-    "nah beieinander liegen.",
-    off=("the difference of the two radii in mm", "der Unterschied der beiden Radien in mm"),
+    remedy_en="Correct the target or the centre; centres are absolute with G161, relative to the "
+    "start with G162.",
+    remedy_de="Ziel oder Mittelpunkt berichtigen; Mittelpunkte sind mit G161 absolut, mit G162 "
+    "relativ zum Start.",
+    cause_en="0.01 mm or a thousandth of the radius is tolerated, less where start and target are "
+    "close together.",
+    cause_de="0,01 mm oder ein Tausendstel des Radius werden toleriert, weniger, wenn Start und "
+    "Ziel nah beieinander liegen.",
+    off=("the difference between the two radii in mm", "der Unterschied der beiden Radien in mm"),
     radius=("the radius in mm", "der Radius in mm"),
     reaction=2,
     clearing=3,
 )
 PLANE_AXIS_MISSING = error(
     900703,
-    en="the channel lacks an axis of the plane G{plane}",
+    en="the channel has no axis for a direction of plane G{plane}",
     de="dem Kanal fehlt eine Achse der Ebene G{plane}",
-    remedy_en="Choose the plane with G17, G18 or G19, or add the axis to the channel list.",
-    remedy_de="Die Ebene mit G17, G18 oder G19 wählen oder die Achse in die Kanalliste aufnehmen.",
+    remedy_en="Choose another plane with G17, G18 or G19, or add the axis to the channel list.",
+    remedy_de="Mit G17, G18 oder G19 eine andere Ebene wählen oder die Achse in die Kanalliste "
+    "aufnehmen.",
     plane=("number of the G function", "Nummer der G-Funktion"),
     reaction=2,
     clearing=3,
 )
 CENTRE_NOT_IN_PLANE = error(
     900704,
-    en="{word} is no centre in the plane G{plane}",
-    de="{word} ist kein Mittelpunkt in der Ebene G{plane}",
-    remedy_en="In G17 program I and J, in G18 K and I, in G19 J and K.",
+    en="{word} is not a centre coordinate of plane G{plane}",
+    de="{word} ist keine Mittelpunktkoordinate der Ebene G{plane}",
+    remedy_en="Program I and J in G17, K and I in G18, J and K in G19.",
     remedy_de="Bei G17 I und J programmieren, bei G18 K und I, bei G19 J und K.",
     word=("the word", "das Wort"),
     plane=("number of the G function", "Nummer der G-Funktion"),
@@ -71,13 +72,16 @@ CENTRE_NOT_IN_PLANE = error(
 )
 ARC_OUTSIDE_LIMITS = error(
     900705,
-    en="the arc leads axis {axis} to {position}, outside its software limits {low} … {high}",
+    en="the arc takes axis {axis} to {position}, outside its software limits {low} … {high}",
     de="der Kreisbogen führt die Achse {axis} auf {position}, außerhalb ihrer Software-Endschalter "
     "{low} … {high}",
-    remedy_en="Program an arc that stays between the limits (P-AXIS-00177, P-AXIS-00178).",
-    remedy_de="Einen Bogen zwischen den Grenzen programmieren (P-AXIS-00177, P-AXIS-00178).",
+    remedy_en="Program an arc within the limits (P-AXIS-00177, P-AXIS-00178).",
+    remedy_de="Einen Kreisbogen innerhalb der Grenzen programmieren (P-AXIS-00177, P-AXIS-00178).",
     axis=("name of the axis", "Name der Achse"),
-    position=("farthest place of the arc in mm", "entfernteste Stelle des Bogens in mm"),
+    position=(
+        "the farthest position on the arc in mm",
+        "die entfernteste Position auf dem Bogen in mm",
+    ),
     low=("lower limit", "untere Grenze"),
     high=("upper limit", "obere Grenze"),
     reaction=2,
@@ -87,43 +91,44 @@ COMMAND_WORD_NOT_SIMULATED = error(
     900706,
     en="{word} of {command} is not simulated",
     de="{word} von {command} wird nicht simuliert",
-    remedy_en="Leave it out, or take what is simulated: {names}",
-    remedy_de="Es weglassen oder nehmen, was simuliert wird: {names}",
+    remedy_en="Remove it, or use what is simulated: {names}",
+    remedy_de="Entfernen oder verwenden, was simuliert wird: {names}",
     cause_en="It would change positions or times in a way that nctakt does not model.",
     cause_de="Es würde Positionen oder Zeiten in einer Weise ändern, die nctakt nicht nachbildet.",
     word=("the keyword as the program has it", "das Schlüsselwort, wie es im Programm steht"),
     command=("the command", "der Befehl"),
-    names=("what is simulated there", "was dort simuliert wird"),
+    names=("the keywords that are simulated", "die Schlüsselwörter, die simuliert werden"),
     reaction=2,
     clearing=3,
 )
 INVALID_CONTOUR_DEVIATION = error(
     900707,
-    en="the deviation {value} of contouring is not above 0",
-    de="die Abweichung {value} des Überschleifens liegt nicht über 0",
-    remedy_en="Program a PATH_DEV above 0, or end contouring with G260.",
-    remedy_de="Ein PATH_DEV über 0 programmieren oder das Überschleifen mit G260 beenden.",
+    en="the deviation {value} for contouring must be above 0",
+    de="die Abweichung {value} beim Überschleifen muss größer als 0 sein",
+    remedy_en="Program a PATH_DEV above 0, or switch contouring off with G260.",
+    remedy_de="Ein PATH_DEV über 0 programmieren oder das Überschleifen mit G260 ausschalten.",
     value=("the value", "der Wert"),
     reaction=2,
     clearing=3,
 )
 UNKNOWN_COMMAND_KEYWORD = error(
     900900,
-    en="{command} knows no {word}",
-    de="{command} kennt kein {word}",
+    en="{command} has no keyword {word}",
+    de="{command} hat kein Schlüsselwort {word}",
     remedy_en="Did you mean {nearest}?",
-    remedy_de="Ist {nearest} gemeint?",
+    remedy_de="War {nearest} gemeint?",
     word=("the keyword as the program has it", "das Schlüsselwort, wie es im Programm steht"),
     command=("the command", "der Befehl"),
     nearest=("the nearest known name", "der ähnlichste bekannte Name"),
 )
 ARC_WITH_CENTRE_AND_RADIUS = warning(
     900904,
-    en="the arc has a centre and a radius: the centre counts, R is for later arcs",
+    en="the arc has a centre and a radius: the centre is used, R applies to later arcs",
     de="der Kreisbogen hat Mittelpunkt und Radius: der Mittelpunkt gilt, R erst für spätere Bögen",
     remedy_en="Program the centre (I, J, K) or the radius R, not both.",
     remedy_de="Den Mittelpunkt (I, J, K) oder den Radius R programmieren, nicht beides.",
-    cause_en="In a block with a centre the radius is stored, and used by the next arc without one.",
-    cause_de="In einem Satz mit Mittelpunkt wird der Radius gemerkt; der nächste Bogen ohne "
-    "Mittelpunkt nutzt ihn.",
+    cause_en="In a block with a centre the radius is stored and used by the next arc without a "
+    "centre.",
+    cause_de="In einem Satz mit Mittelpunkt wird der Radius gespeichert und vom nächsten Bogen "
+    "ohne Mittelpunkt verwendet.",
 )

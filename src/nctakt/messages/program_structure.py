@@ -7,24 +7,24 @@ from nctakt.messages.catalogue import error, warning
 
 SUBPROGRAM_END_IN_MAIN_PROGRAM = error(
     900123,
-    en="{word} ends a subprogram, and this is the main program",
-    de="{word} beendet ein Unterprogramm, und dies ist das Hauptprogramm",
+    en="{word} ends a subprogram, but this is the main program",
+    de="{word} beendet ein Unterprogramm, dies ist aber das Hauptprogramm",
     remedy_en="Write M30, or call this text with L or LL.",
-    remedy_de="M30 schreiben oder diesen Text mit L oder LL rufen.",
+    remedy_de="M30 schreiben oder diesen Text mit L oder LL aufrufen.",
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 PROGRAM_END_IN_SUBPROGRAM = warning(
     900124,
     en="{word} in a subprogram ends the main program",
     de="{word} in einem Unterprogramm beendet das Hauptprogramm",
-    remedy_en="Write M17 to go back to the caller.",
-    remedy_de="Mit M17 geht es zurück zum Aufrufer.",
+    remedy_en="Write M17 to return to the caller.",
+    remedy_de="M17 schreiben, um zum Aufrufer zurückzukehren.",
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 BLOCK_NUMBER_BEFORE_HASH_IF = error(
     900125,
-    en="no block number stands before #IF",
-    de="vor #IF steht keine Satznummer",
+    en="there must be no block number before #IF",
+    de="vor #IF darf keine Satznummer stehen",
     remedy_en="Remove the number, or write $IF.",
     remedy_de="Die Nummer entfernen oder $IF schreiben.",
 )
@@ -32,26 +32,27 @@ UNKNOWN_LABEL = error(
     900126,
     en="this program has no label {label}",
     de="dieses Programm hat keine Sprungmarke {label}",
-    remedy_en="Nearest: {nearest}. Write N20: or [NAME] before a block of the same program.",
-    remedy_de="Am nächsten: {nearest}. N20: oder [NAME] vor einen Satz desselben Programms "
+    remedy_en="Did you mean {nearest}? Write N20: or [NAME] before a block of the same program.",
+    remedy_de="War {nearest} gemeint? N20: oder [NAME] vor einen Satz desselben Programms "
     "schreiben.",
     cause_en="A jump stays within its main program or subprogram.",
     cause_de="Ein Sprung bleibt in seinem Haupt- oder Unterprogramm.",
     label=("the label", "die Sprungmarke"),
-    nearest=("the label that is most like it", "die ähnlichste Sprungmarke"),
+    nearest=("the most similar label", "die ähnlichste Sprungmarke"),
 )
 JUMP_INTO_LOOP = error(
     900127,
-    en="the label {label} stands in a loop: no jump leads there",
-    de="die Sprungmarke {label} steht in einer Schleife: dorthin führt kein Sprung",
-    remedy_en="Put the label before or behind the loop; $CONTINUE and $BREAK stay within it.",
-    remedy_de="Die Marke vor oder hinter die Schleife setzen; in ihr bleiben $CONTINUE und $BREAK.",
+    en="the label {label} is in a loop: it is not possible to jump there",
+    de="die Sprungmarke {label} steht in einer Schleife: dorthin kann nicht gesprungen werden",
+    remedy_en="Put the label before or after the loop; use $CONTINUE and $BREAK inside it.",
+    remedy_de="Die Marke vor oder hinter die Schleife setzen; innerhalb $CONTINUE und $BREAK "
+    "verwenden.",
     label=("the label", "die Sprungmarke"),
 )
 DUPLICATE_LABEL = error(
     900128,
-    en="the label {label} stands twice in this program",
-    de="die Sprungmarke {label} steht zweimal in diesem Programm",
+    en="the label {label} is defined twice in this program",
+    de="die Sprungmarke {label} ist in diesem Programm doppelt definiert",
     remedy_en="Rename one of them.",
     remedy_de="Eine der beiden umbenennen.",
     label=("the label", "die Sprungmarke"),
@@ -60,54 +61,54 @@ UNKNOWN_LOCAL_SUBPROGRAM = error(
     900129,
     en="this file has no local subprogram {name}",
     de="diese Datei hat kein lokales Unterprogramm {name}",
-    remedy_en="It has: {nearest}. A local subprogram begins with %L {name}; a file is called with "
+    remedy_en="Did you mean {nearest}? A local subprogram begins with %L {name}; call a file with "
     "L.",
-    remedy_de="Vorhanden: {nearest}. Ein lokales Unterprogramm beginnt mit %L {name}; eine Datei "
-    "ruft L.",
+    remedy_de="War {nearest} gemeint? Ein lokales Unterprogramm beginnt mit %L {name}; Dateien mit "
+    "L aufrufen.",
     name=("the name", "der Name"),
-    nearest=("the nearest local subprogram", "das nächste lokale Unterprogramm"),
+    nearest=("the most similar local subprogram", "das ähnlichste lokale Unterprogramm"),
 )
 DUPLICATE_LOCAL_SUBPROGRAM = error(
     900130,
-    en="the local subprogram {name} begins in line {line} already",
-    de="das lokale Unterprogramm {name} beginnt schon in Zeile {line}",
+    en="the local subprogram {name} is already defined in line {line}",
+    de="das lokale Unterprogramm {name} ist schon in Zeile {line} definiert",
     remedy_en="Rename one of them.",
     remedy_de="Eines der beiden umbenennen.",
     name=("the name", "der Name"),
-    line=("the line of the first one", "die Zeile des ersten"),
+    line=("the line of the first definition", "die Zeile der ersten Definition"),
 )
 PROGRAM_NOT_FOUND = error(
     900131,
-    en="the program {name} is not found",
-    de="das Programm {name} ist nicht zu finden",
-    remedy_en="Searched: {folders}. path[i].dir of the channel list names further folders.",
-    remedy_de="Gesucht: {folders}. Weitere Ordner nennt path[i].dir der Kanalliste.",
+    en="program {name} was not found",
+    de="das Programm {name} wurde nicht gefunden",
+    remedy_en="Searched: {folders}. Add folders with path[i].dir in the channel list.",
+    remedy_de="Durchsucht: {folders}. Weitere Ordner mit path[i].dir in der Kanalliste angeben.",
     name=("the name", "der Name"),
-    folders=("where it was searched", "wo es gesucht wurde"),
+    folders=("the folders that were searched", "die durchsuchten Ordner"),
     reaction=2,
     clearing=3,
 )
 INVALID_CALL_PARAMETER = error(
     900133,
-    en="{word} is nothing that a call hands over",
-    de="{word} ist nichts, was ein Aufruf übergibt",
-    remedy_en="A call has NAME and @P1 … @P200; perhaps {nearest} is meant.",
-    remedy_de="Ein Aufruf hat NAME und @P1 … @P200; vielleicht ist {nearest} gemeint.",
+    en="{word} is not a parameter of a call",
+    de="{word} ist kein Parameter eines Aufrufs",
+    remedy_en="Did you mean {nearest}? A call has NAME and @P1 … @P200.",
+    remedy_de="War {nearest} gemeint? Ein Aufruf hat NAME und @P1 … @P200.",
     word=("the word", "das Wort"),
-    nearest=("the word that is most like it", "das ähnlichste Wort"),
+    nearest=("the most similar word", "das ähnlichste Wort"),
 )
 INVALID_RETURN_OPTION = error(
     900135,
-    en="{word} says nothing about a return",
-    de="{word} sagt nichts über einen Rücksprung",
-    remedy_en="M17 has [MAIN] or [JUMPS=number], and one label: [NAME] or N20.",
-    remedy_de="M17 hat [MAIN] oder [JUMPS=Zahl] und eine Marke: [NAME] oder N20.",
+    en="{word} is not a valid option of a return",
+    de="{word} ist keine gültige Angabe für einen Rücksprung",
+    remedy_en="M17 takes [MAIN] or [JUMPS=number], and a label: [NAME] or N20.",
+    remedy_de="M17 nimmt [MAIN] oder [JUMPS=Zahl] und eine Marke: [NAME] oder N20.",
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 CYCLE_CALL_WITHOUT_NAME = error(
     900916,
-    en="L CYCLE without NAME: nothing tells which program is called",
-    de="L CYCLE ohne NAME: nichts sagt, welches Programm gerufen wird",
-    remedy_en="Write NAME=file.nc among its keywords: L CYCLE [NAME=file.nc @P1=5]",
-    remedy_de="NAME=datei.nc zu den Schlüsselwörtern schreiben: L CYCLE [NAME=datei.nc @P1=5]",
+    en="L CYCLE without NAME: it is not clear which program to call",
+    de="L CYCLE ohne NAME: es ist nicht klar, welches Programm aufgerufen werden soll",
+    remedy_en="Add NAME=file.nc to its keywords: L CYCLE [NAME=file.nc @P1=5]",
+    remedy_de="NAME=datei.nc bei den Schlüsselwörtern ergänzen: L CYCLE [NAME=datei.nc @P1=5]",
 )

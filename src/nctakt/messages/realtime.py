@@ -7,30 +7,32 @@ from nctakt.messages.catalogue import error, note
 
 CYCLES_EXCEED_STEP_LIMIT = error(
     50854,
-    en="the realtime cycles need {steps} elementary instructions in a tick, {limit} are allowed",
-    de="die Echtzeit-Zyklen brauchen {steps} Elementar-Anweisungen im Takt, erlaubt sind {limit}",
-    remedy_en="Shorten cycle {cycle} or another one, or raise rt_cycles.max_steps (P-CHAN-00427).",
+    en="the realtime cycles need {steps} elementary instructions in one tick; {limit} are allowed",
+    de="die Echtzeit-Zyklen brauchen {steps} Elementar-Anweisungen in einem Takt; erlaubt sind "
+    "{limit}",
+    remedy_en="Shorten cycle {cycle} or another one, or increase rt_cycles.max_steps "
+    "(P-CHAN-00427).",
     remedy_de="Zyklus {cycle} oder andere kürzen oder rt_cycles.max_steps (P-CHAN-00427) erhöhen.",
-    cause_en="Each operator, function, variable, assignment, condition and action counts one; "
+    cause_en="Each operator, function, variable, assignment, condition and action counts as one; "
     "nctakt list shows the counts.",
     cause_de="Operator, Funktion, Variable, Zuweisung, Bedingung und Aktion zählen je eins; nctakt "
     "list zeigt die Zahlen.",
-    cycle=("cycle at fault", "der fehlerhafte Zyklus"),
-    steps=("instructions so far", "Anweisungen bis dahin"),
+    cycle=("the cycle at fault", "der fehlerhafte Zyklus"),
+    steps=("the number of instructions so far", "die Anzahl der Anweisungen bis dahin"),
     limit=("the limit", "die Grenze"),
     reaction=6,
     clearing=6,
 )
 CYCLE_MEMORY_FULL = error(
     50855,
-    en="no memory for another realtime cycle: {needed} bytes needed, {free} are free",
-    de="kein Speicher für einen weiteren Echtzeit-Zyklus: {needed} Byte nötig, {free} frei",
-    remedy_en="Delete cycles that are done, or raise configuration.rt_cycles.memory "
+    en="not enough memory for another realtime cycle: {needed} bytes needed, {free} free",
+    de="nicht genug Speicher für einen weiteren Echtzeit-Zyklus: {needed} Byte nötig, {free} frei",
+    remedy_en="Delete cycles that are done, or increase configuration.rt_cycles.memory "
     "(P-CHAN-00407).",
     remedy_de="Erledigte Zyklen löschen oder configuration.rt_cycles.memory (P-CHAN-00407) "
     "erhöhen.",
-    needed=("bytes of the cycle", "Byte des Zyklus"),
-    free=("bytes that are left", "noch freie Byte"),
+    needed=("the bytes of the cycle", "die Bytes des Zyklus"),
+    free=("the bytes that are free", "die freien Bytes"),
     reaction=6,
     clearing=6,
 )
@@ -39,10 +41,10 @@ CYCLE_TOO_LARGE = error(
     en="this realtime cycle needs {needed} bytes, more than the whole memory; {free} are free",
     de="dieser Echtzeit-Zyklus braucht {needed} Byte, mehr als der ganze Speicher; {free} sind "
     "frei",
-    remedy_en="Shorten the cycle, or raise configuration.rt_cycles.memory (P-CHAN-00407).",
+    remedy_en="Shorten the cycle, or increase configuration.rt_cycles.memory (P-CHAN-00407).",
     remedy_de="Den Zyklus kürzen oder configuration.rt_cycles.memory (P-CHAN-00407) erhöhen.",
-    needed=("bytes of the cycle", "Byte des Zyklus"),
-    free=("bytes that are left", "noch freie Byte"),
+    needed=("the bytes of the cycle", "die Bytes des Zyklus"),
+    free=("the bytes that are free", "die freien Bytes"),
     reaction=6,
     clearing=6,
 )
@@ -50,10 +52,10 @@ UNKNOWN_CYCLE_ID = error(
     50858,
     en="no realtime cycle has the ID {id}",
     de="kein Echtzeit-Zyklus hat die ID {id}",
-    remedy_en="Define the cycle before, and mind its scope: it may have ended already.",
-    remedy_de="Den Zyklus vorher definieren; seine Gültigkeit beachten: er kann schon beendet "
+    remedy_en="Define the cycle first, and check its scope: it may have ended already.",
+    remedy_de="Den Zyklus vorher definieren und seine Gültigkeit prüfen: er kann schon beendet "
     "sein.",
-    cause_en="PROG cycles end with the main program, BLOCK cycles with their block. A GLOBAL one "
+    cause_en="PROG cycles end with the main program, BLOCK cycles with their block. A GLOBAL cycle "
     "lives until DELETE.",
     cause_de="PROG-Zyklen enden mit dem Hauptprogramm, BLOCK-Zyklen mit ihrem Satz. Ein "
     "GLOBAL-Zyklus lebt bis DELETE.",
@@ -63,29 +65,33 @@ UNKNOWN_CYCLE_ID = error(
 )
 TOO_MANY_CYCLES = error(
     50877,
-    en="more than {count} realtime cycles at once",
-    de="mehr als {count} Echtzeit-Zyklen zugleich",
+    en="more than {count} realtime cycles at the same time",
+    de="mehr als {count} Echtzeit-Zyklen gleichzeitig",
     remedy_en="Delete cycles that are no longer needed with #RT CYCLE DELETE.",
     remedy_de="Nicht mehr gebrauchte Zyklen mit #RT CYCLE DELETE löschen.",
-    cause_en="Cycles without an ID count, too, and definitions in a loop make a new one each time.",
+    cause_en="Cycles without an ID count as well, and a definition in a loop creates a new one "
+    "each time.",
     cause_de="Auch Zyklen ohne ID zählen, und eine Definition in einer Schleife legt jedes Mal "
     "einen neuen an.",
-    count=("the most cycles of a channel", "die meisten Zyklen eines Kanals"),
+    count=(
+        "the maximum number of cycles of a channel",
+        "die größte Anzahl von Zyklen eines Kanals",
+    ),
     reaction=6,
     clearing=6,
 )
 CYCLE_OPERATION_WITHOUT_RESULT = error(
     50879,
-    en="'{operation}' in realtime cycle {cycle} has no usable result",
-    de="'{operation}' im Echtzeit-Zyklus {cycle} hat kein brauchbares Ergebnis",
-    remedy_en="Test the operands with $IF before; '=' stands for a result that is too large.",
+    en="'{operation}' in realtime cycle {cycle} has no valid result",
+    de="'{operation}' im Echtzeit-Zyklus {cycle} hat kein gültiges Ergebnis",
+    remedy_en="Check the operands with $IF first; '=' stands for a result that is too large.",
     remedy_de="Die Operanden vorher mit $IF prüfen; '=' steht für ein zu großes Ergebnis.",
-    cause_en="Division by zero, root or logarithm out of range, or a result beyond all numbers. "
+    cause_en="Division by zero, a root or logarithm out of range, or a result that is too large. "
     "The statement assigns nothing.",
     cause_de="Division durch null, Wurzel oder Logarithmus außerhalb des Bereichs oder ein zu "
     "großes Ergebnis. Zugewiesen wird nichts.",
-    cycle=("cycle at fault", "der fehlerhafte Zyklus"),
-    operation=("operator or function", "Operator oder Funktion"),
+    cycle=("the cycle at fault", "der fehlerhafte Zyklus"),
+    operation=("the operator or function", "der Operator oder die Funktion"),
     reaction=6,
     clearing=6,
 )
@@ -95,25 +101,25 @@ CYCLE_VALUE_OUT_OF_RANGE = error(
     de="{value} liegt außerhalb des Bereichs {low} … {high} von {variable}",
     remedy_en="Limit the value, or give the variable a larger type.",
     remedy_de="Den Wert begrenzen oder der Variablen einen größeren Typ geben.",
-    cause_en="An integer variable takes the nearest whole number (half to even) inside its type's "
-    "range; nothing is stored here.",
-    cause_de="Eine ganzzahlige Variable nimmt die nächste ganze Zahl (halbe zur geraden) im "
+    cause_en="An integer variable takes the nearest whole number (half to even) in the range of "
+    "its type; nothing is stored here.",
+    cause_de="Eine ganzzahlige Variable erhält die nächste ganze Zahl (halbe zur geraden) im "
     "Bereich ihres Typs; hier wird nichts gespeichert.",
     variable=("the variable", "die Variable"),
     value=("the value, rounded", "der Wert, gerundet"),
-    low=("smallest value of its type", "kleinster Wert ihres Typs"),
-    high=("largest value of its type", "größter Wert ihres Typs"),
+    low=("the smallest value of its type", "der kleinste Wert ihres Typs"),
+    high=("the largest value of its type", "der größte Wert ihres Typs"),
     reaction=6,
     clearing=6,
 )
 VALUE_NOT_FINITE = error(
     50893,
-    en="{value} is not a finite number and cannot be given to {name}",
+    en="{value} is not a finite number and cannot be assigned to {name}",
     de="{value} ist keine endliche Zahl und kann {name} nicht zugewiesen werden",
-    remedy_en="Give a finite number.",
-    remedy_de="Eine endliche Zahl angeben.",
+    remedy_en="Use a finite number.",
+    remedy_de="Eine endliche Zahl verwenden.",
     cause_en="Variables hold finite numbers only.",
-    cause_de="Variablen halten nur endliche Zahlen.",
+    cause_de="Variablen enthalten nur endliche Zahlen.",
     name=("the variable", "die Variable"),
     value=("the value", "der Wert"),
     reaction=6,
@@ -121,12 +127,12 @@ VALUE_NOT_FINITE = error(
 )
 CYCLE_ID_IN_USE = error(
     50900,
-    en="the ID {id} belongs to another realtime cycle already",
+    en="the ID {id} already belongs to another realtime cycle",
     de="die ID {id} gehört schon einem anderen Echtzeit-Zyklus",
-    remedy_en="Choose another ID, or delete the other cycle before with #RT CYCLE DELETE.",
+    remedy_en="Choose another ID, or first delete the other cycle with #RT CYCLE DELETE.",
     remedy_de="Eine andere ID wählen oder den anderen Zyklus vorher mit #RT CYCLE DELETE löschen.",
-    cause_en="A cycle keeps its ID until its scope ends: PROG until the main program's end, GLOBAL "
-    "until DELETE, in later programs too.",
+    cause_en="A cycle keeps its ID until its scope ends: PROG until the end of the main program, "
+    "GLOBAL until DELETE, even in later programs.",
     cause_de="Ein Zyklus behält seine ID, bis seine Gültigkeit endet: PROG bis zum "
     "Hauptprogrammende, GLOBAL bis DELETE, auch in späteren Programmen.",
     id=("the ID", "die ID"),
@@ -135,19 +141,21 @@ CYCLE_ID_IN_USE = error(
 )
 CYCLES_EXCEED_DURATION = error(
     50939,
-    en="the realtime cycles take too long: {steps} elementary instructions, time is for {limit}",
-    de="die Echtzeit-Zyklen dauern zu lange: {steps} Elementar-Anweisungen, Zeit ist für {limit}",
-    remedy_en="Shorten cycle {cycle} or others, or raise rt_cycles.max_duration (P-CHAN-00425).",
-    remedy_de="Zyklus {cycle} oder andere kürzen, rt_cycles.max_duration (P-CHAN-00425) erhöhen.",
-    cause_en="All cycles of a tick share the time. In virtual time each elementary instruction is "
-    "taken to cost 10 ns.",
-    cause_de="Alle Zyklen eines Takts teilen sich die Zeit. In virtueller Zeit gilt jede "
-    "Elementar-Anweisung als 10 ns.",
-    cycle=("cycle at fault", "der fehlerhafte Zyklus"),
-    steps=("instructions so far", "Anweisungen bis dahin"),
+    en="the realtime cycles take too long: {steps} elementary instructions; there is time for "
+    "{limit}",
+    de="die Echtzeit-Zyklen dauern zu lange: {steps} Elementar-Anweisungen; Zeit ist für {limit}",
+    remedy_en="Shorten cycle {cycle} or others, or increase rt_cycles.max_duration (P-CHAN-00425).",
+    remedy_de="Zyklus {cycle} oder andere kürzen oder rt_cycles.max_duration (P-CHAN-00425) "
+    "erhöhen.",
+    cause_en="All cycles of a tick share the time. In virtual time each elementary instruction "
+    "takes 10 ns.",
+    cause_de="Alle Zyklen eines Takts teilen sich die Zeit. In virtueller Zeit dauert jede "
+    "Elementar-Anweisung 10 ns.",
+    cycle=("the cycle at fault", "der fehlerhafte Zyklus"),
+    steps=("the number of instructions so far", "die Anzahl der Anweisungen bis dahin"),
     limit=(
-        "instructions for which the share of the tick lasts",
-        "Anweisungen, für die der Anteil am Takt reicht",
+        "the instructions for which the share of the tick is enough",
+        "die Anweisungen, für die der Anteil am Takt reicht",
     ),
     reaction=6,
     clearing=6,
@@ -155,17 +163,16 @@ CYCLES_EXCEED_DURATION = error(
 )
 PLC_INTERFACE_FULL = error(
     50942,
-    en="{function} cannot be handed to the PLC: all {slots} places of the interface are taken",
-    de="{function} kann der SPS nicht übergeben werden: alle {slots} Plätze der Schnittstelle "
-    "belegt",
+    en="{function} cannot be output to the PLC: all {slots} slots of the interface are occupied",
+    de="{function} kann nicht an die SPS ausgegeben werden: alle {slots} Plätze der Schnittstelle "
+    "sind belegt",
     remedy_en="Let the PLC acknowledge in every tick, or output fewer functions.",
     remedy_de="Die SPS in jedem Takt quittieren lassen oder weniger Funktionen ausgeben.",
-    cause_en="A cycle does not wait: a function that finds no place would be lost, so this is an "
-    "error.",
-    cause_de="Ein Zyklus wartet nicht: eine Funktion ohne Platz ginge verloren; darum ist es ein "
+    cause_en="A cycle does not wait: a function without a slot would be lost, so this is an error.",
+    cause_de="Ein Zyklus wartet nicht: eine Funktion ohne Platz ginge verloren; darum ist das ein "
     "Fehler.",
     function=("the function", "die Funktion"),
-    slots=("places of the realtime section", "Plätze des Echtzeit-Bereichs"),
+    slots=("the slots of the realtime section", "die Plätze des Echtzeit-Bereichs"),
     reaction=6,
     clearing=6,
 )
@@ -175,12 +182,12 @@ TOO_MANY_FUNCTIONS_IN_TICK = error(
     de="{function} ist in diesem Takt eine Funktion zu viel: die Schnittstelle fasst {slots}",
     remedy_en="Spread the functions over several ticks.",
     remedy_de="Die Funktionen auf mehrere Takte verteilen.",
-    cause_en="What is put out in one tick stands in the interface at the same time; the PLC frees "
-    "places only behind the tick.",
+    cause_en="All functions output in one tick are in the interface at the same time; the PLC "
+    "frees slots only after the tick.",
     cause_de="Was in einem Takt ausgegeben wird, steht gleichzeitig in der Schnittstelle; die SPS "
     "gibt Plätze erst nach dem Takt frei.",
     function=("the function", "die Funktion"),
-    slots=("places of the realtime section", "Plätze des Echtzeit-Bereichs"),
+    slots=("the slots of the realtime section", "die Plätze des Echtzeit-Bereichs"),
     reaction=6,
     clearing=6,
 )
@@ -188,36 +195,37 @@ NO_CYCLE_TO_DELETE = note(
     900410,
     en="there is no realtime cycle with this ID: nothing to delete",
     de="es gibt keinen Echtzeit-Zyklus mit dieser ID: nichts zu löschen",
-    cause_en="The first line of many programs deletes a cycle that an earlier one may have left; "
-    "that is harmless.",
-    cause_de="Die erste Zeile vieler Programme löscht einen Zyklus, den ein früheres hinterlassen "
-    "haben kann; das ist harmlos.",
+    cause_en="Many programs begin by deleting a cycle that an earlier one may have left; that is "
+    "harmless.",
+    cause_de="Viele Programme löschen zu Beginn einen Zyklus, den ein früheres hinterlassen haben "
+    "kann; das ist harmlos.",
 )
 HOLD_WITHOUT_EFFECT = note(
     900411,
-    en="the realtime cycle does not run: HOLD has no effect",
-    de="der Echtzeit-Zyklus läuft nicht: HOLD bewirkt nichts",
-    cause_en="HOLD stops a running cycle only; it is held already, or was not started.",
-    cause_de="HOLD hält nur einen laufenden Zyklus an; er steht schon oder wurde nicht gestartet.",
+    en="the realtime cycle is not running: HOLD has no effect",
+    de="der Echtzeit-Zyklus läuft nicht: HOLD hat keine Wirkung",
+    cause_en="HOLD stops only a running cycle; this one is on hold already, or was not started.",
+    cause_de="HOLD hält nur einen laufenden Zyklus an; dieser ist schon angehalten oder wurde "
+    "nicht gestartet.",
 )
 CONTINUE_WITHOUT_EFFECT = note(
     900412,
-    en="the realtime cycle is not held: CONTINUE has no effect",
-    de="der Echtzeit-Zyklus ist nicht angehalten: CONTINUE bewirkt nichts",
-    cause_en="CONTINUE lets a held cycle go on only.",
+    en="the realtime cycle is not on hold: CONTINUE has no effect",
+    de="der Echtzeit-Zyklus ist nicht angehalten: CONTINUE hat keine Wirkung",
+    cause_en="CONTINUE resumes only a cycle on hold.",
     cause_de="CONTINUE setzt nur einen angehaltenen Zyklus fort.",
 )
 BLOCK_CYCLE_NEVER_RAN = note(
     900413,
-    en="a realtime cycle with scope BLOCK ended with the program without having run",
-    de="ein Echtzeit-Zyklus mit Gültigkeit BLOCK endete mit dem Programm, ohne gelaufen zu sein",
+    en="a realtime cycle with scope BLOCK ended with the program and never ran",
+    de="ein Echtzeit-Zyklus mit Gültigkeit BLOCK endete mit dem Programm, ohne je zu laufen",
     cause_en="A BLOCK cycle waits for the next block that takes time, and none came.",
     cause_de="Ein BLOCK-Zyklus wartet auf den nächsten Satz, der Zeit braucht, und es kam keiner.",
 )
 UNKNOWN_CYCLE_TIMER = error(
     900421,
-    en="there is no timer {timer}: timers are numbered 0 … 127",
-    de="es gibt keinen Timer {timer}: Timer haben die Nummern 0 … 127",
+    en="unknown timer {timer}: timers are numbered 0 … 127",
+    de="unbekannter Zeitgeber {timer}: Zeitgeber haben die Nummern 0 … 127",
     remedy_en="Give #TIMER an ID from 0 to 127.",
     remedy_de="#TIMER eine ID von 0 bis 127 geben.",
     timer=("the ID", "die ID"),

@@ -7,36 +7,38 @@ from nctakt.messages.catalogue import error, warning
 
 TICK_MISMATCH = warning(
     900730,
-    en="the tick is {cycle} µs by {file}; the list of the machine says {other} µs",
-    de="der Takt ist {cycle} µs nach {file}; die Liste der Maschine sagt {other} µs",
-    remedy_en="Nothing to do if that is meant; else write the same cycle_time in both lists.",
-    remedy_de="Ist es so gemeint, nichts tun; sonst in beiden Listen cycle_time gleich schreiben.",
+    en="the tick is {cycle} µs according to {file}; the list of the machine says {other} µs",
+    de="der Takt beträgt {cycle} µs laut {file}; die Liste der Maschine sagt {other} µs",
+    remedy_en="This may be intended; otherwise write the same cycle_time in both lists.",
+    remedy_de="Das kann gewollt sein; sonst in beiden Listen dieselbe cycle_time schreiben.",
     file=("the scheduling list of the run", "die Scheduling-Liste des Laufs"),
     cycle=("the length of a tick, in µs", "die Länge eines Takts, in µs"),
     other=(
-        "cycle_time of the list that the start-up list names, in µs",
+        "cycle_time of the list named in the start-up list, in µs",
         "cycle_time der Liste, die die Hochlaufliste nennt, in µs",
     ),
 )
 NO_COMMON_TICK = error(
     900731,
     en="the threads with task_int ({threads}) have different cycles: there is no common tick",
-    de="die Threads mit task_int ({threads}) haben verschiedene Takte: es gibt keinen gemeinsamen",
+    de="die Threads mit task_int ({threads}) haben verschiedene Takte: es gibt keinen gemeinsamen "
+    "Takt",
     remedy_en="Give these threads the same cycle; the channels of a machine run in lockstep.",
     remedy_de="Diesen Threads denselben Takt geben; Kanäle laufen im Gleichtakt.",
     threads=("the threads", "die Threads"),
 )
 REQUIRED_FUNCTION_NOT_CALLED = error(
     900732,
-    en="no thread calls {function}: no program can run by this list",
-    de="kein Thread ruft {function}: nach dieser Liste kann kein Programm laufen",
-    remedy_en="Write the function in one of the threads; task_rnd decodes, task_int interpolates.",
-    remedy_de="Die Funktion in einem Thread angeben; task_rnd dekodiert, task_int interpoliert.",
-    function=("the function that is missing", "die Funktion, die fehlt"),
+    en="no thread calls {function}: no program can run with this list",
+    de="kein Thread ruft {function} auf: mit dieser Liste kann kein Programm laufen",
+    remedy_en="Add the function to one of the threads; task_rnd decodes, task_int interpolates.",
+    remedy_de="Die Funktion in einem der Threads angeben; task_rnd dekodiert, task_int "
+    "interpoliert.",
+    function=("the missing function", "die fehlende Funktion"),
 )
 UNKNOWN_PLC_THREAD = error(
     900733,
-    en="load: controller.plc: {name} is no external thread of the list",
+    en="load: controller.plc: {name} is not an external thread of the list",
     de="Last: controller.plc: {name} ist kein externer Thread der Liste",
     remedy_en="Name one of these semaphores: {names}.",
     remedy_de="Einen dieser Semaphore nennen: {names}.",
@@ -45,9 +47,9 @@ UNKNOWN_PLC_THREAD = error(
 )
 OPTION_WITHOUT_SCHEDULE = error(
     900734,
-    en="{option} belongs to a schedule, and none is given",
-    de="{option} gehört zu einem Scheduling, und keines ist angegeben",
-    remedy_en="Name a scheduling list with --rtconf, or leave the option out.",
+    en="{option} needs a schedule, but none is given",
+    de="{option} braucht ein Scheduling, angegeben ist aber keines",
+    remedy_en="Name a scheduling list with --rtconf, or omit the option.",
     remedy_de="Mit --rtconf eine Scheduling-Liste nennen oder die Option weglassen.",
     option=("the option", "die Option"),
 )

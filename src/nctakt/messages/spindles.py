@@ -7,11 +7,11 @@ from nctakt.messages.catalogue import error, warning
 
 SPINDLE_BUSY = error(
     50935,
-    en="spindle {spindle} is busy with a job of this tick, or one that the PLC has not "
+    en="spindle {spindle} is busy with a job of this tick, or with one that the PLC has not "
     "acknowledged",
-    de="Spindel {spindle} ist belegt: mit einem Auftrag dieses Takts oder einem unquittierten der "
-    "SPS",
-    remedy_en="Give each spindle one job in a tick; let the PLC acknowledge in time.",
+    de="Spindel {spindle} ist mit einem Auftrag dieses Takts oder einem unquittierten der SPS "
+    "belegt",
+    remedy_en="Give each spindle one job per tick; let the PLC acknowledge in time.",
     remedy_de="Jeder Spindel nur einen Auftrag je Takt geben; die SPS rechtzeitig quittieren "
     "lassen.",
     spindle=("the spindle's name", "der Name der Spindel"),
@@ -24,9 +24,9 @@ SPINDLE_WORD_COUNT = error(
     de="zu viele oder zu wenige Wörter für eine Spindel: {command}",
     remedy_en="A realtime cycle gives M3|M4 and speed, or M3|M4, M19, speed and position, or M5 "
     "alone.",
-    remedy_de="Ein Echtzeit-Zyklus gibt M3|M4 und Drehzahl an, oder dazu M19 und Position, oder M5 "
-    "allein.",
-    cause_en="In the main program M3, M4 and M5 exclude each other, and a position needs M19.",
+    remedy_de="Ein Echtzeit-Zyklus gibt M3|M4 und Drehzahl an, oder M3|M4, M19, Drehzahl und "
+    "Position, oder nur M5.",
+    cause_en="In the main program M3, M4 and M5 are mutually exclusive, and a position needs M19.",
     cause_de="Im Hauptprogramm schließen M3, M4 und M5 einander aus; eine Position braucht M19.",
     command=("the command as written", "der Befehl, wie geschrieben"),
     reaction=6,
@@ -46,12 +46,12 @@ SPINDLE_AXIS_LIST_MISSING = error(
 )
 CYCLE_ACTIONS_FULL = error(
     51028,
-    en="realtime cycle {cycle} has {places} actions open, and no place for another",
+    en="realtime cycle {cycle} has {places} open actions and no slot for another",
     de="Echtzeit-Zyklus {cycle} hat {places} offene Aktionen und keinen Platz für eine weitere",
-    remedy_en="Let actions end first, or raise configuration.rt_cycles.buffers (P-CHAN-00480).",
+    remedy_en="Let actions end first, or increase configuration.rt_cycles.buffers (P-CHAN-00480).",
     remedy_de="Aktionen vorher enden lassen oder configuration.rt_cycles.buffers (P-CHAN-00480) "
     "erhöhen.",
-    cycle=("cycle at fault", "der fehlerhafte Zyklus"),
+    cycle=("the cycle at fault", "der fehlerhafte Zyklus"),
     places=("P-CHAN-00480", "P-CHAN-00480"),
     reaction=6,
     clearing=6,
@@ -60,9 +60,10 @@ NOT_A_SPINDLE_WORD = error(
     900282,
     en="{word} does not belong to a spindle command",
     de="{word} gehört nicht zu einem Spindelbefehl",
-    remedy_en="Did you mean {nearest}? A spindle knows M3, M4, M5, M19, S or REV, S.POS or POS.",
-    remedy_de="Ist {nearest} gemeint? Eine Spindel kennt M3, M4, M5, M19, S oder REV, S.POS oder "
+    remedy_en="Did you mean {nearest}? A spindle command takes M3, M4, M5, M19, S or REV, S.POS or "
     "POS.",
+    remedy_de="War {nearest} gemeint? Ein Spindelbefehl hat M3, M4, M5, M19, S oder REV, S.POS "
+    "oder POS.",
     word=("the word as written", "das Wort, wie geschrieben"),
     nearest=("the nearest known name", "der ähnlichste bekannte Name"),
 )
@@ -70,16 +71,16 @@ NO_MAIN_SPINDLE = error(
     900473,
     en="the channel has no main spindle",
     de="der Kanal hat keine Hauptspindel",
-    remedy_en="Name one (main_spindle_ax_nr, P-CHAN-00051), or use a spindle's name: S2[M3 "
+    remedy_en="Name one (main_spindle_ax_nr, P-CHAN-00051), or use the name of a spindle: S2[M3 "
     "REV=1000]",
     remedy_de="Eine nennen (main_spindle_ax_nr, P-CHAN-00051) oder eine Spindel mit Namen "
     "ansprechen: S2[M3]",
 )
 INVALID_SPINDLE_SPEED = error(
     900470,
-    en="a spindle's speed cannot be {value}: M3 and M4 give the direction",
-    de="die Drehzahl einer Spindel kann nicht {value} sein: M3 und M4 geben die Richtung an",
-    remedy_en="Give a speed from 0 on, and M3 or M4.",
+    en="the speed of a spindle cannot be {value}: M3 and M4 define the direction",
+    de="die Drehzahl einer Spindel kann nicht {value} sein: M3 und M4 bestimmen die Richtung",
+    remedy_en="Give a speed of at least 0, and M3 or M4.",
     remedy_de="Eine Drehzahl ab 0 angeben, und M3 oder M4.",
     value=("the value", "der Wert"),
     reaction=6,
@@ -87,9 +88,9 @@ INVALID_SPINDLE_SPEED = error(
 )
 M19_WITHOUT_SPEED = error(
     900471,
-    en="M19 without a speed: none is active, and the block gives none",
-    de="M19 ohne Drehzahl: keine ist aktiv, und der Satz gibt keine an",
-    remedy_en="Give the speed with which the spindle goes to its position: M19 S100 S.POS=90",
+    en="M19 without a speed: none is active, and the block contains none",
+    de="M19 ohne Drehzahl: es ist keine aktiv, und der Satz enthält keine",
+    remedy_en="Give the speed at which the spindle moves to its position: M19 S100 S.POS=90",
     remedy_de="Die Drehzahl angeben, mit der die Spindel auf ihre Position fährt: M19 S100 "
     "S.POS=90",
     reaction=2,
@@ -97,7 +98,7 @@ M19_WITHOUT_SPEED = error(
 )
 M19_SPEED_ZERO = error(
     900472,
-    en="M19 with the speed 0: the spindle would never arrive",
+    en="M19 with speed 0: the spindle would never arrive",
     de="M19 mit der Drehzahl 0: die Spindel käme nie an",
     remedy_en="Give a speed above 0.",
     remedy_de="Eine Drehzahl über 0 angeben.",
@@ -106,14 +107,14 @@ M19_SPEED_ZERO = error(
 )
 SPINDLE_JOB_HELD = error(
     900811,
-    en="the program waits for the spindle {spindle}, whose job is held",
-    de="das Programm wartet auf die Spindel {spindle}, deren Auftrag angehalten ist",
-    remedy_en="Let the realtime cycle go on with #RT CYCLE CONTINUE before, or end the job with "
+    en="the program waits for spindle {spindle}, whose job is on hold",
+    de="das Programm wartet auf Spindel {spindle}, deren Auftrag angehalten ist",
+    remedy_en="First continue the realtime cycle with #RT CYCLE CONTINUE, or end the job with "
     "ABORT ACTION.",
     remedy_de="Vorher den Echtzeit-Zyklus mit #RT CYCLE CONTINUE fortsetzen oder den Auftrag mit "
     "ABORT ACTION beenden.",
-    cause_en="A realtime cycle has taken the spindle over and is held: only the program could let "
-    "it go on, and the program waits.",
+    cause_en="A realtime cycle has taken over the spindle and is on hold: only the program could "
+    "continue it, and the program is waiting.",
     cause_de="Ein Echtzeit-Zyklus hat die Spindel übernommen und ist angehalten: nur das Programm "
     "könnte ihn fortsetzen, und das wartet.",
     spindle=("the spindle", "die Spindel"),
@@ -122,38 +123,44 @@ SPINDLE_JOB_HELD = error(
 )
 EXCLUSIVE_SPINDLE_WORDS = error(
     900901,
-    en="{words} exclude each other in one block",
-    de="{words} schließen einander in einem Satz aus",
-    remedy_en="Give one of M3, M4 and M5 in a block; M5 alone, M19 alone or with M3 or M4.",
-    remedy_de="Je Satz nur eines von M3, M4 und M5; M5 allein, M19 allein oder mit M3 oder M4.",
+    en="{words} must not be in the same block",
+    de="{words} dürfen nicht im selben Satz stehen",
+    remedy_en="Program only one of M3, M4 and M5 per block; M5 alone, M19 alone or with M3 or M4.",
+    remedy_de="Je Satz nur eines von M3, M4 und M5 programmieren; M5 allein, M19 allein oder mit "
+    "M3 oder M4.",
     words=("the words of the block", "die Wörter des Satzes"),
 )
 SPINDLE_POSITION_WITHOUT_M19 = error(
     900902,
-    en="a position of the spindle without M19",
-    de="eine Position der Spindel ohne M19",
+    en="a spindle position without M19",
+    de="eine Spindelposition ohne M19",
     remedy_en="Write M19 in the same block: M19 S100 S.POS=90",
     remedy_de="M19 in denselben Satz schreiben: M19 S100 S.POS=90",
 )
 SPINDLE_SPEED_LIMITED = warning(
     900905,
-    en="spindle {spindle} turns no faster than {limit} 1/min; {speed} is limited to that",
-    de="Spindel {spindle} dreht höchstens {limit} 1/min; {speed} wird darauf begrenzt",
-    remedy_en="Program at most that speed, or raise P-AXIS-00212 of the spindle's axis list.",
-    remedy_de="Höchstens diese Drehzahl programmieren oder P-AXIS-00212 der Spindelliste erhöhen.",
+    en="spindle {spindle}: the speed {speed} is limited to {limit} 1/min",
+    de="Spindel {spindle}: die Drehzahl {speed} wird auf {limit} 1/min begrenzt",
+    remedy_en="Program at most this speed, or increase P-AXIS-00212 in the axis list of the "
+    "spindle.",
+    remedy_de="Höchstens diese Drehzahl programmieren oder P-AXIS-00212 in der Achsliste der "
+    "Spindel erhöhen.",
     spindle=("the spindle's name", "der Name der Spindel"),
-    limit=("the speed of the axis list in 1/min", "die Drehzahl der Achsliste in 1/min"),
+    limit=(
+        "the maximum speed in the axis list, in 1/min",
+        "die größte Drehzahl laut Achsliste in 1/min",
+    ),
     speed=("the speed as programmed", "die Drehzahl, wie programmiert"),
 )
 DWELL_WITHOUT_SPINDLE = error(
     900813,
-    en="G04 S: the program has not set the main spindle turning",
-    de="G04 S: das Programm hat die Hauptspindel nicht in Drehung versetzt",
-    remedy_en="Program M3 or M4 with a speed above 0 before, or give the time: G04 X1.5",
+    en="G04 S: the program has not started the main spindle",
+    de="G04 S: das Programm hat die Hauptspindel nicht gestartet",
+    remedy_en="First program M3 or M4 with a speed above 0, or give the time: G04 X1.5",
     remedy_de="Vorher M3 oder M4 mit einer Drehzahl über 0 programmieren, oder die Zeit angeben: "
     "G04 X1.5",
-    cause_en="The time is that of revolutions at the programmed speed.",
-    cause_de="Die Zeit ist die von Umdrehungen mit der programmierten Drehzahl.",
+    cause_en="The dwell time is that of the revolutions at the programmed speed.",
+    cause_de="Die Verweilzeit ist die der Umdrehungen bei der programmierten Drehzahl.",
     reaction=2,
     clearing=3,
 )

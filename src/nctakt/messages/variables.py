@@ -7,22 +7,22 @@ from nctakt.messages.catalogue import error, note, warning
 
 INVALID_ALIGNMENT = warning(
     1000178,
-    en="alignment {value} of the external variables does not exist; the controller chooses it",
-    de="die Ausrichtung {value} der externen Variablen gibt es nicht; die Steuerung wählt sie",
+    en="{value} is not a valid alignment of the external variables; the controller chooses one",
+    de="{value} ist keine gültige Ausrichtung der externen Variablen; die Steuerung wählt sie",
     remedy_en="Use 0, 1, 2, 4 or 8.",
     remedy_de="0, 1, 2, 4 oder 8 verwenden.",
     value=("P-STUP-00145 as written", "P-STUP-00145, wie geschrieben"),
 )
 INVALID_SCOPE = warning(
     21196,
-    en="{key}: '{value}' is no scope; {default} is used",
+    en="{key}: '{value}' is not a scope; {default} is used",
     de="{key}: '{value}' ist kein Gültigkeitsbereich; es gilt {default}",
     remedy_en="Use GLOBAL or CHANNEL.",
     remedy_de="GLOBAL oder CHANNEL verwenden.",
-    cause_en="Only GLOBAL variables are shared by all channels, so a scope that cannot be read "
-    "stays in its channel.",
-    cause_de="Nur GLOBAL-Variablen gelten für alle Kanäle; ein unlesbarer Gültigkeitsbereich "
-    "bleibt darum im Kanal.",
+    cause_en="Only GLOBAL variables are shared by all channels, so a variable with an invalid "
+    "scope stays in its channel.",
+    cause_de="Nur GLOBAL-Variablen gelten für alle Kanäle; eine Variable mit ungültigem "
+    "Gültigkeitsbereich bleibt darum in ihrem Kanal.",
     key=("the entry's name", "der Name des Eintrags"),
     value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
     default=("the scope that is used", "der Gültigkeitsbereich, der gilt"),
@@ -31,16 +31,16 @@ INVALID_SCOPE = warning(
 )
 CHANNEL_VARIABLES_TOO_LARGE = error(
     21992,
-    en="V.CH variables need {needed} byte, P-CHAN-00424 gives {available}; the channel has none of "
-    "them",
-    de="V.CH-Variablen brauchen {needed} Byte, P-CHAN-00424 gibt {available}; der Kanal hat keine "
-    "davon",
+    en="V.CH variables need {needed} bytes, but P-CHAN-00424 provides {available}; the channel "
+    "gets none of them",
+    de="V.CH-Variablen brauchen {needed} Byte, P-CHAN-00424 bietet aber {available}; der Kanal "
+    "erhält keine davon",
     remedy_en="Set configuration.decoder.v_ch_memory to at least {needed}.",
     remedy_de="configuration.decoder.v_ch_memory auf mindestens {needed} setzen.",
-    cause_en="Each variable takes its data and some bytes of management; what does not fit cannot "
-    "exist in part.",
-    cause_de="Jede Variable braucht ihre Daten und einige Byte Verwaltung; was nicht hineinpasst, "
-    "kann es nicht zum Teil geben.",
+    cause_en="Each variable needs its data and some bytes of management; variables are not stored "
+    "partially.",
+    cause_de="Jede Variable braucht ihre Daten und einige Byte Verwaltung; Variablen werden nicht "
+    "teilweise gespeichert.",
     needed=("bytes of data and management", "Byte für Daten und Verwaltung"),
     available=("P-CHAN-00424", "P-CHAN-00424"),
     reaction=2,
@@ -48,24 +48,26 @@ CHANNEL_VARIABLES_TOO_LARGE = error(
 )
 INVALID_VARIABLE_NAME = warning(
     900080,
-    en="{key}: '{value}' is no name for a variable, or used already; it is left out",
-    de="{key}: '{value}' ist kein zulässiger Variablenname oder schon vergeben; sie entfällt",
-    remedy_en="Use up to {limit} letters, digits and underscores, beginning with a letter.",
+    en="{key}: '{value}' is not a valid name of a variable or is already used; the variable is "
+    "ignored",
+    de="{key}: '{value}' ist kein gültiger Variablenname oder schon vergeben; die Variable wird "
+    "ignoriert",
+    remedy_en="Use up to {limit} letters, digits and underscores, starting with a letter.",
     remedy_de="Bis zu {limit} Buchstaben, Ziffern und Unterstriche verwenden, mit einem Buchstaben "
     "beginnend.",
     key=("the entry's name", "der Name des Eintrags"),
     value=("the name", "der Name"),
-    limit=("the greatest length", "die größte Länge"),
+    limit=("the maximum length", "die größte Länge"),
 )
 LONG_VARIABLE_NAME = note(
     900972,
-    en="{key}: the name has {length} characters; a controller may have room for {limit} only",
-    de="{key}: der Name hat {length} Zeichen; eine Steuerung hat womöglich nur für {limit} Platz",
+    en="{key}: the name has {length} characters; a controller may allow only {limit}",
+    de="{key}: der Name hat {length} Zeichen; eine Steuerung erlaubt womöglich nur {limit}",
     remedy_en="Shorten the name if the controller refuses it.",
     remedy_de="Den Namen kürzen, falls die Steuerung ihn ablehnt.",
     key=("the entry's name", "der Name des Eintrags"),
     length=("the length of the variable's name", "die Länge des Variablennamens"),
-    limit=("the length that the manual names", "die Länge, die das Handbuch nennt"),
+    limit=("the length given in the manual", "die Länge laut Handbuch"),
 )
 VARIABLE_BEYOND_COUNT = warning(
     900081,
@@ -73,74 +75,76 @@ VARIABLE_BEYOND_COUNT = warning(
     de="{key} gibt es nicht: number_used_variables ist {count}",
     remedy_en="Set number_used_variables to the highest index plus 1.",
     remedy_de="number_used_variables auf den höchsten Index plus 1 setzen.",
-    key=("the first variable beyond the number", "die erste Variable jenseits der Anzahl"),
+    key=("the first variable beyond this number", "die erste Variable jenseits dieser Anzahl"),
     count=("P-EXTV-00010", "P-EXTV-00010"),
 )
 UNKNOWN_VARIABLE_TYPE = warning(
     900082,
-    en="{key}: '{value}' is no type and no structure of this list; the variable is left out",
-    de="{key}: '{value}' ist kein Typ und keine Struktur dieser Liste; die Variable entfällt",
+    en="{key}: '{value}' is neither a type nor a structure of this list; the variable is ignored",
+    de="{key}: '{value}' ist weder ein Typ noch eine Struktur dieser Liste; die Variable wird "
+    "ignoriert",
     remedy_en="Use one of {names}, or the name of a structure.",
-    remedy_de="Eines von {names} oder den Namen einer Struktur verwenden.",
+    remedy_de="Einen der Typen {names} oder den Namen einer Struktur verwenden.",
     key=("the entry's name", "der Name des Eintrags"),
     value=("the type as written", "der Typ, wie geschrieben"),
-    names=("the types that exist", "die Typen, die es gibt"),
+    names=("the types", "die Typen"),
 )
 RECURSIVE_STRUCTURE = warning(
     900083,
-    en="the structure {name} contains itself; variables of it are left out",
-    de="die Struktur {name} enthält sich selbst; Variablen dieses Typs entfallen",
-    remedy_en="Break the circle.",
-    remedy_de="Den Kreis auflösen.",
+    en="structure {name} contains itself; variables of this type are ignored",
+    de="die Struktur {name} enthält sich selbst; Variablen dieses Typs werden ignoriert",
+    remedy_en="Remove the circular reference.",
+    remedy_de="Den Zirkelbezug auflösen.",
     name=("the structure", "die Struktur"),
 )
 VARIABLE_TOO_LARGE = warning(
     900084,
-    en="{key}: the variable has more than {limit} elements and is left out",
-    de="{key}: die Variable hat mehr als {limit} Elemente und entfällt",
+    en="{key}: the variable has more than {limit} elements and is ignored",
+    de="{key}: die Variable hat mehr als {limit} Elemente und wird ignoriert",
     remedy_en="Make its arrays smaller.",
     remedy_de="Ihre Felder verkleinern.",
     key=("the entry's name", "der Name des Eintrags"),
-    limit=("the greatest number of elements", "die größte Zahl von Elementen"),
+    limit=("the maximum number of elements", "die größte Anzahl von Elementen"),
 )
 VARIABLE_STRUCTURE_TOO_DEEP = warning(
     900085,
-    en="structures inside {name} nest deeper than {limit}; variables of it are left out",
-    de="Strukturen in {name} sind tiefer als {limit} geschachtelt; Variablen dieses Typs entfallen",
+    en="structures in {name} are nested more than {limit} deep; variables of this type are ignored",
+    de="Strukturen in {name} sind tiefer als {limit} geschachtelt; Variablen dieses Typs werden "
+    "ignoriert",
     remedy_en="Nest the structures less deeply.",
     remedy_de="Die Strukturen weniger tief schachteln.",
     name=("the outermost structure", "die äußerste Struktur"),
-    limit=("the deepest nesting", "die tiefste Schachtelung"),
+    limit=("the maximum nesting", "die größte Schachtelung"),
 )
 VARIABLES_OVERLAP = warning(
     900087,
-    en="V.E.{name} at byte {offset} overlaps V.E.{other} in the memory that the PLC sees",
-    de="V.E.{name} bei Byte {offset} überlappt V.E.{other} im Speicher, den die SPS sieht",
-    remedy_en="Leave byte_offset out, or give each variable a place of its own.",
+    en="V.E.{name} at byte {offset} overlaps V.E.{other} in the memory shared with the PLC",
+    de="V.E.{name} bei Byte {offset} überlappt V.E.{other} im gemeinsamen Speicher mit der SPS",
+    remedy_en="Omit byte_offset, or give each variable its own location.",
     remedy_de="byte_offset weglassen oder jeder Variablen einen eigenen Ort geben.",
-    name=("the variable that lies further behind", "die Variable, die weiter hinten liegt"),
-    other=("the one in front of it", "die davor"),
+    name=("the variable with the larger offset", "die Variable mit dem größeren Offset"),
+    other=("the variable before it", "die Variable davor"),
     offset=("its first byte", "ihr erstes Byte"),
 )
 VARIABLE_OFFSET_TOO_LARGE = warning(
     900088,
-    en="{key}: byte {value} is too far; the variable stands behind the one before",
-    de="{key}: Byte {value} ist zu weit; die Variable steht hinter der davor",
-    remedy_en="Give a place up to {limit}, or leave it to the controller with -1.",
-    remedy_de="Einen Ort bis {limit} angeben oder ihn mit -1 der Steuerung überlassen.",
+    en="{key}: byte {value} is out of range; the variable is placed after the previous one",
+    de="{key}: Byte {value} liegt außerhalb des Bereichs; die Variable folgt auf die vorige",
+    remedy_en="Give an offset up to {limit}, or leave it to the controller with -1.",
+    remedy_de="Einen Offset bis {limit} angeben oder ihn mit -1 der Steuerung überlassen.",
     key=("the entry's name", "der Name des Eintrags"),
     value=("P-EXTV-00002 as written", "P-EXTV-00002, wie geschrieben"),
-    limit=("the last possible place", "der letzte mögliche Ort"),
+    limit=("the largest possible offset", "der größte mögliche Offset"),
 )
 EXTERNAL_VARIABLES_TOO_LARGE = warning(
     900814,
-    en="the V.E variables of channel {channel} take {needed} bytes, and ext_var_max gives "
+    en="the V.E variables of channel {channel} need {needed} bytes, but ext_var_max provides "
     "{available}",
-    de="die V.E-Variablen von Kanal {channel} belegen {needed} Byte, und ext_var_max gibt "
+    de="die V.E-Variablen von Kanal {channel} brauchen {needed} Byte, ext_var_max bietet aber "
     "{available}",
-    remedy_en="Raise ext_var_max (P-STUP-00037): it counts blocks of 24 bytes.",
+    remedy_en="Increase ext_var_max (P-STUP-00037): it counts blocks of 24 bytes.",
     remedy_de="ext_var_max erhöhen (P-STUP-00037): es zählt Blöcke zu 24 Byte.",
     channel=("the number of the channel", "die Nummer des Kanals"),
-    needed=("bytes of the variables", "Byte der Variablen"),
+    needed=("the bytes of the variables", "die Bytes der Variablen"),
     available=("P-STUP-00037 in bytes", "P-STUP-00037 in Byte"),
 )

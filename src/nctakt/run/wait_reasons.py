@@ -16,8 +16,8 @@ from nctakt.run.assembly import AssembledMachine
 #: The reasons by the words of the realtime part.
 _REASONS = {
     "program start": Text("START of the selected program", "START des angewählten Programms"),
-    "programmed stop": Text("START behind M00 or M01", "START nach M00 oder M01"),
-    "single block": Text("START, in single block", "START, im Einzelsatz"),
+    "programmed stop": Text("START after M00 or M01", "START nach M00 oder M01"),
+    "single block": Text("START in single block mode", "START im Einzelsatzbetrieb"),
     "reset": Text("RESET: the channel is in error state", "RESET: der Kanal ist im Fehlerzustand"),
     "forward": Text(
         "forward: backward motion is commanded",
@@ -33,25 +33,25 @@ _REASONS = {
         "einen Override über 0: ein Echtzeit-Zyklus setzt V.RTG.OVERRIDE.VEL.CYCLE auf 0 %",
     ),
     "spindle turns": Text(
-        "the spindle {name} to turn: feed per revolution (G95)",
+        "spindle {name} to turn: feed per revolution (G95)",
         "die Drehung der Spindel {name}: Vorschub je Umdrehung (G95)",
     ),
     "spindle": Text(
-        "speed or position of the spindle {name}", "Drehzahl oder Position der Spindel {name}"
+        "speed or position of spindle {name}", "Drehzahl oder Position der Spindel {name}"
     ),
     "spindle acknowledged": Text(
         "the PLC's acknowledgement of the job of spindle {name}",
         "die Quittung der SPS für den Auftrag der Spindel {name}",
     ),
     "free place": Text(
-        "a free place in the HLI for {name}: the PLC has not acknowledged those before",
-        "einen freien Platz im HLI für {name}: die SPS hat frühere nicht quittiert",
+        "a free slot in the HLI for {name}: the PLC has not acknowledged earlier functions",
+        "einen freien Platz im HLI für {name}: die SPS hat frühere Funktionen nicht quittiert",
     ),
     "acknowledgement": Text(
         "the PLC's acknowledgement of {name}", "die Quittung der SPS für {name}"
     ),
     "axis": Text(
-        "the axis {name}, which moves on its own", "die Achse {name}, die sich allein bewegt"
+        "axis {name}, which moves independently", "Achse {name}, die sich unabhängig bewegt"
     ),
 }
 

@@ -121,7 +121,9 @@ class _Assembly:
         usable = tuple(cpu for cpu in range(1, count + 1) if cpu not in self._load.offline)
         if usable:
             return usable
-        expected = Text("a list that leaves a CPU", "eine Liste, die eine CPU übrig lässt")
+        expected = Text(
+            "a list that leaves at least one CPU", "eine Liste, die eine CPU übrig lässt"
+        )
         self._collector.report(
             INVALID_LOAD_VALUE,
             None,
@@ -240,7 +242,8 @@ class _Assembly:
     def _refuse_parts(self, key: str, parts: tuple[int, ...]) -> None:
         """Only the interpolation has parts."""
         expected = Text(
-            f"the parts of {REALTIME_FUNCTION} only", f"die Teile von {REALTIME_FUNCTION} nur dort"
+            f"a time: only {REALTIME_FUNCTION} has parts",
+            f"eine Zeit: nur {REALTIME_FUNCTION} hat Teile",
         )
         self._collector.report(
             INVALID_LOAD_VALUE,

@@ -41,7 +41,7 @@ _G_WORDS = MappingProxyType(
 #: Reasons of message 50967 by number; the tick reports those that depend on values by number.
 REFUSALS = MappingProxyType(
     {
-        1: Text("STOP stands alone", "STOP steht allein"),
+        1: Text("STOP must be alone", "STOP muss allein stehen"),
         2: Text("either ABORTING or BUFFERED", "entweder ABORTING oder BUFFERED"),
         3: Text("either G90 or G91", "entweder G90 oder G91"),
         4: Text("either G00 or G01", "entweder G00 oder G01"),
@@ -50,13 +50,13 @@ REFUSALS = MappingProxyType(
             "POS with G01 needs FEED, here or in an earlier command of the cycle for this axis",
             "POS mit G01 braucht FEED, hier oder in einem früheren Befehl des Zyklus an die Achse",
         ),
-        8: Text("FEED is 0", "FEED ist 0"),
+        8: Text("FEED must not be 0", "FEED darf nicht 0 sein"),
         10: Text(
             "with G91 the sign of POS is the direction, not DIR",
             "bei G91 ist das Vorzeichen von POS die Richtung, nicht DIR",
         ),
-        11: Text("neither POS nor FEED nor STOP", "weder POS noch FEED noch STOP"),
-        12: Text("FEED with POS is above 0", "FEED mit POS ist größer als 0"),
+        11: Text("POS, FEED or STOP is missing", "POS, FEED oder STOP fehlt"),
+        12: Text("FEED with POS must be above 0", "FEED mit POS muss über 0 sein"),
     }
 )
 

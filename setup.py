@@ -113,7 +113,8 @@ class BuildExtensions(build_ext):
         """Build for an editable installation where any other build finds the modules again."""
         super().finalize_options()
         if self.editable_mode:
-            build = Distribution().get_finalized_command("build")
+            build = Distribution().get_command_obj("build")
+            build.ensure_finalized()
             self.build_lib, self.build_temp = build.build_platlib, build.build_temp
 
     def build_extensions(self) -> None:

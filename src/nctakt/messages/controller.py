@@ -7,10 +7,11 @@ from nctakt.messages.catalogue import error
 
 CONTROLLER_IS_BUSY = error(
     901005,
-    en="another thread is running the controller: it can be run, stepped or reset by one only",
-    de="ein anderer Thread lässt die Steuerung laufen: nur einer kann sie bedienen",
+    en="another thread is using the controller: only one can run, step or reset it at a time",
+    de="ein anderer Thread benutzt die Steuerung: nur einer kann sie zugleich bedienen",
     remedy_en="Give each thread a controller of its own.",
     remedy_de="Jedem Thread eine eigene Steuerung geben.",
-    cause_en="Controllers do not know of each other, and any number may run beside each other.",
-    cause_de="Steuerungen wissen nichts voneinander; beliebig viele laufen nebeneinander.",
+    cause_en="Controllers are independent of each other, and any number of them may run at the "
+    "same time.",
+    cause_de="Steuerungen sind voneinander unabhängig; beliebig viele können gleichzeitig laufen.",
 )

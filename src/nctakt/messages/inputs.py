@@ -37,7 +37,7 @@ TEXT_INSTEAD_OF_FILE = error(
     de="'{line} …' ist der Text eines Programms, kein Dateiname",
     remedy_en='Give the text a name: NcText("part.nc", text).',
     remedy_de='Dem Text einen Namen geben: NcText("teil.nc", text).',
-    line=("the begin of the text", "der Anfang des Textes"),
+    line=("the first line of the text", "die erste Zeile des Textes"),
 )
 STIMULUS_WITHOUT_VALUE = error(
     900579,
@@ -132,10 +132,12 @@ INVALID_EXPECTATION = error(
 )
 MISSPELT_KEYWORD = error(
     900662,
-    en="'{word}:' in a comment is nearly '{keyword}:'",
-    de="'{word}:' in einem Kommentar ist beinahe '{keyword}:'",
-    remedy_en="Write '; {keyword}: …' so that it is checked, or another word in a plain comment.",
-    remedy_de="'; {keyword}: …' schreiben, damit es geprüft wird, sonst ein anderes Wort wählen.",
+    en="'{word}:' in a comment looks like '{keyword}:'",
+    de="'{word}:' in einem Kommentar sieht aus wie '{keyword}:'",
+    remedy_en="Write '; {keyword}: …' to have it checked, or use another word in an ordinary "
+    "comment.",
+    remedy_de="'; {keyword}: …' schreiben, damit es geprüft wird, sonst ein anderes Wort "
+    "verwenden.",
     word=("the word in the comment", "das Wort im Kommentar"),
     keyword=("the keyword", "das Schlüsselwort"),
 )
@@ -143,8 +145,8 @@ NO_BRANCH_IN_LINE = error(
     900663,
     en="no realtime cycle of this run has a branch in line {line}",
     de="kein Echtzeit-Zyklus dieses Laufs hat einen Zweig in Zeile {line}",
-    remedy_en="Branches stand in the lines {known}.",
-    remedy_de="Zweige stehen in den Zeilen {known}.",
+    remedy_en="Lines with branches: {known}.",
+    remedy_de="Zeilen mit Zweigen: {known}.",
     line=("the line", "die Zeile"),
     known=("the lines with branches", "die Zeilen mit Zweigen"),
 )

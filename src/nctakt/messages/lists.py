@@ -313,34 +313,35 @@ BEYOND_OTHER_PARAMETER = warning(
 )
 XML_LIST_WITH_MISTAKE = error(
     900975,
-    en="no well-formed XML from here on: {reason}",
-    de="ab hier kein wohlgeformtes XML: {reason}",
-    remedy_en="Mend the file; what stands in front of this place is read.",
+    en="from here on this is not well-formed XML: {reason}",
+    de="ab hier ist dies kein wohlgeformtes XML: {reason}",
+    remedy_en="Correct the file; what comes before this position is read.",
     remedy_de="Die Datei berichtigen; gelesen wird, was vor dieser Stelle steht.",
     reason=("what is wrong, in English", "der Grund, auf Englisch"),
 )
 XML_LIST_WITH_ENTITIES = error(
     900976,
-    en="a document type or an entity: a list has none, it is not read from here on",
-    de="ein Dokumenttyp oder eine Entität: Listen haben keine, ab hier wird nicht gelesen",
-    remedy_en="Take the declaration out.",
+    en="a document type or an entity is not allowed in a list, which is not read from here on",
+    de="ein Dokumenttyp oder eine Entität ist in einer Liste nicht erlaubt; ab hier wird sie nicht "
+    "gelesen",
+    remedy_en="Remove the declaration.",
     remedy_de="Die Deklaration entfernen.",
 )
 XML_LIST_TOO_DEEP = error(
     900977,
     en="elements are nested deeper than {limit}; the list is not read from here on",
     de="Elemente sind tiefer als {limit} geschachtelt; ab hier wird die Liste nicht gelesen",
-    remedy_en="Take grouping elements out: they carry no meaning.",
+    remedy_en="Remove grouping elements: they have no meaning.",
     remedy_de="Gruppierende Elemente entfernen: sie haben keine Bedeutung.",
-    limit=("the greatest depth", "die größte Tiefe"),
+    limit=("the maximum depth", "die größte Tiefe"),
 )
 XML_LIST_TOO_LARGE = error(
     900978,
-    en="the list has more than {limit} bytes and is not read",
-    de="die Liste hat mehr als {limit} Byte und wird nicht gelesen",
+    en="the list is larger than {limit} bytes and is not read",
+    de="die Liste ist größer als {limit} Byte und wird nicht gelesen",
     remedy_en="Name a list of parameters.",
     remedy_de="Eine Parameterliste angeben.",
-    limit=("the greatest size in bytes", "die größte Länge in Byte"),
+    limit=("the maximum size in bytes", "die größte Länge in Byte"),
 )
 INVALID_SYNCHRONISATION_TYPE = warning(
     20965,

@@ -45,9 +45,10 @@ _VALUE = re.compile(r"""\bValue\s*=\s*["']""")
 class _RefusedError(Exception):
     """Reading ends here; the message says why."""
 
-    def __init__(self, message: Message) -> None:
+    def __init__(self, message: Message, **values: object) -> None:
         super().__init__(message.id)
         self.message = message
+        self.values = values
 
 
 def is_xml(data: bytes) -> bool:
@@ -85,8 +86,7 @@ def read_xml(file: str, data: bytes, schema: Schema, collector: Collector) -> tu
         parser.Parse(text.encode("utf-8", errors="replace"), True)
     except _RefusedError as refused:
         span, line = reader.span(parser.CurrentLineNumber, parser.CurrentColumnNumber)
-        limits = {"limit": MAX_DEPTH} if refused.message is XML_LIST_TOO_DEEP else {}
-        collector.report(refused.message, span, line, **limits)
+        collector.report(refused.message, span, line, **refused.values)
     except expat.ExpatError as error:
         span, line = reader.span(error.lineno, error.offset)
         reason = expat.errors.messages[error.code]
@@ -112,7 +112,7 @@ class _Reader:
         """Read the beginning of an element; ``offset``: bytes in front of it in its line."""
         self._depth += 1
         if self._depth > MAX_DEPTH:
-            raise _RefusedError(XML_LIST_TOO_DEEP)
+            raise _RefusedError(XML_LIST_TOO_DEEP, limit=MAX_DEPTH)
         match = _ID.fullmatch(name)
         if match is None:
             return

@@ -88,7 +88,7 @@ def test_random_programs_do_something(tmp_path: Path) -> None:
         "ended",
         "fired",
         "written",
-        "m",
+        "M",
         "output",
         "message",
         "notice",

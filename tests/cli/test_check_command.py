@@ -688,5 +688,5 @@ def test_entries_without_effect_that_would_change_a_run(check: Check) -> None:
     assert check("mine", "--strict").code == 1
     effects = check("mine", "--effects")
     assert effects.ids == [900970, 900970, 900971]
-    assert "messtyp (P-CHAN-00057) is 2 instead of 1" in effects.out
+    assert "messtyp (P-CHAN-00057) is 2, not 1" in effects.out
     assert "Which of the measuring types is preset" in effects.out

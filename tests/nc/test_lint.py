@@ -16,6 +16,7 @@ from nc_chunks import Chunk, compare, read_chunks
 from nctakt import machines
 from nctakt.base.diagnostics import Diagnostic, Message, Severity
 from nctakt.checking.program import check_program
+from nctakt.files.access import FileAccess
 from nctakt.lists.declared.tools import NO_TOOL
 from nctakt.messages import Collector
 from nctakt.messages import lints as lint_messages
@@ -41,6 +42,7 @@ def lints(*programs: tuple[str, ...], limits: StepLimits = LIMITS) -> list[Diagn
             channel.parameters,
             limits,
             collector,
+            access=FileAccess(),
             tools={},
         ).global_cycles
         for number, lines in enumerate(programs, start=1)
@@ -80,7 +82,9 @@ def test_each_extension_of_ours_is_a_warning_of_one_class() -> None:
     channel = demo_channel()
     lines = tuple(EXTENDED.splitlines())
     source = Source("p.nc", lines)
-    check_program(source, channel.names, channel.parameters, LIMITS, collector, tools={})
+    check_program(
+        source, channel.names, channel.parameters, LIMITS, collector, access=FileAccess(), tools={}
+    )
     found = [one for one in collector.diagnostics if one.id == EXTENSION_USED.id]
     assert [one.span.line for one in found if one.span] == [1, 3, 6]
     assert {one.severity for one in found} == {Severity.WARNING}
@@ -145,7 +149,9 @@ def test_statement_by_statement_finds_what_the_whole_tree_tells(chunk: Chunk) ->
     collector = Collector()
     channel = demo_channel()
     source = Source("p.nc", chunk.lines)
-    check_program(source, channel.names, channel.parameters, LIMITS, collector, tools={})
+    check_program(
+        source, channel.names, channel.parameters, LIMITS, collector, access=FileAccess(), tools={}
+    )
     found = [
         one.headline()
         for one in collector.diagnostics
@@ -170,7 +176,9 @@ def test_blocks_of_a_shape_that_was_seen_are_checked_all_the_same(seed: int) -> 
     collector = Collector()
     channel = demo_channel()
     source = Source("p.nc", lines)
-    check_program(source, channel.names, channel.parameters, LIMITS, collector, tools={})
+    check_program(
+        source, channel.names, channel.parameters, LIMITS, collector, access=FileAccess(), tools={}
+    )
     found = [one.headline() for one in collector.diagnostics if one.id not in LINTS]
     assert sorted(found) == sorted(one.headline() for one in findings(lines, role="either"))
 

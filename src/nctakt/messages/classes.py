@@ -17,7 +17,7 @@ REACTIONS: Mapping[int, Text] = MappingProxyType(
     {
         1: Text("none, it is a warning", "keine, es ist eine Warnung"),
         2: Text(
-            "the program is given up; what is prepared is still finished; error state",
+            "the program is aborted; prepared blocks are still finished; error state",
             "das Programm wird abgebrochen; Vorbereitetes wird noch beendet; Fehlerzustand",
         ),
         3: Text(

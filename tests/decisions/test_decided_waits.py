@@ -77,10 +77,10 @@ def test_hold_and_override_are_told_in_their_own_names() -> None:
 @pytest.mark.parametrize(
     ("program", "initial", "line", "words"),
     [
-        ("G00 X1\nN20 M00\nG00 X2\nM30", {}, 2, "START behind M00 or M01"),
-        ("G00 X1\nM01\nM30", {"HLI.OPTIONAL_STOP": 1.0}, 2, "START behind M00 or M01"),
-        ("G00 X1\nG00 X2\nM30", {"HLI.SINGLE_BLOCK": 1.0}, 2, "START, in single block"),
-        ("M00\nG00 X1\nM30", {"HLI.FEED_HOLD": 1.0}, 1, "START behind M00"),
+        ("G00 X1\nN20 M00\nG00 X2\nM30", {}, 2, "START after M00 or M01"),
+        ("G00 X1\nM01\nM30", {"HLI.OPTIONAL_STOP": 1.0}, 2, "START after M00 or M01"),
+        ("G00 X1\nG00 X2\nM30", {"HLI.SINGLE_BLOCK": 1.0}, 2, "START in single block mode"),
+        ("M00\nG00 X1\nM30", {"HLI.FEED_HOLD": 1.0}, 1, "START after M00"),
         ("G00 X1\nM30", {"HLI.FEED_HOLD": 1.0}, 1, "the end of the feed hold"),
         ("#TIME 1\nM30", {"HLI.FEED_HOLD": 1.0}, 1, "the end of the feed hold"),
         ("G00 X1\nM30", {"HLI.OVERRIDE": 0.0}, 1, "the operator's is 0 %"),
@@ -96,7 +96,7 @@ def test_hold_and_override_are_told_in_their_own_names() -> None:
             "#TIME 0.002\nG00 X5\nM30",
             {},
             5,
-            "the axis X, which moves on its own",
+            "axis X, which moves independently",
         ),
     ],
 )
@@ -140,7 +140,7 @@ def test_a_run_that_is_at_work_at_its_limit_says_nothing() -> None:
 @pytest.mark.parametrize(
     ("program", "words"),
     [
-        ("M3 S5\nG00 X1 M19 S.POS=180\nG00 X2\nM30", "speed or position of the spindle S"),
+        ("M3 S5\nG00 X1 M19 S.POS=180\nG00 X2\nM30", "speed or position of spindle S"),
         ("G00 X1\nS3[M3 REV=500]\nG00 X2\nM30", "acknowledgement of the job of spindle S3"),
     ],
 )

@@ -191,7 +191,7 @@ P[P1] = 3
 ; --- positions in inch (manual 4.5.3)
 G70
 #RT CYCLE [ID=1 SCOPE=PROG]
-  $IF ONCE V.RTA.ACS.ACT_POS.X > 200 ; note 901001 "V.RTA.ACS.ACT_POS.X is in inch here"
+  $IF ONCE V.RTA.ACS.ACT_POS.X > 200 ; note 901001 "V.RTA.ACS.ACT_POS.X is in inches here"
     M100
   $ENDIF
   $IF ONCE V.RTA.ACS.ACT_POS.A > 200

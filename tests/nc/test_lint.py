@@ -29,6 +29,7 @@ from nctakt.run.controller import Controller, NcText
 DEMO = Path(machines.__path__[0]) / "demo"
 LINTS = [message.id for message in vars(lint_messages).values() if isinstance(message, Message)]
 LIMITS = StepLimits(201, 200)
+FILES = FileAccess()
 
 
 def lints(*programs: tuple[str, ...], limits: StepLimits = LIMITS) -> list[Diagnostic]:
@@ -42,7 +43,7 @@ def lints(*programs: tuple[str, ...], limits: StepLimits = LIMITS) -> list[Diagn
             channel.parameters,
             limits,
             collector,
-            access=FileAccess(),
+            access=FILES,
             tools={},
         ).global_cycles
         for number, lines in enumerate(programs, start=1)
@@ -83,7 +84,7 @@ def test_each_extension_of_ours_is_a_warning_of_one_class() -> None:
     lines = tuple(EXTENDED.splitlines())
     source = Source("p.nc", lines)
     check_program(
-        source, channel.names, channel.parameters, LIMITS, collector, access=FileAccess(), tools={}
+        source, channel.names, channel.parameters, LIMITS, collector, access=FILES, tools={}
     )
     found = [one for one in collector.diagnostics if one.id == EXTENSION_USED.id]
     assert [one.span.line for one in found if one.span] == [1, 3, 6]
@@ -150,7 +151,7 @@ def test_statement_by_statement_finds_what_the_whole_tree_tells(chunk: Chunk) ->
     channel = demo_channel()
     source = Source("p.nc", chunk.lines)
     check_program(
-        source, channel.names, channel.parameters, LIMITS, collector, access=FileAccess(), tools={}
+        source, channel.names, channel.parameters, LIMITS, collector, access=FILES, tools={}
     )
     found = [
         one.headline()
@@ -177,7 +178,7 @@ def test_blocks_of_a_shape_that_was_seen_are_checked_all_the_same(seed: int) -> 
     channel = demo_channel()
     source = Source("p.nc", lines)
     check_program(
-        source, channel.names, channel.parameters, LIMITS, collector, access=FileAccess(), tools={}
+        source, channel.names, channel.parameters, LIMITS, collector, access=FILES, tools={}
     )
     found = [one.headline() for one in collector.diagnostics if one.id not in LINTS]
     assert sorted(found) == sorted(one.headline() for one in findings(lines, role="either"))
@@ -242,6 +243,8 @@ def test_a_number_of_a_tool_is_looked_up_in_the_list(text: str, found: list[int]
     tool = replace(NO_TOOL, valid=True, number=1)
     for tools, expected in (({1: tool, 2: NO_TOOL}, found), ({}, [])):
         collector = Collector()
-        check_program(source, channel.names, channel.parameters, LIMITS, collector, tools=tools)
+        check_program(
+            source, channel.names, channel.parameters, LIMITS, collector, access=FILES, tools=tools
+        )
         ids = [one.id for one in collector.diagnostics if one.id != 900201]
         assert ids == expected

@@ -332,7 +332,7 @@ class CycleLinter:
             self._findings.report(POSITION_COMPARED_IN_INCH, operand.span, name=name)
 
     def _range(self, comparison: Binary, variable: Variable, operator: str, value: float) -> None:
-        """A integer_value number that its type lets never, or always, fulfil the comparison."""
+        """Report a whole number that a value of the type never, or always, compares true with."""
         location = resolve(variable, self._names)
         if not isinstance(location, Location) or not is_live(variable, self._names):
             return

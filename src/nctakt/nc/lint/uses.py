@@ -31,7 +31,7 @@ COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
 
 
 def integer_value(expression: Expression | None) -> int | None:
-    """The value of a constant as a integer_value number; ``None`` for anything else."""
+    """Return a constant as a whole number; ``None`` for anything else."""
     if not isinstance(expression, Number) or not isfinite(expression.value):
         return None
     return int(expression.value)
@@ -104,7 +104,7 @@ def comparisons_in(expression: Expression) -> Iterator[Binary]:
 
 
 def always(operator: str, value: float, low: float, high: float) -> bool | None:
-    """Whether all integer_value numbers from ``low`` to ``high``, or none of them, fulfil it."""
+    """Whether all whole numbers from ``low`` to ``high``, or none of them, fulfil it."""
     if operator in ("==", "!="):
         possible = low <= value <= high and value == int(value)
         return None if possible else operator == "!="

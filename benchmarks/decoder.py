@@ -258,7 +258,7 @@ def decode(controller: Controller, loaded: LoadedProgram) -> None:
             command.blocks.fill(ring, QUEUE)
         elif isinstance(command, Segment):
             put_segment(ring, command)
-            feed._decoder.took_time(command)
+            feed._decoder.pass_time(command)
         else:
             ring.put(pack(command))
 

@@ -13,11 +13,7 @@ from dataclasses import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.fixed_stops import fixed_stop, is_fixed_stop
-from nctakt.decoder.blocks.path_motion import (
-    CENTRE_WORDS,
-    PathMotion,
-    PathWords,
-)
+from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion, PathWords
 from nctakt.decoder.blocks.spindles import SpindleWords, names_of
 from nctakt.decoder.blocks.technology_output import BlockFunction, TechnologyOutputs, process_ticks
 from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM

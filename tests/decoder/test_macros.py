@@ -87,16 +87,16 @@ def test_what_is_wrong_in_a_macro_is_named() -> None:
     """The message shows the word of the macro's text; the place is the block that uses it."""
     run = Controller().run(NcText("p.nc", '"A" = "X1 Q17"\n"A" Y1\nM30\n'))
     (found,) = run.errors
-    assert found.text("en").startswith("Q17 is neither a word")
+    assert found.text("en").startswith("unknown word Q17: ")
     assert found.source_line == '"A" Y1'
 
 
-def nested(call_stack: int, glue: str) -> str:
-    """Macros that have the one before twice in their texts: 2 ** ``call_stack`` times the first."""
+def nested(depth: int, glue: str) -> str:
+    """Macros that have the one before twice in their texts: 2 ** ``depth`` times the first."""
     lines = ['"M0" = "1"']
-    for frame in range(1, call_stack + 1):
-        inner = f'\\"M{frame - 1}\\"'
-        lines.append(f'"M{frame}" = "{inner}{glue}{inner}"')
+    for level in range(1, depth + 1):
+        inner = f'\\"M{level - 1}\\"'
+        lines.append(f'"M{level}" = "{inner}{glue}{inner}"')
     return "\n".join(lines)
 
 

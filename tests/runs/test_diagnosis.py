@@ -51,8 +51,8 @@ def words_of(folder: Path) -> list[str]:
     words = [str(program) for program in sorted(folder.glob("*.nc"))]
     for name, value in given.get("set", {}).items():
         words += ["--set", f"{name}={value}"]
-    for time_us, name, value in given.get("at", ()):
-        words += ["--at", f"{time_us}us", f"{name}={value}"]
+    for time, name, value in given.get("at", ()):
+        words += ["--at", time, f"{name}={value}"]
     return words
 
 

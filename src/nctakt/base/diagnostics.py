@@ -12,8 +12,9 @@ from __future__ import annotations
 import enum
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
+
+from nctakt.base.dataclass import dataclass
 
 Language = Literal["en", "de"]
 

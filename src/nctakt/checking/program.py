@@ -9,9 +9,9 @@ time, so a program of any length can be checked.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.files.access import FileAccess
 from nctakt.lists.declared.tools import Tool

@@ -9,12 +9,13 @@ words of the command line goes to standard error.
 from __future__ import annotations
 
 import contextlib
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal
 
 import click
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language, Severity
 from nctakt.base.failure import Failure
 from nctakt.checking.check import CheckResult, check_files

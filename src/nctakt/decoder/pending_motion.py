@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message, Span
 from nctakt.decoder.state.commands import Command, Segment
 from nctakt.kernel.base import arithmetic

@@ -11,8 +11,8 @@ and ``LAMPS`` what the channel shows for them; each has a cell in the memory, in
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 
 #: What stands in front of the names of operator's values: ``HLI.FEED_HOLD``.

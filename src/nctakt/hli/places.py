@@ -11,8 +11,8 @@ commands, and the V.E variables, which both write.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.hli.layout import (
     AXIS,
     CHANNEL,

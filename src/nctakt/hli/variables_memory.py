@@ -6,8 +6,7 @@ In: a machine. Out: its sections, and what stands in them (``describe``). V.CH i
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.machine.machine import Machine
 from nctakt.lists.machine.variables import Variable, VariableScope
 from nctakt.lists.machine.variables_layout import Field, Placed, fields, pack_of, place, size_bytes

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from array import array
 from bisect import bisect_right
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.linux import area as layout
 from nctakt.linux.recording import RecordOfRun

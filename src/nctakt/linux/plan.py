@@ -8,11 +8,10 @@ nothing overflows.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import numpy.typing as npt
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.chance import Chance
 from nctakt.schedule.model import ANY_CPU, Model, Task, TaskClass

@@ -7,8 +7,7 @@ job's calls are the measured ones: the time in which their process had a process
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
+from nctakt.base.dataclass import dataclass, field
 from nctakt.linux import area as layout
 from nctakt.linux.run import RunLog
 from nctakt.schedule.results import Event, EventKind, Job, Record, Segment

@@ -11,10 +11,10 @@ import ctypes
 import os
 import signal
 import time
-from dataclasses import dataclass
 from types import FrameType
 from typing import Any
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
 from nctakt.linux import area as layout

@@ -10,8 +10,8 @@ length.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.messages import Collector
 from nctakt.nc.fast.templates import Templates

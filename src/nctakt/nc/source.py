@@ -7,9 +7,9 @@ In: lines without their ends. Out: the same lines by number. The sequence may be
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import islice
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.base.long_text import LongText
 

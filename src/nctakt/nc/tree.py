@@ -12,9 +12,9 @@ program, each with a ``Head`` of block number, skip level and label).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.nc.source import Source
 

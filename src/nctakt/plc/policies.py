@@ -7,9 +7,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.format.times import Time, TimeLike, read_time
 
 if TYPE_CHECKING:

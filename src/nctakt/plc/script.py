@@ -25,10 +25,10 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.plc.inputs import read_inputs
 from nctakt.plc.policies import ALL, Policy, SpindlePolicy

@@ -11,11 +11,11 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace

@@ -8,8 +8,8 @@ In: the tables of messages, parameters, variables and language. Out: ``Article``
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 
 

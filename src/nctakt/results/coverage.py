@@ -11,9 +11,10 @@ than that of earlier runs, what they know of its file is of no use and is droppe
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal, get_args
 
+from nctakt.base.dataclass import dataclass
 from nctakt.nc.check.branches import BranchWord
 from nctakt.results.histories import BranchHistory, ConditionHistory, CycleHistory
 

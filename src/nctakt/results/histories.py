@@ -8,9 +8,9 @@ a long run: where one was reached, ``left_out`` says how much older was dropped.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.cycles.builder import FrozenValue
 from nctakt.nc.check.branches import BranchWord

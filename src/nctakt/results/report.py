@@ -11,8 +11,8 @@ from __future__ import annotations
 import enum
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.messages import diagnostic
 from nctakt.messages.catalogue import catalogue

@@ -7,9 +7,9 @@ Plain records, the same for the same inputs: they hold no wall-clock time.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Literal
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity, Span
 from nctakt.lists.format.times import Time
 from nctakt.results.coverage import Coverage

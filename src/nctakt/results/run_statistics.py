@@ -8,8 +8,8 @@ In: events, as a sink. Out: reactions of cycles and outputs of functions as reco
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.results.run import (
     NO_FREQUENCY,

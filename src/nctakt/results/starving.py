@@ -7,8 +7,9 @@ the lines of all three in the summary.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language, Span, Text
 from nctakt.schedule.findings import us
 from nctakt.schedule.open_schedule import RunSchedule

@@ -9,9 +9,9 @@ drawn with rich; elsewhere they are plain text that is the same whenever the run
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TextIO
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span, Text
 from nctakt.lists.format.times import time_stamp
 from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run

@@ -8,8 +8,8 @@ Out: ``UserErrorReport``, and the lines of the log that P-STUP-00170 names.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Message, Span
 from nctakt.base.source_ids import statement_span
 from nctakt.messages import diagnostic

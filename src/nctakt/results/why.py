@@ -8,8 +8,9 @@ a line, ``render`` tells the whole run, ``render_at`` one tick. Those who want d
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic

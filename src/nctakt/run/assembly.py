@@ -7,8 +7,8 @@ In: ``Machine``. Out: ``AssembledMachine``, which the controller runs.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.source_ids import SourceFiles
 from nctakt.base.text import nearest

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Protocol
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.hli.layout import AXIS, CHANNEL
 from nctakt.kernel import codes

@@ -9,8 +9,8 @@ RC-002). The controller knows whether the variable exists, and what it can hold.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic

@@ -10,8 +10,8 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.base.text import nearest
 from nctakt.hli.layout import PREFIX, PanelValue

@@ -8,8 +8,7 @@ are found stands in ``response``. Tasks of equal urgency count as more urgent.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from nctakt.base.dataclass import dataclass
 from nctakt.schedule.model import ANY_CPU, Model, TaskClass
 from nctakt.schedule.response import Response, ResponseSearch
 

@@ -7,8 +7,7 @@ names or that counts without it, in the order of the manual.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.lists.declared.rtconf import RTCONF, RtconfConfiguration
 from nctakt.lists.format.entries import read_entries

@@ -7,9 +7,11 @@ Coordinates in pixels from the upper left corner. The same shapes are drawn by `
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from html import escape
 from typing import Literal
+
+from nctakt.base.dataclass import dataclass
 
 #: The distance of the lines of a hatched box.
 _HATCH = 6.0

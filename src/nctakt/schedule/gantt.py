@@ -10,9 +10,10 @@ external thread and the three times of the list as dimensions. Rows and strips a
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language, Text
 from nctakt.schedule.figure import (
     Box,

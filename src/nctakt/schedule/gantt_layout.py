@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language, Text
 from nctakt.schedule.model import ANY_CPU, Model
 from nctakt.schedule.results import EventKind, Simulation

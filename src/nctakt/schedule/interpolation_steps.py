@@ -9,8 +9,9 @@ reads, then interpolates; COMPLETE and SWITCHED put out at the end what was read
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass
 from nctakt.schedule.model import Call, Model
 from nctakt.schedule.results import Job, Record, Segment
 from nctakt.schedule.tracebits import Ran, calls_of_job

@@ -38,9 +38,9 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Text
 from nctakt.lists.format.times import nanoseconds
 from nctakt.messages import Collector

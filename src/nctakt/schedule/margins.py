@@ -9,9 +9,10 @@ Times in ns.
 from __future__ import annotations
 
 from collections.abc import Callable, Container
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
+from nctakt.base.dataclass import dataclass
 from nctakt.schedule.analyse import analyse
 from nctakt.schedule.model import ANY_CPU, NS_PER_US, Execution, Model, Task
 

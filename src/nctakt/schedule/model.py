@@ -8,9 +8,9 @@ nanoseconds. It is what simulation, analysis and pictures read.
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
 from typing import Literal
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.rtconf import InterruptSource
 
 NS_PER_US = 1000

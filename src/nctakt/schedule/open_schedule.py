@@ -8,9 +8,9 @@ without errors.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text

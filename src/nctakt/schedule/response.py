@@ -22,9 +22,9 @@ work that is left, so that what can be pending counts.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import lcm
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.demand import Arrivals, JobWork
 from nctakt.schedule.model import ANY_CPU, Model, TaskClass

@@ -6,7 +6,7 @@ In: counts by response. Out: percentiles and the bars of a histogram; times in n
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from nctakt.base.dataclass import dataclass
 
 #: The shares of jobs, in per mille, for which reports tell the response.
 PERCENTILES_PER_MILLE = (500, 900, 990, 999)

@@ -7,8 +7,8 @@ All times in integer nanoseconds. Numbers cover whole NC cycles, from the first 
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.schedule.model import Model
 from nctakt.schedule.responses import ResponseCounts
 

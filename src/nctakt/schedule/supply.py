@@ -8,9 +8,9 @@ suspension (``suspension_point``). Times in ns.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import gcd
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.model import Model
 

@@ -9,8 +9,8 @@ with its contexts (P-RTCF-00017 with P-CHAN-00410 and 00411), else all with the 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.rtconf import REALTIME_FUNCTION, RtconfConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector

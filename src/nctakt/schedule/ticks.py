@@ -11,8 +11,9 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass
 from nctakt.schedule.model import Model
 from nctakt.schedule.recorder import Recorder
 from nctakt.schedule.results import Event, EventKind, Simulation, WindowsNumbers

@@ -9,8 +9,8 @@ with one bit either makes it high. Times in ns.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.schedule.model import Model
 from nctakt.schedule.results import Job, Record, Segment
 

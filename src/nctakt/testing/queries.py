@@ -8,11 +8,11 @@ where the assertion fails.
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time, TimeLike, read_time
@@ -93,7 +93,7 @@ def values_before(
     }
 
 
-@dataclasses.dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True)
 class Occurrence:
     """Once that something has happened: tick, seconds of the run, line of the program."""
 

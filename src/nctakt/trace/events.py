@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Protocol, overload
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Severity, Span
 from nctakt.kernel import rows
 from nctakt.messages.catalogue import catalogue

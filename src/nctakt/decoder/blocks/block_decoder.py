@@ -8,8 +8,8 @@ motion, the motion, functions that come after it, the program's end.
 from __future__ import annotations
 
 from collections.abc import Container, Generator, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.fixed_stops import fixed_stop, is_fixed_stop

@@ -8,8 +8,8 @@ moves. Mistakes are a ``DecodeError``.
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
-from dataclasses import dataclass, field
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks import segments
 from nctakt.decoder.blocks.feed import FeedRate

@@ -10,8 +10,8 @@ the CNC turns whatever they say, one of the PLC gets no job that is not put out.
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
-from dataclasses import dataclass, field
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.technology_output import BlockFunction, process_ticks
 from nctakt.decoder.state.commands import Answer, AwaitSpindle, Command, SpindleJob

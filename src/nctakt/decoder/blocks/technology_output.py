@@ -9,8 +9,8 @@ than their block: MVS_SLM before the next motion with feed, MVS_SLP at ``#EXPL S
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.commands import Command
 from nctakt.lists.declared.technology_functions import TechnologyFunction
 

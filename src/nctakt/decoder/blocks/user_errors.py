@@ -8,8 +8,8 @@ where it stands in the queue. The values of a warning or error stand in the orde
 from __future__ import annotations
 
 from collections.abc import Generator
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Message
 from nctakt.decoder.state.commands import (
     Answer,

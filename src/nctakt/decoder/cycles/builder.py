@@ -8,8 +8,8 @@ as constants (``frozen``). The unit of length is the one that is active at the d
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.spindles import cycle_statement, names_of
 from nctakt.decoder.blocks.technology_output import process_ticks

@@ -11,9 +11,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Generator
-from dataclasses import dataclass
 from typing import Protocol
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.base.source_ids import NO_SOURCE, pack
 from nctakt.decoder.blocks.technology_output import TechnologyOutputs

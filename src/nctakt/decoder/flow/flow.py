@@ -9,9 +9,9 @@ label; that statement is then entered here, whatever its conditions say.
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable
-from dataclasses import dataclass
 from typing import Literal
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.values.variables import Values

@@ -9,8 +9,8 @@ a negative one means the longer of the two arcs. Lengths are mm, angles degrees.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Message
 from nctakt.kernel.base import arithmetic
 from nctakt.messages.motion import ARC_RADIUS_TOO_SMALL, ARC_TARGET_OFF_CIRCLE, ARC_WITHOUT_CENTRE

@@ -8,8 +8,7 @@ calls itself without end is told (``MAX_CALL_DEPTH``, a choice).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.program_variables import Scopes
 from nctakt.nc.outline import ProgramText, Section

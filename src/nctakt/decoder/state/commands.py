@@ -8,8 +8,8 @@ decoder's ``yield``: with the value that was read, or the axes' positions.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.kernel import codes, rows
 from nctakt.kernel.cycles.cycles import RealtimeCycle
 

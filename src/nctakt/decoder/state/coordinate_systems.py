@@ -13,8 +13,8 @@ first about the first. Out: commands for the realtime part, positions inside and
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Sequence
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.arcs import PLANES, Arc
 from nctakt.decoder.state.commands import Command, SetOrigin, SetTurn
 from nctakt.kernel.base import arithmetic

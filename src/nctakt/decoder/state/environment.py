@@ -5,8 +5,8 @@ memory's values."""
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.decoder.state.controller_data import ControllerData
 from nctakt.decoder.state.offsets import ActiveOffsets

@@ -7,8 +7,7 @@ are converted where they enter (G70).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
+from nctakt.base.dataclass import dataclass, field
 from nctakt.decoder.state.call_stack import CallStack
 from nctakt.lists.declared.tools import NO_TOOL, Tool
 from nctakt.lists.machine.channel_configuration import (

@@ -9,9 +9,9 @@ long as its cycle. Raises ``VariableError`` with a message where there is nothin
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from math import prod
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message
 from nctakt.base.text import nearest
 from nctakt.kernel.base import arithmetic

@@ -11,7 +11,8 @@ lives, again after each block or wait in which the path does not move the axis.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+
+from nctakt.base.dataclass import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,8 +8,7 @@ neither a bit of a result nor a count: what is counted stands on the tree (``nc/
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from nctakt.base.dataclass import dataclass
 from nctakt.kernel.cycles import expressions, fused
 from nctakt.kernel.cycles.expressions import Expression
 

@@ -10,8 +10,7 @@ its numbers have cells, too (``forms.py``).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from nctakt.base.dataclass import dataclass
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.fusing import Operand, constant, load
 from nctakt.decoder.values.template_plans import MAX_CELLS, TemplatePlan

@@ -8,8 +8,8 @@ channel, in mm, for rotary axes in degrees. G53 … G59 are the groups 0 … 6, 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Text
 from nctakt.lists.format.parameter import Parameter, ValueType
 from nctakt.lists.format.reader import ListDialect

@@ -9,8 +9,8 @@ are all there is: each unknown entry is a warning of its own, hexadecimal number
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.lists.format.parameter import MAX_UNS16, MAX_UNS32, Alias, Parameter, ValueType
 from nctakt.lists.format.reader import ListDialect

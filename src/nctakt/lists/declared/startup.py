@@ -7,8 +7,7 @@ lists describe them, and what belongs to the controller as a whole.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span, Text
 from nctakt.lists.format.parameter import Alias, Parameter, ValueType
 from nctakt.lists.format.reader import ListDialect

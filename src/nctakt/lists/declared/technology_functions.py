@@ -9,8 +9,8 @@ waits (P-CHAN-00041); its process time is what a simulation of the machining tim
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.lists.format.parameter import Parameter, ValueType, with_indices
 from nctakt.lists.format.values import Values

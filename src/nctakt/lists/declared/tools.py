@@ -8,8 +8,8 @@ index of a tool is the number that D calls. Tool 0 has no dimensions: D0 takes a
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.lists.format.parameter import Parameter, Value, ValueType
 from nctakt.lists.format.reader import ListDialect

@@ -6,8 +6,7 @@ What they yield is in ``variables.py``. Truth values may be written TRUE and FAL
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.lists.format.parameter import MAX_UNS16, Alias, Parameter, ValueType
 from nctakt.lists.format.reader import ListDialect

@@ -10,9 +10,9 @@ from __future__ import annotations
 import enum
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from functools import cache
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message, Text
 
 #: A value of a parameter: flag sets are tuples of names, ``None`` is the default of a parameter

@@ -14,8 +14,8 @@ the list.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.base.text import decode_text, split_lines
 from nctakt.messages import Collector

@@ -7,9 +7,9 @@ finds a parameter by its name or ID, and the known name that a misspelt one is n
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import Protocol
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Text
 from nctakt.base.misspelling import KnownNames
 from nctakt.lists.format.parameter import Alias, Parameter, pattern_of

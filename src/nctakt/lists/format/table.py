@@ -25,10 +25,11 @@ and kept by hand. Out: ``Parameter`` records, each made when it is asked for. Th
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from importlib.resources import files
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.lists.format.parameter import (
     Effect,

@@ -12,9 +12,9 @@ from __future__ import annotations
 import math
 import numbers
 import re
-from dataclasses import dataclass
 from datetime import timedelta
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.inputs import INVALID_TIME, WRONG_TIME_TYPE

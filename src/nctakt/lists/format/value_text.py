@@ -10,8 +10,8 @@ character string only ``(`` opens one, and quotation marks protect all that has 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.lists.format.reader import BLANKS, Entry
 from nctakt.messages import Collector

@@ -8,8 +8,9 @@ that a list names, the default for all others, and where each entry stands.
 from __future__ import annotations
 
 from collections.abc import Container, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message, Span, whole_file
 from nctakt.lists.format.parameter import Parameter, Value, with_indices
 from nctakt.lists.format.reader import Entry

@@ -9,9 +9,9 @@ carry no unit in their names. Limits that contradict each other are reported and
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
 from math import inf
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.axis import LINEAR_TYPE, ROTARY_TYPE, SPINDLE_TYPE
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector

@@ -8,8 +8,8 @@ where all lists are at hand (``machine.py``).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.technology_functions import (
     INTERNAL_M_FUNCTIONS,
     SPINDLE_FUNCTION_KEYS,

@@ -7,8 +7,9 @@ the comment of the manual's example list; Linux is that of vendors' lists.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
+
+from nctakt.base.dataclass import dataclass
 
 Convention = Literal["auto", "table", "field"]
 

@@ -10,8 +10,8 @@ and without one the table.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.lists.declared.rtconf import INTERRUPT_SOURCES, InterruptSource
 from nctakt.lists.format.reader import BLANKS, Entry

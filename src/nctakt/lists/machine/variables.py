@@ -11,8 +11,8 @@ from __future__ import annotations
 import enum
 import re
 from collections.abc import Container, Iterator
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.variables import INHERIT_ACCESS, MAX_NAME_LENGTH, NAME_LENGTH, SCALARS
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values

@@ -11,8 +11,8 @@ gives a place (P-EXTV-00002), which is taken as it is; the next one follows it. 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import Node, Variable
 

@@ -8,10 +8,11 @@ G function of a group, F, M and H functions of the channel list with constant nu
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from difflib import get_close_matches
 from typing import Literal
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.lists.declared.offsets import MOST_GROUPS
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages.checked_axes import INDP_OUTSIDE_REALTIME_CYCLE

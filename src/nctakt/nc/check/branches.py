@@ -9,9 +9,10 @@ same ``$IF``. A branch is found again in the realtime part by its span.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.nc import tree
 from nctakt.nc.parse.printer import print_statement

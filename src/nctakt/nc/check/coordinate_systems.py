@@ -8,8 +8,7 @@ alone in brackets is the ID. Checker and decoder share it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from nctakt.base.dataclass import dataclass
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.messages.coordinate_systems import INVALID_COORDINATE_SYSTEM_NAME
 from nctakt.nc.check.expressions import ValueChecker

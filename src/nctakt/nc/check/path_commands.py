@@ -8,8 +8,8 @@ would change positions or times.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Span
 from nctakt.base.text import nearest
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, WORD_VALUE_MISSING

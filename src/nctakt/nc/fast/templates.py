@@ -12,9 +12,9 @@ from __future__ import annotations
 
 import dataclasses
 from bisect import bisect_right
-from dataclasses import dataclass
 from typing import Any, TypeVar, cast
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.messages import Collector
 from nctakt.nc.fast import recipes

@@ -10,8 +10,9 @@ frequencies and nesting (RC-203, RC-204), overrides (RC-305), M and H functions 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span, Text
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.extensions import EXTENSION_USED

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Literal, cast
 
+from nctakt.base.dataclass import dataclass
 from nctakt.messages.nc_text import BRACKET_NOT_CLOSED, NAME_EXPECTED, UNEXPECTED_TEXT
 from nctakt.nc.parse.expressions import (
     CLOSING,

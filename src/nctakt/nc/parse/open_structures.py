@@ -8,8 +8,7 @@ end becomes a node as well, so that its content is checked, too.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.nc.parse.expressions import Item
 from nctakt.nc.tree import (

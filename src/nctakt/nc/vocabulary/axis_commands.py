@@ -8,10 +8,10 @@ values. Checker, decoder and listing read commands through this module only.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Literal
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Message, Span, Text
 from nctakt.messages.checked_axes import (
     DUPLICATE_INDP_KEYWORD,

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from types import MappingProxyType
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.nc.vocabulary.entries import (
     ACCEPTED,

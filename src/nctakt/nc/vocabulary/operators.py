@@ -9,9 +9,9 @@ Precedence: RC-206 (*choice*).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 
 

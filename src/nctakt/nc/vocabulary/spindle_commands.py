@@ -8,8 +8,8 @@ each bracket, and the remaining words. Shared by checker and decoder.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.nc.tree import (
     AxisWord,

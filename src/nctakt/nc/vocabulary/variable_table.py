@@ -12,8 +12,9 @@ from __future__ import annotations
 import enum
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.text import nearest
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import AccessRights, Node, Variable, VariableScope

@@ -93,3 +93,89 @@ def test_what_cannot_be_written_is_told(tmp_path: Path, capsys: pytest.CaptureFi
     (tmp_path / "file").write_text("x")
     assert main(["new", str(tmp_path / "file")]) == 2
     assert "900747" in capsys.readouterr().err
+
+
+# --- the other format ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_the_demo_machine_in_xml(language: str, tmp_path: Path) -> None:
+    """The same machine without a finding, with the meanings behind the elements."""
+    folder = tmp_path / "xml"
+    assert main(["new", str(folder), "--format", "xml", "--lang", language]) == 0
+    machine = load_machine(folder)
+    assert machine.diagnostics == ()
+    assert without_files(machine) == without_files(load_machine(None))
+    text = (folder / "default_achs.xml").read_text("utf-8")
+    assert '<P-AXIS-00212.0 Value="500000" />' in text
+    meaning = {"en": "Highest speed of the axis", "de": "Höchste Geschwindigkeit der Achse"}
+    assert f"<!-- getriebe[0].dynamik.vb_max: {meaning[language]} [µm/s, 1e-3°/s] -->" in text
+
+
+@pytest.mark.parametrize("first", ["ascii", "xml"])
+def test_there_and_back(first: str, tmp_path: Path) -> None:
+    """From one format into the other and back: the same machine, the same text."""
+    second = "xml" if first == "ascii" else "ascii"
+    folders = [tmp_path / name for name in ("a", "b", "c")]
+    assert main(["new", str(folders[0]), "--format", first]) == 0
+    assert main(["new", str(folders[1]), "--from", str(folders[0]), "--format", second]) == 0
+    assert main(["new", str(folders[2]), "--from", str(folders[1]), "--format", first]) == 0
+    machines = [without_files(load_machine(folder)) for folder in folders]
+    assert machines[0] == machines[1] == machines[2]
+    for path in folders[0].iterdir():
+        assert (folders[2] / path.name).read_text("utf-8") == path.read_text("utf-8")
+
+
+def test_a_machine_of_ones_own(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """From folders into one; comments are kept, unknown entries become comments."""
+    files = {
+        "cnc/hochlauf.lis": (
+            "sda_mds[0] .\\\\listen\\\\A.lis ( of the channel\nachs_mds[0] axes/a.lis\n"
+            "error_text_user_of_id texts.txt\nour_own 1\n"
+        ),
+        "cnc/listen/a.lis": (
+            "# -- Axes --\ngruppe[0].achs_anzahl 1\ngruppe[0].achse[0].bezeichnung X\n"
+            "gruppe[0].achse[0].log_achs_nr 1\nm_synch[5] PLC_INFO | MVS_SVS ( waits\n"
+            'v_ch_memory 100\npath[0].dir "my programs"\n'
+        ),
+        "cnc/axes/a.lis": 'kopf.achs_nr 1\nkopf.log_achs_name "A & <B>"\n',
+        "cnc/texts.txt": "7 Seven\n",
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    target = tmp_path / "xml"
+    assert main(["new", str(target), "--from", str(tmp_path), "--format", "xml"]) == 0
+    assert "900979" in capsys.readouterr().err
+    names = sorted(path.name.casefold() for path in target.iterdir())
+    assert names == ["a.xml", "a_2.xml", "hochlauf.xml", "texts.txt"]
+    before, after = load_machine(tmp_path / "cnc"), load_machine(target)
+    assert without_files(before) == without_files(after)
+    assert after.user_texts == {7: "Seven"}
+    first, second = (
+        path.read_text("utf-8") for path in sorted(target.glob("*.xml")) if path.stem[0] in "aA"
+    )
+    channel, axis = (first, second) if "<SDA_MDS>" in first else (second, first)
+    assert "<!-- - - Axes - -  -->" in channel
+    assert "m_synch[5]: waits -->" in channel
+    assert "v_ch_memory: Memory for V.CH" in channel
+    assert 'Value="A &amp; &lt;B&gt;"' in axis
+    assert "<!-- our_own 1 -->" in (target / "hochlauf.xml").read_text("utf-8")
+
+
+def test_the_source_of_the_interrupt_keeps_its_meaning(tmp_path: Path) -> None:
+    """A comment says what the number means; in XML it has the number of the manual's table."""
+    source = tmp_path / "ascii"
+    assert main(["new", str(source)]) == 0
+    rtconf = source / "rtconf.lis"
+    lines = rtconf.read_text("utf-8").splitlines()
+    lines = [
+        "interrupt_source 1 ( 1: internal timer, 2: IRQ" if "interrupt_source" in line else line
+        for line in lines
+    ]
+    rtconf.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    target = tmp_path / "xml"
+    assert main(["new", str(target), "--from", str(source), "--format", "xml"]) == 0
+    before, after = load_machine(source).rtconf, load_machine(target).rtconf
+    assert before is not None and after is not None
+    assert before.interrupt_source is after.interrupt_source

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt new``: a machine folder to begin with.
+"""``nctakt new``: a machine folder to begin with, or a machine's lists in the other format.
 
-In: the name of a folder that does not exist or is empty, a language. Out: the demo machine's lists
-in it, each parameter explained in that language; what to do next on standard output.
+In: the name of a folder that does not exist or is empty, a language, a format, maybe the folder of
+a machine. Out: the lists of that machine or of the demo machine in it, each parameter explained in
+that language; what to do next on standard output.
 """
 
 from __future__ import annotations
@@ -11,24 +12,52 @@ from pathlib import Path
 
 import click
 
-from nctakt.base.diagnostics import Language
+from nctakt.base.diagnostics import Language, Severity
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.terminal import print_diagnostics
+from nctakt.files.access import FileAccess
 from nctakt.files.output import write_file
+from nctakt.lists.machine.files import ListSearch
+from nctakt.lists.machine.machine import load_machine
 from nctakt.machines.commented import commented_lists
+from nctakt.machines.conversion import Conversion, convert_lists
+from nctakt.machines.list_writer import ListFormat
 from nctakt.messages import diagnostic
-from nctakt.messages.folders import FOLDER_NOT_EMPTY, FOLDER_NOT_WRITABLE, LISTS_WRITTEN
+from nctakt.messages.folders import (
+    ENTRIES_AS_COMMENTS,
+    FOLDER_NOT_EMPTY,
+    FOLDER_NOT_WRITABLE,
+    LISTS_KEPT_IN_ASCII,
+    LISTS_WRITTEN,
+)
 
+#: So many entries that XML has no place for are named.
+_NAMED_ENTRIES = 5
 _EPILOG = """\b
   nctakt new mymachine
   nctakt check mymachine
   nctakt run part.nc --machine mymachine
+  nctakt new readable --from machine --format ascii
 """
 
 
 @click.command("new", epilog=_EPILOG, short_help="Write a machine folder to begin with.")
 @click.argument("folder", metavar="DIR")
+@click.option(
+    "--from",
+    "source",
+    metavar="DIR",
+    help="Write the lists of this machine, instead of the demo machine's.",
+)
+@click.option("--root", metavar="DIR", help="Controller's root folder, where lists name files.")
+@click.option(
+    "--format",
+    "list_format",
+    type=click.Choice(["ascii", "xml"]),
+    default="ascii",
+    help="Format of the lists [ascii].",
+)
 @click.option(
     "--lang",
     "language",
@@ -36,21 +65,45 @@ _EPILOG = """\b
     default="en",
     help="Language of the lists' comments.",
 )
-def command(folder: str, language: Language) -> int:
+def command(
+    folder: str, source: str | None, root: str | None, list_format: ListFormat, language: Language
+) -> int:
     """Write the lists of a machine with four axes and three spindles, with comments."""
-    lists = commented_lists(language)
     try:
+        if source is None:
+            lists = commented_lists(language, list_format)
+        else:
+            lists = _converted(source, root, Conversion(list_format, language))
         _write(Path(folder), lists)
     except Failure as failure:
         print_diagnostics(failure.diagnostics, language)
         return EXIT_USAGE
-    told = diagnostic(LISTS_WRITTEN, folder=folder, count=len(lists))
-    click.echo(told.text(language))
-    click.echo(f"  {told.remedy(language)}")
+    written = diagnostic(LISTS_WRITTEN, folder=folder, count=len(lists))
+    click.echo(written.text(language))
+    click.echo(f"  {written.remedy(language)}")
     return EXIT_RAN
 
 
-def _write(folder: Path, lists: dict[str, str]) -> None:
+def _converted(source: str, root: str | None, conversion: Conversion) -> dict[str, bytes]:
+    """Return the lists of the machine in ``source``; its errors and what is left out are told."""
+    access = FileAccess()
+    machine = load_machine(source, root=root, access=access)
+    print_diagnostics(machine.diagnostics, conversion.language, Severity.ERROR)
+    named = Path(source) if Path(source).is_dir() else None
+    search = ListSearch(machine.lists[0][1], access, named, None if root is None else Path(root))
+    lists = convert_lists(machine, search, access, conversion)
+    if lists.unknown:
+        names = ", ".join(lists.unknown[:_NAMED_ENTRIES])
+        more = " …" if len(lists.unknown) > _NAMED_ENTRIES else ""
+        warning = diagnostic(ENTRIES_AS_COMMENTS, count=len(lists.unknown), names=names + more)
+        print_diagnostics([warning], conversion.language)
+    if lists.in_ascii:
+        note = diagnostic(LISTS_KEPT_IN_ASCII, files=", ".join(lists.in_ascii))
+        print_diagnostics([note], conversion.language)
+    return dict(lists.files)
+
+
+def _write(folder: Path, lists: dict[str, bytes]) -> None:
     """Write the lists; ``Failure`` where the folder is in use or cannot be written."""
     try:
         folder.mkdir(parents=True, exist_ok=True)

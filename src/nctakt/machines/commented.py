@@ -7,20 +7,20 @@ list stands what it means, from its declaration; headings are translated here.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 
 from nctakt.base.diagnostics import Language
-from nctakt.lists.format.parameter import Parameter
-from nctakt.lists.format.schema import Schema
-from nctakt.lists.machine.list_kinds import kind_of
+from nctakt.files.access import FileAccess
+from nctakt.lists.machine.files import ListSearch
+from nctakt.lists.machine.machine import load_machine
+from nctakt.machines.conversion import Conversion, convert_lists
+from nctakt.machines.list_items import Comment, Item
+from nctakt.machines.list_writer import ListFormat
 
 DEMO = Path(__file__).parent / "demo"
-
-_INDEX = re.compile(r"\[[0-9]+\]")
-_KEY_WIDTH, _VALUE_WIDTH = 48, 16
 
 _GERMAN: Mapping[str, str] = MappingProxyType(
     {
@@ -89,46 +89,23 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
 )
 
 
-def commented_lists(language: Language) -> dict[str, str]:
-    """The demo machine's lists by file name, each parameter explained where it first stands."""
-    lists: dict[str, str] = {}
-    for path in sorted(DEMO.glob("*.lis")):
-        schema = kind_of(path.name, path.read_bytes())
-        assert schema is not None
-        lines = path.read_text("utf-8").splitlines()
-        lists[path.name] = "\n".join((*_commented(lines, schema, language), ""))
-    return lists
+def commented_lists(language: Language, list_format: ListFormat = "ascii") -> dict[str, bytes]:
+    """Return the demo machine's lists by file name, each parameter explained where it first stands.
 
+    In German the headings are translated as well.
+    """
 
-def _commented(lines: list[str], schema: Schema, language: Language) -> Iterator[str]:
-    explained: dict[str, None] = {}
-    for line in lines:
-        if line.startswith("#"):
-            yield _heading(line[1:].strip(), language)
-            continue
-        key, _, rest = line.partition(" ")
-        found = schema.find(_INDEX.sub("[]", key))
-        if found is None:
-            yield line
-            continue
-        value = re.split(r" [(#] ", rest, maxsplit=1)[0].strip()
-        entry = f"{key:{_KEY_WIDTH}}{value}"
-        parameter = found[0]
-        if parameter.pattern in explained:
-            yield entry
-            continue
-        explained[parameter.pattern] = None
-        width = _KEY_WIDTH + _VALUE_WIDTH
-        yield f"{entry:{width}} ( {_meaning(parameter, language)}"
+    def edit(item: Comment | Item) -> Comment | Item:
+        if isinstance(item, Comment):
+            return replace(item, text=_heading(item.text, language))
+        return replace(item, comment="")
+
+    access = FileAccess()
+    machine = load_machine(access=access)
+    search = ListSearch(DEMO / "hochlauf.lis", access)
+    lists = convert_lists(machine, search, access, Conversion(list_format, language, edit))
+    return dict(lists.files)
 
 
 def _heading(text: str, language: Language) -> str:
-    if language == "de" and text:
-        text = _GERMAN[text]
-    return f"# {text}".rstrip()
-
-
-def _meaning(parameter: Parameter, language: Language) -> str:
-    unit = f" [{parameter.unit}]" if parameter.unit else ""
-    identity = f"{parameter.id}: " if parameter.id else ""
-    return f"{identity}{parameter.text.get(language)}{unit}"
+    return _GERMAN[text] if language == "de" and text else text

@@ -116,6 +116,23 @@ LISTS_WRITTEN = note(
     folder=("the folder as the user gave it", "der Ordner, wie angegeben"),
     count=("the number of lists", "die Anzahl der Listen"),
 )
+ENTRIES_AS_COMMENTS = warning(
+    900979,
+    en="unknown entries stand as comments in the XML lists: {count} ({names})",
+    de="unbekannte Einträge stehen als Kommentare in den XML-Listen: {count} ({names})",
+    remedy_en="XML names parameters by their IDs; keep the ASCII lists for these.",
+    remedy_de="XML nennt Parameter mit ihrer ID; für diese die ASCII-Listen behalten.",
+    count=("the number of these entries", "die Anzahl dieser Einträge"),
+    names=("the first of them, each with its list", "die ersten davon, mit ihrer Liste"),
+)
+LISTS_KEPT_IN_ASCII = note(
+    900980,
+    en="lists that stay in ASCII: {files}",
+    de="Listen, die in ASCII bleiben: {files}",
+    remedy_en="They have parameters without a known ID; both formats work beside each other.",
+    remedy_de="Sie haben Parameter ohne bekannte ID; beide Formate vertragen sich.",
+    files=("the lists", "die Listen"),
+)
 CHANNEL_WITHOUT_AXES = warning(
     900818,
     en="channel {channel} has no axes: it cannot move anything",

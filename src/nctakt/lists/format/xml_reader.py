@@ -68,9 +68,18 @@ def root_and_families(data: bytes) -> tuple[str, tuple[str, ...]]:
 
 def read_xml(file: str, data: bytes, schema: Schema, collector: Collector) -> tuple[Entry, ...]:
     """Return the entries of the XML list ``data``; ``file`` is its name in spans."""
+    return tuple(_parse(file, data, schema, collector).entries)
+
+
+def read_xml_comments(data: bytes, schema: Schema) -> tuple[tuple[int, str], ...]:
+    """Return the comments of an XML list, each with its line."""
+    return tuple(_parse("", data, schema, Collector()).comments)
+
+
+def _parse(file: str, data: bytes, schema: Schema, collector: Collector) -> _Reader:
     if len(data) > MAX_BYTES:
         collector.report(XML_LIST_TOO_LARGE, Span(file, 1, 1, 2), limit=MAX_BYTES)
-        return ()
+        return _Reader(file, [], schema)
     text = decode_text(data).text
     reader = _Reader(file, split_lines(text), schema)
     parser = expat.ParserCreate("utf-8")
@@ -79,6 +88,9 @@ def read_xml(file: str, data: bytes, schema: Schema, collector: Collector) -> tu
         name, values, parser.CurrentLineNumber, parser.CurrentColumnNumber
     )
     parser.EndElementHandler = reader.end
+    parser.CommentHandler = lambda comment: reader.comments.append(
+        (parser.CurrentLineNumber, comment)
+    )
     parser.StartDoctypeDeclHandler = _refuse_declaration
     parser.EntityDeclHandler = _refuse_declaration
     parser.ExternalEntityRefHandler = _refuse_declaration
@@ -91,7 +103,7 @@ def read_xml(file: str, data: bytes, schema: Schema, collector: Collector) -> tu
         span, line = reader.span(error.lineno, error.offset)
         reason = expat.errors.messages[error.code]
         collector.report(XML_LIST_WITH_MISTAKE, span, line, reason=reason)
-    return tuple(reader.entries)
+    return reader
 
 
 def _refuse_declaration(*_: object) -> int:
@@ -107,6 +119,7 @@ class _Reader:
         self._schema = schema
         self._depth = 0
         self.entries: list[Entry] = []
+        self.comments: list[tuple[int, str]] = []
 
     def start(self, name: str, values: dict[str, str], line_number: int, offset: int) -> None:
         """Read the beginning of an element; ``offset``: bytes in front of it in its line."""

@@ -23,7 +23,7 @@ from nctakt.messages.files import FILE_OUTSIDE
 from nctakt.messages.machine import LIST_FILE_MISSING, PATHS_TAKEN_AS
 
 #: How the start-up list of a machine's folder is called.
-STARTUP_NAMES = ("hochlauf.lis", "startup.lis")
+STARTUP_NAMES = ("hochlauf.lis", "startup.lis", "hochlauf.xml", "startup.xml")
 #: How else start-up lists are called in the field.
 _STARTUP_NAME = re.compile(r"(hochlauf|start[_-]?up)[\w-]*\.(lis|xml)", re.IGNORECASE)
 #: The first part of paths in XML lists: the controller's root folder.

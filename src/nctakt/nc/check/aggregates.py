@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Structures and arrays that are assigned as wholes: what can be known before (RC-208, RC-310).
+"""Assignments of structures and whole arrays, checked before the run (RC-208, RC-310).
 
-In: assignments whose right side names one. Out: diagnostics. In the program they may be given to
-one of the same type; realtime cycles copy nothing (21984). Where a single value is needed the
-member that is probably meant is suggested.
+In: assignments with an aggregate on the right side. Out: diagnostics. In the program an aggregate
+may be assigned to one of the same type; realtime cycles copy none (21984). Where a single value is
+needed, the message suggests the member that was probably meant.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class AssignmentChecks(Protocol):
 
 
 class AggregateChecker:
-    """Beside ``values``, which checks everything else of an assignment."""
+    """Checks assignments of aggregates; ``values`` checks everything else."""
 
     def __init__(
         self, values: AssignmentChecks, names: NameTable, findings: Findings, *, in_cycle: bool
@@ -64,7 +64,7 @@ class AggregateChecker:
         self._in_cycle = in_cycle
 
     def is_aggregate(self, variable: Variable) -> bool:
-        """Whether a variable names a structure or a whole array."""
+        """Return whether a variable names a structure or a whole array."""
         return self._find(variable) is not None
 
     def _find(self, expression: Expression) -> Aggregate | None:
@@ -74,7 +74,7 @@ class AggregateChecker:
         return aggregate if isinstance(aggregate, Aggregate) else None
 
     def copy(self, statement: Assignment, value: Variable) -> None:
-        """``target = value``: both must be wholes of one type, with the rights for it."""
+        """Check ``target = value``: both must be aggregates of one type, with the rights needed."""
         target = statement.target
         source, destination = self._find(value), self._find(target)
         assert source is not None
@@ -104,7 +104,7 @@ class AggregateChecker:
             self._may(value, source, Access.READ, VARIABLE_WRITE_ONLY)
 
     def _may(self, variable: Variable, whole: Aggregate, access: Access, message: Message) -> None:
-        """The first member that may not be written or read is told."""
+        """Report the first member that may not be written or read."""
         element = replace(whole.node, array_elements=0)
         for name, leaf, _ in leaf_cells(element, whole.name, 0):
             if access not in RIGHTS[leaf.rights]:
@@ -112,7 +112,7 @@ class AggregateChecker:
                 return
 
     def _no_value(self, target: Variable | Parameter, value: Variable) -> None:
-        """A structure or array where one value is needed."""
+        """Report a structure or array where a single value is needed."""
         missing = resolve(value, self._names)
         assert isinstance(missing, NotFound)
         if missing.reason is Problem.STRUCTURE:
@@ -124,7 +124,9 @@ class AggregateChecker:
             self._values.not_found(value, missing)
 
     def _member_like(self, target: Variable | Parameter, value: Variable) -> str:
-        """The member of ``value`` that is named as the last part of ``target``, empty if none."""
+        """Return the member of ``value`` with the name of ``target``'s last part; empty if there
+        is none.
+        """
         if not isinstance(target, Variable) or not target.parts:
             return ""
         name = target.parts[-1].name
@@ -135,7 +137,7 @@ class AggregateChecker:
 
 
 def _first_member(whole: Aggregate) -> str:
-    """An example of what can be assigned instead."""
+    """Return an example of a part that can be assigned instead."""
     if whole.node.array_elements:
         return f"{whole.name}[0]"
     return f"{whole.name}.{whole.node.members[0].name}"

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Single-axis commands of realtime cycles: every rule that can be known before they run.
+"""Single-axis commands of realtime cycles, checked before the run.
 
 In: brackets with INDP in the body of a cycle. Out: diagnostics (RC-405 … RC-407): which axis may be
-moved so, which keywords may stand together, what needs what. What depends on values is found in the
-tick.
+moved independently, which keywords exclude or need each other. The tick checks what depends on
+values.
 """
 
 from __future__ import annotations
@@ -39,12 +39,12 @@ class AxisCommandChecker:
         self._with_feed: dict[str, None] = {}
 
     def begin(self, body: Sequence[Statement]) -> None:
-        """A cycle with this body is checked from now on: which of its axes get a FEED."""
+        """Begin a cycle with this body; note which of its axes get a FEED."""
         commands = [read_axis_command(bracket)[0] for bracket in axis_commands_in(body)]
         self._with_feed = {command.axis: None for command in commands if command.feed is not None}
 
     def command(self, bracket: BracketCommand) -> None:
-        """One command."""
+        """Check one command."""
         assert is_axis_command(bracket)
         command, findings = read_axis_command(bracket)
         self._axis(bracket)
@@ -55,7 +55,7 @@ class AxisCommandChecker:
         self._values.block(*command.expressions())
 
     def _axis(self, bracket: BracketCommand) -> None:
-        """An axis of the channel that may be moved on its own (RC-406)."""
+        """Check that the axis belongs to the channel and may be moved independently (RC-406)."""
         axis = self._names.axis(bracket.name)
         if bracket.name in self._words.spindles:
             self._findings.report(INDP_OF_SPINDLE, bracket.span, spindle=bracket.name)
@@ -65,7 +65,7 @@ class AxisCommandChecker:
             self._findings.report(INDEPENDENT_MOTION_NOT_PERMITTED, bracket.span, axis=bracket.name)
 
     def _needs(self, command: AxisCommand, bracket: BracketCommand) -> list[Finding]:
-        """What the command needs of its axis, and of the cycle's other commands."""
+        """Return the unmet needs of a command: a modulo axis, a FEED elsewhere in the cycle."""
         if command.position is None:
             return []
         if command.rapid is False and command.axis not in self._with_feed:

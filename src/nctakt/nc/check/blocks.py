@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The words of a program's block: which exist, what may stand together (nc-programs, RC-403).
+"""The words of a program's block: which exist, which exclude each other (nc-programs, RC-403).
 
-In: a block of the main program or a subprogram, not of a realtime cycle. Out: diagnostics. Behind
-it each block is one that the decoder can run: axis words of the channel with a value, at most one
-G function of a group, F, M and H functions of the channel list with constant numbers.
+In: a block of the main program or a subprogram, not of a realtime cycle. Out: diagnostics. A block
+without errors can be decoded: axis words of the channel with a value, at most one G function of a
+group, F, M and H functions of the channel list with constant numbers.
 """
 
 from __future__ import annotations
@@ -77,22 +77,22 @@ from nctakt.nc.vocabulary.functions import (
 )
 from nctakt.nc.vocabulary.spindle_commands import split
 
-#: The kinds of offsets that a command can name (RC-407).
+#: Kinds of offsets in ``#SUPPRESS OFFSETS`` (RC-407).
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")
 _NUMBERED = ("G", "M", "H")
-#: What an M or H function may have as its value: 32 bits with a sign.
+#: Bounds of the value of an M or H function: signed, 32 bits.
 MIN_VALUE, MAX_VALUE = -(2**31), 2**31 - 1
 
 
-#: What M17 and M30 end: the main program, a subprogram, or a file that may be any of both.
+#: The program that M17 or M30 ends: the main program, a subprogram, or a file that may be either.
 Role = Literal["main", "called", "either"]
 
 
 @dataclass(slots=True)
 class _BlockState:
-    """What was seen of a block: names of words, the G function of each group, anything unknown.
+    """The words of a block so far: their names, the G function of each group, any unknown word.
 
-    A block that begins with an unknown word is mostly no NC text at all, so one report is enough.
+    A block that begins with an unknown word is usually not NC text, so one report is enough.
     """
 
     role: Role
@@ -116,7 +116,7 @@ class WordChecker:
         self._commands = SpindleChecker(channel, values, findings, in_cycle=False)
 
     def block(self, block: Block, role: Role = "either") -> None:
-        """One block of a program in this role."""
+        """Check one block of a program in this role."""
         self._values.line(*_expressions(block))
         if _dwell(block) is not None:
             self._dwell_block(block)
@@ -137,7 +137,7 @@ class WordChecker:
                     if not self.bracket(word, state):
                         self._unknown(word, state)
                 case StringWord():
-                    pass  # what it stands for is known when it is decoded
+                    pass  # expanded when the block is decoded
         check_arc(block, self._findings)
         self._exact_stop(block)
         self._reference(block)
@@ -151,7 +151,7 @@ class WordChecker:
             self._value(word, state)
 
     def _value(self, word: AxisWord | Word, state: _BlockState) -> None:
-        """The value of a word that stands once in a block."""
+        """Check the value of a word that may appear once in a block."""
         if word.value is None:
             if not state.unknown:
                 self._needs_value(word)
@@ -167,7 +167,7 @@ class WordChecker:
             self.unknown(word)
 
     def unknown(self, word: AxisWord | Word | BracketCommand) -> None:
-        """Report a word that is neither of the language nor an axis or spindle of the channel."""
+        """Report a word that is neither known nor an axis or spindle of the channel."""
         names = [*self.axes, *self.spindles, "G", "M", "H", "F", "N"]
         near = get_close_matches(word.name, names, 1)
         self._findings.report(
@@ -205,7 +205,9 @@ class WordChecker:
     # --- G, M, H ---------------------------------------------------------------------------------
 
     def number(self, word: Word) -> int | None:
-        """The number of a G, M or H function, or the report why there is none."""
+        """Return the number of a G, M or H function; report it and return ``None`` if there is
+        none.
+        """
         value = word.value
         if value is None:
             self._needs_value(word)
@@ -278,7 +280,7 @@ class WordChecker:
             self._value_for_plc(word)
 
     def _value_for_plc(self, word: Word) -> None:
-        """The value that the PLC gets with a function: ``M110=130``."""
+        """Check the value that a function passes to the PLC: ``M110=130``."""
         value = word.additional
         if value is None:
             return
@@ -304,7 +306,7 @@ class WordChecker:
     # --- other words -----------------------------------------------------------------------------
 
     def _return(self, command: BracketCommand, state: _BlockState | None) -> None:
-        """``M17 [MAIN]``, ``M17 [JUMPS=2]``, each also with a label."""
+        """Check ``M17 [MAIN]`` and ``M17 [JUMPS=2]``, each with or without a label."""
         if state is not None and state.role == "main":
             self._findings.report(SUBPROGRAM_END_IN_MAIN_PROGRAM, command.span, word=command.name)
         seen: dict[str, None] = {}
@@ -318,13 +320,13 @@ class WordChecker:
             seen[kind] = None
 
     def _is_of_path(self, command: BracketCommand) -> bool:
-        """Whether it is ``X[OVERRIDE …]`` or ``X[FIXED_STOP …]``; then it has been checked."""
+        """Check ``X[OVERRIDE …]`` or ``X[FIXED_STOP …]``; return whether it is one of them."""
         if command.name not in self.axes:
             return False
         return check_path_axis(command, self._values, self._findings)
 
     def bracket(self, command: BracketCommand, state: _BlockState | None = None) -> bool:
-        """``X[…]``, ``S2[…]``, ``M17[MAIN]``; false where nobody knows the name."""
+        """Check ``X[…]`` or ``M17[MAIN]``; return false if the name is unknown."""
         name = command.name
         if name in self.axes and is_axis_command(command):
             self._findings.report(INDP_OUTSIDE_REALTIME_CYCLE, command.span, axis=name)
@@ -351,7 +353,7 @@ class WordChecker:
     # --- offsets ---------------------------------------------------------------------------------
 
     def _zero_offset(self, word: Word) -> None:
-        """``G159 = n``."""
+        """Check ``G159 = n``."""
         if word.additional is None or word.arguments:
             self._findings.report(G159_WITHOUT_NUMBER, word.span)
         else:
@@ -359,14 +361,14 @@ class WordChecker:
             self._known_group(word.additional)
 
     def _radius(self, word: Word) -> None:
-        """``G163 = r``."""
+        """Check ``G163 = r``."""
         if word.additional is None or word.arguments:
             self._findings.report(G163_WITHOUT_RADIUS, word.span)
         else:
             self._values.value(word.additional)
 
     def _known_group(self, value: Expression) -> None:
-        """The group of G159, where it is a number."""
+        """Check the zero offset of G159 if it is a constant."""
         if isinstance(value, Number):
             group = value.value
             if not 0 <= round(group) < MOST_GROUPS:
@@ -375,7 +377,7 @@ class WordChecker:
                 )
 
     def _reference(self, block: Block) -> None:
-        """G92 has axes, whose values are offsets, and no motion."""
+        """Check that G92 has axis words, whose values are offsets, and no motion."""
         reference = next((word for word in block.words if _is_g(word, REFERENCE_OFFSET)), None)
         if reference is None:
             return
@@ -389,7 +391,9 @@ class WordChecker:
                 )
 
     def offsets(self, command: OffsetCommand, role: Role) -> None:
-        """``#PSET``, ``#PRESET``: axes with values; ``#SUPPRESS OFFSETS``: any motion."""
+        """Check ``#PSET`` and ``#PRESET``, which need axes, and ``#SUPPRESS OFFSETS`` with any
+        motion.
+        """
         name = f"#{command.name}"
         state = _BlockState(role)
         for kind in command.kinds:
@@ -415,7 +419,9 @@ class WordChecker:
             self._findings.report(COMMAND_WITHOUT_AXIS, command.span, command=name)
 
     def _dwell_block(self, block: Block) -> None:
-        """``G04`` with its time: ``G04 X0.5``, ``G04 0.5``; in revolutions, ``G04 S10``."""
+        """Check ``G04`` with its time, ``G04 X0.5``, ``G04 0.5``, or its revolutions, ``G04
+        S10``.
+        """
         dwell = _dwell(block)
         assert dwell is not None
         others = [word for word in block.words if word is not dwell]
@@ -441,7 +447,7 @@ def _returns(word: BlockWord) -> bool:
 
 
 def _return_option(item: Keyword | Expression) -> str:
-    """What an item in the brackets of M17 is: how far back, a label, nothing of both."""
+    """Return the kind of an item in the brackets of M17: "calls", "label", or empty if unknown."""
     if isinstance(item, Name):
         return "label"
     if not isinstance(item, Keyword):
@@ -473,7 +479,7 @@ def _is(word: BlockWord, name: str, number: int) -> bool:
 
 
 def _dwell(block: Block) -> Word | None:
-    """The G04 of a block."""
+    """Return the G04 of a block."""
     for word in block.words:
         if _is_g(word, DWELL):
             assert isinstance(word, Word)
@@ -482,7 +488,7 @@ def _dwell(block: Block) -> Word | None:
 
 
 def _expressions(block: Block) -> list[Expression]:
-    """The values of a block's words."""
+    """Return the values of a block's words."""
     expressions: list[Expression] = []
     for word in block.words:
         if isinstance(word, Word | AxisWord) and word.value is not None:

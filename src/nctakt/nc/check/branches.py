@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The branches of a realtime cycle as a list: what stands in what, and where (RC-201, RC-203).
+"""The branches of a realtime cycle as a list, with their nesting (RC-201, RC-203).
 
-In: the tree of a program. Out: its realtime cycles wherever they stand, and for each of them its
-branches in the order of their places, with the branch around each one and the ones before it in the
-same ``$IF``. A branch is found again in the realtime part by its span.
+In: the tree of a program. Out: its realtime cycles, and for each of them its branches in the order
+of the text, with the enclosing branch and the earlier ones of the same ``$IF``. The span identifies
+a branch in the realtime part.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ BranchWord = Literal["$IF", "$ELSEIF", "$ELSE"]
 
 @dataclass(frozen=True, slots=True)
 class BranchOutline:
-    """One branch: ``outer`` and ``earlier`` are positions in the list of the cycle's branches.
+    """One branch; ``outer`` and ``earlier`` are positions in the list of the cycle's branches.
 
-    ``frequency`` is ``ONCE``, ``EDGE``, ``ALWAYS`` or empty; ``condition`` is ``None`` for
-    ``$ELSE``. ``lines`` are those of the branch itself and of the statements in its body that stand
-    in no further branch, ``commands`` the texts of those statements.
+    ``frequency``: ``ONCE``, ``EDGE``, ``ALWAYS`` or empty; ``condition``: ``None`` for ``$ELSE``.
+    ``lines``: those of the branch itself and of the statements directly in its body; ``commands``:
+    the texts of those statements.
     """
 
     span: Span
@@ -40,21 +40,21 @@ class BranchOutline:
 
 
 def branch_outlines(statement: tree.RealtimeCycle) -> list[BranchOutline]:
-    """The branches of a cycle in the order of their places."""
+    """Return the branches of a cycle in the order of the text."""
     outlines: list[BranchOutline] = []
     _walk(statement.body, None, outlines)
     return outlines
 
 
 def combined(condition: tree.Expression) -> list[tree.Expression]:
-    """What ``&&`` and ``||`` combine in a condition; the condition itself where there is none."""
+    """Return the conditions combined by ``&&`` and ``||``, or the condition itself."""
     if isinstance(condition, tree.Binary) and condition.operator in ("&&", "||"):
         return [*combined(condition.left), *combined(condition.right)]
     return [condition]
 
 
 def accesses_in(expression: tree.Expression) -> Iterator[tree.Variable | tree.Parameter]:
-    """The variables and parameters in an expression, those in their indices included."""
+    """Yield the variables and parameters in an expression, including those in indices."""
     match expression:
         case tree.Variable():
             yield expression
@@ -75,7 +75,7 @@ def accesses_in(expression: tree.Expression) -> Iterator[tree.Variable | tree.Pa
 
 
 def lines_without_branch(statement: tree.RealtimeCycle) -> list[int]:
-    """The lines of the definition and of its statements that stand in no branch."""
+    """Return the lines of the definition and of its statements outside of any branch."""
     return [statement.span.line, *_own_lines(statement.body)]
 
 
@@ -84,7 +84,7 @@ def _own_lines(body: Sequence[tree.Statement]) -> list[int]:
 
 
 def _commands(body: Sequence[tree.Statement]) -> tuple[str, ...]:
-    """The statements that stand in no branch, as text without block number."""
+    """Return the statements directly in a body as text, without block numbers."""
     bare = (
         replace(statement, head=tree.NO_HEAD)
         for statement in body
@@ -102,7 +102,7 @@ def _walk(body: Sequence[tree.Statement], outer: int | None, outlines: list[Bran
 
 
 def _branches(statement: tree.If, outer: int | None, outlines: list[BranchOutline]) -> None:
-    """The branches of one ``$IF``, each with what stands in its body."""
+    """Append the branches of one ``$IF`` and of its bodies."""
     earlier: list[int] = []
 
     def add(
@@ -130,7 +130,7 @@ def _branches(statement: tree.If, outer: int | None, outlines: list[BranchOutlin
 
 
 def realtime_cycles(statements: Sequence[tree.Statement]) -> Iterator[tree.RealtimeCycle]:
-    """The definitions of realtime cycles in statements and in the structures among them."""
+    """Yield the definitions of realtime cycles in statements and in structures among them."""
     for statement in statements:
         match statement:
             case tree.RealtimeCycle():

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Calls of subprograms: what can be known of them before they are decoded.
+"""Calls of subprograms, checked before they are decoded.
 
-In: ``L``, ``LL`` and their forms with CYCLE. Out: diagnostics, and the calls whose name is
-constant, for those who look for what is called.
+In: ``L``, ``LL`` and their forms with CYCLE. Out: diagnostics, and the calls by a constant name, so
+that the called files can be loaded.
 """
 
 from __future__ import annotations
@@ -18,18 +18,18 @@ from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Block, Expression, Keyword, StringLiteral, SubprogramCall
 
-#: The highest number of a parameter of a call.
+#: Maximum number of a parameter of a call.
 CALL_PARAMETERS = 200
 
 _PARAMETER = re.compile(r"@P(\d+)")
-#: Keywords of modal calls: behind each block with a motion, behind each block.
+#: Keywords of modal calls: after each block with a motion, after each block.
 MODAL_MOVE = ("MODAL_MOVE", "MODAL")
 MODAL_BLOCK = "MODAL_BLOCK"
 _MODAL = (*MODAL_MOVE, MODAL_BLOCK)
 
 
 def parameter_number(keyword: Keyword) -> int | None:
-    """The number of ``@P1 = …``; ``None`` for any other keyword."""
+    """Return the number of ``@P1 = …``; ``None`` for any other keyword."""
     match = _PARAMETER.fullmatch(keyword.name)
     number = 0 if match is None else int(match[1][:4])
     return number if 1 <= number <= CALL_PARAMETERS else None
@@ -45,12 +45,12 @@ class CallChecker:
         self._calls: list[SubprogramCall] = []
 
     def take(self) -> list[SubprogramCall]:
-        """The calls by a constant name since the last time."""
+        """Return the calls by a constant name since the last call of this method."""
         taken, self._calls = self._calls, []
         return taken
 
     def call(self, call: SubprogramCall) -> None:
-        """One call with the words of its block."""
+        """Check one call with the words of its block."""
         if call.words:
             self._words.block(Block(call.span, call.head, call.words))
         self._values.line(*_given(call))
@@ -87,6 +87,6 @@ class CallChecker:
 
 
 def _given(call: SubprogramCall) -> list[Expression]:
-    """The values that the call hands over."""
+    """Return the values that the call passes."""
     keywords = (item for item in call.keywords if isinstance(item, Keyword))
     return [keyword.value for keyword in keywords if keyword.value is not None]

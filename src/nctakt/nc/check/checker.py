@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Statements -> diagnostics: what can be known of a program before it runs.
+"""Statements -> diagnostics, before the program runs.
 
 In: statements, the variables and the list of their channel. Out: diagnostics; nothing is executed.
-What passes without an error the decoder can run; what depends on values is the decoder's. Which
-commands exist and what becomes of them: ``support_level.py``. Where a constant condition lets
-nothing run nothing is checked, unless a jump might lead there. Who goes through a whole text:
-``inspection.py``.
+A program without errors can be decoded; the decoder checks what depends on values. Support of
+commands: ``support_level.py``. Code behind a constant false condition is not checked unless a jump
+may lead there. ``inspection.py`` applies the checker to a whole text.
 """
 
 from __future__ import annotations
@@ -93,7 +92,7 @@ _REFUSED_OPTIONS = ("INFO", "SYN", "ACK")
 
 
 class Checker:
-    """Checks statements of one program one by one, in their order."""
+    """Checks the statements of one program in their order."""
 
     def __init__(
         self, source: Source, names: NameTable, channel: ChannelParameters, collector: Collector
@@ -115,21 +114,21 @@ class Checker:
         self._loops = 0
         self._switches = 0
         self._role: Role = "main"
-        #: The labels that jumps of this section name, and where they do.
+        #: Labels named by jumps of this section, with the spans of the jumps.
         self.targets: dict[str, list[Span]] = {}
 
     def begin(self, role: Role) -> None:
-        """A main program or a subprogram begins."""
+        """Begin a main program or a subprogram."""
         self._role = role
         self.targets = {}
         self._findings.has_other_macros |= role != "main"
 
     def take_calls(self) -> list[SubprogramCall]:
-        """The calls by a constant name since the last time."""
+        """Return the calls by a constant name since the last call of this method."""
         return self._calls.take()
 
     def _macro(self, text: StringLiteral) -> Expression | None:
-        """A number that is not known yet, for a macro that is or may be defined."""
+        """Return a placeholder number for a macro that is or may be defined, else ``None``."""
         if self._findings.has_other_macros or text.value in self._findings.macros:
             return Parameter(text.span, Number(text.span, 1.0))
         return None
@@ -139,7 +138,7 @@ class Checker:
             self.statement(statement)
 
     def statement(self, statement: Statement) -> None:
-        """One statement with all that is inside it."""
+        """Check one statement with all statements inside it."""
         if self._findings.macros or self._findings.has_other_macros:
             statement = self._macros.statement(statement)
         if statement.head.number is not None:
@@ -289,7 +288,7 @@ class Checker:
                 )
 
     def _other(self, statement: Statement) -> None:
-        """Jumps, calls, and statements that this version refuses as a whole."""
+        """Check jumps, calls, declarations and the other commands."""
         match statement:
             case Goto():
                 self.targets.setdefault(statement.label, []).append(statement.span)
@@ -297,7 +296,7 @@ class Checker:
                 self._calls.call(statement)
                 self._findings.has_other_macros = True
             case MacroDefinition():
-                self._findings.macros.add(statement.name)  # its text: where it is used
+                self._findings.macros.add(statement.name)  # its text is checked where it is used
             case VariableDeclarations():
                 self._program_variables.declarations(statement)
             case Timer():
@@ -339,7 +338,7 @@ class Checker:
 
 
 def ends(statement: Statement, numbers: Sequence[int]) -> bool:
-    """Whether a block holds one of these M functions, whatever the skip levels are."""
+    """Return whether a block holds one of these M functions, regardless of skip levels."""
     return (
         isinstance(statement, Block)
         and statement.head.skip is None

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """``#CS``: the coordinate systems of a program (MO-8).
 
-In: the tree of a command. Out: a ``CsCommand``, and diagnostics of what has none of the forms
-``#CS DEF|ON [id] [v1, v2, v3, a1, a2, a3]``, ``#CS ON``, ``#CS OFF``, ``#CS OFF ALL``. One value
-alone in brackets is the ID. Checker and decoder share it.
+In: the tree of a command. Out: a ``CsCommand``, and diagnostics for anything other than ``#CS
+DEF|ON [id] [v1, v2, v3, a1, a2, a3]``, ``#CS ON``, ``#CS OFF``, ``#CS OFF ALL``, ``#CS ADD [name]
+[v1 … a3]``, ``#CS SELECT [name]``. A single value in brackets is the ID. Shared by checker and
+decoder.
 """
 
 from __future__ import annotations
@@ -16,19 +17,19 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Number
 from nctakt.nc.vocabulary.command_forms import FORMS, forms_of
 
-#: Shift along three axes, three angles.
+#: Maximum number of components: a shift along three axes, three angles.
 MAX_COMPONENTS = 6
 
 ACTIONS = ("DEF", "ON", "OFF", "OFF ALL", "ADD", "SELECT")
 
-#: The longest name of a system, and the names of those that kinematics make.
+#: Maximum length of a system's name, and the names reserved for kinematics.
 MAX_CHARACTERS = 8
 RESERVED = ("ACS", "IMCS", "MCS")
 
 
 @dataclass(frozen=True, slots=True)
 class CsCommand:
-    """``components``: ``None`` where a stored system is meant, the last one without an ID.
+    """A ``#CS`` command; ``components``: ``None`` for a stored system, the last one without an ID.
 
     ``name``: that of ADD and SELECT.
     """
@@ -40,7 +41,7 @@ class CsCommand:
 
 
 def cs_command(command: HashCommand) -> CsCommand | None:
-    """What the command says; ``None`` where it has no form that there is."""
+    """Return the parsed command; ``None`` if its form is unknown."""
     words = [word.name for word in command.words]
     action = " ".join(words[1:])
     if words[0] != "CS" or action not in ACTIONS:
@@ -72,7 +73,7 @@ def cs_command(command: HashCommand) -> CsCommand | None:
 
 
 def _name(argument: Bracket | Keyword | Expression) -> str:
-    """The name between brackets, in upper case; empty where there is none."""
+    """Return the name in brackets, in upper case; empty if there is none."""
     if not isinstance(argument, Bracket) or len(argument.items) != 1:
         return ""
     (item,) = argument.items
@@ -87,7 +88,7 @@ def _name(argument: Bracket | Keyword | Expression) -> str:
 
 
 def check_cs_command(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:
-    """Check the command; false where it is another one."""
+    """Check the command; return false for another command."""
     words = [word.name for word in command.words]
     if words[0] != "CS" or " ".join(words[1:]) not in ("", *ACTIONS):
         return False

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What a realtime cycle can cost in one tick, known before it runs (RC-501).
+"""The maximum cost of a realtime cycle in one tick, known before it runs (RC-501).
 
-In: nodes of a cycle's body. Out: elementary instructions: each operator, function, access to a
-variable, assignment, condition and action counts one, constants are free. They are the counts that
-the realtime part adds up; of the branches of an ``$IF`` at most one is taken.
+In: nodes of a cycle's body. Out: elementary instructions: one for each operator, function, access
+to a variable, assignment, condition and action; constants are free. The realtime part adds up the
+same counts; at most one branch of an ``$IF`` is taken.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from nctakt.nc.vocabulary.variable_table import Location, NameTable
 
 
 def max_steps(statements: Sequence[Statement], names: NameTable) -> int:
-    """The most that one run through these statements can cost."""
+    """Return the maximum cost of one run through these statements."""
     return sum(_statement(statement, names) for statement in statements)
 
 
@@ -58,20 +58,22 @@ def _statement(statement: Statement, names: NameTable) -> int:
 
 
 def _block(block: Block, names: NameTable) -> int:
-    """Each M and H function counts one, each command to a spindle one and its values."""
+    """Return the cost of a block: one per M or H function, one plus its values per spindle
+    command.
+    """
     commands, others = split(block.words, names.spindles)
     steps = sum(word_steps(word, names) for word in others)
     return steps + sum(command_steps(command, names) for command in commands)
 
 
 def command_steps(command: SpindleCommand, names: NameTable) -> int:
-    """The cost of a command to a spindle."""
+    """Return the cost of a command to a spindle."""
     values = (command.speed, command.position)
     return 1 + sum(expression_steps(value, names) for value in values if value is not None)
 
 
 def word_steps(word: BlockWord, names: NameTable) -> int:
-    """The cost of an action: what it computes, and itself."""
+    """Return the cost of an action: its values and one for itself."""
     if not isinstance(word, BracketCommand):
         return 1
     return 1 + sum(
@@ -84,12 +86,12 @@ def word_steps(word: BlockWord, names: NameTable) -> int:
 def _assignment(statement: Assignment, names: NameTable) -> int:
     access = expression_steps(statement.target, names)
     value = expression_steps(statement.value, names)
-    # A compound one reads its target, and computes, before it stores.
+    # A compound assignment also reads its target and computes.
     return access + value if statement.operator == "=" else 2 * access + value + 1
 
 
 def _if(statement: If, names: NameTable) -> int:
-    """All conditions up to the branch whose way costs most, and its body."""
+    """Return the cost of the most expensive branch with all conditions before it."""
     asked = condition_steps(statement.condition, names)
     costs = [asked + max_steps(statement.body, names)]
     for branch in statement.elseifs:
@@ -100,12 +102,14 @@ def _if(statement: If, names: NameTable) -> int:
 
 
 def condition_steps(condition: Expression, names: NameTable) -> int:
-    """The cost of evaluating the condition of an ``$IF``, its own instruction included."""
+    """Return the cost of the condition of an ``$IF``, including its own instruction."""
     return expression_steps(condition, names) + 1
 
 
 def expression_steps(expression: Expression, names: NameTable) -> int:
-    """The cost of an expression; an asynchronous variable is one access whatever its indices."""
+    """Return the cost of an expression; an asynchronous variable counts one, whatever its
+    indices.
+    """
     match expression:
         case Unary():
             return 1 + expression_steps(expression.operand, names)
@@ -124,6 +128,6 @@ def expression_steps(expression: Expression, names: NameTable) -> int:
 
 
 def is_live(variable: Variable, names: NameTable) -> bool:
-    """Whether a realtime cycle reads this variable in each tick (RC-302)."""
+    """Return whether a realtime cycle reads this variable in each tick (RC-302)."""
     location = resolve(variable, names)
     return isinstance(location, Location) and (location.synchronous or variable.synchronous)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Expressions and accesses to variables: what can be known before they are evaluated.
+"""Expressions and accesses to variables, checked before they are evaluated.
 
-In: nodes, in the context of the program or of a realtime cycle. Out: diagnostics. Names and
-indices (RC-310), rights (RC-303), writing of asynchronous variables (RC-301), ``Vs.`` for a whole
-block (RC-301), texts, structures and lists of values (RC-208), functions (RC-206).
+In: nodes, in the context of the program or of a realtime cycle. Out: diagnostics. Names and indices
+(RC-310), rights (RC-303), writing of asynchronous variables (RC-301), ``Vs.`` for a whole block
+(RC-301), texts, structures and lists of values (RC-208), functions (RC-206).
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ _RIGHTS = {Access.NONE: "–", Access.READ: "R", Access.WRITE: "W", Access.BOTH:
 _M_FUNCTION = re.compile(r"[MH]\d{1,5}")
 
 
-#: Indices that a variable of a program's own may have.
+#: Maximum number of indices of a program variable.
 MAX_DIMENSIONS = 4
 
 
@@ -103,13 +103,13 @@ class ValueChecker:
     # --- expressions -----------------------------------------------------------------------------
 
     def block(self, *expressions: Expression) -> None:
-        """All expressions of one block: their values, and ``Vs.`` in all of them or in none."""
+        """Check all expressions of one block: their values, and the consistent use of ``Vs.``."""
         self.line(*expressions)
         for expression in expressions:
             self.value(expression)
 
     def line(self, *expressions: Expression) -> None:
-        """A variable is synchronous for its whole block or not at all."""
+        """Report a variable that is used with and without ``Vs.`` in one block."""
         by_name: dict[str, list[Variable]] = {}
         for expression in expressions:
             for variable in variables_in(expression):
@@ -125,7 +125,7 @@ class ValueChecker:
                     self._findings.report(MIXED_SYNCHRONOUS_ACCESS, variable.span, name=name)
 
     def _is_synchronous(self, variable: Variable) -> bool:
-        """Whether a variable is synchronous by its list; a structure: all that is in it."""
+        """Return whether a variable, or every member of a structure, is synchronous by its list."""
         location = resolve(variable, self._names)
         if isinstance(location, Location):
             return location.synchronous
@@ -135,7 +135,7 @@ class ValueChecker:
         return all(leaf.synchronous for _, leaf, _ in leaf_cells(whole.node, "", 0))
 
     def value(self, expression: Expression) -> None:
-        """An expression whose value is needed."""
+        """Check an expression whose value must be a number."""
         match expression:
             case Variable():
                 self.read(expression)
@@ -164,18 +164,20 @@ class ValueChecker:
                 self._findings.report_support(support_level.form("[1, 2]"), expression.span)
 
     def any_value(self, expression: Expression) -> None:
-        """An expression whose value may be a number or a text."""
+        """Check an expression whose value may be a number or a text."""
         if self.is_text(expression):
             self.text(expression)
         else:
             self.value(expression)
 
     def is_text(self, expression: Expression) -> bool:
-        """Whether the value of an expression is a text; never in a realtime cycle (21981)."""
+        """Return whether the value of an expression is a text; never in a realtime cycle
+        (21981).
+        """
         return not self._in_cycle and is_text(expression, self._names)
 
     def text(self, expression: Expression) -> None:
-        """An expression whose value must be a text."""
+        """Check an expression whose value must be a text."""
         if isinstance(expression, StringLiteral):
             return
         if isinstance(expression, Call) and self.is_text(expression):
@@ -192,7 +194,7 @@ class ValueChecker:
             self._findings.report(NUMBER_INSTEAD_OF_TEXT, expression.span, value=written)
 
     def _binary(self, expression: Binary) -> None:
-        """Two numbers, or two texts under ``==`` and ``!=``."""
+        """Check two numbers, or two texts under ``==`` and ``!=``."""
         left, right = expression.left, expression.right
         if self.is_text(left) or self.is_text(right):
             if expression.operator in ("==", "!="):
@@ -208,7 +210,9 @@ class ValueChecker:
         self.value(right)
 
     def _no_number(self, expression: Expression, name: str) -> None:
-        """A text where a number is needed; in a realtime cycle it is out of place anywhere."""
+        """Report a text where a number is needed; in a realtime cycle texts are not allowed at
+        all.
+        """
         self._findings.report(
             TEXT_IN_REALTIME_CYCLE if self._in_cycle else TEXT_INSTEAD_OF_NUMBER,
             expression.span,
@@ -246,7 +250,7 @@ class ValueChecker:
             self._argument(kind, argument)
 
     def _argument(self, kind: str | None, argument: Expression) -> None:
-        """What a function takes: see ``operators.Function``."""
+        """Check an argument of this kind (``operators.Function``)."""
         if kind == "T":
             self.text(argument)
         elif kind == "V":
@@ -257,7 +261,7 @@ class ValueChecker:
             self.value(argument)
 
     def _asked(self, argument: Expression) -> None:
-        """A name that may exist or not; only its indices have to."""
+        """Check a name that need not exist; its indices are checked."""
         if isinstance(argument, Variable):
             for index in indices_of(argument):
                 self.value(index)
@@ -270,7 +274,7 @@ class ValueChecker:
     # --- variables -------------------------------------------------------------------------------
 
     def read(self, variable: Variable, *, text: bool = False) -> None:
-        """A variable whose value is needed, as a number or as a text."""
+        """Check a variable that is read, as a number or as a text."""
         if is_program_variable(variable):
             self._program_variable(variable)
             return
@@ -291,7 +295,7 @@ class ValueChecker:
     def write(
         self, target: Variable | Parameter, *, compound: bool = False, text: bool = False
     ) -> None:
-        """What is assigned to; ``compound``: it is read as well, as in ``+=``."""
+        """Check the target of an assignment; ``compound``: it is read as well, as in ``+=``."""
         if isinstance(target, Parameter):
             self._parameter(target)
             if self._in_cycle:
@@ -321,7 +325,7 @@ class ValueChecker:
             self._findings.report(ASYNCHRONOUS_WRITE_IN_CYCLE, target.span, name=location.name)
 
     def _program_variable(self, variable: Variable) -> None:
-        """V.P, V.S, V.L, V.CYC: whether it exists only the run shows."""
+        """Check V.P, V.S, V.L, V.CYC, which come into being only at run time."""
         for index in indices_of(variable):
             self.value(index)
         if not variable.parts:
@@ -333,7 +337,7 @@ class ValueChecker:
             self._findings.report(TOO_MANY_INDICES, variable.span, name=name, most=MAX_DIMENSIONS)
 
     def assignment(self, statement: Assignment) -> None:
-        """``target operator value``, texts, structures and lists of values among them."""
+        """Check ``target operator value``, including texts, structures and lists of values."""
         target, value = statement.target, statement.value
         self.line(target, value)
         if isinstance(value, ArrayLiteral):
@@ -353,7 +357,7 @@ class ValueChecker:
                 self.value(value)
 
     def _assigned_text(self, statement: Assignment, target: Variable) -> None:
-        """A text is given to a variable, or put behind what it holds."""
+        """Check a text that is assigned or appended to a variable."""
         self.write(target, compound=statement.operator != "=", text=True)
         if statement.operator not in ("=", "+="):
             self._findings.report(
@@ -379,7 +383,7 @@ class ValueChecker:
             self._findings.report_support(support_level.form("[1, 2]"), value.span)
 
     def list_items(self, value: ArrayLiteral) -> None:
-        """The values of a list, lists inside it included."""
+        """Check the values of a list and of lists inside it."""
         for item in value.items:
             if isinstance(item, ArrayLiteral):
                 self.list_items(item)
@@ -393,7 +397,7 @@ class ValueChecker:
         self._findings.report(ASYNCHRONOUS_WRITE_IN_CYCLE, target.span, name=name)
 
     def _found(self, variable: Variable) -> Location | None:
-        """The location, or the report why there is none; the indices are checked, too."""
+        """Return the location of a variable and check its indices; report it if there is none."""
         entry = support_level.variable_family(variable.family)
         if entry is None:
             nearest = support_level.nearest_family(variable.family) or "–"
@@ -416,7 +420,7 @@ class ValueChecker:
         self._missing.report(variable, missing)
 
     def indices_fit(self, variable: Variable, location: Location | Aggregate) -> bool:
-        """Constant indices inside the array; those that are computed are checked when they are."""
+        """Return whether constant indices are inside the array; report those that are not."""
         fits = True
         for index, dimension in zip(indices_of(variable), location.dimensions, strict=True):
             if isinstance(index, Number) and not 0 <= round(index.value) < dimension.count:
@@ -449,5 +453,5 @@ class ValueChecker:
         return False
 
     def _is_live(self, index: Expression) -> bool:
-        """Whether an index holds something that a realtime cycle reads in each tick."""
+        """Return whether an index contains a variable that a realtime cycle reads in each tick."""
         return any(is_live(variable, self._names) for variable in variables_in(index))

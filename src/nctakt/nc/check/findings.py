@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Where the checker puts what it finds: diagnostics with their source line.
+"""The diagnostics of the checker, each with its source line.
 
-In: messages with spans. Out: diagnostics in the collector. The levels of support
-(``entries.py``) become diagnostics here: an error for what is refused, one notice per program for
-what is accepted.
+In: messages with spans. Out: diagnostics in the collector. Levels of support (``entries.py``)
+become diagnostics here: an error for each refused name, one note per program for an accepted one.
 """
 
 from __future__ import annotations
@@ -22,7 +21,7 @@ class Findings:
         self._source = source
         self._collector = collector
         self._reported: dict[str, None] = {}
-        #: Macros that the program has defined so far; others may be, where programs call.
+        #: Macros that the program has defined so far; calls may define others.
         self.macros: set[str] = set()
         self.has_other_macros = False
 
@@ -31,12 +30,12 @@ class Findings:
         self._collector.report(message, span, self._source.line_of(span), **values)
 
     def written(self, span: Span) -> str:
-        """The text that a span covers, cut to what fits into a message."""
+        """Return the text that a span covers, cut to the length for a message."""
         text = self._source.line_of(span)[span.column - 1 : span.end_column - 1]
         return " ".join(text.split())[:40]
 
     def report_support(self, entry: Entry, span: Span, name: str = "") -> None:
-        """Report a refused entry, tell of an accepted one once; ``name`` as the program has it."""
+        """Report a refused entry, and an accepted one once; ``name``: as the program writes it."""
         command = name or entry.name
         if entry.support is Support.SIMULATED:
             return

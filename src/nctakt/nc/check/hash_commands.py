@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""``#`` commands of the main program that the decoder carries out: their forms.
+"""The forms of ``#`` commands of the main program.
 
-In: ``#TIMER``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``,
-``#DISABLE MODAL CYCLE``. Out: diagnostics.
+In: ``#TIMER``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``, ``#DISABLE MODAL
+CYCLE``. Out: diagnostics.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ _WITHOUT_ARGUMENTS = (("BACKWARD", "STORAGE", "CLEAR"), ("DISABLE", "MODAL", "CY
 
 
 class CommandChecker:
-    """Checks them for one program."""
+    """Checks the commands of one program."""
 
     def __init__(self, values: ValueChecker, findings: Findings) -> None:
         self._values = values
         self._findings = findings
 
     def timer(self, timer: Timer) -> None:
-        """``#TIMER START|STOP|READ|CLEAR [SYN] [ID=…]``."""
+        """Check ``#TIMER START|STOP|READ|CLEAR [SYN] [ID=…]``."""
         if timer.action not in _TIMER_ACTIONS:
             self._option("#TIMER", timer.action, _TIMER_ACTIONS, timer)
         for option in timer.options:
@@ -42,7 +42,7 @@ class CommandChecker:
                 self._option("#TIMER", self._findings.written(item.span), ("ID",), item)
 
     def command(self, command: HashCommand, words: Sequence[str]) -> bool:
-        """Whether the command is one of these; then it has been checked."""
+        """Check one of these commands; return false for any other."""
         if tuple(words) in (("FILENAME",), ("FILE", "NAME")):
             self._file(command)
         elif tuple(words) == ("CHANNEL", "INIT"):
@@ -58,7 +58,7 @@ class CommandChecker:
         return True
 
     def _file(self, command: HashCommand) -> None:
-        """``#FILENAME [MSG=file]``."""
+        """Check ``#FILENAME [MSG=file]``."""
         items = self._items(command, "#FILENAME")
         for item in items:
             if not isinstance(item, Keyword) or item.name != "MSG" or item.value is None:
@@ -67,7 +67,7 @@ class CommandChecker:
                 self._values.text(item.value)
 
     def _channel(self, command: HashCommand) -> None:
-        """``#CHANNEL INIT [CMDPOS]``, also without brackets."""
+        """Check ``#CHANNEL INIT [CMDPOS]``, also without brackets."""
         if not command.arguments:
             return
         for item in self._items(command, "#CHANNEL INIT"):
@@ -75,7 +75,7 @@ class CommandChecker:
                 self._option("#CHANNEL INIT", self._findings.written(item.span), _POSITIONS, item)
 
     def _items(self, command: HashCommand, name: str) -> tuple[Keyword | Expression, ...]:
-        """What stands in the one bracket of the command."""
+        """Return the items of the command's only bracket; report any other form."""
         if len(command.arguments) == 1 and isinstance(command.arguments[0], Bracket):
             return command.arguments[0].items
         self._findings.report(

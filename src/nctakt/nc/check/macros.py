@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Macros as parts of expressions: ``X[-2 * "NAME"]`` (facts 2.1).
 
-In: statements, and what a text in quotes stands for. Out: the statements with that in its place,
-the same node where nothing changes. A text is a macro where a number is needed: as an operand, an
-index, the value of a word, a condition, what is given to P1 or to a number of a list. It is a text
-where a text may stand: alone behind V.P.X =, in a call, in a message, beside other texts under
+In: statements, and the meaning of each quoted text. Out: the statements with their macros expanded;
+the same node if nothing changes. A quoted text is a macro where a number is needed: as an operand,
+index, value of a word, condition, or value for P1 or a numeric variable of a list. It is a text
+where a text is allowed: alone behind V.P.X =, in a call, in a message, next to other texts with
 ``+``, ``==`` and ``!=``.
 """
 
@@ -30,7 +30,7 @@ _OF_NAMES = ("FILENAME", "FILE", "DELETE")
 
 
 class MacroExpander:
-    """Puts what ``meaning`` gives in the place of each macro; ``None`` for a text that is none."""
+    """Replaces each macro by the result of ``meaning``, which is ``None`` for a plain text."""
 
     def __init__(
         self,
@@ -41,7 +41,7 @@ class MacroExpander:
         self._meaning = meaning
 
     def statement(self, statement: tree.Statement) -> tree.Statement:
-        """A statement of the program; what stands in the bodies of structures stays."""
+        """Return a statement of the program, expanded except for the bodies of structures."""
         match statement:
             case tree.Block() | tree.OffsetCommand():
                 return _with(statement, words=_each(statement.words, self._word))
@@ -89,7 +89,7 @@ class MacroExpander:
         return statement
 
     def _inside(self, statement: tree.Statement) -> tree.Statement:
-        """A statement of a realtime cycle, bodies included."""
+        """Return a statement of a realtime cycle, expanded with its bodies."""
         changed = self.statement(statement)
         if not isinstance(changed, tree.If):
             return changed
@@ -112,7 +112,7 @@ class MacroExpander:
         return _with(statement, target=target, value=expand(statement.value))
 
     def _takes_number(self, target: tree.Variable | tree.Parameter) -> bool:
-        """Whether nothing but a number can be given to it."""
+        """Return whether the target accepts numbers only."""
         target = to_tree(target)
         if isinstance(target, tree.Parameter):
             return not target.call
@@ -135,13 +135,13 @@ class MacroExpander:
         return word
 
     def _item(self, item: _Given) -> _Given:
-        """An item between brackets that is a number."""
+        """Return an item in brackets that is a number, expanded."""
         if not isinstance(item, tree.Keyword):
             return self.number(item)
         return item if item.value is None else _with(item, value=self.number(item.value))
 
     def _keywords(self, items: tuple[_Given, ...]) -> tuple[_Given, ...]:
-        """Keywords whose values may be texts."""
+        """Return keywords whose values may be texts, expanded."""
         return _each(items, self._any_item)
 
     def _any_item(self, item: _Given) -> _Given:
@@ -164,11 +164,11 @@ class MacroExpander:
     # --- expressions -----------------------------------------------------------------------------
 
     def any_value(self, expression: tree.Expression) -> tree.Expression:
-        """An expression in a place where a text may stand."""
+        """Return an expression where a text is allowed, expanded."""
         return expression if self._is_text(expression) else self.number(expression)
 
     def number(self, expression: tree.Expression) -> tree.Expression:
-        """An expression in a place where a number is needed."""
+        """Return an expression where a number is needed, expanded."""
         match expression:
             case tree.StringLiteral():
                 return self._meaning(expression) or expression
@@ -197,7 +197,7 @@ class MacroExpander:
         return _with(part, indices=_each(part.indices, self.number))
 
     def _arguments(self, call: tree.Call) -> tuple[tree.Expression, ...]:
-        """Numbers, but for what a function wants as a text or as a name."""
+        """Return the arguments of a call, expanded except for texts and names."""
         function = FUNCTIONS.get(call.function)
         kinds = "" if function is None else function.arguments[: len(call.arguments)]
         pairs = zip_longest(kinds, call.arguments)
@@ -211,7 +211,7 @@ class MacroExpander:
         return call.arguments if same else changed
 
     def _is_text(self, expression: tree.Expression) -> bool:
-        """Whether it is or may be a text as it stands: texts alone, and texts put together."""
+        """Return whether the expression as written is or may be a text."""
         if isinstance(expression, tree.StringLiteral):
             return True
         if isinstance(expression, tree.Binary):
@@ -221,21 +221,21 @@ class MacroExpander:
 
 
 def _each(items: tuple[_Item, ...], change: Callable[[_Item], _Item]) -> tuple[_Item, ...]:
-    """The items changed; the same tuple where none is another."""
+    """Return the changed items; the same tuple if none changes."""
     changed = tuple(change(item) for item in items)
     same = all(item is other for item, other in zip(items, changed, strict=True))
     return items if same else changed
 
 
 def _with(node: _Node, **fields: object) -> _Node:
-    """The node with these fields; the same node where none is another."""
+    """Return the node with these fields; the same node if none changes."""
     if all(getattr(node, name) is value for name, value in fields.items()):
         return node
     return replace(node, **fields)
 
 
 def with_span(expression: _Node, span: object) -> _Node:
-    """An expression as if it stood at ``span``."""
+    """Return an expression with all its nodes at ``span``."""
     fields: dict[str, object] = {"span": span}
     for name in type(expression).__dataclass_fields__:
         value = getattr(expression, name)

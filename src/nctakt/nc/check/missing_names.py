@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Variables of lists and of the realtime part that do not exist: why, and what may be meant.
+"""Reports about variables of lists and of the realtime part that do not exist.
 
-In: a variable of the tree and what the table of names says of it. Out: a diagnostic.
+In: a variable of the tree, and the reason from the table of names. Out: a diagnostic with the
+nearest known name.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ _INDEX = re.compile(r"\[\d+\]")
 
 
 class MissingNames:
-    """Reports them, for the axes of one channel."""
+    """Reports missing variables, for the axes of one channel."""
 
     def __init__(self, names: NameTable, axes: Sequence[str], findings: Findings) -> None:
         self._names = names
@@ -61,7 +62,9 @@ class MissingNames:
                 report(STRUCTURE_USED_AS_VALUE, span, name=missing.name, member=missing.nearest)
 
     def _with_axis(self, variable: Variable) -> str:
-        """``V.RTA.ACS.ACT_POS.X`` where the axis is missing at the end; else nothing."""
+        """Return ``V.RTA.ACS.ACT_POS.X`` if only the axis is missing at the end, else an empty
+        text.
+        """
         if variable.family == "RTA":
             parts = [(part.name, len(part.indices)) for part in variable.parts]
             for axis in self._axes:
@@ -71,7 +74,7 @@ class MissingNames:
         return ""
 
     def _lacks_axis(self, variable: Variable) -> bool:
-        """Whether a V.RTA variable exists, but for another axis than the one named last."""
+        """Return whether the V.RTA variable exists for another axis than the one named."""
         if variable.family != "RTA" or len(variable.parts) < 2:
             return False
         parts = [(part.name, len(part.indices)) for part in variable.parts[:-1]]
@@ -81,7 +84,7 @@ class MissingNames:
         )
 
     def _spelled(self, variable: Variable) -> str:
-        """The variable that differs in upper and lower case only; else nothing."""
+        """Return the variable that differs only in case, else an empty text."""
         folded = path_text(variable).casefold()
         if variable.family in DECLARED:
             names = (_INDEX.sub("[]", name) for name, _, _ in self._names.values())

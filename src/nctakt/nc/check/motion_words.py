@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What is likely wrong with a motion by the words of its block alone: F0, arcs.
+"""Probable mistakes in the motion words of a single block: F0, arcs.
 
-In: a block. Out: warnings; whether a motion comes of its words only the run tells.
+In: a block. Out: warnings; whether the block moves at all is known only at run time.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from nctakt.nc.vocabulary.functions import (
 CENTRE_WORDS = ("I", "J", "K")
 RADIUS_WORD = "R"
 FEED_WORD = "F"
-#: G functions beside which axis words are targets, and which leave the kind of motion as it is.
+#: G functions that leave axis words targets and the kind of motion unchanged.
 _BESIDE_TARGETS = (
     *members(Group.PLANE),
     *members(Group.DIMENSION),
@@ -37,23 +37,24 @@ _BESIDE_TARGETS = (
 
 
 def check_feed(block: Block, findings: Findings) -> None:
-    """A feed of 0 or below is no feed."""
+    """Report a feed of 0 or below."""
     for word in _words(block, FEED_WORD):
         if isinstance(word.value, Number) and word.value.value <= 0.0:
             findings.report(FEED_NOT_POSITIVE, word.span, value=word.value.value)
 
 
 def check_arc(block: Block, findings: Findings) -> None:
-    """Centre and radius in one block."""
+    """Report centre and radius in one block."""
     radius = list(_radii(block))
     if radius and any(list(_words(block, name)) for name in CENTRE_WORDS):
         findings.report(ARC_WITH_CENTRE_AND_RADIUS, radius[0].span)
 
 
 def lacks_centre(block: Block, *, is_modal: bool) -> bool:
-    """Whether it is an arc (G02, G03) with a target, without centre and radius.
+    """Return whether the block is an arc (G02, G03) with a target, but without centre and radius.
 
-    ``is_modal``: an arc is active; then a block whose axis words may mean something else is none.
+    ``is_modal``: an arc is active; a block whose axis words may mean something else is then not an
+    arc.
     """
     functions = _functions(block)
     is_arc = any(function in ARCS for function in functions)
@@ -68,7 +69,7 @@ def lacks_centre(block: Block, *, is_modal: bool) -> bool:
 
 
 def leaves_arc(block: Block, *, before: bool) -> bool:
-    """Whether G02 or G03 is certainly active behind a block."""
+    """Return whether G02 or G03 is certainly active after a block."""
     functions = _functions(block)
     if any(function in ARCS for function in functions):
         return True
@@ -77,7 +78,7 @@ def leaves_arc(block: Block, *, before: bool) -> bool:
 
 
 def _functions(block: Block) -> list[float | None]:
-    """The numbers of the G functions, and ``None`` for what only the run shows or may call."""
+    """Return the numbers of the G functions; ``None`` for computed ones and for M functions."""
     numbers: list[float | None] = [
         word.value.value if isinstance(word.value, Number) else None for word in _words(block, "G")
     ]
@@ -85,12 +86,12 @@ def _functions(block: Block) -> list[float | None]:
 
 
 def has_radius(block: Block) -> bool:
-    """Whether a radius stands in it, for this arc or a later one."""
+    """Return whether the block sets a radius, for this arc or a later one."""
     return any(True for _ in _radii(block))
 
 
 def _radii(block: Block) -> Iterator[AxisWord | Word]:
-    """``R5``, ``G163=5``."""
+    """Yield the words ``R5``, ``G163=5``."""
     yield from _words(block, RADIUS_WORD)
     for word in _words(block, "G"):
         if isinstance(word.value, Number) and word.value.value == ARC_RADIUS:
@@ -98,5 +99,5 @@ def _radii(block: Block) -> Iterator[AxisWord | Word]:
 
 
 def _words(block: Block, name: str) -> Iterator[AxisWord | Word]:
-    """The words of a block with this name."""
+    """Return the words of a block with this name."""
     return (word for word in block.words if isinstance(word, AxisWord | Word) and word.name == name)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What sets how the path goes on: ``#CONTOUR MODE``, ``#SLOPE``, overrides (MO-2, MO-3, MO-5).
+"""Settings of the path: ``#CONTOUR MODE``, ``#SLOPE``, overrides (MO-2, MO-3, MO-5).
 
-Their words and keywords are those that are simulated; every other one is refused by name, since it
-would change positions or times.
+Only simulated words and keywords are allowed; any other one is refused by name, because it would
+change positions or times.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from nctakt.nc.vocabulary.command_forms import forms_of
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """What a command may have: words in brackets, keywords with a number, keywords with a word."""
+    """The form of a command: words in brackets, keywords with a number, keywords with a word."""
 
     words: tuple[str, ...] = ()
     numbers: tuple[str, ...] = ()
@@ -43,7 +43,7 @@ class Form:
 
     @property
     def keywords(self) -> tuple[str, ...]:
-        """What may stand in its bracket."""
+        """The items that may appear in its bracket."""
         return (*self.words, *self.numbers, *self.names)
 
 
@@ -82,12 +82,12 @@ _AXIS_EXAMPLES = {"OVERRIDE": "FEED_FACT=50", "FIXED_STOP": "ON"}
 
 
 def command_name(command: HashCommand) -> str:
-    """The words of a command."""
+    """Return the words of a command."""
     return " ".join(word.name for word in command.words)
 
 
 def keywords(command: HashCommand) -> tuple[Keyword, ...]:
-    """The keywords in the brackets of a checked command."""
+    """Return the keywords in the brackets of a checked command."""
     return tuple(
         item
         for argument in command.arguments
@@ -98,7 +98,7 @@ def keywords(command: HashCommand) -> tuple[Keyword, ...]:
 
 
 def check_path_command(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:
-    """Check one of the commands; false where it is none of them."""
+    """Check one of these commands; return false for any other."""
     name = command_name(command)
     form = FORMS.get(name)
     if form is None:
@@ -119,7 +119,7 @@ def check_path_command(command: HashCommand, values: ValueChecker, findings: Fin
 
 
 def check_path_axis(command: BracketCommand, values: ValueChecker, findings: Findings) -> bool:
-    """Check ``X[OVERRIDE …]``, ``X[FIXED_STOP …]``; false where it is another command."""
+    """Check ``X[OVERRIDE …]`` or ``X[FIXED_STOP …]``; return false for another command."""
     first = command.items[0] if command.items else None
     if not isinstance(first, Keyword) or first.name not in _AXIS_FORMS:
         return False
@@ -154,14 +154,14 @@ def _check_item(
 
 
 def _check_number(item: Keyword, findings: Findings) -> None:
-    """What is known to be wrong before the program runs."""
+    """Report a constant out of its range."""
     value = item.value
     if item.name == "PATH_DEV" and isinstance(value, Number) and value.value <= 0.0:
         findings.report(INVALID_CONTOUR_DEVIATION, value.span, value=value.value)
 
 
 def _refuse(name: str, word: str, allowed: Sequence[str], span: Span, findings: Findings) -> None:
-    """Report a word: one that is only misspelt, or one that is not simulated."""
+    """Report a word that is misspelt or not simulated."""
     near = nearest(word, allowed)
     names = ", ".join(allowed) or NOTHING
     if near and near != word:

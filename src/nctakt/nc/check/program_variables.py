@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Declarations and deletion of the variables that programs make themselves: V.P, V.S, V.L, V.CYC.
+"""Declarations and deletion of program variables: V.P, V.S, V.L, V.CYC.
 
 In: ``#VAR`` and ``#DELETE``. Out: diagnostics.
 """
@@ -34,7 +34,7 @@ from nctakt.nc.vocabulary.resolution import (
     path_text,
 )
 
-#: What a declaration may say: name -> type. REAL is short for REAL64.
+#: Types in declarations: name -> type. REAL is short for REAL64.
 TYPES = {
     **{name: name for name, scalar in SCALARS.items() if scalar.is_numeric},
     "REAL": "REAL64",
@@ -50,7 +50,7 @@ class ProgramVariableChecker:
         self._findings = findings
 
     def declarations(self, statement: VariableDeclarations) -> None:
-        """``#VAR`` … ``#ENDVAR``."""
+        """Check ``#VAR`` … ``#ENDVAR``."""
         for declaration in statement.declarations:
             self._declaration(declaration)
 
@@ -83,7 +83,7 @@ class ProgramVariableChecker:
         self._findings.report(NOT_A_PROGRAM_VARIABLE, node.span, word=word, families=families)
 
     def delete(self, command: HashCommand) -> None:
-        """``#DELETE V.P.A, V.S.B``; a family alone, ``V.P.``, means all of it."""
+        """Check ``#DELETE V.P.A, V.S.B``; a family alone, ``V.P.``, means all its variables."""
         if not command.arguments:
             forms = forms_of("#DELETE")
             self._findings.report(

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Realtime cycles: every rule that can be known before a cycle runs.
+"""Realtime cycles, checked before they run.
 
 In: definitions and management commands. Out: diagnostics. Keywords (RC-101 … RC-105), P-CHAN-00406
-(RC-114), the statements of a body (RC-201 … RC-208), M and H functions (RC-403). Expressions and
-accesses are those of ``expressions.py`` in the context of a cycle, single-axis commands those of
-``axis_commands.py``.
+(RC-114), the statements of a body (RC-201 … RC-208), M and H functions (RC-403). ``expressions.py``
+checks expressions and accesses, ``axis_commands.py`` single-axis commands.
 """
 
 from __future__ import annotations
@@ -80,8 +79,8 @@ HIGHEST_ID = 2147483647
 class CycleChecker:
     """Checks definitions and management commands.
 
-    ``words`` and ``program_values`` are the checkers of the program around the cycles, ``values``
-    and ``axes`` those of the cycles.
+    ``words`` and ``program_values``: the checkers of the enclosing program; ``values`` and
+    ``axes``: those of the cycles.
     """
 
     def __init__(
@@ -105,7 +104,7 @@ class CycleChecker:
     # --- definition and management ---------------------------------------------------------------
 
     def definition(self, cycle: RealtimeCycle) -> None:
-        """``#RT CYCLE … #RT CYCLE END``."""
+        """Check ``#RT CYCLE … #RT CYCLE END``."""
         command = "#RT CYCLE DEF" if cycle.definition_only else "#RT CYCLE"
         self._enabled(cycle, command)
         keywords = self._keywords(cycle.keywords, ("ID", "SCOPE", "END_ACTION"))
@@ -121,7 +120,7 @@ class CycleChecker:
         self._statements(cycle.body)
 
     def control(self, control: CycleControl) -> None:
-        """``#RT CYCLE START [ID=…]`` and its kin (RC-111)."""
+        """Check ``#RT CYCLE START [ID=…]`` and the other management commands (RC-111)."""
         self._enabled(control, f"#RT CYCLE {control.action}")
         keywords = self._keywords(control.keywords, ("ID",))
         if "ID" in keywords:
@@ -151,7 +150,9 @@ class CycleChecker:
         return keywords
 
     def _choice(self, keyword: Keyword | None, names: Sequence[str]) -> str:
-        """The value of a keyword that is one of ``names``; empty without one."""
+        """Return the value of a keyword if it is one of ``names``, else report it; empty without
+        one.
+        """
         if keyword is None:
             return ""
         value = keyword.value
@@ -167,7 +168,7 @@ class CycleChecker:
         return ""
 
     def _identity(self, keyword: Keyword, *, is_global: bool) -> None:
-        """The ID: constant ones are whole and above 0 (RC-103)."""
+        """Check the ID; a constant one is an integer above 0 (RC-103)."""
         value = keyword.value
         if value is None:
             self._findings.report(WORD_VALUE_MISSING, keyword.span, word="ID")
@@ -233,7 +234,7 @@ class CycleChecker:
         self._statements(statement.else_body or ())
 
     def _timer(self, timer: Timer) -> None:
-        """``#TIMER`` with SYN and at most an ID (RC-401)."""
+        """Check ``#TIMER`` with SYN and at most an ID (RC-401)."""
         for option in timer.options:
             if option.name != "SYN":
                 self._findings.report(
@@ -268,7 +269,7 @@ class CycleChecker:
     # --- words -----------------------------------------------------------------------------------
 
     def _block(self, block: Block) -> None:
-        """Functions, spindles, single axes; of words for the path the first is reported."""
+        """Check functions, spindles and single axes; report the first word for the path."""
         is_reported = False
         for word in block.words:
             if isinstance(word, BracketCommand) and _moves_an_axis(word):
@@ -292,7 +293,9 @@ class CycleChecker:
                 )
 
     def _function(self, word: Word) -> None:
-        """An M or H function: of the channel, in its list, not one that controls programs."""
+        """Check an M or H function: in the channel list, for the channel, not for program
+        control.
+        """
         number = self._words.number(word)
         if number is None:
             return
@@ -327,7 +330,7 @@ def _moves_an_axis(word: BlockWord) -> bool:
 
 
 def _first_other(statement: If) -> Span:
-    """Return where the first ``$ELSEIF`` or ``$ELSE`` of an ``$IF`` stands."""
+    """Return the span of the first ``$ELSEIF`` or ``$ELSE`` of an ``$IF``."""
     if statement.elseifs:
         return statement.elseifs[0].span
     return statement.else_span or statement.span

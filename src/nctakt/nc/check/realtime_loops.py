@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Realtime loops, ``#RT WHILE … #RT ENDWHILE``: what may stand in them.
+"""Realtime loops, ``#RT WHILE … #RT ENDWHILE``: the statements allowed in them.
 
-The realtime part repeats what was decoded once. So nothing may stand in a loop that the decoder
-would have to wait for or decide anew: motions with G00 to G03, and writing of synchronous V.E
-variables (22073).
+The realtime part repeats commands that were decoded once. A loop may therefore contain only motions
+with G00 to G03 and assignments to synchronous V.E variables, without waiting for the realtime part
+(22073).
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _VALUES = ("I", "J", "K", "R", "F")
 
 
 class LoopChecker:
-    """Checks loops; ``check`` is told each statement that a loop may have."""
+    """Checks loops; ``check`` checks each statement that is allowed in a loop."""
 
     def __init__(
         self,
@@ -51,7 +51,7 @@ class LoopChecker:
         self._check = check
 
     def loop(self, loop: RealtimeLoop) -> None:
-        """The loop with its body."""
+        """Check the loop with its body."""
         if not self._channel.realtime_cycles.enable:
             self._findings.report(REALTIME_CYCLES_OFF, loop.span, command="#RT WHILE")
         for statement in loop.body:
@@ -108,7 +108,7 @@ class LoopChecker:
         return self._is_known_ahead(values)
 
     def _is_known_ahead(self, values: Iterator[Expression] | list[Expression]) -> bool:
-        """Whether the decoder knows values without waiting for the realtime part."""
+        """Return whether the decoder knows the values without the realtime part; report others."""
         for value in values:
             for variable in variables_in(value):
                 location = resolve(variable, self._names)

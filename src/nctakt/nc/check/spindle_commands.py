@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Commands to spindles: what may stand together (RC-404).
+"""Commands to spindles: words that exclude or need each other (RC-404).
 
 In: a ``SpindleCommand``. Out: diagnostics. The main program may give speed, direction and position
 in several blocks; a realtime cycle gives a whole job in one.
@@ -29,7 +29,7 @@ from nctakt.nc.vocabulary.functions import (
 )
 from nctakt.nc.vocabulary.spindle_commands import SpindleCommand
 
-#: What a command to a spindle may have, for a misspelt word.
+#: Words of a command to a spindle, for suggestions.
 WORDS = (*(f"M{number}" for number in SPINDLE_FUNCTIONS), "S", "REV", "S.POS", "POS")
 
 
@@ -50,7 +50,7 @@ class SpindleChecker:
         self._in_cycle = in_cycle
 
     def check(self, command: SpindleCommand) -> None:
-        """One command."""
+        """Check one command."""
         if not command.name and not self._has_main:
             self._findings.report(NO_MAIN_SPINDLE, command.span)
         for word in command.wrong:
@@ -77,7 +77,7 @@ class SpindleChecker:
             )
 
     def _fit(self, command: SpindleCommand) -> None:
-        """The words of the main program have to go together."""
+        """Check that the words of a command of the main program fit together."""
         turns = [
             function for function in command.functions if function in (CLOCKWISE, COUNTERCLOCKWISE)
         ]
@@ -92,7 +92,7 @@ class SpindleChecker:
             )
 
     def _is_job(self, command: SpindleCommand) -> bool:
-        """Whether they are a complete job: turn, go to a position, or stop."""
+        """Return whether they are a complete job: turn, position, or stop."""
         functions = sorted(command.functions)
         has_values = (command.speed is not None, command.position is not None)
         if functions == [SPINDLE_STOP]:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""``#ERROR`` of programs and realtime cycles: which keywords and values it has (RC-402).
+"""``#ERROR`` of programs and realtime cycles: its keywords and values (RC-402).
 
-In: the statement. Out: diagnostics. Behind it each keyword is a known one that stands once and has
-a value, there is an ID, and constant values are within their bounds.
+In: the statement. Out: diagnostics. Without errors each keyword is known, unique and has a value,
+there is an ID, and constant values are within their bounds.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ KEYWORDS = (
     "MID",
     *(f"{kind}{number}" for number in range(1, 6) for kind in ("PV", "PM", "PIV")),
 )
-#: Characters of a text that is told with an error.
+#: Maximum length of a text reported with an error.
 LONGEST_TEXT = 23
 
-#: Lowest and highest constant value, and the message for others.
+#: Minimum and maximum of constant values, and the message for others.
 _BOUNDS = {
     "ID": (1, 1000, INVALID_USER_ERROR_ID),
     "RC": (0, 7, INVALID_USER_ERROR_RC),
@@ -46,7 +46,7 @@ class UserErrorChecker:
         self._in_cycle = in_cycle
 
     def check(self, error: UserError) -> None:
-        """One statement."""
+        """Check one statement."""
         keywords: dict[str, Keyword] = {}
         lost = False  # a value whose = is missing
         for item in error.keywords:

@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""What the scanners of plain lines and of shapes have in common: decimals and comments.
+"""The common part of the scanners of plain lines and shapes: decimals and comments.
 
-In: a line, a place in it, its end. Out: the place behind what stands there, -1 for what no scanner
-takes.
+In: a line, an index in it, its length. Out: the index behind the part read, -1 for a part that the
+scanners leave to the parser.
 """
 
 from __future__ import annotations
 
 
 class LineScanner:
-    """Base of scanners; ``value``: the last decimal, ``has_point``: whether it has a point."""
+    """Base of the scanners; ``value``: the last decimal, ``has_point``: whether it has a point."""
 
     def __init__(self) -> None:
         self.value = 0.0
         self.has_point = False
 
     def decimal(self, line: str, i: int, end: int) -> int:
-        """A number without a sign into ``value``; -1 without digits or with too many."""
+        """Read an unsigned number into ``value``; return -1 without digits or with too many."""
         mantissa = 0
         count = 0
         scale = 1.0
@@ -40,7 +40,7 @@ class LineScanner:
         return i
 
     def signed(self, line: str, i: int, end: int) -> int:
-        """A decimal with its sign."""
+        """Read a decimal with its sign."""
         if i == end or (line[i] != "-" and line[i] != "+"):
             return self.decimal(line, i, end)
         stop = self.decimal(line, i + 1, end)
@@ -49,7 +49,7 @@ class LineScanner:
         return stop
 
     def comment(self, line: str, i: int, end: int) -> int:
-        """The end of a comment in parentheses, which nest; -1 where a NUL stands in it."""
+        """Return the end of a nested comment in parentheses; -1 if it contains a NUL."""
         depth = 0
         while i < end:
             c = line[i]

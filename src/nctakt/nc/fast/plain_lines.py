@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Plain blocks, read without a tree: a number, G00 or G01, axis words, F above 0, comments.
 
-In: lines. Out: what a line says, in numbers, where it is plain. Programs of CAM systems consist of
-such lines. Whatever is not exactly one of them is for the parser: there is one language, and this
-is a short way through a small part of it. Numbers are read as ``float`` reads them, to the last
-bit: up to 15 digits both the digits and their power of ten are exact, so one division rounds once.
+In: lines. Out: the content of a plain line as numbers. Programs of CAM systems consist of such
+lines; any other line is left to the parser. Numbers equal those of ``float`` to the last bit: with
+up to 15 digits both the digits and their power of ten are exact, so that the division rounds once.
 """
 
 from __future__ import annotations
@@ -14,17 +13,19 @@ from collections.abc import Sequence
 from nctakt.nc.fast.line_scanner import LineScanner
 from nctakt.nc.vocabulary.functions import PLAIN_MOTIONS
 
-#: The highest number of a motion that a shape has room for.
+#: Maximum number of a motion in a shape code.
 MAX_MOTION = 4
 
-#: What a line may be.
+#: Kinds of lines.
 OTHER = 0
 EMPTY = 1
 PLAIN = 2
 
 
 def shape_code(shape: Sequence[str | float]) -> int:
-    """The ``shape`` of plain blocks with these letters; G is followed by its number. 0: of none."""
+    """Return the ``shape`` of plain blocks with these letters, G followed by its number; 0 for
+    others.
+    """
     code = 0
     for item in shape:
         if isinstance(item, str):
@@ -39,17 +40,17 @@ def shape_code(shape: Sequence[str | float]) -> int:
 
 
 class PlainScanner(LineScanner):
-    """Reads lines of a channel with these axes; the last line that was ``PLAIN`` is in the fields.
+    """Scans lines for a channel with these axes; the fields describe the last ``PLAIN`` line.
 
-    ``number``: the N word, 0 without. ``column``: where the first word begins, from 1.
-    ``motion``: 0 or 1 for G00 and G01, else -1. ``has_feed``, ``feed``: the F word.
-    ``axes``: bits of the axes that have a word, ``values`` their numbers. ``shape``: its letters
-    and G functions in their order, as one number; blocks of one shape are the same to every check.
+    ``number``: the N word, 0 without one. ``column``: of the first word, from 1. ``motion``: 0 or 1
+    for G00 and G01, else -1. ``has_feed``, ``feed``: the F word. ``axes``: bits of the axes that
+    have a word, ``values``: their numbers. ``shape``: letters and G functions in order, as one
+    number; blocks of one shape are equal for every check.
     """
 
     def __init__(self, axes: Sequence[str]) -> None:
         super().__init__()
-        #: The place of the axis that a letter names, -1 for none.
+        #: Index of the axis by letter (A is 1), -1 without one.
         self.axis_of_letter = memoryview(bytearray(8 * 27)).cast("q")
         for i in range(27):
             self.axis_of_letter[i] = -1
@@ -71,7 +72,9 @@ class PlainScanner(LineScanner):
         self.words = 0
 
     def skip_known(self, lines: list[str], index: int, shapes: set[int]) -> int:
-        """The first line from ``index`` on that is neither empty nor plain and of these shapes."""
+        """Return the index of the first line that is neither empty nor plain with one of these
+        shapes.
+        """
         end = len(lines)
         last = 0
         while index < end:
@@ -86,7 +89,7 @@ class PlainScanner(LineScanner):
         return index
 
     def read(self, line: str) -> int:
-        """What the line is: ``OTHER``, ``EMPTY`` or ``PLAIN``."""
+        """Read a line; return ``OTHER``, ``EMPTY`` or ``PLAIN``."""
         end = len(line)
         if end > 4000:
             return 0
@@ -117,13 +120,13 @@ class PlainScanner(LineScanner):
         return 2
 
     def blanks(self, line: str, i: int, end: int) -> int:
-        """The next place that is no blank."""
+        """Return the index of the next character other than a blank."""
         while i < end and (line[i] == " " or line[i] == "\t"):
             i += 1
         return i
 
     def digits(self, line: str, i: int, end: int) -> int:
-        """The digits of a block number above 0; where they end, -1 for anything else."""
+        """Read a block number above 0; return its end, -1 for anything else."""
         first = i
         while i < end and "0" <= line[i] <= "9":
             self.number = self.number * 10 + ord(line[i]) - 48
@@ -133,7 +136,7 @@ class PlainScanner(LineScanner):
         return i if self.number > 0 else -1
 
     def word(self, line: str, i: int, end: int) -> int:
-        """A word; where it ends, -1 for one that no plain block has."""
+        """Read a word; return its end, -1 for a word that plain blocks do not have."""
         letter = ord(line[i])
         if 97 <= letter <= 122:
             letter -= 32

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""How the tree of a statement is made anew for another occurrence of its shape.
+"""Recipes that make the tree of a statement for another occurrence of its shape.
 
-In: an ``Occurrence``: what differs between two statements of one shape, their numbers and places.
-Out: nodes, equal to those that the parser makes. ``templates.py`` writes the recipes into a
-``RecipeBook``, which makes a statement with all that is inside it. A compound expression of numbers
-is not made but stands there as a ``TemplateExpression``: whoever evaluates it needs its template
-and the numbers, and its tree only where something goes wrong.
+In: an ``Occurrence``: the numbers and spans in which two statements of one shape differ. Out: nodes
+equal to those of the parser. ``templates.py`` writes the recipes into a ``RecipeBook``, which makes
+a statement with all statements inside it. A compound numeric expression becomes a
+``TemplateExpression``: it is evaluated from its template and the numbers, and its tree is made only
+if something goes wrong.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _END_COLUMN = Span.__dict__["end_column"]
 
 
 class Occurrence:
-    """A statement of a shape: its file, the number of the first line at hand, what it leaves out.
+    """A statement of a shape: its file, the number of its first line, and its numbers.
 
     ``inside``: the statements of its runs.
     """
@@ -39,15 +39,15 @@ class Occurrence:
 
 
 class Recipe:
-    """Makes one value of a tree: a node, its span, a tuple, or what is the same each time."""
+    """Makes one value of a tree: a node, a span, a tuple, or a constant."""
 
     def make(self, occurrence: Occurrence) -> Any:
-        """The value in this occurrence."""
+        """Return the value in this occurrence."""
         raise AssertionError(self)
 
 
 class SharedRecipe(Recipe):
-    """What does not depend on the occurrence."""
+    """A value that is the same in every occurrence."""
 
     def __init__(self, value: object) -> None:
         self.value = value
@@ -57,9 +57,9 @@ class SharedRecipe(Recipe):
 
 
 class SpanRecipe(Recipe):
-    """A span: in which of the shape's lines, with columns that count from the ends of its places.
+    """A span: a line of the shape, and columns relative to the ends of its marks.
 
-    ``begin`` and ``end``: the places that the two columns are counted from, -1: the line's begin.
+    ``begin`` and ``end``: the marks from which the two columns count, -1 for the start of the line.
     """
 
     def __init__(self, line: int, begin: int, column: int, end: int, end_column: int) -> None:
@@ -85,7 +85,7 @@ class SpanRecipe(Recipe):
 
 
 class NumberRecipe(Recipe):
-    """A number of the shape, or that number with another sign."""
+    """A number of the shape, possibly with the opposite sign."""
 
     def __init__(self, index: int, sign: float) -> None:
         self.index = index
@@ -106,7 +106,7 @@ class TupleRecipe(Recipe):
 
 
 class BodyRecipe(Recipe):
-    """A tuple of statements, the runs of the shape among them."""
+    """A tuple of statements, including the runs of the shape."""
 
     def __init__(self, parts: Sequence[Recipe | int]) -> None:
         self.parts = list(parts)
@@ -122,7 +122,7 @@ class BodyRecipe(Recipe):
 
 
 class NodeRecipe(Recipe):
-    """A node: its class, its slots, and what stands in them."""
+    """A node: its class, and a recipe for each field."""
 
     def __init__(self, cls: type[Any], fields: Sequence[tuple[Any, Recipe]]) -> None:
         self.cls = cls
@@ -138,7 +138,7 @@ class NodeRecipe(Recipe):
 
 
 class ExpressionRecipe(Recipe):
-    """An expression as its template: ``cls`` has the slots ``template`` and ``occurrence``."""
+    """A template expression; ``cls`` has the slots ``template`` and ``occurrence``."""
 
     def __init__(self, cls: type[Any], template: object) -> None:
         self.cls = cls
@@ -160,9 +160,9 @@ class RecipeBook:
         self.recipes: dict[bytes, Recipe] = {}
 
     def statement(self, shape: Shape, file: str, first: int) -> Any:
-        """The statement of a shape, ``None`` where it or one inside it has no recipe.
+        """Return the statement of a shape; ``None`` if it or one inside it has no recipe.
 
-        ``first``: the number of the first line at hand.
+        ``first``: the number of the first line read.
         """
         recipe = self.recipes.get(shape.key)
         if recipe is None:

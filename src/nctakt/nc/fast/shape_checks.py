@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Whether the check of a statement depends on nothing but its shape.
+"""Decides whether the check of a statement depends on its shape only.
 
-In: the tree of a shape, and which of its numbers stand for any other. Out: whether each statement
-of the shape is in order if one is, and leaves nothing behind that others are checked with: no
-labels and jumps, no calls, no cycles, no end.
+In: the tree of a shape, and which of its numbers vary. Out: whether all statements of the shape are
+valid if one is, and affect no other check: no labels and jumps, no calls, no cycles, no ends.
 """
 
 from __future__ import annotations
@@ -39,21 +38,21 @@ from nctakt.nc.tree import (
 from nctakt.nc.vocabulary.functions import ENDS
 from nctakt.nc.vocabulary.operators import FUNCTIONS
 
-#: Words whose number may be any that is not 0.
+#: Words whose number may be any but 0.
 VALUE_WORDS = ("F", "I", "J", "K", "R")
 
-#: What ``$BREAK`` leaves.
+#: Structures that ``$BREAK`` leaves.
 _LEFT = (For, While, Do, Repeat, Switch)
 
 
 class _UndecidedError(Exception):
-    """More than the shape counts."""
+    """The check needs more than the shape."""
 
 
 def is_decided_by_shape(statement: Statement, numbers: Container[Span], count: int) -> bool:
-    """Whether all numbers of the shape, so many at these places, stand where any number may.
+    """Return whether the ``count`` varying numbers, at these spans, are all free of checks.
 
-    What is inside it has shapes of its own.
+    The statements inside have shapes of their own.
     """
     try:
         return sum(number.span in numbers for number in _free(statement, ())) == count
@@ -64,9 +63,9 @@ def is_decided_by_shape(statement: Statement, numbers: Container[Span], count: i
 def _free(
     statement: Statement | ElseIf | Case, around: tuple[type[Statement], ...]
 ) -> Iterator[Number]:
-    """The numbers of a statement and of all that is inside it that may be any.
+    """Yield the numbers of a statement and of all inside it that may have any value.
 
-    ``around``: the kinds of structures that it stands in, as far as they are known.
+    ``around``: the kinds of the enclosing structures, as far as they are known.
     """
     yield from _of_head(statement.head)
     if isinstance(statement, Statement):
@@ -136,14 +135,14 @@ def _of_word(word: BlockWord) -> Iterator[Number]:
 
 
 def _of_condition(condition: Expression) -> Iterator[Number]:
-    """A number alone is true or false, and what it leads to is checked or not."""
+    """Yield the free numbers of a condition; a constant one decides whether its body is checked."""
     if isinstance(condition, Number | Constant):
         raise _UndecidedError
     yield from _of_value(condition)
 
 
 def _of_value(expression: Expression) -> Iterator[Number]:
-    """The numbers of an expression but those of elements and of functions of texts."""
+    """Yield the numbers of an expression, without indices; raises for functions of texts."""
     match expression:
         case Number():
             yield expression

@@ -1,40 +1,40 @@
 # SPDX-License-Identifier: MIT
-"""Shapes of statements: their text without its numbers and comments.
+"""Shapes of statements: their text without numbers and comments.
 
-In: lines. Out: the ``Shape`` of the statement that begins there, and what it leaves out: numbers,
-and where each of them and each comment ends. Ordinary programs are made by programs: statements of
-the same shape come again and again with other numbers. A number is left out where it is a value
-(``X10``, ``[3 * P1]``) and not 0; the numbers of functions, parameters and elements (``G01``,
-``P1``, ``V.P.A[2]``) belong to the shape. The shape of a structure is that of its own ``$`` lines;
-the statements between them are *runs*, each with a shape of its own. What has a label, a text in
-quotes, a ``#`` or a ``%`` has no shape, nor has what is long; it is for the parser alone.
+In: lines. Out: the ``Shape`` of the statement that begins there, its numbers, and the end of each
+number and comment. Generated programs repeat statements of the same shape with other numbers. A
+number that is a value (``X10``, ``[3 * P1]``) and not 0 is not part of the shape; the numbers of
+functions, parameters and elements (``G01``, ``P1``, ``V.P.A[2]``) are. The shape of a structure is
+that of its ``$`` lines; the statements between them are *runs*, each with a shape of its own.
+Statements with a label, a quoted text, ``#`` or ``%``, and long ones, have no shape; the parser
+reads them.
 """
 
 from __future__ import annotations
 
 from nctakt.nc.fast.line_scanner import LineScanner
 
-#: In a shape: a number, a comment, a run.
+#: Marks in a shape: a number, a comment, a run.
 NUMBER = 1
 COMMENT = 2
 RUN = 3
 
-#: Numbers and comments, lines, characters of a statement with a shape; structures inside it.
+#: Limits of a statement with a shape: marks, lines, characters, nested structures.
 MAX_MARKS = 200
 MAX_LINES = 400
 MAX_TEXT = 4000
 MAX_DEPTH = 20
 
-#: Characters and marks of one of its lines.
+#: Limits of one line: characters, marks.
 LONGEST_LINE = 200
 MAX_MARKS_OF_LINE = 24
 
 
 class Shape:
-    """The shape of one statement: its ``key``, and what is not part of it.
+    """The shape of one statement: its ``key``, and the parts that vary.
 
-    ``lines``: which of the lines at hand its own lines are. ``numbers``: the values of its numbers,
-    0 for a comment; ``ends``: where in their lines they end. ``runs``: the statements inside it.
+    ``lines``: the indices of its lines in the group read. ``numbers``: the values of its numbers, 0
+    for a comment; ``ends``: their end columns. ``runs``: the statements inside it.
     """
 
     def __init__(self, key: bytes) -> None:
@@ -45,7 +45,7 @@ class Shape:
         self.runs: list[list[Shape]] = []
 
     def is_of(self, keys: set[bytes]) -> int:
-        """Whether it and all that is inside it have one of these keys."""
+        """Return whether its key and those of all statements inside it are in ``keys``."""
         if self.key not in keys:
             return 0
         for run in self.runs:
@@ -56,7 +56,7 @@ class Shape:
 
 
 class ShapeScanner(LineScanner):
-    """Finds shapes; ``shape``: the last one, ``None`` for none, behind ``index`` lines."""
+    """Finds shapes; ``shape``: the last one or ``None``; ``index``: the line behind it."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -74,9 +74,9 @@ class ShapeScanner(LineScanner):
         self.is_name = False
 
     def skip_known(self, lines: list[str], index: int, keys: set[bytes]) -> int:
-        """The first line from ``index`` on that is neither empty nor begins one of these shapes.
+        """Return the index of the first line that is neither empty nor of a known shape.
 
-        ``shape`` is its shape.
+        ``shape`` is then the shape of that line.
         """
         end = len(lines)
         while index < end:
@@ -89,9 +89,9 @@ class ShapeScanner(LineScanner):
         return index
 
     def read(self, lines: list[str], index: int) -> int:
-        """Find the shape of the statement that begins at ``lines[index]``; how many lines it has.
+        """Find the shape of the statement at ``lines[index]``; return its number of lines.
 
-        An empty line is one without a ``shape``; without lines there is none.
+        An empty line counts one, without a ``shape``; 0 means that there is no shape.
         """
         self.shape = None
         self.count = 0
@@ -107,9 +107,9 @@ class ShapeScanner(LineScanner):
         return self.index - index if self.shape is not None else 0
 
     def statement(self, lines: list[str], start: int, first_mark: int, depth: int) -> Shape | None:
-        """The statement whose first line has just been added, which is ``lines[index]``.
+        """Return the statement whose first line, ``lines[index]``, has just been added.
 
-        ``start``, ``first_mark``: where its text and its marks begin; none of it is left there.
+        ``start``, ``first_mark``: the start of its text and marks, which are removed again.
         """
         if self.opens < 0 or depth > 20:
             return None
@@ -132,7 +132,7 @@ class ShapeScanner(LineScanner):
         return shape
 
     def inside(self, lines: list[str], own: list[int], runs: list[list[Shape]], depth: int) -> int:
-        """The rest of a structure: its ``$`` lines to its shape, the others to its runs."""
+        """Read the rest of a structure: ``$`` lines into its shape, others into its runs."""
         run: list[Shape] | None = None
         while self.index < self.end:
             start = self.length
@@ -169,9 +169,10 @@ class ShapeScanner(LineScanner):
         return 0
 
     def line(self, line: str) -> int:
-        """Add a line to the shape; 0 where it has none.
+        """Add a line to the shape; return 0 if it cannot be part of one.
 
-        ``controls``: it begins with ``$``. ``opens``: the structures that it opens, -1 closes.
+        ``controls``: it begins with ``$``. ``opens``: 1 if it opens a structure, -1 if it closes
+        one.
         """
         end = len(line)
         if end > 200:
@@ -179,11 +180,11 @@ class ShapeScanner(LineScanner):
         start = self.length
         marks = self.count
         i = 0
-        is_empty = True  # nothing but blanks and comments yet
-        is_head = True  # nothing but a skip level yet
-        before = " "  # the character in front, and the last one in front that is no blank
+        is_empty = True  # only blanks and comments so far
+        is_head = True  # only a skip level so far
+        before = " "  # previous character; previous character other than a blank
         last = " "
-        depth = 0  # of brackets; that of those around the number of an element; behind such ones
+        depth = 0  # of brackets; depth of the brackets of an index, 0 outside
         element_depth = 0
         behind_element = False
         self.is_name = False
@@ -262,16 +263,16 @@ class ShapeScanner(LineScanner):
         return self.count - marks <= 24
 
     def append(self, c: str) -> None:
-        """A character of the shape."""
+        """Append a character to the shape."""
         self.text[self.length] = ord(c)
         self.length += 1
 
     def is_sign(self, c: str) -> int:
-        """Whether it is a sign of expressions and words."""
+        """Return whether it is a sign of expressions and words."""
         return c in "=+-*/,<>&|^!@"
 
     def add_mark(self, mark: int, value: float, end: int) -> None:
-        """A number or comment that ends here."""
+        """Append the mark of a number or comment that ends at column ``end``."""
         self.text[self.length] = mark
         self.length += 1
         self.ends[self.count] = end
@@ -279,14 +280,14 @@ class ShapeScanner(LineScanner):
         self.count += 1
 
     def digits(self, line: str, i: int, end: int) -> int:
-        """Digits that belong to the shape; where they end."""
+        """Append digits that belong to the shape; return their end."""
         while i < end and ("0" <= line[i] <= "9" or line[i] == "."):
             self.append(line[i])
             i += 1
         return i
 
     def number(self, line: str, i: int, end: int, is_whole: bool) -> int:
-        """A number; where it ends, -1 for one that is not exact or goes on strangely.
+        """Read a number; return its end, -1 if it is inexact or oddly continued.
 
         ``is_whole``: it must not have a point.
         """
@@ -301,10 +302,10 @@ class ShapeScanner(LineScanner):
         return stop
 
     def word(self, line: str, i: int, end: int) -> int:
-        """Letters with what belongs to them; where that ends, -1 where it has no shape.
+        """Read letters with the parts that belong to them; return their end, -1 without a shape.
 
-        ``is_name``: a variable or parameter, which may have elements. The digits behind one letter
-        of an axis, F, I, J, K, N, R are a number, unless the word is a name (``X1=5``).
+        ``is_name``: a variable or parameter, which may have elements. The digits behind a single
+        letter of an axis, F, I, J, K, N, R are a number, unless the word is a name (``X1=5``).
         """
         first = i
         while i < end and ("A" <= line[i] <= "Z" or "a" <= line[i] <= "z" or line[i] == "_"):
@@ -341,11 +342,11 @@ class ShapeScanner(LineScanner):
         return i
 
     def takes_number(self, c: str) -> int:
-        """Whether a letter's number is any value."""
+        """Return whether the number behind a letter is a value."""
         return c in "ABCFIJKNQRUVWXYZabcfijknqruvwxyz"
 
     def name(self, line: str, i: int, end: int) -> int:
-        """The rest of a name with its members; where it ends."""
+        """Append the rest of a name with its members; return its end."""
         self.is_name = True
         while i < end:
             c = line[i]
@@ -356,11 +357,11 @@ class ShapeScanner(LineScanner):
         return i
 
     def is_letter_or_digit(self, c: str) -> int:
-        """Whether it may stand in a name."""
+        """Return whether it may be part of a name."""
         return "A" <= c <= "Z" or "a" <= c <= "z" or "0" <= c <= "9" or c == "_"
 
     def control(self, line: str, i: int, end: int) -> None:
-        """Behind ``$``: whether it opens or closes a structure; a second one only jumps."""
+        """Set ``opens`` for the word behind ``$``; a second ``$`` in a line is a jump."""
         if self.controls:
             self.opens = 0
             return

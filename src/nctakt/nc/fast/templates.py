@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Statements whose shape came before: made from a template, without lexer and parser.
+"""Statements of known shapes, made from templates without lexer and parser.
 
-In: the lines that come next in a long program. Out: the statement that they are, as the parser
-would give it but for compound expressions of numbers, which are ``TemplateExpression``; nothing
-where its shape is new. A template is made of its shape: the text with other numbers goes through
-the parser, and each of these numbers has to become one node of the tree; so what a number may be
-for the language is known to the parser alone. Not more is remembered than ``MAX_SHAPE_CHARACTERS``.
+In: the next lines of a long program. Out: the statement as the parser would return it, except that
+compound numeric expressions are ``TemplateExpression``; ``None`` for a new shape. A template is
+made by parsing the text of the shape with distinct numbers, each of which must become exactly one
+node of the tree; so only the parser knows the meaning of a number. Memory is bounded by
+``MAX_SHAPE_CHARACTERS``.
 """
 
 from __future__ import annotations
@@ -50,20 +50,20 @@ from nctakt.nc.vocabulary.resolution import PROGRAM_FAMILIES
 
 _Node = TypeVar("_Node", bound=Expression)
 
-#: Characters of all shapes that are remembered; then all are forgotten. Their templates take about
+#: Maximum characters of all remembered shapes; then all are forgotten. Templates take about
 #: a hundred times as many bytes.
 MAX_SHAPE_CHARACTERS = 60_000
 
-#: The numbers that a shape's text has in its places: this one and those behind it.
+#: The first of the consecutive numbers in the text of a shape.
 _FIRST_VALUE = 1001
 
-#: What stands for a run in the shape's text.
+#: The line that stands for a run in the text of a shape.
 _RUN_TEXT = "G1"
 
 #: The slots of a number.
 _SLOTS = tuple(getattr(Number, field.name) for field in dataclasses.fields(Number))
 
-#: What the decoder evaluates, by its node: there an expression may be formed.
+#: Fields that the decoder evaluates, by node; they may hold a template expression.
 _EVALUATED_FIELDS: dict[type[Any], tuple[str, ...]] = {
     AxisWord: ("value",),
     Word: ("value",),
@@ -81,10 +81,10 @@ _EVALUATED_FIELDS: dict[type[Any], tuple[str, ...]] = {
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ExpressionTemplate:
-    """A compound expression of a shape: one object, whatever its numbers are.
+    """A compound expression of a shape, the same object for all occurrences.
 
-    ``tree`` has the numbers of the shape's text; ``numbers``: which of them stand for which place.
-    ``recipe`` makes the expression of an occurrence, ``span`` its place.
+    ``tree``: the expression with the numbers of the shape's text; ``numbers``: their recipes by
+    span. ``recipe`` makes the expression of an occurrence, ``span`` its span.
     """
 
     tree: Expression
@@ -94,7 +94,7 @@ class ExpressionTemplate:
 
 
 class TemplateExpression(Expression):
-    """A compound expression of numbers, variables of programs and parameters, by its template."""
+    """A compound expression of numbers, program variables and parameters, bound to its template."""
 
     __slots__ = ("occurrence", "template")
 
@@ -103,27 +103,28 @@ class TemplateExpression(Expression):
 
     @property
     def span(self) -> Span:
-        """Where it stands."""
+        """The span of this occurrence."""
         span: Span = self.template.span.make(self.occurrence)
         return span
 
     @property
     def tree(self) -> Expression:
-        """The expression as the parser gives it."""
+        """The expression as the parser would return it."""
         tree: Expression = self.template.recipe.make(self.occurrence)
         return tree
 
 
 def to_tree(node: _Node) -> _Node:
-    """The node as the parser gives it."""
+    """Return the node as the parser would return it."""
     return cast(_Node, node.tree) if isinstance(node, TemplateExpression) else node
 
 
 @dataclass(frozen=True, slots=True)
 class StatementTemplate:
-    """How a statement of one shape is made; ``is_decided_by_shape``: whatever its numbers are.
+    """The recipe of the statements of one shape.
 
-    One that was in order is then always in order, and nothing else has to know of it.
+    ``is_decided_by_shape``: one valid statement proves all of them valid, without effect on other
+    checks.
     """
 
     recipe: Recipe
@@ -131,7 +132,7 @@ class StatementTemplate:
 
 
 class Templates:
-    """The templates of one text, and which shapes need no check any more."""
+    """The templates of one text, and the shapes that need no further check."""
 
     def __init__(self) -> None:
         self.scanner = ShapeScanner()
@@ -142,7 +143,9 @@ class Templates:
         self._characters = 0
 
     def next(self, lines: LineReader | None, file: str) -> Statement | None:
-        """Take the statement that comes next, if its shape came before; empty lines are taken."""
+        """Return the next statement if its shape is known, and consume its lines and empty
+        lines.
+        """
         if lines is None:
             return None
         scanner = self.scanner
@@ -164,7 +167,7 @@ class Templates:
         return None
 
     def _learn(self, shape: Shape) -> None:
-        """A statement came that is not made from templates: next time it may be."""
+        """Note the shape of a statement that was not made from a template."""
         self.of(shape.key)
         self._learn_runs(shape)
 
@@ -174,13 +177,13 @@ class Templates:
                 self._learn(inner)
 
     def skip_known(self, lines: list[str], index: int) -> int:
-        """The first line from ``index`` on that has to be checked; its shape is the scanner's."""
+        """Return the index of the first line to be checked; ``scanner.shape`` is its shape."""
         return self.scanner.skip_known(lines, index, self._valid_keys)
 
     def mark_valid(self, shape: Shape) -> None:
-        """A statement of this shape was checked, and nothing was found.
+        """Note that a statement of this shape was checked without findings.
 
-        Where that depends on more than the shape, something inside may not have been looked at.
+        If that depends on more than the shape, statements inside may not have been checked.
         """
         template = self.of(shape.key)
         if template is None:
@@ -193,7 +196,7 @@ class Templates:
                 self.mark_valid(inner)
 
     def of(self, key: bytes) -> StatementTemplate | None:
-        """The template of a shape; ``None`` for one that is new or has none."""
+        """Return the template of a shape; ``None`` for a new shape or one without a template."""
         if key in self._known:
             return self._known[key]
         if key in self._seen:
@@ -213,7 +216,7 @@ class Templates:
 
 
 def make_template(key: bytes) -> StatementTemplate | None:
-    """The template of a shape, ``None`` where a number of it is not simply a number."""
+    """Return the template of a shape; ``None`` if one of its numbers is not simply a number."""
     lines, placeholders, runs = _text_of(key)
     collector = Collector()
     statements = [statement for _, statement in StatementReader(Source("", lines), collector)]
@@ -231,7 +234,7 @@ def make_template(key: bytes) -> StatementTemplate | None:
 
 @dataclass(frozen=True, slots=True)
 class _Placeholder:
-    """A place in a shape's text: its line from 0, its columns from 0; ``number`` 0: a comment."""
+    """A placeholder in a shape's text: line and columns from 0; ``number`` is 0 for a comment."""
 
     line: int
     start: int
@@ -240,7 +243,7 @@ class _Placeholder:
 
 
 def _text_of(key: bytes) -> tuple[list[str], list[_Placeholder], list[int]]:
-    """NC text of this shape, the places in it, and which of its lines stand for runs."""
+    """Return NC text of this shape, its placeholders, and the lines that stand for runs."""
     lines: list[str] = []
     placeholders: list[_Placeholder] = []
     runs: list[int] = []
@@ -267,7 +270,7 @@ def _text_of(key: bytes) -> tuple[list[str], list[_Placeholder], list[int]]:
 class _RecipeWriter:
     """Writes the recipe of a tree; ``numbers``: its nodes that are numbers of the shape.
 
-    ``taken``: their places; ``runs``: those that it has found.
+    ``taken``: indices of the placeholders used; ``runs``: the runs found.
     """
 
     def __init__(self, placeholders: list[_Placeholder], runs: list[int]) -> None:
@@ -279,7 +282,7 @@ class _RecipeWriter:
         self.runs: list[int] = []
 
     def recipe(self, value: Any) -> Recipe:
-        """How a value of the tree is made: a node, a span, a tuple, anything else as it is."""
+        """Return the recipe of a node, span or tuple; any other value is shared."""
         if isinstance(value, Span):
             return self._span(value)
         if isinstance(value, tuple):
@@ -291,7 +294,7 @@ class _RecipeWriter:
         return recipes.SharedRecipe(value)
 
     def _tuple(self, values: tuple[Any, ...]) -> Recipe:
-        """A tuple of parts; one object for all occurrences where all of them are."""
+        """Return the recipe of a tuple; shared if all its parts are."""
         parts: list[Recipe] = []
         body: list[Recipe | int] = []
         for value in values:
@@ -321,7 +324,9 @@ class _RecipeWriter:
         return recipes.NodeRecipe(cls, fields)
 
     def _template_expression(self, node: Any, name: str, recipe: Recipe) -> Recipe:
-        """The recipe of a value that is evaluated: formed, if that can be."""
+        """Return the recipe of a value that the decoder evaluates, as a template expression if
+        possible.
+        """
         tree = getattr(node, name)
         if (
             isinstance(tree, Number)
@@ -360,7 +365,7 @@ class _RecipeWriter:
         return recipes.SpanRecipe(line, begin, column + 1, end, end_column + 1)
 
     def _anchor(self, line: int, column: int) -> tuple[int, int]:
-        """The last place of the line in front of a column, and how far behind it that is."""
+        """Return the last placeholder before a column and the distance from its end."""
         index = bisect_right(self._order, (line, column)) - 1
         if index < 0 or self._placeholders[index].line != line:
             return -1, column
@@ -373,9 +378,9 @@ def _covers(span: Span, placeholder: _Placeholder) -> bool:
 
 
 def _is_template_value(expression: Expression) -> bool:
-    """Whether nothing but the program's own variables and parameters have to be known for it.
+    """Return whether the value depends on numbers, program variables and parameters only.
 
-    What has elements is left to the tree.
+    Elements of arrays are left to the tree.
     """
     match expression:
         case Number() | Constant():

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What empties the channel while tool radius compensation is active (RC-308, 20651).
+"""Commands that empty the channel during tool radius compensation (RC-308, 20651).
 
 In: statements between G41 or G42 and G40. Out: an error for each realtime variable that the decoder
-reads or writes, each synchronous variable that it reads, each ``#FLUSH``. Realtime cycles read
-theirs in the tick and are not concerned.
+reads or writes, each synchronous variable that it reads, and each ``#FLUSH``. Realtime cycles read
+theirs in the tick and are not affected.
 """
 
 from __future__ import annotations
@@ -43,14 +43,14 @@ from nctakt.nc.vocabulary.variable_table import Location, NameTable
 
 
 class FlushChecker:
-    """Reports what empties the channel."""
+    """Reports statements that empty the channel."""
 
     def __init__(self, names: NameTable, findings: Findings) -> None:
         self._names = names
         self._findings = findings
 
     def check(self, statement: Statement, active: str) -> None:
-        """One statement, but not what is inside it; ``active`` is G41 or G42."""
+        """Check one statement without those inside it; ``active`` is G41 or G42."""
         if _waits(statement):
             command = self._findings.written(statement.span)
             self._findings.report(
@@ -79,7 +79,7 @@ class FlushChecker:
 
 
 def _waits(statement: Statement) -> bool:
-    """Whether the command itself waits until the path stands."""
+    """Return whether the command itself waits until the path has stopped."""
     match statement:
         case Flush():
             return True
@@ -103,7 +103,9 @@ def _ends_compensation(block: Block) -> bool:
 
 
 def _expressions(statement: Statement) -> Iterator[Expression]:
-    """What the decoder evaluates for this statement; not what stands inside a structure."""
+    """Yield the expressions that the decoder evaluates for this statement, without those inside
+    it.
+    """
     if statement.head.number is not None:
         yield statement.head.number
     match statement:

@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Tree -> findings beyond errors: programs that run, and do not do what is likely meant.
+"""Tree -> findings beyond errors: programs that run but probably do not do what was meant.
 
-In: the statements of a program, the variables of its channel, what fits into a tick. Out: warnings
-and notes, and what the program does with GLOBAL realtime cycles, since only a set of programs tells
-whether one of them ends a cycle. ``nctakt check`` asks for this, a run does not. Two findings are
-errors: what empties the channel between G41 and G40 (``channel_flush.py``), and a D that no tool of
-the channel answers to.
+In: the statements of a program, the variables of its channel, the limits of a tick. Out: warnings
+and notes, and the use of GLOBAL realtime cycles, because only a set of programs shows whether one
+of them ends a cycle. Used by ``nctakt check``, not by a run. Two findings are errors: flushes
+between G41 and G40 (``channel_flush.py``), and a D without a tool in the channel's list.
 
-Nothing is guessed: a finding that depends on the way through the program is given only where every
-way leads to it.
+A finding that depends on the path through the program is reported only if every path leads to it.
 """
 
 from __future__ import annotations
@@ -78,7 +76,7 @@ class GlobalCycle:
 
 @dataclass(frozen=True, slots=True)
 class GlobalCycles:
-    """What one program does with them; ``deletes_any``: it deletes by an ID that it computes."""
+    """The GLOBAL cycles of one program; ``deletes_any``: it deletes by a computed ID."""
 
     defined: tuple[GlobalCycle, ...] = ()
     deleted: tuple[int, ...] = ()
@@ -100,8 +98,10 @@ def never_deleted(programs: Sequence[GlobalCycles], collector: Collector) -> Non
 
 @dataclass(slots=True)
 class _State:
-    """What is certain at a place: active compensation (``G41``, ``G42``), values that were set,
-    that no radius of arcs has come, that G02 or G03 is active, that lengths are in inch.
+    """Facts that are certain at a point of the program.
+
+    The active compensation (``G41``, ``G42``), values that were set, whether no radius of arcs has
+    been set, whether G02 or G03 is active, whether lengths are in inch.
     """
 
     compensation: str = ""
@@ -114,7 +114,7 @@ class _State:
         return replace(self, values=dict(self.values))
 
     def join(self, *others: _State) -> None:
-        """Two states meet here: certain is what is so on both."""
+        """Keep only the facts that also hold in the other states."""
         for other in others:
             if not other.compensation:
                 self.compensation = ""
@@ -138,11 +138,10 @@ class _Writer:
 
 
 class Linter:
-    """Goes through one program as it would run, each statement once.
+    """Visits the statements of one program in the order of execution, each once.
 
-    Whoever drives it says where a section (main program, local subprogram) begins and gives the
-    statements up to its end, one by one: the program need not be in memory. ``tools``: those of
-    the channel's list, empty where it has none.
+    The caller announces each section (main program, local subprogram) and passes its statements one
+    by one, so that the program need not be in memory. ``tools``: those of the channel's list.
     """
 
     def __init__(
@@ -165,15 +164,12 @@ class Linter:
         self._deletes_any = False
 
     def section(self) -> None:
-        """A main program or subprogram begins: nothing of what was before is certain.
-
-        But that a subprogram lives on a radius of its caller is not expected.
-        """
+        """Begin a main program or subprogram; nothing is certain, except that no radius is set."""
         self._state = _State(lacks_radius=True)
 
     @property
     def global_cycles(self) -> GlobalCycles:
-        """What the statements so far do with GLOBAL cycles."""
+        """The GLOBAL cycles that the statements so far define and delete."""
         return GlobalCycles(tuple(self._defined), tuple(self._deleted), self._deletes_any)
 
     def _all(self, statements: Sequence[Statement]) -> None:
@@ -181,7 +177,7 @@ class Linter:
             self.statement(statement)
 
     def statement(self, statement: Statement) -> None:
-        """One statement with all that is inside it."""
+        """Visit one statement with all statements inside it."""
         if statement.head.label is not None:
             self._state = _State()  # a jump may lead here from anywhere
         if self._state.compensation:
@@ -234,7 +230,9 @@ class Linter:
         return self._state
 
     def _loop(self, loop: For | While | Do | Repeat | RealtimeLoop) -> None:
-        """Values may have changed in a round before; the body may not run at all."""
+        """Visit a loop: an earlier pass may have changed values, and the body may not run at
+        all.
+        """
         if isinstance(loop, While) and is_false(loop.condition):
             return
         self._state.values.clear()
@@ -249,7 +247,7 @@ class Linter:
     # --- values ----------------------------------------------------------------------------------
 
     def _assignment(self, statement: Assignment) -> None:
-        """The target and what lies within it have other values; of a number that is known."""
+        """Forget the values of the target and its parts; note a constant that is assigned."""
         target = statement.target
         if isinstance(target, Parameter) and target.call:
             return
@@ -278,7 +276,7 @@ class Linter:
             self._defined.append(GlobalCycle(identity, cycle.span, line))
 
     def _writes(self, writes: dict[str, Variable], writer: _Writer) -> None:
-        """Two cycles that can live at the same time and write the same: told once for both."""
+        """Report variables written by two cycles that may live at the same time, once for both."""
         common: dict[_Writer, list[Variable]] = {}
         for name, target in writes.items():
             first = self._writers.setdefault(name, writer)
@@ -308,7 +306,7 @@ class Linter:
             }
 
     def _identity(self, value: Expression | None) -> int | None:
-        """The value of an ID where it is known; ``None`` for one that is not, or not given."""
+        """Return the value of an ID if it is known, else ``None``."""
         if isinstance(value, Parameter):
             number = self._state.values.get(operand_key(value))
             return None if number is None or not isfinite(number.value) else int(number.value)
@@ -335,7 +333,7 @@ class Linter:
                 self._tool(word)
 
     def _tool(self, word: Word) -> None:
-        """A number behind D has to be that of a valid tool; D0 selects none; T mostly names one."""
+        """Check that D names a valid tool, or none (D0), and that T names a tool of the list."""
         if not isinstance(word.value, Number) or not word.value.value.is_integer():
             return
         number = int(word.value.value)

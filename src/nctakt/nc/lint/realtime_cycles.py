@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""One realtime cycle -> what in it is likely meant otherwise.
+"""Findings about one realtime cycle that runs but probably does not do what was meant.
 
-In: a definition, what is known of the parameters in front of it. Out: warnings and notes, and what
-the cycle writes. Nothing here is an error: each of these cycles runs. Frozen values (RC-302),
-frequencies and nesting (RC-203, RC-204), overrides (RC-305), M and H functions (RC-403), limits
-(RC-502, RC-503).
+In: a definition, and the known values of parameters before it. Out: warnings and notes, and the
+variables that the cycle writes. Frozen values (RC-302), frequencies and nesting (RC-203, RC-204),
+overrides (RC-305), M and H functions (RC-403), limits (RC-502, RC-503).
 """
 
 from __future__ import annotations
@@ -96,7 +95,7 @@ _NEVER_TRUE = Text("never true", "nie wahr")
 
 @dataclass(frozen=True, slots=True)
 class StepLimits:
-    """Elementary instructions that fit into a tick: by P-CHAN-00427, by P-CHAN-00425."""
+    """Limits of elementary instructions in a tick: P-CHAN-00427, P-CHAN-00425."""
 
     max_steps: int
     duration_steps: int
@@ -104,7 +103,7 @@ class StepLimits:
 
 @dataclass(frozen=True, slots=True)
 class KnownValue:
-    """The value that the program gave to something, and the line that did it."""
+    """A value that the program has assigned, and the line of the assignment."""
 
     value: float
     line: int
@@ -112,11 +111,11 @@ class KnownValue:
 
 @dataclass(frozen=True, slots=True)
 class _Surrounding:
-    """What stands around a statement of a cycle.
+    """The context of a statement of a cycle.
 
-    ``single``: ONCE or EDGE where that makes the statement run in single ticks. ``skipped``: the
-    nearest ``$IF`` is one that does not come by in each tick. ``resets``: a plain branch around it
-    changes its own condition.
+    ``single``: ONCE or EDGE if that makes the statement run in single ticks. ``skipped``: the
+    nearest ``$IF`` is not evaluated in each tick. ``resets``: an enclosing plain branch changes its
+    own condition.
     """
 
     single: str = ""
@@ -126,7 +125,7 @@ class _Surrounding:
 
 
 class CycleLinter:
-    """Looks at the cycles of one program, one by one."""
+    """Visits the cycles of one program one by one."""
 
     def __init__(self, names: NameTable, findings: Findings, limits: StepLimits) -> None:
         self._names = names
@@ -139,7 +138,7 @@ class CycleLinter:
     def cycle(
         self, cycle: RealtimeCycle, values: Mapping[str, KnownValue], *, is_inch: bool
     ) -> dict[str, Variable]:
-        """Report, and return the variables that the cycle writes, by their text.
+        """Report findings; return the variables that the cycle writes, by name.
 
         ``is_inch``: G70 is certainly active at the definition.
         """
@@ -205,7 +204,7 @@ class CycleLinter:
     def _branch(
         self, body: Sequence[Statement], asked: Sequence[Expression], around: _Surrounding
     ) -> None:
-        """A plain branch: does it change what it was taken for?"""
+        """Visit a plain branch; note whether it changes its own condition."""
         written = {element_name(target) for target in targets(body) if isinstance(target, Variable)}
         read = {
             element_name(operand)
@@ -239,7 +238,7 @@ class CycleLinter:
         self._frozen(statement.value)
 
     def _block(self, block: Block, around: _Surrounding) -> None:
-        """What its commands read; the first of its functions stands for all of them."""
+        """Check the values of commands; the first function of a block stands for all."""
         for word in block.words:
             if isinstance(word, BracketCommand) and is_axis_command(word):
                 self._axis_command(word, around)
@@ -252,7 +251,7 @@ class CycleLinter:
                 return
 
     def _axis_command(self, bracket: BracketCommand, around: _Surrounding) -> None:
-        """A way or a motion that waits adds up, if it is commanded in each tick (RC-405)."""
+        """Report a distance or buffered motion that is commanded in each tick (RC-405)."""
         command, wrong = read_axis_command(bracket)
         for expression in command.expressions():
             self._frozen(expression)
@@ -323,7 +322,9 @@ class CycleLinter:
             self._exact(left, right)
 
     def _unit(self, operand: Expression) -> None:
-        """A position of a linear axis that a cycle defined under G70 compares (manual 4.5.3)."""
+        """Report a comparison of a linear axis' position in a cycle defined under G70 (manual
+        4.5.3).
+        """
         if not self._is_inch or not is_position(operand, "ACT_POS", "CUR_POS", "CMD_POS"):
             return
         assert isinstance(operand, Variable)
@@ -354,7 +355,7 @@ class CycleLinter:
         )
 
     def _exact(self, left: Expression, right: Expression) -> None:
-        """A position that changes in motion, compared with anything but the target position."""
+        """Report an exact comparison of a moving position with anything but the target position."""
         for position, other in ((left, right), (right, left)):
             if is_position(position, "ACT_POS", "CUR_POS") and not is_position(other, "CMD_POS"):
                 assert isinstance(position, Variable)
@@ -379,7 +380,7 @@ class CycleLinter:
         return isinstance(location, Location) and not is_live(operand, self._names)
 
     def _report_frozen(self, operand: Expression, *, in_condition: bool) -> None:
-        """Each once in a cycle."""
+        """Report a frozen operand, once per cycle."""
         name = self._name(operand)
         if name in self._reported:
             return

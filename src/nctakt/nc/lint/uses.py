@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a realtime cycle reads and writes, asked of its expressions and statements.
+"""Variables that a realtime cycle reads and writes.
 
-In: nodes of a cycle's body. Out: what decides about a value, comparisons and what is known of them
-beforehand, targets of assignments.
+In: nodes of a cycle's body. Out: operands that decide a value, comparisons and their constant
+results, targets of assignments.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def integer_value(expression: Expression | None) -> int | None:
 
 
 def element_name(variable: Variable) -> str:
-    """The variable with its constant indices: what is written by two names is not found."""
+    """Return the variable with its constant indices; computed ones are ``[]``."""
     parts = []
     for part in variable.parts:
         indices = (
@@ -49,7 +49,7 @@ def element_name(variable: Variable) -> str:
 
 
 def operand_key(target: Variable | Parameter) -> str:
-    """A variable or parameter as a key; with ``[]`` in it where an index is computed."""
+    """Return a key for a variable or parameter; it contains ``[]`` if an index is computed."""
     if isinstance(target, Variable):
         return element_name(target)
     number = integer_value(target.index)
@@ -57,7 +57,7 @@ def operand_key(target: Variable | Parameter) -> str:
 
 
 def targets(statements: Sequence[Statement]) -> Iterator[Variable | Parameter]:
-    """What these statements and those inside them write."""
+    """Yield the targets of all assignments in these statements and inside them."""
     for statement in statements:
         if isinstance(statement, Assignment):
             yield statement.target
@@ -69,7 +69,9 @@ def targets(statements: Sequence[Statement]) -> Iterator[Variable | Parameter]:
 
 
 def operands_of(expression: Expression, names: NameTable) -> Iterator[Expression]:
-    """What decides about the value: all but constants; the indices of live variables, too."""
+    """Yield the operands that decide the value: all but constants, with indices of live
+    variables.
+    """
     match expression:
         case Number() | Constant():
             return
@@ -104,7 +106,9 @@ def comparisons_in(expression: Expression) -> Iterator[Binary]:
 
 
 def always(operator: str, value: float, low: float, high: float) -> bool | None:
-    """Whether all whole numbers from ``low`` to ``high``, or none of them, fulfil it."""
+    """Return whether all or none of the whole numbers from ``low`` to ``high`` fulfil the comparison;
+    ``None`` if some do.
+    """
     if operator in ("==", "!="):
         possible = low <= value <= high and value == int(value)
         return None if possible else operator == "!="

@@ -2,7 +2,7 @@
 r"""The lines between ``#VAR`` and ``#ENDVAR`` -> declarations.
 
 In: a block's text behind its head. Out: ``V.L.NAME[3] : STRING[20] = value`` as a node. An initial
-value in brackets may continue in the next lines, with or without ``\\`` at their ends.
+value in brackets may continue in the next lines, with or without ``\`` at their ends.
 """
 
 from __future__ import annotations

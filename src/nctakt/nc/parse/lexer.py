@@ -2,9 +2,9 @@
 r"""Lines -> blocks of text without comments.
 
 In: a ``Source``. Out: one ``BlockText`` per block, from which the parser takes tokens with compiled
-patterns. The lexer joins lines (``\\`` at the end, comment lines between the parts), replaces
+patterns. The lexer joins lines (``\`` at the end, comment lines between the parts), replaces
 comments by blanks of the same length to keep columns true, drops ``#COMMENT BEGIN … #COMMENT END``,
-and checks the length of a block. Tokens are found on demand, because the meaning of ``C:\\a.nc``
+and checks the length of a block. Tokens are found on demand, because the meaning of ``C:\a.nc``
 depends on what precedes it.
 """
 
@@ -71,7 +71,7 @@ class Piece(NamedTuple):
 class BlockText:
     r"""The text of one block and the reading position in it.
 
-    ``text`` has blanks for comments, a newline between the lines of a block, and no ``\\``.
+    ``text`` has blanks for comments, a newline between the lines of a block, and no ``\``.
     """
 
     __slots__ = ("file", "line_number", "pieces", "pos", "text")
@@ -254,7 +254,7 @@ class Lexer:
         return self._waiting is None and not self._finished
 
     def _joined(self, text: str, number: int, raw: str) -> BlockText | None:
-        r"""Join the lines that ``\\`` continues; lines without content between them are skipped."""
+        r"""Join the lines that ``\`` continues; lines without content between them are skipped."""
         pieces = [Piece(0, number, raw)]
         parts = [text.rstrip()[:-1]]
         length = len(parts[0])

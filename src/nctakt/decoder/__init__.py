@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: MIT
-"""Checked program -> commands; ``nctakt.base.mode`` decides in which form its modules are
-imported."""
+"""Checked program -> commands; ``nctakt.base.mode`` selects compiled or plain modules."""
 
 from nctakt.base import mode as mode

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The limits of the machine's axes -> contour preparation, independent motion (MO-1, MO-4, MO-11).
+"""The limits of the machine's axes -> look-ahead and independent motion (MO-1, MO-4, MO-11).
 
-The preparation itself runs compiled, in the queue (``kernel/path/lookahead.py``).
+The look-ahead itself runs compiled, in the queue (``kernel/path/lookahead.py``).
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from nctakt.lists.machine.machine import Machine
 def look_ahead(
     axes: Sequence[AxisConfiguration], cycle_time_us: int, blocks: int, max_override_pct: float
 ) -> LookAhead:
-    """Contour preparation for a channel with these axes."""
+    """Return the look-ahead of a channel with these axes."""
     ahead = LookAhead(len(axes), cycle_time_us, blocks, max_override_pct / 100.0)
     for index, axis in enumerate(axes):
         ahead.limit(
@@ -39,12 +39,14 @@ AXIS_BYTES = 24
 
 
 def history_blocks(memory_bytes: int, axis_count: int) -> int:
-    """How many blocks behind the current one fit into the memory of backward motion (MO-7)."""
+    """Return how many blocks behind the current one fit into the memory of backward motion
+    (MO-7).
+    """
     return memory_bytes // (BLOCK_BYTES + AXIS_BYTES * axis_count)
 
 
 def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxes:
-    """What moves the axes on their own, with the limits of their lists."""
+    """Return the independent motions of the axes, with the limits of their lists."""
     motions = SingleAxes(axes, record, configuration.cycle_time_us)
     jerky = {
         axis.index
@@ -79,7 +81,9 @@ def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxe
 
 
 def _let_lag(axes: Axes, index: int, axis: AxisConfiguration, cycle_time_us: int) -> None:
-    """The lag of an axis in each tick (MO-10); a share of 1 leaves none."""
+    """Set the following error of an axis per tick (MO-10); a feed-forward share of 1 leaves
+    none.
+    """
     reach = axis.kv * cycle_time_us / 1e6
     kept = math.exp(-reach)
     share = axis.feed_forward_share

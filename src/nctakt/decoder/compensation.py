@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Tool radius compensation: contours of the program -> ways of the tool's centre (MO-9).
+"""Tool radius compensation: contours of the program -> paths of the tool's centre (MO-9).
 
-A stage behind the decoder: commands in, commands out. Between G41 or G42 and the motion that G40
-leaves the contour with, a motion in the plane is held until the next one shows where it ends
-(``tool_path.py``); what comes in between keeps its place behind it. With contour masking (G141),
-and where its algorithms only look for damages (P-CHAN-00219), so many motions are held as a loop of
-the way may have. Never more than that and ``MAX_BETWEEN`` other commands are under way.
+A stage behind the decoder: commands in, commands out. Between G41 or G42 and the motion with which
+G40 leaves the contour, a motion in the plane is held until the next one determines its end
+(``tool_path.py``); commands in between stay behind it. With contour masking (G141), and with the
+detection of contour damage (P-CHAN-00219), as many motions are held as a loop of the path may span.
+Other held commands are bounded by ``MAX_BETWEEN``.
 
-The first motion in the plane approaches the contour, the one behind G40 leaves it: straight lines
-that are not shifted themselves (G138, G139); or both is done by ways of their own (G237), or the
-contour ends where the tool is (G239). A closed contour that begins in an inner corner (G238) is
-held as a whole: where both ends meet shows with its last motion.
+The first motion in the plane approaches the contour, the one behind G40 leaves it: as straight
+lines that are not shifted themselves (G138, G139), with motions of their own (G237), or not at all,
+so that the contour ends at the tool's position (G239). A closed contour that begins in an inner
+corner (G238) is held as a whole, because its last motion determines where both ends meet.
 """
 
 from __future__ import annotations
@@ -56,21 +56,21 @@ from nctakt.nc.vocabulary.functions import (
     DEPART_WITHOUT_MOTION,
 )
 
-#: Commands that may stand between the motions in the plane that are held.
+#: Maximum number of other commands between the held motions.
 MAX_BETWEEN = 1000
 
-#: Motions that a contour with G238 may have, which are all held.
+#: Maximum number of motions in a contour with G238, all of which are held.
 MAX_CLOSED = 200
 
-#: What ends a block within its line.
+#: The start of a comment.
 _COMMENT = re.compile(r"[;(].*")
 
-#: A piece of the way: start, end, kind, centre, angle (``ToolPath.taken``).
+#: A piece of the tool path: start, end, kind, centre, angle (``ToolPath.taken``).
 _Piece = tuple[float, ...]
 
 
 class Compensation:
-    """Compensates one program; ``pass_time`` is told of what is held as if it were taken."""
+    """Compensates one program; ``pass_time`` is called for held commands as if they were taken."""
 
     def __init__(
         self, values: Values, path: PathMotion, pass_time: Callable[[Command], None]
@@ -89,7 +89,7 @@ class Compensation:
         self.is_releasing = False
 
     def compensate(self, commands: Generator[Command, Answer]) -> Generator[Command, Answer]:
-        """The commands of a program with its contours compensated."""
+        """Yield the commands of a program with its contours compensated; raises ``DecodeError``."""
         answer: Answer = None
         try:
             while True:
@@ -109,7 +109,7 @@ class Compensation:
             commands.close()
 
     def _take(self, command: Command) -> Generator[Command, Answer, Answer]:
-        """One command of the program; what its taker answers."""
+        """Process one command of the program; return its answer."""
         if isinstance(command, Segment) and self._state.compensation.is_active:
             yield from self._segment(command)
             return None
@@ -121,7 +121,7 @@ class Compensation:
         return (yield command)
 
     def _segment(self, segment: Segment) -> Iterator[Command]:
-        """A motion: in the plane part of the contour, else it keeps its place."""
+        """Process a motion: in the plane as part of the contour, else unchanged in its order."""
         first, second = PLANES[self._state.plane]
         x, y = segment.start[first], segment.start[second]
         x_2, y_2 = segment.target[first], segment.target[second]
@@ -168,7 +168,7 @@ class Compensation:
             self._left()
 
     def _beside_plane(self, segment: Segment) -> Iterator[Command]:
-        """A motion of other axes."""
+        """Process a motion of axes outside the plane."""
         if not self._motions and self._at is None:
             yield segment
         elif self._moves_others(segment):
@@ -179,7 +179,7 @@ class Compensation:
                 yield at_tool(segment, PLANES[self._state.plane], self._at)
 
     def _enter(self, segment: Segment, ends: tuple[float, float, float, float], d: float) -> None:
-        """Let the tool's path know the motion: its line or arc, and its distance ``d``."""
+        """Pass the line or arc of a motion and its distance ``d`` (mm) to the tool path."""
         tool, before = self.tool, self._distance
         compensation = self._state.compensation
         tool.side = 1.0 if (d or before) > 0.0 else -1.0
@@ -203,7 +203,7 @@ class Compensation:
             self._values.fail(TOOL_TOO_LARGE_FOR_ARC, self._path.span, radius=abs(d))
 
     def _keep(self, segment: Segment) -> None:
-        """The motion is held until the next one is there."""
+        """Hold the motion until the next one arrives."""
         number, compensation = self.tool.number, self._state.compensation
         misfit = LINE_REVERSED_BY_RADIUS if segment.arc is None else ARC_REVERSED_BY_RADIUS
         if segment.arc is not None and not self.tool.latest_fits():
@@ -222,12 +222,12 @@ class Compensation:
 
     @property
     def _is_closed_one(self) -> bool:
-        """Whether the tool is beside a closed contour that begins in an inner corner (G238)."""
+        """Whether a closed contour that begins in an inner corner is active (G238)."""
         return self._state.compensation.mode == APPROACH_INNER_CORNER and self._distance != 0.0
 
     @property
     def _waits_for_loops(self) -> bool:
-        """Whether motions are held as far as a loop of the way may reach."""
+        """Whether motions are held as long as a loop of the path may still close."""
         return self._state.compensation.masks or self._environment.parameters.looks_for_damage
 
     def _hold(self, command: Command) -> None:
@@ -239,7 +239,7 @@ class Compensation:
             self._pass_time(command)
 
     def _moves_others(self, segment: Segment) -> bool:
-        """Whether axes move that are not in the plane."""
+        """Return whether axes outside the plane move."""
         plane = PLANES[self._state.plane]
         axes = range(len(segment.start))
         return any(
@@ -249,7 +249,7 @@ class Compensation:
     # --- the contour ends ------------------------------------------------------------------------
 
     def _leave(self, distance: float) -> Iterator[Command]:
-        """The contour is left without a motion of the program, if the tool is on one."""
+        """Leave an active contour without a motion of the program."""
         is_perpendicular = self._state.compensation.mode == APPROACH_PERPENDICULAR
         if self._distance == 0.0 or (distance != 0.0 and not is_perpendicular):
             return
@@ -259,13 +259,13 @@ class Compensation:
         self._left()
 
     def _left(self) -> None:
-        """The tool is on the programmed way again."""
+        """Reset to the programmed path."""
         self._state.compensation.has_left_path = False
         self._distance = 0.0
         self._at = None
 
     def _finish(self) -> Iterator[Command]:
-        """The latest motion up to its end: nothing follows that it could be joined with."""
+        """Release all held motions; no further motion joins the last one."""
         tool, compensation = self.tool, self._state.compensation
         side = 1.0 if self._distance > 0.0 else -1.0
         is_left = compensation.side * compensation.radius * side <= 0.0
@@ -283,7 +283,7 @@ class Compensation:
             self._fail(failed)
 
     def _enclose(self) -> None:
-        """The contour of G238 is over: it ends where it begins."""
+        """Close the contour of G238: its end is its start."""
         tool, first, last = self.tool, self._motions[0].segment, self._motions[-1]
         if tool.number == tool.first:
             tool.close(False)
@@ -299,18 +299,18 @@ class Compensation:
                 self._fail(motion)
 
     def _stop(self) -> Iterator[Command]:
-        """There is a mistake: the contour is run up to it; one of G238, not known yet, is not."""
+        """Run the contour up to a mistake; one of G238 is discarded."""
         if self._is_closed_one:
             self._motions.clear()
             self.tool.give_up()
         yield from self._finish()
 
     def _fail(self, motion: PendingMotion) -> NoReturn:
-        """The contour cannot be passed with this tool (90019, 90038, 900871)."""
+        """Report that the tool cannot follow the contour (90019, 90038, 900871)."""
         self._values.fail(motion.misfit, motion.span, radius=abs(motion.radius))
 
     def _tell_crossing(self) -> None:
-        """The tool would cut the contour: a warning, or the error that P-CHAN-00219 wants."""
+        """Report contour damage: a warning, or an error as P-CHAN-00219 demands."""
         tool, spans = self.tool, dict(self._spans)
         span = spans[tool.crossing]
         begins_there = tool.closes_contour()
@@ -332,9 +332,10 @@ class Compensation:
     # --- plain blocks ----------------------------------------------------------------------------
 
     def can_export(self) -> bool:
-        """Whether plain blocks may go on with the contour (``compensated_lines.py``).
+        """Return whether plain blocks may continue the contour (``compensated_lines.py``).
 
-        Then one line is held and nothing behind it, and only what comes next can end it.
+        That needs exactly one held line with nothing behind it, whose end depends on the next
+        motion only.
         """
         compensation = self._state.compensation
         if not compensation.is_active:
@@ -357,11 +358,11 @@ class Compensation:
 
     @property
     def _deviation(self) -> float:
-        """How far the path may pass the end of a line as it comes."""
+        """The permitted deviation at the end of a line, mm."""
         return self._state.deviation if self._state.contouring else 0.0
 
     def export_to(self, lines: CompensatedLines) -> None:
-        """The line that is held goes on in plain blocks, if there is a contour."""
+        """Export the pending contour, if there is one."""
         compensation = self._state.compensation
         lines.is_on = compensation.is_active
         if not lines.is_on:
@@ -380,7 +381,7 @@ class Compensation:
         self.tool.set_corners(compensation.by_arc, compensation.is_direct)
 
     def import_from(self, lines: CompensatedLines, file: str) -> None:
-        """Another line of the text ``file`` is held by now."""
+        """Import the pending contour after plain blocks of the text ``file``."""
         before, number = self._motions[0], self.tool.number
         if number == before.number:
             return
@@ -414,7 +415,7 @@ class Compensation:
             self._state.compensation.end = self.tool.beside_end()
 
     def _span_of(self, source: int, file: str) -> Span:
-        """The place of a plain block: up to the end of its line, but for a comment."""
+        """Return the span of a plain block up to the end of its line, without a comment."""
         if source == NO_SOURCE:
             return Span(file, 1, 1, 2)
         _, line, column = unpack(source)
@@ -424,7 +425,7 @@ class Compensation:
     # --- commands out ----------------------------------------------------------------------------
 
     def _release(self, kept: int) -> Iterator[Command]:
-        """The motions that are known up to their end, but for so many."""
+        """Yield the motions with known ends, except for the last ``kept`` ones."""
         last = self.tool.number - self.tool.is_open - kept
         while self._motions and self._motions[0].number <= last:
             motion = self._motions.popleft()
@@ -434,7 +435,7 @@ class Compensation:
                 if self.tool.crossed:
                     self._tell_crossing()
             except DecodeError:
-                self._motions.clear()  # what comes behind a mistake is not run
+                self._motions.clear()  # commands behind a mistake are not run
                 self.tool.give_up()
                 raise
             self.is_releasing = True
@@ -442,14 +443,14 @@ class Compensation:
             self.is_releasing = False
 
     def _commands(self, motion: PendingMotion) -> list[Command]:
-        """The pieces of a motion, and what comes behind it."""
+        """Return the pieces of a motion and the commands behind it."""
         commands: list[Command] = list(self._segments(motion, self._pieces(motion)))
         plane = PLANES[self._state.plane]
         commands += [at_tool(command, plane, self._at) for command in motion.between]
         return commands
 
     def _pieces(self, motion: PendingMotion) -> list[tuple[_Piece, float]]:
-        """The pieces of a motion with their ways; none where it is swallowed."""
+        """Return the pieces of a motion with their lengths in mm; empty if it is masked."""
         pieces = []
         while (shape := self.tool.take(motion.number)) != contour_rows.NOTHING:
             if shape == contour_rows.GAP:
@@ -465,7 +466,7 @@ class Compensation:
     def _segments(
         self, motion: PendingMotion, pieces: list[tuple[_Piece, float]]
     ) -> Iterator[Segment]:
-        """The pieces of a motion; only the last one stops exactly."""
+        """Yield the pieces of a motion as segments; only the last one stops exactly."""
         first, second = PLANES[self._state.plane]
         segment = motion.segment
         if motion.time_s > 0.0 and segment.is_feed and pieces:

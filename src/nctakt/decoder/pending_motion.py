@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A motion of a contour that is held until the next one shows where it ends (MO-9)."""
+"""A motion of a contour, held until the next one determines its end (MO-9)."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from nctakt.lists.machine.axis_configuration import AxisConfiguration
 
 @dataclass(slots=True)
 class PendingMotion:
-    """A motion in the plane, and what comes behind it.
+    """A motion in the plane and the commands behind it.
 
-    ``radius``: of the tool; ``misfit``: the message where there is no room for it. ``time_s``: how
-    long its block lasts under G93, 0 without. ``adapts``: F counts at the contour (G11).
+    ``radius``: of the tool, mm; ``misfit``: the message if the tool does not fit. ``time_s``: the
+    duration of its block under G93, 0 without. ``adapts``: F applies to the contour (G11).
     """
 
     number: int
@@ -32,9 +32,9 @@ class PendingMotion:
 
 
 def share_of_contour(segment: Segment, arc: tuple[float, ...], start: list[float]) -> float:
-    """How much faster the tool's centre goes on an arc than the contour beside it (G11).
+    """Return the ratio of the tool centre's speed on an arc to the speed along the contour (G11).
 
-    On an arc that the program does not have it goes as it does on lines.
+    1 on an arc that the program does not contain.
     """
     if segment.arc is None or segment.arc[2:4] != arc[2:4]:
         return 1.0

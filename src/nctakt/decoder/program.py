@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Walks a checked program: blocks, flow control, ``#`` commands -> commands (RC-109).
+"""Decodes a checked program: blocks, flow control, ``#`` commands -> commands (RC-109).
 
-A generator of commands that waits by yielding: a command that ``waits`` gets its answer back from
-``yield``. Mistakes that only values show are a ``DecodeError``.
+A generator that waits by yielding: a command that ``waits`` receives its answer from ``yield``.
+Mistakes that depend on values raise ``DecodeError``.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ from nctakt.nc.check.path_commands import FORMS, command_name
 from nctakt.nc.check.realtime_cycles import HIGHEST_ID
 from nctakt.nc.outline import ProgramText, SectionReader, leads_to
 
-#: Blocks that may be decoded in a row without one that takes time (a loop that never moves).
+#: Maximum number of consecutive blocks that take no time (a loop that never moves).
 MAX_BLOCKS_WITHOUT_TIME = 100_000
 
 #: Blocks between two calls of the environment's ``poll``.
@@ -77,8 +77,9 @@ _SCOPE_NAMES = {codes.BLOCK_SCOPE: "BLOCK", codes.PROG_SCOPE: "PROG", codes.GLOB
 class ProgramDecoder:
     """Decodes one main program.
 
-    ``number_cycle`` gives each cycle definition its serial number and its first probe, and keeps
-    what was built. ``takes_runs``: whoever takes the commands knows what to do with a ``PlainRun``.
+    ``next_cycle`` returns the serial number and the first probe of a cycle definition,
+    ``keep_cycle`` stores the built cycle. ``takes_runs``: the consumer of the commands handles
+    ``PlainRun``.
     """
 
     def __init__(
@@ -119,9 +120,9 @@ class ProgramDecoder:
         self._nested = 0
 
     def decode(self, program: ProgramText) -> Generator[Command, Answer]:
-        """The commands of a run of the main program, the last one its end.
+        """Return the commands of a run of the main program; the last one is its end.
 
-        The channel list may name programs that run before it and behind it.
+        The channel list may name programs that run before and after it.
         """
         return self._compensation.compensate(self._run(program))
 
@@ -143,11 +144,11 @@ class ProgramDecoder:
 
     @property
     def started_blocks(self) -> int:
-        """Blocks and passes of loops that were begun since the program began."""
+        """The number of blocks and passes of loops started since the program began."""
         return self._started_blocks
 
     def pass_time(self, command: Command) -> None:
-        """The one who takes the commands has seen one that takes time."""
+        """Note that the consumer has taken a command that takes time."""
         if not self._compensation.is_releasing:
             self._pass_time(command)
 
@@ -162,7 +163,7 @@ class ProgramDecoder:
     # --- programs -------------------------------------------------------------------------------
 
     def _run_frame(self, frame: CallFrame) -> Decoding:
-        """A program from its start to its end; jumps begin it again at their label."""
+        """Run a program from start to end; a jump restarts it at its label."""
         label: str | None = None
         while True:
             statements = frame.text.statements(frame.section, label)
@@ -177,7 +178,7 @@ class ProgramDecoder:
                 )
 
     def _call(self, frame: CallFrame, span: Span) -> Decoding:
-        """A subprogram; what is said to the caller behind it."""
+        """Run a subprogram; return the signal to its caller."""
         if len(self._call_stack.frames) >= MAX_CALL_DEPTH:
             self._values.fail(PROGRAMS_NESTED_TOO_DEEP, span, limit=MAX_CALL_DEPTH)
         self._call_stack.enter(frame)
@@ -199,9 +200,9 @@ class ProgramDecoder:
         *,
         is_part: bool = False,
     ) -> Decoding:
-        """Statement by statement; from the one on that a label stands at or in.
+        """Run statements, from the one with or around ``label`` on if given.
 
-        ``is_part``: they are one block of the program.
+        ``is_part``: they belong to one block of the program.
         """
         self._nested += 1
         reader = None
@@ -237,7 +238,7 @@ class ProgramDecoder:
         return ""
 
     def _repeated(self, line: int | None = None) -> Decoding:
-        """The modal call that is due before the block in this line, or at the end."""
+        """Run the modal call that is due before the block in this line, or at the end."""
         due = self._modal.take_due(line)
         if due is None:
             return ""
@@ -245,12 +246,12 @@ class ProgramDecoder:
         return (yield from self._call(frame, modal.span))
 
     def _count_pass(self, span: Span) -> None:
-        """A pass of the loop at this place, or a jump from it; the outermost one comes first."""
+        """Count a pass of the loop, or a jump, at this span; outer loops come first."""
         self._passes[span] = self._passes.get(span, 0) + 1
         self._count(span)
 
     def _count(self, span: Span) -> None:
-        """A block, or a pass of a loop: neither goes on for ever without taking time."""
+        """Count a block or pass; report too many without time, and too deep nesting."""
         self._started_blocks += 1
         self._blocks += 1
         if self._started_blocks % BLOCKS_PER_POLL == 0:
@@ -313,9 +314,9 @@ class ProgramDecoder:
         return ""
 
     def _block(self, block: tree.Block, number: int, kinds: int = codes.ALL_OFFSETS) -> Decoding:
-        """Words; then what they call, then the end of a program among them.
+        """Run the words of a block, then its call, then its end of program.
 
-        ``kinds``: which offsets the block's positions have.
+        ``kinds``: the offsets that apply to the block's positions.
         """
         if not is_literal(block):
             meant = self._macros.expand_block(block)

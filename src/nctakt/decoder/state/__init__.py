@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What the decoder keeps: modal state, offsets, tools, call stack, program variables."""
+"""The state of the decoder: modal state, offsets, tools, call stack, program variables."""

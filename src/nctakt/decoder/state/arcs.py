@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Arcs of the program -> centre and angle in their plane (MO-4).
 
-The plane is that of two of the channel's first three axes, G17 X Y, G18 Z X, G19 Y Z; G03 turns
-from the first of the two to the second one. An arc is given by its centre, or by its radius, where
-a negative one means the longer of the two arcs. Lengths are mm, angles degrees.
+A plane is spanned by two of the channel's first three axes: G17 X Y, G18 Z X, G19 Y Z; G03 turns
+from the first to the second one. An arc is given by its centre, or by its radius; a negative radius
+selects the longer of the two arcs. Lengths are mm, angles degrees.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ PLANES = {PLANE_XY: (0, 1), PLANE_ZX: (2, 0), PLANE_YZ: (1, 2)}
 #: Radians of a degree.
 RADIANS = 0.017453292519943295
 
-#: How far an end may be off the circle: mm, and as a share of the radius where that is more.
+#: Maximum distance of an end from the circle: mm, or a share of the radius if that is more.
 TOLERANCE_MM = 0.01
 TOLERANCE_SHARE = 0.001
 
-#: Ends of a circle not farther apart than this are one place: sums of G91 are rounded.
+#: Ends of a circle at most this far apart coincide: sums of G91 are rounded.
 SAME_POINT_MM = 1e-9
 
-#: How far the centre may be moved, as a share of the radius.
+#: Maximum shift of the centre as a share of the radius.
 MAX_SHIFT_SHARE = 0.1
 
 
@@ -45,11 +45,11 @@ class Arc:
 
     @property
     def row(self) -> tuple[float, ...]:
-        """What the realtime part needs of it."""
+        """The columns of the arc for the realtime part."""
         return (self.first, self.second, self.centre_first, self.centre_second, self.angle)
 
     def length(self, start: Sequence[float]) -> float:
-        """Its way in the plane."""
+        """Return its length in the plane, mm."""
         radius = _length(
             start[self.first] - self.centre_first, start[self.second] - self.centre_second
         )
@@ -57,7 +57,7 @@ class Arc:
 
 
 class ArcError(Exception):
-    """No arc: ``message`` is the number of the diagnostic, ``values`` are its parameters."""
+    """No arc is possible: ``message`` with its ``values``."""
 
     def __init__(self, message: Message, **values: float) -> None:
         super().__init__(message)
@@ -72,12 +72,12 @@ def arc_about(
     centre: tuple[float, float],
     clockwise: bool,
 ) -> Arc:
-    """The arc about a centre; start and target in one place are a full circle.
+    """Return the arc about a centre; a full circle if start and target coincide.
 
-    Where target and start differ in their distance from the centre within the tolerance, the
-    centre is moved to the nearest place that is equally far from both. Ends that only the rounding
-    of sums keeps apart are a full circle; where the centre would have to go farther than a share of
-    the radius, because the ends are close to each other, no arc fits.
+    If target and start differ in their distance from the centre within the tolerance, the centre is
+    moved to the nearest point equidistant from both. Ends that differ only by the rounding of sums
+    make a full circle. Raises ``ArcError`` if the centre would have to move by more than a share of
+    the radius, because the ends are close to each other.
     """
     first, second = PLANES[plane]
     x, y = start[first] - centre[0], start[second] - centre[1]
@@ -91,7 +91,7 @@ def arc_about(
     chord = _length(u - x, v - y)
     if chord <= SAME_POINT_MM:
         return Arc(first, second, *centre, -360.0 if clockwise else 360.0)
-    # The centre goes along the chord to the middle between both.
+    # Move the centre along the chord until it is equidistant from both ends.
     along = ((x + u) * (u - x) + (y + v) * (v - y)) / (2.0 * chord * chord)
     if abs(along) * chord > MAX_SHIFT_SHARE * radius:
         raise ArcError(ARC_TARGET_OFF_CIRCLE, off=off, radius=radius)
@@ -102,7 +102,7 @@ def arc_about(
 def arc_of_radius(
     start: Sequence[float], target: Sequence[float], plane: int, radius: float, clockwise: bool
 ) -> Arc:
-    """The arc with a radius: the shorter one, or the longer one where it is negative."""
+    """Return the arc with a radius, the longer one for a negative radius; raises ``ArcError``."""
     first, second = PLANES[plane]
     x, y = target[first] - start[first], target[second] - start[second]
     chord = _length(x, y)
@@ -124,7 +124,7 @@ def arc_of_radius(
 
 
 def extremes(arc: Arc, start: Sequence[float]) -> Iterator[tuple[int, float]]:
-    """The farthest places of the arc between its ends: axis and position."""
+    """Yield the extreme points of the arc between its ends: axis and position."""
     x, y = start[arc.first] - arc.centre_first, start[arc.second] - arc.centre_second
     radius = _length(x, y)
     begin = arithmetic.arc_tangent_2(y, x)
@@ -150,7 +150,7 @@ def _angle(
     centre: tuple[float, float],
     clockwise: bool,
 ) -> float:
-    """The angle from start to target, in the direction of the arc, up to a full circle."""
+    """Return the angle from start to target in the direction of the arc, at most a full circle."""
     first, second = axes
     x, y = start[first] - centre[0], start[second] - centre[1]
     u, v = target[first] - centre[0], target[second] - centre[1]

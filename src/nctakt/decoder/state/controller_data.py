@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Data of the controller that outlive a program: the timers of V.G, what V.S keeps.
+"""Data of the controller that outlive a program: the timers of V.G and the variables of V.S.
 
-In: which timer. Out: a number. Timers of the main program count at decode
-time, or with SYN in the tick (a bank apart from the realtime cycles'); READ latches V.G.TIMER.
+Timers of the main program count at decode time, or with SYN in the tick (in a bank separate from
+that of the realtime cycles); READ latches V.G.TIMER.
 """
 
 from __future__ import annotations
@@ -15,14 +15,14 @@ from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.tick.channel import Channel
 from nctakt.lists.machine.machine import Machine
 
-#: Cells of the bank that counts with SYN, one for what each timer has latched.
+#: Size in bytes of the latched values of the timers with SYN.
 TIMER_BYTES = 8 * cells.TIMERS
 
 
 class ProgramTimers:
-    """The timers of ``#TIMER``, the same for all channels.
+    """The timers of ``#TIMER``, shared by all channels.
 
-    ``latched`` is the memory of those that count in the tick; ``tick`` tells the present one.
+    ``latched``: the memory of those that count in the tick; ``tick`` returns the current tick.
     """
 
     def __init__(self, latched: bytearray, tick: Callable[[], int], cycle_time_us: int) -> None:
@@ -34,7 +34,7 @@ class ProgramTimers:
         self._started: dict[int, int] = {}
 
     def command(self, action: str, timer: int) -> None:
-        """``#TIMER`` without SYN, at the moment of decoding."""
+        """Execute ``#TIMER`` without SYN, at decode time."""
         match action:
             case "START":
                 self._started.setdefault(timer, self._tick())
@@ -52,18 +52,18 @@ class ProgramTimers:
         return self._counted[timer] + (0 if started is None else self._tick() - started)
 
     def take_over(self, timer: int) -> None:
-        """What ``#TIMER READ SYN`` has latched in the tick."""
+        """Copy the value that ``#TIMER READ SYN`` has latched in the tick."""
         self._values[timer] = self._synchronous[timer]
 
     def read(self, timer: int) -> float:
-        """V.G.TIMER[timer], in ms."""
+        """Return V.G.TIMER[timer] in ms."""
         return self._values[timer]
 
 
 class ControllerData:
-    """What programs of one channel read.
+    """The data that programs of one channel share.
 
-    ``kept``: V.S, what its programs keep until the next start-up.
+    ``kept``: V.S, kept until the next start-up.
     """
 
     def __init__(self, timers: ProgramTimers) -> None:
@@ -74,7 +74,7 @@ class ControllerData:
 def controller_data(
     configuration: Machine, channels: Sequence[Channel], tick: Callable[[], int]
 ) -> list[ControllerData]:
-    """The controller's data channel by channel; all have the same timers."""
+    """Return the controller's data for each channel; all share the timers."""
     latched = bytearray(TIMER_BYTES)
     counting = Timers(latched, 0, configuration.cycle_time_us)
     timers = ProgramTimers(latched, tick, configuration.cycle_time_us)

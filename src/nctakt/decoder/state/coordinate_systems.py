@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Coordinate systems of the program: ``#CS``, shifted and turned, one inside the other (MO-8).
+"""Nested coordinate systems of the program, shifted and rotated: ``#CS`` (MO-8).
 
-A system has an origin for each axis of the channel and, over the first three axes, a matrix. From
-its coordinates p with the offsets s that are active in it, and the offset t of the tool, the axes
-are at origin + matrix * (p + s) + t. The tool does not turn with it: it acts along the axes.
+A system has an origin for each axis of the channel and a rotation matrix over the first three axes.
+Coordinates p with the active offsets s and the tool offset t give the axis positions origin +
+matrix * (p + s) + t. The tool offset is not rotated: it acts along the axes.
 
-In: the six components of ``#CS ON``: a shift along three axes in mm, three angles in degrees, of
-which the third one turns about the third axis, the second about the second axis as it is then, the
-first about the first. Out: commands for the realtime part, positions inside and outside.
+In: the six components of ``#CS ON``: a shift along three axes in mm and three angles in degrees;
+the third turns about the third axis, the second about the resulting second axis, the first about
+the resulting first axis. Out: commands for the realtime part, positions inside and outside.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ from nctakt.decoder.state.arcs import PLANES, Arc
 from nctakt.decoder.state.commands import Command, SetOrigin, SetTurn
 from nctakt.kernel.base import arithmetic
 
-#: Numbers of a matrix row by row.
+#: The elements of a matrix, row by row.
 Matrix = tuple[float, ...]
 
 IDENTITY: Matrix = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 
-#: The axes of a channel that are turned: its first ones.
+#: The number of a channel's axes that are rotated, the first ones.
 MAIN_AXES = 3
 
-#: How far the direction of a plane may be off that of an axis for its arcs to be arcs of the axes.
+#: Maximum deviation of a plane's normal from an axis (1 - cosine).
 ASKEW = 1e-12
 
 SavedOffsets = tuple[tuple[float, ...], ...]
@@ -35,7 +35,7 @@ SavedOffsets = tuple[tuple[float, ...], ...]
 
 @dataclass(frozen=True, slots=True)
 class _OuterSystem:
-    """What was active outside of a system."""
+    """The state outside of a system, restored when it is left."""
 
     origin: tuple[float, ...]
     matrix: Matrix
@@ -43,7 +43,7 @@ class _OuterSystem:
 
 
 class CoordinateSystems:
-    """The systems of the programs of one channel; ``axes``: the machine's numbers of its axes."""
+    """The active systems of a channel; ``axes``: the numbers of its axes in the machine."""
 
     def __init__(self, axes: Sequence[int]) -> None:
         self._axes = tuple(axes)
@@ -59,13 +59,13 @@ class CoordinateSystems:
 
     @property
     def count(self) -> int:
-        """How many are on, one inside the other."""
+        """The number of nested active systems."""
         return len(self._outer)
 
     # --- positions ------------------------------------------------------------------------------
 
     def inside(self, positions: Sequence[float], tool: Sequence[float]) -> list[float]:
-        """Positions of the axes as the active system has them, its offsets not taken off."""
+        """Return axis positions as coordinates of the active system, including its offsets."""
         coordinates = [
             position - origin - length
             for position, origin, length in zip(positions, self._origin, tool, strict=True)
@@ -76,7 +76,7 @@ class CoordinateSystems:
         return coordinates
 
     def outside(self, positions: Sequence[float], tool: Sequence[float]) -> list[float]:
-        """What ``inside`` was made of."""
+        """Return coordinates of the active system as axis positions, the inverse of ``inside``."""
         coordinates = list(positions)
         if self._matrix != IDENTITY:
             coordinates[:3] = _turned(self._matrix, coordinates[:3])
@@ -86,9 +86,9 @@ class CoordinateSystems:
         ]
 
     def arc(self, arc: Arc, inside: Sequence[float], start: Sequence[float]) -> Arc | None:
-        """An arc of the active system as one of the axes; both places are those of its start.
+        """Return an arc of the active system as an arc of the axes; both starts are the same point.
 
-        ``None``: its plane lies askew to the axes.
+        ``None`` if its plane is askew to the axes.
         """
         normal = sum(range(MAIN_AXES)) - arc.first - arc.second
         column = self._matrix[normal::3]
@@ -105,14 +105,16 @@ class CoordinateSystems:
         return Arc(first, second, *centre, angle)
 
     def keeps_plane(self, plane: int) -> bool:
-        """Whether the plane of this G function is that of the axes, seen from the same side."""
+        """Return whether the plane of this G function is that of the axes, seen from the same
+        side.
+        """
         normal = sum(range(MAIN_AXES)) - sum(PLANES[plane])
         return self._matrix[4 * normal] > 1.0 - ASKEW
 
     # --- commands -------------------------------------------------------------------------------
 
     def begin_program(self) -> Iterator[Command]:
-        """No system: those of the program before it are gone, whatever was taken of them."""
+        """Yield the commands that deactivate all systems of the previous program."""
         self._outer.clear()
         if self._has_been_active:
             yield from self._activate((0.0,) * len(self._axes), IDENTITY, 0, 0)
@@ -126,7 +128,7 @@ class CoordinateSystems:
         source: int,
         number: int,
     ) -> Iterator[Command]:
-        """Another system inside the active one; ``shift``: the offsets that are active."""
+        """Activate a system inside the active one; ``shift``: the active offsets."""
         six = (*components, *(0.0,) * (6 - len(components)))
         begin = list(shift)
         for axis in range(3):
@@ -139,7 +141,7 @@ class CoordinateSystems:
         yield from self._activate(origin, matrix, source, number)
 
     def leave(self, source: int, number: int) -> Generator[Command, None, SavedOffsets]:
-        """Back to what was active outside; the offsets of then are the answer."""
+        """Restore the outer system; return its offsets."""
         outer = self._outer.pop()
         yield from self._activate(outer.origin, outer.matrix, source, number)
         return outer.offsets
@@ -155,7 +157,7 @@ class CoordinateSystems:
 
 
 def rotation(about_first: float, about_second: float, about_third: float) -> Matrix:
-    """The matrix of the angles in degrees."""
+    """Return the rotation matrix of three angles in degrees."""
     a, b = arithmetic.cosine(about_first), arithmetic.sine(about_first)
     c, d = arithmetic.cosine(about_second), arithmetic.sine(about_second)
     e, f = arithmetic.cosine(about_third), arithmetic.sine(about_third)

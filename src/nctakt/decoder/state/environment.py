@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the decoder of one channel works with: names, lists, memory, places. Immutable but for the
-memory's values."""
+"""The environment of a channel's decoder: names, lists, memory, callbacks.
+
+Immutable except for the values in memory.
+"""
 
 from __future__ import annotations
 
@@ -22,17 +24,17 @@ from nctakt.nc.vocabulary.variable_table import NameTable
 class DecoderEnvironment:
     """One channel as its decoder sees it.
 
-    ``tools``: those of the list, by number. ``axis_numbers``: axis name -> place in the path's
-    positions. ``cells``: the machine's memory, ``memory`` the same as bytes. ``source_id``: the
-    source number of a span (``base/source_ids.py``). ``line_text``: the text line of a span.
-    ``max_spindle_speeds``: the places of the spindles that the CNC turns and has an axis list for,
-    with its highest speed in degrees per second. ``text_id``: the number of a text that is told
-    with a user error. ``warn``: takes a finding that does not stop the program. ``subprogram``: the
-    text of the file of this name, called at this place of that file; raises ``DecodeError``. Blocks
-    of ``skip_levels`` are left out. ``marks_blocks``: each block is marked. ``controller_data``:
-    data of the controller (V.G, V.A). ``living_cycles``: what earlier programs have left.
-    ``moving_axes``: names of the axes that move beside the path at this moment. ``history_size``:
-    how many blocks the history of the path holds. ``poll`` is called while the decoder works.
+    ``tools``: those of the list, by number. ``axis_numbers``: axis name -> index in the path's
+    positions. ``cells``: the machine's memory, ``memory``: the same as bytes. ``source_id``:
+    returns the number of a span (``base/source_ids.py``). ``line_text``: returns the line of a
+    span. ``max_spindle_speeds``: index -> maximum speed in degrees/s of the spindles that the CNC
+    turns. ``text_id``: returns the number of a text for a user error. ``warn``: receives findings
+    that do not stop the program. ``subprogram``: returns the text of a called file, by name,
+    calling file and span; raises ``DecodeError``. ``skip_levels``: blocks of these levels are
+    skipped. ``marks_blocks``: each block is marked. ``controller_data``: data behind V.G and V.S.
+    ``living_cycles``: cycles left by earlier programs. ``moving_axes``: returns the names of the
+    axes in independent motion. ``history_size``: the number of blocks in the history of the path.
+    ``poll`` is called while the decoder works.
     """
 
     names: NameTable
@@ -60,7 +62,7 @@ class DecoderEnvironment:
 
 
 class DecodeError(Exception):
-    """Decoding cannot go on: the program is given up behind the blocks that are prepared."""
+    """Decoding cannot continue; the program ends behind the prepared blocks."""
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         super().__init__(diagnostic.headline())

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the decoder remembers from block to block: the modal state of one channel.
+"""The modal state of one channel's decoder.
 
 Positions are programmed ones in mm or degrees, in the order of the channel's axes; lengths in inch
-are converted where they enter (G70).
+are converted on input (G70).
 """
 
 from __future__ import annotations
@@ -42,18 +42,19 @@ MM_PER_INCH = 25.4
 #: Approaches without a way around a corner, to a contour and from it.
 _DIRECT_MODES = (APPROACH_DIRECT, APPROACH_INNER_CORNER, DEPART_WITHOUT_MOTION)
 
-#: The deviation of contouring where the program has set none, mm.
+#: Default of the contouring deviation, mm.
 DEVIATION_MM = 1.0
 
 
 @dataclass(slots=True)
 class CompensationState:
-    """Tool radius compensation as the program wants it (MO-9).
+    """The programmed state of tool radius compensation (MO-9).
 
-    ``side``: 1 left of the contour (G41), -1 right of it (G42), 0 off; ``radius`` in mm. Around
-    outer corners in an arc (``by_arc``, G26). ``masks``: what the tool does not fit into is left
-    out (G141). ``adapts_feed``: F counts at the contour (G11). ``has_left_path``: the tool has left
-    the programmed path. ``end``: where the tool ends the contour (G239), in the plane.
+    ``side``: 1 left of the contour (G41), -1 right of it (G42), 0 off; ``radius`` in mm.
+    ``by_arc``: arcs around outer corners (G26). ``masks``: contour elements that the tool cannot
+    follow are left out (G141). ``adapts_feed``: F applies to the contour (G11). ``has_left_path``:
+    the tool is off the programmed path. ``end``: the tool's position at the end of the contour
+    (G239), in the plane.
     """
 
     side: int = 0
@@ -67,26 +68,26 @@ class CompensationState:
 
     @property
     def is_direct(self) -> bool:
-        """Whether the tool comes to a contour and from it without a way around a corner."""
+        """Whether contours are approached and left without a motion around a corner."""
         return self.mode in _DIRECT_MODES
 
     @property
     def is_active(self) -> bool:
-        """Whether motions in the plane are not what they are without compensation."""
+        """Whether compensation changes motions in the plane."""
         return self.side != 0 or self.has_left_path
 
     @property
     def word(self) -> str:
-        """G41 or G42, as the program has it."""
+        """The active word, G41 or G42."""
         return f"G{COMPENSATION_LEFT if self.side > 0 else COMPENSATION_RIGHT}"
 
 
 @dataclass(slots=True)
 class PathState:
-    """How the path goes on: plane, arcs, the ends of blocks.
+    """The modal state of the path: plane, arcs, ends of blocks.
 
-    ``limits_jerk``: the slope is an S-curve (P-CHAN-00071). ``radius``: the last R, 0 none yet.
-    ``deviation``: how far contouring may pass a corner, mm.
+    ``limits_jerk``: the slope is an S-curve (P-CHAN-00071). ``radius``: the last R, 0 before the
+    first. ``deviation``: the maximum contouring deviation at a corner, mm.
     """
 
     plane: int
@@ -101,7 +102,9 @@ class PathState:
 
 @dataclass(slots=True)
 class ToolState:
-    """``number``: the last T. ``record``: the last D; ``tool``: what it selects."""
+    """The tool; ``number``: the last T; ``record``: the last D; ``tool``: the record that D
+    selects.
+    """
 
     number: int = 0
     record: int = 0
@@ -110,9 +113,10 @@ class ToolState:
 
 @dataclass(slots=True)
 class FeedState:
-    """What F means, 93 … 95 or 194, and its values under G93, G95, G194; the program's overrides.
+    """The meaning of F (``feed_mode``), its values under G93, G95 and G194, and programmed
+    overrides.
 
-    Overrides are factors of feed and rapid blocks: of the path, and by axis (its place).
+    Overrides are factors for feed and rapid blocks, of the path and by axis index.
     """
 
     feed_mode: int = FEED_PER_MINUTE
@@ -124,17 +128,17 @@ class FeedState:
 
     @property
     def block_time_s(self) -> float:
-        """How long a feed block lasts, 0 where F is no time."""
+        """The duration of a feed block under G93, else 0."""
         return self.time_s if self.feed_mode == INVERSE_TIME_FEED else 0.0
 
 
 @dataclass(slots=True)
 class ModalState:
-    """``motion``: G00 … G03. ``feed_mm_s``: under G94, 0: none yet. ``parameters``: P1, P2, …
+    """The modal state; ``motion``: G00 … G03; ``feed_mm_s``: under G94, 0 before the first F.
 
-    ``measures``: edge banding is on (G108). ``message_file``: what #FILENAME has named for the
-    messages that are saved. ``not_plain``: the active G functions that plain lines do not
-    know, by group.
+    ``parameters``: P1, P2, … ``measures``: edge banding is on (G108). ``message_file``: the file of
+    saved messages (#FILENAME). ``not_plain``: the active G functions that plain lines do not know,
+    by group.
     """
 
     motion: int
@@ -158,18 +162,17 @@ class ModalState:
 
     @property
     def allows_plain_lines(self) -> bool:
-        """Whether lines and feeds mean what they mean without any further function.
+        """Whether plain lines may be decoded without the tree.
 
-        Of the G functions the table tells (``GFunction.plain``); each other command that changes
-        how a line is made of its block has to be asked for here: plain blocks then take the tree's
-        way (``handover.py``).
+        For G functions the table decides (``GFunction.plain``). Every other command that changes
+        how a line is made from its block must be tested here.
         """
         feed = self.feed
         has_override = feed.path_override != (1.0, 1.0) or bool(feed.axis_overrides)
         return not self.not_plain and not has_override
 
     def note(self, function: int) -> None:
-        """Remember whether a G function that is active from here on lets lines be plain."""
+        """Note a G function that becomes active, for ``allows_plain_lines``."""
         group = group_of(function)
         if group is None or group is Group.MOTION:
             return
@@ -180,16 +183,16 @@ class ModalState:
 
     @property
     def length_unit_mm(self) -> float:
-        """Millimetres in the active unit of length."""
+        """The active unit of length in mm."""
         return MM_PER_INCH if self.inch else 1.0
 
 
 def state_at_program_start(start: ProgramStart, positions: list[float]) -> ModalState:
-    """The state when a main program begins, with the axes where they are."""
+    """Return the state at the start of a main program, with the axes at ``positions``."""
     functions = start.g_functions
     motion = functions[MOTION_GROUP]
     if motion not in MOTIONS:
-        motion = RAPID  # G04, of the same group
+        motion = RAPID  # G04 belongs to the same group
     return ModalState(
         motion=motion,
         path=PathState(

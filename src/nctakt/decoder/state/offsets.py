@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Offsets between the programmed and the axes' positions: which are active, and their commands.
+"""Active offsets between programmed and axis positions, and their commands.
 
 In: G53 … G59, G159, G92, ``#PSET``, ``#PRESET``, the lists of zero and clamp offsets, the tool.
-Out: what to add to an absolute position (``ActiveOffsets.total``), and ``SetOffset`` commands, so
-that V.RTA positions in PCS follow in order with the blocks (MO-8). An offset moves no axis: it
-counts in the next absolute position of the axis; relative motions go as far as they say.
+Out: the offset of an absolute position (``ActiveOffsets.total``), and ``SetOffset`` commands that
+keep the V.RTA positions in PCS in step with the blocks (MO-8). An offset moves no axis: it applies
+to the next absolute position of the axis; relative motions are unaffected.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from nctakt.nc.vocabulary.functions import ZERO_OFFSETS
 #: The zero offset that each G function selects (P-ZERO-00003); G159 has its own number.
 ZERO_GROUPS = {function: group for group, function in enumerate(ZERO_OFFSETS)}
 
-#: The kinds of offsets by the keywords of the language, as bits (RC-407).
+#: Bits of the kinds of offsets by keyword (RC-407).
 KEYWORDS = {
     "ZERO": 1 << codes.ZERO_OFFSET,
     "ADD_ZERO": 1 << codes.ADD_ZERO_OFFSET,
@@ -34,22 +34,22 @@ KEYWORDS = {
 }
 KEYWORDS["ALL"] = codes.ALL_OFFSETS
 
-#: The kinds that a coordinate system of the program takes over when it begins: all but the tool's.
+#: Kinds that a coordinate system absorbs when it is entered: all but the tool's.
 KINDS_IN_SYSTEMS = tuple(kind for kind in range(codes.OFFSET_KINDS) if kind != codes.TOOL_OFFSET)
 
 
 def remaining_offset_kinds(command: OffsetCommand) -> int:
-    """The kinds of offsets that ``#SUPPRESS OFFSETS`` leaves to its block."""
+    """Return the kinds of offsets that stay active under ``#SUPPRESS OFFSETS``, as bits."""
     named = [KEYWORDS[kind.name] for kind in command.kinds if isinstance(kind, Keyword)]
     return codes.ALL_OFFSETS - sum(dict.fromkeys(named)) if named else 0
 
 
 class ActiveOffsets:
-    """The offsets of a channel's axes, in mm or degrees, as the decoder has them.
+    """The offsets of a channel's axes in the decoder, in mm or degrees.
 
-    ``axes``: the machine's numbers of the channel's axes. ``zero_groups``: the zero offsets by
-    group and axis. ``default_group``: with which programs begin. ``clamp_group``: which clamp
-    offsets they run with.
+    ``axes``: the numbers of the channel's axes in the machine. ``zero_groups``: zero offsets by
+    group and axis. ``default_group``: the group at program start. ``clamp_group``: the active clamp
+    offsets.
     """
 
     def __init__(
@@ -64,9 +64,9 @@ class ActiveOffsets:
         self.systems = CoordinateSystems(self._axes)
 
     def total(self, axis: int, kinds: int = codes.ALL_OFFSETS) -> float:
-        """What the offsets of these kinds add to an absolute position of this axis.
+        """Return the sum of the offsets of these kinds for an absolute position of an axis.
 
-        In a coordinate system of the program the tool is outside of it (``inside``).
+        In a coordinate system of the program the tool offset is not included (``inside``).
         """
         if self.systems.is_active:
             kinds &= codes.ALL_OFFSETS - KEYWORDS["TOOL"]
@@ -76,19 +76,19 @@ class ActiveOffsets:
         return sum(value for kind, value in enumerate(values) if kinds >> kind & 1)
 
     def value(self, axis: int, kind: int) -> float:
-        """The offset of one kind."""
+        """Return the offset of one kind."""
         return self._values[axis][kind]
 
     # --- coordinate systems ---------------------------------------------------------------------
 
     def inside(self, positions: Sequence[float], kinds: int = codes.ALL_OFFSETS) -> list[float]:
-        """Positions of the axes -> in the coordinate system of the program, with offsets yet."""
+        """Return axis positions in the program's coordinate system, including offsets."""
         if not self.systems.is_active:
             return list(positions)
         return self.systems.inside(positions, self._tool(kinds))
 
     def outside(self, positions: Sequence[float], kinds: int = codes.ALL_OFFSETS) -> list[float]:
-        """What ``inside`` was made of."""
+        """Return the axis positions of coordinates, the inverse of ``inside``."""
         if not self.systems.is_active:
             return list(positions)
         return self.systems.outside(positions, self._tool(kinds))
@@ -100,7 +100,7 @@ class ActiveOffsets:
     def enter_system(
         self, components: Sequence[float], source: int, number: int
     ) -> Iterator[Command]:
-        """``#CS ON``: the offsets that are active shift it, and begin anew in it."""
+        """Activate a system (``#CS ON``): the active offsets shift it and restart at 0 in it."""
         without_tool = codes.ALL_OFFSETS - KEYWORDS["TOOL"]
         shift = [self.total(axis, without_tool) for axis in range(len(self._axes))]
         kept = tuple(tuple(values) for values in self._values)
@@ -109,14 +109,16 @@ class ActiveOffsets:
             yield from self._set_group(kind, {}, source, number)
 
     def leave_system(self, source: int, number: int) -> Iterator[Command]:
-        """``#CS OFF``: the offsets of before are active again."""
+        """Leave a system (``#CS OFF``) and restore the previous offsets."""
         kept = yield from self.systems.leave(source, number)
         for kind in KINDS_IN_SYSTEMS:
             before = {axis: values[kind] for axis, values in enumerate(kept)}
             yield from self._set_group(kind, before, source, number)
 
     def adopt(self, offsets: Offsets) -> None:
-        """Take over what the realtime part has: behind a reset some commands were never taken."""
+        """Adopt the offsets of the realtime part; after a reset some commands were never
+        executed.
+        """
         for values, axis in zip(self._values, self._axes, strict=True):
             for kind in range(codes.OFFSET_KINDS):
                 values[kind] = offsets.of(axis, 1 << kind)
@@ -124,7 +126,7 @@ class ActiveOffsets:
     # --- commands, from ``source`` in the block ``number`` ---------------------------------------
 
     def begin_program(self) -> Iterator[Command]:
-        """Zero and clamp offsets as the lists say; those of the program before it are gone."""
+        """Yield the commands that set zero and clamp offsets to those of the lists."""
         yield from self.systems.begin_program()
         yield from self._set_group(codes.ZERO_OFFSET, self._group(self.default_group), 0, 0)
         clamp = self._clamp_offsets.groups.get(self.clamp_group, {})
@@ -133,35 +135,35 @@ class ActiveOffsets:
             yield from self._set_group(kind, {}, 0, 0)
 
     def select_group(self, group: int, source: int, number: int) -> Iterator[SetOffset]:
-        """G53 … G59, G159; a group that the list does not name has no offsets."""
+        """Select a zero offset (G53 … G59, G159); one missing in the list is 0."""
         yield from self._set_group(codes.ZERO_OFFSET, self._group(group), source, number)
 
     def add_zero(
         self, axis: int, value: float, relative: bool, source: int, number: int
     ) -> Iterator[SetOffset]:
-        """G92 for one axis: instead of the offset that it has, or under G91 in addition to it."""
+        """Set the G92 offset of one axis; under G91 add to it."""
         before = self._values[axis][codes.ADD_ZERO_OFFSET] if relative else 0.0
         yield from self._set(axis, codes.ADD_ZERO_OFFSET, before + value, source, number)
 
     def set_zero(self, axis: int, value: float, source: int, number: int) -> Iterator[SetOffset]:
-        """Another zero offset of one axis, until the next is selected."""
+        """Set the zero offset of one axis until the next selection."""
         yield from self._set(axis, codes.ZERO_OFFSET, value, source, number)
 
     def preset(
         self, axis: int, position: float, value: float, source: int, number: int
     ) -> Iterator[SetOffset]:
-        """``#PSET``: where the axis stands (ACS) is called ``value`` from now on."""
+        """Name the current position (ACS) of an axis ``value`` (``#PSET``)."""
         others = self.total(axis, codes.ALL_OFFSETS - KEYWORDS["PSET"])
         yield from self._set(axis, codes.PSET_OFFSET, position - others - value, source, number)
 
     def release(self, axis: int, source: int, number: int) -> Iterator[SetOffset]:
-        """``#PRESET``: no preset for this axis."""
+        """Remove the preset of an axis (``#PRESET``)."""
         yield from self._set(axis, codes.PSET_OFFSET, 0.0, source, number)
 
     def set_tool(
         self, offsets: Mapping[int, float], source: int, number: int
     ) -> Iterator[SetOffset]:
-        """The offsets of the tool, by the places of the axes."""
+        """Set the offsets of the tool, by axis index."""
         yield from self._set_group(codes.TOOL_OFFSET, offsets, source, number)
 
     def _group(self, group: int) -> Mapping[int, float]:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The variables that programs make themselves: V.P, V.S, V.L, V.CYC.
+"""The variables that programs create: V.P, V.S, V.L, V.CYC.
 
-In: declarations, names and element numbers. Out: values. V.P lives as long as its main program, V.S
-until the controller is started anew, V.L as long as its program and for all that it calls, V.CYC as
-long as its cycle. Raises ``VariableError`` with a message where there is nothing, or no room.
+In: declarations, names and indices. Out: values. V.P lives as long as its main program, V.S until
+the next start-up, V.L as long as its program and all that it calls, V.CYC as long as its cycle.
+Raises ``VariableError`` for a missing variable or element, and for too many elements.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ from nctakt.messages.decoder import (
 )
 from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT, TEXT_INSTEAD_OF_NUMBER, TEXT_TOO_LONG
 
-#: Characters of a STRING without a length, the longest that there is.
+#: Maximum and default length of a STRING.
 LONGEST_STRING = 126
 
-#: Elements that one variable may have (a choice: a slip of the pen shall not fill the memory).
+#: Maximum number of elements of a variable (a choice: a typing error must not fill the memory).
 MAX_ELEMENTS = 100_000
 
 #: Families that a first assignment creates.
@@ -46,9 +46,9 @@ class VariableError(Exception):
 
 @dataclass(slots=True)
 class ProgramVariable:
-    """One variable; its elements stand in ascending order, the last index running fastest.
+    """One variable; its elements in ascending order, the last index varying fastest.
 
-    ``characters``: the most that a STRING takes. ``dimensions`` is empty for a single value.
+    ``characters``: the maximum length of a STRING. ``dimensions`` is empty for a single value.
     """
 
     name: str
@@ -64,7 +64,7 @@ class ProgramVariable:
         self.values = ["" if self.type == "STRING" else 0.0] * count
 
     def element(self, indices: Sequence[int]) -> int:
-        """The place of an element."""
+        """Return the position of an element; raises ``VariableError``."""
         if len(indices) != len(self.dimensions):
             expected = len(self.dimensions)
             raise VariableError(
@@ -80,7 +80,7 @@ class ProgramVariable:
         return position
 
     def put(self, position: int, value: float | str) -> None:
-        """Give an element a value that its type takes: integers rounded, BOOLEAN 0 or 1."""
+        """Set an element, converted to its type: integers rounded, BOOLEAN 0 or 1."""
         self.values[position] = self._converted(value)
 
     def _converted(self, value: float | str) -> float | str:
@@ -109,7 +109,7 @@ class ProgramVariable:
         return value
 
     def fill(self, values: Sequence[float | str]) -> None:
-        """Give the elements from the first on these values; the others keep theirs."""
+        """Set the first elements to these values; the others keep theirs."""
         if len(values) > len(self.values):
             count = len(self.values)
             raise VariableError(
@@ -123,10 +123,10 @@ Variables = dict[str, ProgramVariable]
 
 
 class Scopes:
-    """Where the variables of each family are looked for, the innermost place first.
+    """The scopes of all families, the innermost first.
 
-    ``kept`` are those of V.S; those of V.L and V.CYC come and go with the levels. ``changes``: how
-    often a name may have come to mean another variable, or none.
+    ``kept``: V.S; those of V.L and V.CYC come and go with the frames. ``changes``: counts the
+    changes after which a name may denote another variable.
     """
 
     def __init__(self, kept: Variables) -> None:
@@ -137,14 +137,14 @@ class Scopes:
         self.changes = 0
 
     def enter(self, *, is_cycle: bool) -> None:
-        """A program begins with variables of its own; ``is_cycle``: with V.CYC, too."""
+        """Open the scopes of a program; ``is_cycle``: with V.CYC, too."""
         self._locals.append({})
         if is_cycle:
             self.changes += 1
             self._cycles.append({})
 
     def leave(self, *, is_cycle: bool) -> None:
-        """The innermost program has ended."""
+        """Close the scopes of the innermost program."""
         if self._locals.pop() or is_cycle:
             self.changes += 1
         if is_cycle:
@@ -161,14 +161,14 @@ class Scopes:
         return self._cycles[-1:]
 
     def find(self, family: str, path: str) -> ProgramVariable | None:
-        """A variable by its path without indices, ``None`` where there is none."""
+        """Return a variable by its path without indices, ``None`` if there is none."""
         for scope in self._scopes_of(family):
             if path in scope:
                 return scope[path]
         return None
 
     def get(self, family: str, path: str) -> ProgramVariable:
-        """As ``find``; 900314 where there is none."""
+        """Return a variable as ``find``; raises ``VariableError`` 900314 if there is none."""
         variable = self.find(family, path)
         if variable is None:
             names = [name for scope in self._scopes_of(family) for name in scope]
@@ -180,7 +180,7 @@ class Scopes:
     def for_writing(
         self, family: str, path: str, value: float | str, indices: Sequence[int]
     ) -> ProgramVariable:
-        """As ``get``; V.P and V.S come into being with their first value."""
+        """Return a variable as ``get``; the first value creates V.P and V.S."""
         if family in _MADE_BY_WRITING and not indices and self.find(family, path) is None:
             type_ = "STRING" if isinstance(value, str) else "REAL64"
             name = f"V.{family}.{path}"
@@ -188,12 +188,12 @@ class Scopes:
         return self.get(family, path)
 
     def declare(self, family: str, path: str, variable: ProgramVariable) -> None:
-        """A new variable of the innermost place; it replaces one of its name there."""
+        """Declare a variable in the innermost scope, replacing one of the same name."""
         self.changes += 1
         self._scopes_of(family)[0][path] = variable
 
     def delete(self, family: str, path: str) -> None:
-        """Forget a variable, or with an empty path all of the family; nothing if it is unknown."""
+        """Delete a variable, or the whole family for an empty path; unknown ones are ignored."""
         self.changes += 1
         for scope in self._scopes_of(family):
             if not path:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The tool of a program: D selects its dimensions, T names it (MO-8).
+"""The tool of a program: D selects its data, T names it (MO-8).
 
-In: the tool list of the channel, the words T and D, the plane. Out: the offsets of the kind TOOL as
-commands, the radius for its compensation, what V.G.WZ…, V.G.T_AKT and V.G.D_AKT read. A length acts
-along the axis that stands perpendicular on the plane, beside the offset that the list gives for
-that axis. As every offset it moves nothing by itself.
+In: the tool list of the channel, the words T and D, the plane. Out: TOOL offsets as commands, the
+radius for compensation, the values of V.G.WZ…, V.G.T_AKT and V.G.D_AKT. A length acts along the
+axis perpendicular to the plane, in addition to the offset of the list for that axis. The offsets
+move nothing by themselves.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ from nctakt.messages.tools import (
 from nctakt.nc.tree import Expression, Variable, Word
 from nctakt.nc.vocabulary.system_variables import SystemVariable
 
-#: The sum of the places of a channel's first three axes: less those of a plane, the third one.
+#: Sum of the indices of the first three axes; minus those of a plane: the axis normal to it.
 _MAIN_AXES = 0 + 1 + 2
 
 
 class Fail(Protocol):
-    """Gives the program up."""
+    """Raises ``DecodeError``."""
 
     def __call__(self, message: Message, span: Span, **values: object) -> NoReturn: ...
 
@@ -50,7 +50,7 @@ class ActiveTool:
         self._fail = fail
 
     def word(self, word: Word, value: float) -> None:
-        """T or D: the tool list has what D calls, T is a matter of the PLC."""
+        """Process T or D; D must name a valid tool of the list, T is output to the PLC."""
         number = int(arithmetic.round_half_even(value))
         if number != value or number < 0:
             self._fail(INVALID_TOOL_NUMBER, word.span, word=word.name, value=f"{value:g}")
@@ -68,7 +68,7 @@ class ActiveTool:
         state.tool = tool
 
     def _change_radius(self, radius: float, command: str, span: Span) -> None:
-        """Between G41 or G42 and G40 the next motion goes over to another radius."""
+        """Set the radius for the next motion between G41 or G42 and G40."""
         compensation = self._state.path.compensation
         if not compensation.side:
             return
@@ -77,7 +77,7 @@ class ActiveTool:
         compensation.radius = radius
 
     def offsets(self, span: Span, number: int) -> Iterator[SetOffset]:
-        """The offsets of the tool as they are in the present plane."""
+        """Yield the offsets of the tool in the current plane."""
         tool, plane = self._state.tool.tool, self._state.path.plane
         offsets = dict(tool.axis_offsets)
         if tool.length:
@@ -96,9 +96,9 @@ class ActiveTool:
         system_variable: SystemVariable,
         index: Callable[[Expression], float],
     ) -> float:
-        """V.G.T_AKT, V.G.D_AKT, V.G.WZ_AKT…, V.G.WZ[5]…, lengths in the program's unit.
+        """Return V.G.T_AKT, V.G.D_AKT, V.G.WZ_AKT… or V.G.WZ[5]…, lengths in the program's unit.
 
-        ``index`` gives the number of a tool or of an element.
+        ``index`` evaluates the number of a tool or element.
         """
         state = self._state.tool
         if system_variable.subject in ("T_AKT", "D_AKT"):
@@ -166,7 +166,7 @@ class ActiveTool:
     def write(
         self, system_variable: SystemVariable, value: float, span: Span, number: int
     ) -> Iterator[SetOffset]:
-        """Another radius or length of the active tool, until the next D."""
+        """Set radius or length of the active tool until the next D."""
         state = self._state.tool
         length = value * self._state.length_unit_mm
         if system_variable.subject == "R":

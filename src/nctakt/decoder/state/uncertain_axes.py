@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Which axes realtime cycles may have moved since the decoder last knew where they are (RC-409).
+"""Axes that realtime cycles may have moved since the decoder last knew their positions (RC-409).
 
-The decoder prepares blocks ahead with the positions that it has computed; an axis that a cycle
-names in a single-axis command may stand elsewhere by then. It is *uncertain* from the moment on
-from which the cycle may move it, until its position has been requested: with SCOPE=BLOCK from the
-end of the cycle's block on; with PROG and GLOBAL from the start of the cycle on, and, while that
-lives, again after each block or wait in which the path does not move the axis.
+The decoder prepares blocks ahead with computed positions; an axis named in a single-axis command of
+a cycle may be elsewhere by then. It is *uncertain* from the moment when the cycle may move it until
+its position is requested: with SCOPE=BLOCK from the end of the cycle's block on; with PROG and
+GLOBAL from the start of the cycle on, and, while that lives, again after each block or wait in
+which the path does not move the axis.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from nctakt.base.dataclass import dataclass
 
 @dataclass(frozen=True, slots=True)
 class LivingCycle:
-    """A cycle that an earlier program has left, with the axes that it names."""
+    """A cycle left by an earlier program, with the axes that it names."""
 
     identity: int
     axes: tuple[str, ...]
@@ -26,14 +26,14 @@ class LivingCycle:
 
 @dataclass(frozen=True, slots=True)
 class _CycleAxes:
-    """A cycle with single-axis commands."""
+    """The axes in the single-axis commands of a cycle."""
 
     axes: tuple[str, ...]
     is_block: bool
 
 
 class UncertainAxes:
-    """Follows the commands of one program; ``moving`` are axes on their way when it begins."""
+    """Tracks the axes of one program; ``moving``: axes in independent motion at its start."""
 
     def __init__(self, living: Sequence[LivingCycle], moving: Sequence[str]) -> None:
         self._by_identity = {cycle.identity: _CycleAxes(cycle.axes, False) for cycle in living}
@@ -48,7 +48,7 @@ class UncertainAxes:
     def define_cycle(
         self, identity: int, axes: tuple[str, ...], *, is_block: bool, starts: bool
     ) -> None:
-        """A definition; ``identity`` is 0 without an ID."""
+        """Note a definition; ``identity`` is 0 without an ID."""
         cycle = _CycleAxes(axes, is_block)
         if identity:
             self._by_identity[identity] = cycle
@@ -56,7 +56,7 @@ class UncertainAxes:
             self._start(identity, cycle)
 
     def start_cycle(self, identity: int) -> None:
-        """START, also of a cycle that runs; an ID that none has names no axis."""
+        """Note START, also of a running cycle; unknown IDs are ignored."""
         cycle = self._by_identity.get(identity)
         if cycle is not None:
             self._start(identity, cycle)
@@ -74,7 +74,7 @@ class UncertainAxes:
         self._uncertain.update(dict.fromkeys(cycle.axes))
 
     def delete_cycle(self, identity: int, moving: Iterable[str]) -> None:
-        """DELETE, whose request confirm the positions; ``moving`` are axes that still move then."""
+        """Note DELETE, which requests positions; ``moving``: axes that still move then."""
         cycle = self._by_identity.pop(identity, None)
         self._running.pop(identity, None)
         moving = tuple(moving)
@@ -85,9 +85,9 @@ class UncertainAxes:
                 self._uncertain.pop(axis, None)
 
     def pass_time(self, moved: Iterable[str] = (), *, is_block: bool = True) -> None:
-        """A command that takes time went down; ``moved``: axes that the path moves in it.
+        """Note a command that takes time; ``moved``: axes that the path moves in it.
 
-        ``is_block``: a motion or dwell, which BLOCK cycles wait for.
+        ``is_block``: a motion or dwell, for which BLOCK cycles wait.
         """
         if is_block:
             self._uncertain.update(self._armed)
@@ -99,14 +99,16 @@ class UncertainAxes:
 
     @property
     def is_empty(self) -> bool:
-        """Whether no axis is or will become uncertain by what is cycle."""
+        """Whether no axis is uncertain or will become so without another command."""
         return not (self._uncertain or self._armed or self._running or self._without_id)
 
     def uncertain(self, axes: Iterable[str]) -> tuple[str, ...]:
-        """Those of these axes whose positions have to be requested before the path moves them."""
+        """Return those of these axes whose positions must be requested before the path moves
+        them.
+        """
         return tuple(axis for axis in axes if axis in self._uncertain) if self._uncertain else ()
 
     def confirm(self, axes: Iterable[str]) -> None:
-        """The positions of these axes are cycle again."""
+        """Note that the positions of these axes are known."""
         for axis in axes:
             self._uncertain.pop(axis, None)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The words of a block -> commands: G, F, axis words, M and H functions.
 
-Order within a block: modal G functions and F take effect, then functions that come before the
-motion, the motion, functions that come after it, the program's end.
+Order within a block: modal G functions and F, functions before the motion, the motion, functions
+after it, the end of the program.
 """
 
 from __future__ import annotations
@@ -73,8 +73,7 @@ ONE_BLOCK = frozenset((EXACT_STOP_ONCE, CONTOURING_ONCE, NO_OVERRIDE))
 
 @dataclass(slots=True)
 class _BlockContent:
-    """A block's words sorted by what they do; ``updates_tool_offsets``: its offsets may be other
-    ones."""
+    """A block's words by effect; ``updates_tool_offsets``: the tool's offsets may change."""
 
     axes: list[tuple[tree.AxisWord, float]] = field(default_factory=list)
     path: PathWords = field(default_factory=PathWords)
@@ -89,7 +88,7 @@ class _BlockContent:
 
 
 class BlockDecoder:
-    """Decodes the blocks of one program; ``has_motion``: the latest one had a motion command."""
+    """Decodes the blocks of one program; ``has_motion``: the last one commanded a motion."""
 
     def __init__(self, values: Values, uncertain_axes: UncertainAxes) -> None:
         self._uncertain_axes = uncertain_axes
@@ -104,7 +103,7 @@ class BlockDecoder:
         self._spindle_names = names_of(self._environment.parameters.spindles)
 
     def presets(self, command: tree.OffsetCommand, number: int) -> Generator[Command, Answer]:
-        """``#PSET``, ``#PRESET``."""
+        """Execute ``#PSET`` or ``#PRESET``."""
         offsets = self._environment.offsets
         source = self._environment.source_id(command.span)
         for axis in range(len(self._state.positions)) if not command.words else ():
@@ -125,9 +124,9 @@ class BlockDecoder:
     def block(
         self, block: tree.Block, number: int, kinds: int = codes.ALL_OFFSETS
     ) -> Generator[Command, Answer, bool]:
-        """The commands of a block; true when it ends the program.
+        """Yield the commands of a block; return true if it ends the program.
 
-        ``kinds``: which offsets its absolute positions have.
+        ``kinds``: the offsets that apply to its absolute positions.
         """
         self.has_motion = False
         content = yield from self._sort(block, number)
@@ -156,7 +155,7 @@ class BlockDecoder:
         return content.ends_program
 
     def _sort(self, block: tree.Block, number: int) -> Generator[Command, Answer, _BlockContent]:
-        """Evaluate the words; G and F act at once, in whatever order they stand."""
+        """Evaluate the words; G and F take effect at once, regardless of their order."""
         content = _BlockContent()
         numbers: dict[int, Span] = {}
         for word in block.words:
@@ -211,7 +210,7 @@ class BlockDecoder:
         return content
 
     def _functions(self, numbers: Mapping[int, Span], content: _BlockContent) -> None:
-        """G functions: the modal ones act at once."""
+        """Execute the G functions of a block; modal ones take effect at once."""
         content.updates_tool_offsets = any(function in PLANES for function in numbers)
         for function, span in numbers.items():
             self._state.note(function)
@@ -223,7 +222,7 @@ class BlockDecoder:
     def _revolutions(
         self, block: tree.Block, number: int
     ) -> Generator[Command, Answer, float | None]:
-        """``G04 S10``: the time of revolutions of the main spindle."""
+        """Return the dwell time in s of ``G04 S10``, revolutions of the main spindle."""
         for word in filter(_is_revolutions, block.words):
             assert isinstance(word, tree.Word)
             assert word.value is not None
@@ -232,7 +231,9 @@ class BlockDecoder:
         return None
 
     def _additional(self, word: tree.Word, value: float, content: _BlockContent) -> None:
-        """The value of a G function: the group of G159, the radius of G163, the time of G04."""
+        """Process the value of a G function: the offset of G159, the radius of G163, the time of
+        G04.
+        """
         assert isinstance(word.value, tree.Number)
         function = word.value.value
         if function == ARC_RADIUS:
@@ -243,14 +244,16 @@ class BlockDecoder:
             self._zero_group(word, value, content)
 
     def _zero_group(self, word: tree.Word, value: float, content: _BlockContent) -> None:
-        """Take the group of zero offsets that ``value`` numbers; a fault where there is none."""
+        """Select the zero offset with the number ``value``; raises ``DecodeError`` if there is
+        none.
+        """
         group = arithmetic.round_half_even(value)
         if not 0 <= group < MOST_GROUPS:
             self._values.fail(UNKNOWN_ZERO_OFFSET, word.span, group=value, highest=MOST_GROUPS - 1)
         content.zero_group = int(group)
 
     def _offsets(self, content: _BlockContent, source: int, number: int) -> Iterator[Command]:
-        """Zero offsets, and G92, whose axis words are offsets and no motion (MO-8)."""
+        """Yield the zero offsets, and those of G92, whose axis words are no motion (MO-8)."""
         offsets = self._environment.offsets
         if content.zero_group is not None:
             yield from offsets.select_group(content.zero_group, source, number)
@@ -263,7 +266,7 @@ class BlockDecoder:
             content.axes.clear()
 
     def _in_axis_unit(self, axis: int, value: float) -> float:
-        """A programmed value in mm or degrees."""
+        """Return a programmed value in mm or degrees."""
         return value * self._state.length_unit_mm if self._is_linear[axis] else value
 
     def _modal(self, function: int, span: Span) -> None:
@@ -284,7 +287,7 @@ class BlockDecoder:
                 self.path.modal(function)
 
     def _edge_banding(self, function: int, span: Span) -> None:
-        """G108 lets the next block with a function of the type MNE_SNS look for an edge."""
+        """Let the next block with a function of the type MNE_SNS look for an edge (G108)."""
         if function == EDGE_BANDING and self._environment.parameters.edge_across_blocks:
             self._values.fail(EDGE_BANDING_NOT_SIMULATED, span)
         self._state.measures = function == EDGE_BANDING
@@ -323,7 +326,7 @@ class BlockDecoder:
             content.functions.append(self._function(word, number, table[number], plc_value, block))
 
     def _plc_value(self, word: tree.Word, function: int, value: float) -> int:
-        """The value that the PLC finds beside a function: a whole number of 32 bits."""
+        """Return the value that a function passes to the PLC, a signed 32-bit integer."""
         whole = int(arithmetic.round_half_even(value))
         if not MIN_VALUE <= whole <= MAX_VALUE:
             name = f"{word.name}{function}"
@@ -356,7 +359,7 @@ class BlockDecoder:
     def _motion(
         self, content: _BlockContent, span: Span, number: int
     ) -> Generator[Command, Answer]:
-        """The path to the programmed position; a centre without a target is a full circle."""
+        """Yield the path to the programmed position; a centre without a target is a full circle."""
         if not content.axes and not (content.path.centre and self._state.motion in ARCS):
             return
         self.has_motion = True
@@ -375,7 +378,7 @@ class BlockDecoder:
     def _measure(
         self, content: _BlockContent, measured: BlockFunction, span: Span, number: int
     ) -> Generator[Command, Answer]:
-        """A motion on whose way the edge of the strip is found (G108, V.RTG.MEAS_DELTA)."""
+        """Yield a motion that looks for the edge of the strip (G108, V.RTG.MEAS_DELTA)."""
         self._state.measures = False
         source = self._environment.source_id(span)
         output = measured.output
@@ -389,7 +392,7 @@ class BlockDecoder:
     def _move_to_fixed_stop(
         self, content: _BlockContent, span: Span, number: int
     ) -> Generator[Command, Answer]:
-        """A motion to a fixed stop, or away from it: where it ends only the axes know (MO-12)."""
+        """Yield a motion to or from a fixed stop; its end is known to the axes only (MO-12)."""
         moved = self._programmed(content)
         monitored = False
         for word, stop in content.stops:
@@ -408,7 +411,7 @@ class BlockDecoder:
             self._state.positions = list(answer)
 
     def _programmed(self, content: _BlockContent) -> list[str]:
-        """Names of the axes that the block programs; an arc moves both axes of its plane."""
+        """Return the names of the axes of the block; an arc moves both axes of its plane."""
         names = [word.name for word, _ in content.axes]
         if self._state.motion in ARCS:
             plane = PLANES[self._state.path.plane]
@@ -421,7 +424,7 @@ class BlockDecoder:
         return names
 
     def request(self, axes: Sequence[str], span: Span, number: int) -> Generator[Command, Answer]:
-        """Ask for the positions of those of these axes that cycles may have moved (RC-409)."""
+        """Request the positions of those of these axes that cycles may have moved (RC-409)."""
         uncertain = self._uncertain_axes.uncertain(axes)
         if not uncertain:
             return
@@ -438,7 +441,7 @@ class BlockDecoder:
         self._uncertain_axes.confirm(uncertain)
 
     def axes_moved_by(self, command: Command) -> list[str]:
-        """Names of the axes that a command moves with the path."""
+        """Return the names of the axes that a command moves with the path."""
         if not isinstance(command, Segment):
             return []
         plane = () if command.arc is None else command.arc[:2]
@@ -449,7 +452,7 @@ class BlockDecoder:
         ]
 
     def _target(self, content: _BlockContent, span: Span) -> list[float]:
-        """Where the block ends: positions of the axes."""
+        """Return the axis positions at the end of the block."""
         offsets, kinds = self._environment.offsets, content.path.offset_kinds
         target = offsets.inside(self._state.positions, kinds)
         spans = {}
@@ -467,9 +470,9 @@ class BlockDecoder:
         return target
 
     def _outside(self, target: list[float], programmed: Container[int], kinds: int) -> list[float]:
-        """A target in a coordinate system of the program as positions of the axes.
+        """Return a target in the program's coordinate system as axis positions.
 
-        What rounding alone would move stays.
+        Axes that only rounding would move keep their positions.
         """
         start = self._state.positions
         positions = self._environment.offsets.outside(target, kinds)
@@ -481,7 +484,7 @@ class BlockDecoder:
         return positions
 
     def dwell(self, seconds: float, span: Span, number: int) -> Generator[Command, Answer]:
-        """Standing still; ``ceil(d / T)`` ticks (RC-005)."""
+        """Yield a dwell of ``ceil(d / T)`` ticks (RC-005)."""
         if seconds < 0.0:
             self._values.fail(INVALID_DWELL_TIME, span, seconds=seconds)
         ticks = seconds * 1e6 / self._environment.cycle_time_us
@@ -491,5 +494,5 @@ class BlockDecoder:
 
 
 def _is_revolutions(word: tree.BlockWord) -> bool:
-    """Whether the word of a block with G04 is its time in revolutions."""
+    """Return whether a word of a block with G04 is its time in revolutions."""
     return isinstance(word, tree.Word) and word.name == "S"

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""``#CS`` of the main program -> the coordinate system that is active, as commands (MO-8).
+"""``#CS`` of the main program -> commands for the active coordinate system (MO-8).
 
-In: the tree of a checked command. Stored systems have numbers; what is not stored gets the next
-free one, which ends with it. Up to five are stored at a time. Systems with names (``#CS ADD``) lie
-on each other in a stack; ``#CS SELECT`` activates the stack from its bottom up to one of them.
+In: the tree of a checked command. Stored systems have numbers; one without gets the next free
+number. At most five are stored. Systems with names (``#CS ADD``) form a stack; ``#CS SELECT``
+activates it from the bottom up to one of them.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from nctakt.messages.coordinate_systems import (
 from nctakt.nc import tree
 from nctakt.nc.check.coordinate_systems import CsCommand, cs_command
 
-#: So many systems are stored at a time.
+#: Maximum number of stored systems.
 MAX_STORED = 5
 
 
@@ -44,7 +44,7 @@ class CsCommands:
         self._selected = 0
 
     def command(self, statement: tree.HashCommand, number: int) -> Generator[Command, Answer]:
-        """One command."""
+        """Execute one command."""
         command = cs_command(statement)
         assert command is not None
         source = self._environment.source_id(statement.span)
@@ -76,14 +76,14 @@ class CsCommands:
             yield from offsets.enter_system(components, source, number)
 
     def _leave(self, count: int, source: int, number: int) -> Generator[Command, Answer]:
-        """So many systems are off, the innermost first; a selected stack as a whole."""
+        """Deactivate ``count`` systems, the innermost first; a selected stack as a whole."""
         offsets = self._environment.offsets
         for _ in range(count):
             yield from offsets.leave_system(source, number)
         self._selected = min(self._selected, offsets.systems.count)
 
     def _add(self, command: CsCommand, span: Span, number: int) -> Generator[Command, Answer]:
-        """``#CS ADD``: the stack has one system more on its top; nothing else changes."""
+        """Push a system onto the stack (``#CS ADD``) without activating it."""
         if command.name in self._stack or len(self._stack) >= MAX_STORED:
             names = ", ".join(self._stack)
             self._values.fail(
@@ -93,7 +93,7 @@ class CsCommands:
         self._stack[command.name] = yield from self._evaluated(command.components, number)
 
     def _select(self, name: str, span: Span, number: int) -> Generator[Command, Answer]:
-        """``#CS SELECT``: the systems of the stack from its bottom up to this one are active."""
+        """Activate the stack from the bottom up to a system (``#CS SELECT``)."""
         offsets = self._environment.offsets
         if name not in self._stack:
             names = ", ".join(self._stack) or "–"
@@ -111,7 +111,7 @@ class CsCommands:
     def _evaluated(
         self, components: Sequence[tree.Expression], number: int
     ) -> Generator[Command, Answer, tuple[float, ...]]:
-        """Shift in mm and angles."""
+        """Return the components: shift in mm, angles in degrees."""
         values: list[float] = []
         for index, component in enumerate(components):
             value = yield from self._values.evaluate(component, number)
@@ -126,7 +126,7 @@ class CsCommands:
     def _components(
         self, command: CsCommand, span: Span, number: int
     ) -> Generator[Command, Answer, tuple[float, ...]]:
-        """The components of the system that is meant, stored where it has a number."""
+        """Return the components of the system and store them if it has a number."""
         identity = self._latest
         if command.identity is not None:
             value = yield from self._values.evaluate(command.identity, number)

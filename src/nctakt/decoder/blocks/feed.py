@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""How fast a block goes: F under G93, G94, G95, and overrides of the program (MO-4, MO-5, MO-17).
+"""The feed of a block: F under G93, G94, G95 and G194, programmed overrides (MO-4, MO-5, MO-17).
 
-In: F, the G functions of the feed, ``#OVERRIDE``, ``X[OVERRIDE …]``, the way of a block. Out: its
-feed in mm/s, degrees/s where only rotary axes move, 0 for rapid, and a ``FeedModifiers`` where
-more than that counts. Each of G93 … G95 has an F of its own, which comes back with it.
+In: F, the G functions of the feed, ``#OVERRIDE``, ``X[OVERRIDE …]``, the length of a block. Out:
+its feed in mm/s, or degrees/s if only rotary axes move, 0 for rapid, and ``FeedModifiers`` if there
+are any. Each of G93 … G95 keeps an F of its own.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from nctakt.nc.vocabulary.functions import (
     SPINDLE_STOP,
 )
 
-#: The highest F of G194.
+#: Maximum F of G194, %.
 MAX_SHARE_PCT = 100.0
 
 #: Bounds of programmed overrides, %, and their keywords: of feed blocks, of rapid ones.
@@ -40,7 +40,7 @@ FACTORS = ("FEED_FACT", "RAPID_FACT")
 
 
 class FeedRate:
-    """Decodes what the speed of the blocks of one program depends on."""
+    """Decodes the feed of the blocks of one program."""
 
     def __init__(self, values: Values, spindles: SpindleWords) -> None:
         self._values = values
@@ -49,7 +49,9 @@ class FeedRate:
         self._spindles = spindles
 
     def feed_word(self, value: float) -> None:
-        """F, in inch under G70: per minute whatever P-CHAN-00108 says, or per revolution."""
+        """Process F; in inch under G70, per minute regardless of P-CHAN-00108, or per
+        revolution.
+        """
         state = self._state
         mode = state.feed.feed_mode
         if mode == INVERSE_TIME_FEED:
@@ -72,7 +74,7 @@ class FeedRate:
         number: int,
         axis: int | None = None,
     ) -> Generator[Command, Answer]:
-        """``#OVERRIDE``, or ``X[OVERRIDE …]`` for the axis at this place of the channel."""
+        """Process ``#OVERRIDE``, or ``X[OVERRIDE …]`` for the axis with this index."""
         feed_state = self._state.feed
         feed, rapid = feed_state.path_override
         if axis is not None:
@@ -109,7 +111,7 @@ class FeedRate:
         is_exempt: bool,
         span: Span,
     ) -> tuple[float, FeedModifiers | None]:
-        """Feed and pace of a block; ``is_exempt``: without overrides (G166)."""
+        """Return feed and modifiers of a block; ``is_exempt``: without overrides (G166)."""
         rapid = self._state.rapid
         feed_state = self._state.feed
         override = 1.0
@@ -125,7 +127,7 @@ class FeedRate:
     def _min_axis_override(
         self, start: Sequence[float], target: Sequence[float], arc: Arc | None
     ) -> float:
-        """Of the axes that move: the least of their overrides."""
+        """Return the smallest override of the moving axes."""
         plane = () if arc is None else (arc.first, arc.second)
         return min(
             (
@@ -139,7 +141,7 @@ class FeedRate:
     def _feed(
         self, start: Sequence[float], target: Sequence[float], arc: Arc | None, span: Span
     ) -> tuple[float, int, float]:
-        """The feed, the spindle that it follows (-1: none), at which speed of it."""
+        """Return the feed, the spindle that it follows (-1: none), and that spindle's speed."""
         feed_state = self._state.feed
         if feed_state.feed_mode == INVERSE_TIME_FEED:
             self._need(feed_state.time_s, span)
@@ -158,14 +160,14 @@ class FeedRate:
         return self._state.feed_mm_s, -1, 0.0
 
     def _need(self, value: float, span: Span) -> None:
-        """F 0 or below, or none at all (MO-17)."""
+        """Raise ``DecodeError`` for an F of 0 or below, or none (MO-17)."""
         if value < 0.0:
             self._values.fail(NEGATIVE_FEED, span)
         if value == 0.0:
             self._values.fail(NO_FEED_ACTIVE, span)
 
     def _per_revolution(self, feed_state: FeedState, span: Span) -> tuple[float, int, float]:
-        """Under G95; of a spindle of the PLC only what is programmed is known."""
+        """Return the feed under G95; for a spindle of the PLC from its programmed speed."""
         for index, spindle in enumerate(self._environment.parameters.spindles):
             if not spindle.is_main:
                 continue
@@ -181,9 +183,10 @@ class FeedRate:
     def _max_axis_feed(
         self, start: Sequence[float], target: Sequence[float], arc: Arc | None
     ) -> float:
-        """The speed at which one axis of the block goes at its highest (P-AXIS-00212), none above.
+        """Return the feed at which an axis reaches its maximum speed (P-AXIS-00212), none exceeds
+        it.
 
-        In the plane of an arc that is the slower axis, wherever the arc begins and ends.
+        In the plane of an arc the slower axis counts, wherever the arc begins and ends.
         """
         length = self._length(start, target, arc)
         highest = []
@@ -196,7 +199,7 @@ class FeedRate:
         return min(highest, default=0.0)
 
     def _length(self, start: Sequence[float], target: Sequence[float], arc: Arc | None) -> float:
-        """The way of a block: of the linear axes, else of the rotary ones (``measure`` has it)."""
+        """Return the length of a block: of the linear axes, else of the rotary ones."""
         linear2 = rotary2 = 0.0
         for index, axis in enumerate(self._environment.axes):
             if arc is not None and index in (arc.first, arc.second):

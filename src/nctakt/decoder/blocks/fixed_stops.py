@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``X[FIXED_STOP ON …]``: what a block says of an axis that runs into a fixed stop (MO-12)."""
+"""``X[FIXED_STOP ON …]``: motion of an axis to a fixed stop (MO-12)."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from nctakt.nc import tree
 
 #: The first keyword of the command.
 WORD = "FIXED_STOP"
-#: Without POS_LAG_LIMIT, in mm or degrees: the default of P-AXIS-00712.
+#: Default of POS_LAG_LIMIT, mm or degrees (P-AXIS-00712).
 DEFAULT_LIMIT = 2.0
 
 
 def is_fixed_stop(command: tree.BracketCommand) -> bool:
-    """Whether a command for an axis is this one."""
+    """Return whether a command for an axis is ``X[FIXED_STOP …]``."""
     first = command.items[0] if command.items else None
     return isinstance(first, tree.Keyword) and first.name == WORD
 
@@ -26,7 +26,7 @@ def is_fixed_stop(command: tree.BracketCommand) -> bool:
 def fixed_stop(
     values: Values, command: tree.BracketCommand, axis: int, number: int
 ) -> Generator[Command, Answer, FixedStop]:
-    """The command of the axis at this place of the channel; START and END are percents."""
+    """Return the command of the axis with this index; START and END are percentages of the path."""
     numbers: dict[str, float] = {}
     for item in command.items:
         if isinstance(item, tree.Keyword) and item.value is not None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The path of a block: lines and arcs, how they end, within the software limits (MO-1, MO-3, MO-4).
+"""The path of a block: lines and arcs, their ends, software limits (MO-1, MO-3, MO-4).
 
-In: the modal state, the block's target and words. Out: one ``Segment``, or none where nothing
-moves. Mistakes are a ``DecodeError``.
+In: the modal state, the block's target and words. Out: one ``Segment``, or ``None`` if nothing
+moves. Mistakes raise ``DecodeError``.
 """
 
 from __future__ import annotations
@@ -53,18 +53,18 @@ from nctakt.nc.vocabulary.functions import (
     group_of,
 )
 
-#: The words of a centre, one for each of the first three axes.
+#: Words of a centre, one for each of the first three axes.
 CENTRE_WORDS = ("I", "J", "K")
 
-#: The type of slope with a limit of the jerk.
+#: The type of slope with limited jerk.
 JERK_LIMITED = "TRAPEZ"
 
 
 @dataclass(slots=True)
 class PathWords:
-    """What a block says of its path beside the target: words of a centre, G60, G61, G166.
+    """The words of a block for its path, except the target: centre, G60, G61, G166.
 
-    ``offset_kinds``: which offsets its absolute positions have.
+    ``offset_kinds``: the offsets that apply to its absolute positions.
     """
 
     centre: dict[str, tuple[Span, float]] = field(default_factory=dict)
@@ -83,7 +83,7 @@ class PathMotion:
         self.span: Span
 
     def modal(self, function: int) -> None:
-        """A modal G function of the path."""
+        """Process a modal G function of the path."""
         path = self._state.path
         match group_of(function):
             case Group.MOTION:
@@ -110,7 +110,7 @@ class PathMotion:
                 path.compensation.adapts_feed = function == CONTOUR_FEED
 
     def _end_compensation(self) -> None:
-        """G40; with G239 the program goes on from where the tool is."""
+        """Process G40; after G239 the program continues from the tool's position."""
         compensation = self._state.path.compensation
         compensation.side = 0
         if compensation.has_left_path and compensation.mode == DEPART_WITHOUT_MOTION:
@@ -118,7 +118,7 @@ class PathMotion:
                 self._state.positions[axis] = value
 
     def keep_plane(self, function: int, span: Span) -> None:
-        """While compensation is active there is no other plane."""
+        """Raise ``DecodeError`` for a change of plane during compensation."""
         path = self._state.path
         if function != path.plane:
             self._values.fail(
@@ -126,13 +126,13 @@ class PathMotion:
             )
 
     def keep_selection(self, function: int, span: Span) -> None:
-        """While compensation is active its way to the contour stays G238, or another one."""
+        """Raise ``DecodeError`` for a change to or from G238 during compensation."""
         mode = self._state.path.compensation.mode
         if function != mode and APPROACH_INNER_CORNER in (function, mode):
             self._values.fail(G238_DURING_COMPENSATION, span, word=f"G{function}")
 
     def compensate(self, function: int, span: Span) -> None:
-        """G41 or G42, with the tool that is active now."""
+        """Activate G41 or G42 with the active tool."""
         compensation = self._state.path.compensation
         radius = self._state.tool.tool.radius
         if radius == 0.0:
@@ -146,7 +146,7 @@ class PathMotion:
         compensation.side = 1 if function == COMPENSATION_LEFT else -1
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
-        """``#CONTOUR MODE``, ``#SLOPE``, ``#OVERRIDE``."""
+        """Execute ``#CONTOUR MODE``, ``#SLOPE`` or ``#OVERRIDE``."""
         path = self._state.path
         if command.words[0].name == "OVERRIDE":
             yield from self.feed_rate.override(keywords(command), number)
@@ -165,7 +165,9 @@ class PathMotion:
             path.contouring = switch == "ON"
 
     def _limits_jerk(self, items: Sequence[tree.Keyword]) -> bool:
-        """What ``#SLOPE`` chooses: without a type, the slope of the program's start."""
+        """Return whether ``#SLOPE`` selects an S-curve; without a type, that of the program
+        start.
+        """
         for keyword in items:
             assert isinstance(keyword.value, tree.Name)
             return keyword.value.name == JERK_LIMITED
@@ -174,7 +176,7 @@ class PathMotion:
     def segment(
         self, start: list[float], target: list[float], words: PathWords, span: Span, number: int
     ) -> Segment | None:
-        """The segment from ``start`` to ``target``, ``None`` where nothing moves."""
+        """Return the segment from ``start`` to ``target``, ``None`` if nothing moves."""
         state = self._state
         arc = None
         if state.motion in ARCS:
@@ -211,7 +213,7 @@ class PathMotion:
     def _arc(
         self, start: list[float], target: list[float], words: PathWords, span: Span
     ) -> Arc | None:
-        """The arc of the block; ``None`` where only its radius stands in it."""
+        """Return the arc of the block; ``None`` if it has only a radius."""
         path = self._state.path
         clockwise = self._state.motion == ARC_CLOCKWISE
         if max(PLANES[path.plane]) >= len(start):
@@ -239,7 +241,9 @@ class PathMotion:
         return outside
 
     def _centre(self, start: list[float], words: PathWords) -> tuple[float, float]:
-        """The centre in the plane: from the start on (G162), or absolute (G161); missing is 0."""
+        """Return the centre in the plane, relative to the start (G162) or absolute (G161);
+        default 0.
+        """
         plane = PLANES[self._state.path.plane]
         for name, (span, _) in words.centre.items():
             if CENTRE_WORDS.index(name) not in plane:
@@ -256,7 +260,7 @@ class PathMotion:
         return (centre[0], centre[1])
 
     def check_extremes(self, arc: Arc, start: Sequence[float], span: Span) -> None:
-        """The arc may leave the software limits between two ends that are within them."""
+        """Raise ``DecodeError`` if the arc leaves the software limits between its ends."""
         for index, position in extremes(arc, start):
             axis = self._environment.axes[index]
             low, high = axis.software_limit_low, axis.software_limit_high
@@ -266,12 +270,12 @@ class PathMotion:
                 )
 
     def check_limits(self, target: Sequence[float], axes: Sequence[int], span: Span) -> None:
-        """These axes of a target have to be within their software limits."""
+        """Raise ``DecodeError`` if one of these axes of a target is outside its software limits."""
         for axis in axes:
             self.check_limit(axis, target[axis], span)
 
     def check_limit(self, index: int, position: float, span: Span) -> None:
-        """The target of an axis has to be within its software limits."""
+        """Raise ``DecodeError`` if the target of an axis is outside its software limits."""
         axis = self._environment.axes[index]
         low, high = axis.software_limit_low, axis.software_limit_high
         if not low <= position <= high and not axis.is_modulo:

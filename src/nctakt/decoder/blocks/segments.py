@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""A ``Segment`` of an ordinary block, filled slot by slot.
+"""A ``Segment`` of an ordinary block, filled field by field.
 
-The constructor of a frozen dataclass takes as long as finding out all that it is given.
+The constructor of a frozen dataclass would take as long as decoding the block.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def segment(
     arc: tuple[float, ...] | None,
     modifiers: FeedModifiers | None,
 ) -> Segment:
-    """The segment of a whole block."""
+    """Return the segment of a whole block."""
     node: Segment = raw_nodes.new_node(Segment, 0)
     raw_nodes.set_field(_SOURCE, node, source)
     raw_nodes.set_field(_NUMBER, node, number)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Commands to spindles, of the main program and of realtime cycles (RC-404).
 
-The main program's direction and speed are modal, for each spindle; without any a spindle has M5. A
-new speed alone is a job of the direction that is active. Which moment a job has in its block, and
-what waits for it, is that of the channel list (``spindel[i].m3_synch`` and its kin); a spindle of
-the CNC turns whatever they say, one of the PLC gets no job that is not put out.
+Direction and speed of the main program are modal for each spindle; the default is M5. A new speed
+alone is a job with the active direction. The channel list decides when a job of a block is output
+and awaited (``spindel[i].m3_synch`` …); a spindle of the CNC turns regardless, one of the PLC
+receives no job that is not output.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ _DIRECTIONS = {CLOCKWISE: 1, COUNTERCLOCKWISE: -1}
 
 @dataclass(slots=True)
 class _Modal:
-    """What stays of a spindle's words: the direction, the speed in revolutions per minute."""
+    """The modal words of a spindle: direction, speed in revolutions per minute."""
 
     function: int = SPINDLE_STOP
     speed: float = 0.0
@@ -62,7 +62,7 @@ class SpindleWords:
     def functions(
         self, command: SpindleCommand, number: int
     ) -> Generator[Command, Answer, list[BlockFunction]]:
-        """The job of a command, if it makes one."""
+        """Return the job of a command as a function of the block; empty if there is none."""
         index, spindle = self._spindle(command)
         modal = self.modal.setdefault(index, _Modal())
         if command.speed is not None:
@@ -92,7 +92,9 @@ class SpindleWords:
         )
 
     def revolutions_s(self, count: float, span: Span) -> float:
-        """Seconds that the main spindle takes for so many revolutions, as it was programmed."""
+        """Return the time in s of ``count`` revolutions of the main spindle at its programmed
+        speed.
+        """
         for index, spindle in enumerate(self.values.environment.parameters.spindles):
             modal = self.modal.get(index)
             if spindle.is_main and modal is not None and modal.function in _DIRECTIONS:
@@ -134,7 +136,7 @@ class SpindleWords:
 
 
 def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
-    """The spindle with this name, the main one for an empty name, and its place in the channel."""
+    """Return index and configuration of the spindle with this name; empty: the main spindle."""
     for index, spindle in enumerate(values.environment.parameters.spindles):
         if spindle.name == name or (spindle.is_main and not name):
             if not spindle.plc_controlled and index not in values.environment.max_spindle_speeds:
@@ -149,7 +151,7 @@ def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
 
 
 def warn_of_speed(values: Values, index: int, speed: float, span: Span) -> None:
-    """Tell where the spindle is slower (P-AXIS-00212) than the speed that is asked for in 1/min."""
+    """Warn if the requested speed in 1/min exceeds the limit of the spindle (P-AXIS-00212)."""
     limit = values.environment.max_spindle_speeds.get(index)
     if limit is None or speed * DEGREES_PER_S <= limit * (1.0 + 1e-9):
         return
@@ -164,7 +166,7 @@ def warn_of_speed(values: Values, index: int, speed: float, span: Span) -> None:
 def cycle_statement(
     values: Values, builder: ExpressionBuilder, command: SpindleCommand, cost: int
 ) -> Statement:
-    """The instruction of a checked command in a realtime cycle."""
+    """Return the instruction of a checked command in a realtime cycle."""
     index, spindle = find(values, command.name, command.span)
     function = next(
         (choice for choice in (SPINDLE_POSITION, SPINDLE_STOP) if choice in command.functions), 0
@@ -188,5 +190,5 @@ def _built(builder: ExpressionBuilder, expression: tree.Expression | None) -> Op
 
 
 def names_of(spindles: Sequence[Spindle]) -> tuple[str, ...]:
-    """What programs call the spindles."""
+    """Return the names of the spindles in programs."""
     return tuple(spindle.name for spindle in spindles)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""M and H functions of the main program: when they go out, and for what the program waits.
+"""M and H functions of the main program: when they are output, and when they are awaited.
 
-The synchronisation type of the channel list (P-CHAN-00041, P-CHAN-00027) decides. All functions of
-a block that go out at the same moment do so before anything is waited for. Two types wait later
-than their block: MVS_SLM before the next motion with feed, MVS_SLP at ``#EXPL SYN``.
+The synchronisation type of the channel list decides (P-CHAN-00041, P-CHAN-00027). All functions of
+a block for the same moment are output before any is awaited. Two types are awaited after their
+block: MVS_SLM before the next motion with feed, MVS_SLP at ``#EXPL SYN``.
 """
 
 from __future__ import annotations
@@ -14,24 +14,26 @@ from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.commands import Command
 from nctakt.lists.declared.technology_functions import TechnologyFunction
 
-#: Types that go out before the motion of their block, and those that do so behind it. A measuring
+#: Types that are output before the motion of their block, and after it. A measuring
 #: event is over with the motion at the latest.
 _BEFORE = ("MOS", "MOS_TS", "MVS_SVS", "MVS_SNS", "MVS_SLM", "MVS_SLP")
 _AFTER = ("MNS_SNS", "MNE_SNS")
-#: Types that are waited for before the motion of their block, and behind it.
+#: Types that are awaited before the motion of their block, and after it.
 _AWAITED_BEFORE = ("MVS_SVS",)
 _AWAITED_AFTER = ("MVS_SNS", "MNS_SNS", "MNE_SNS")
 
 
 def process_ticks(function: TechnologyFunction, cycle_time_us: int) -> int:
-    """Ticks that a function takes (P-CHAN-00040, P-CHAN-00026), a begun one is a whole one."""
+    """Return the duration of a function in ticks, rounded up (P-CHAN-00040, P-CHAN-00026)."""
     tenths = round(10 * function.process_time_us)
     return -(-tenths // (10 * cycle_time_us))
 
 
 @dataclass(frozen=True, slots=True)
 class BlockFunction:
-    """A function of a block: when it goes out and is waited for, and the commands of both."""
+    """A function of a block: its synchronisation type, and the commands that output and await
+    it.
+    """
 
     synchronisation: str
     output: Command
@@ -39,13 +41,13 @@ class BlockFunction:
 
 
 class TechnologyOutputs:
-    """The functions of one program, with those that are still to be waited for."""
+    """The functions of one program, including those still to be awaited."""
 
     def __init__(self) -> None:
         self._late: dict[str, list[BlockFunction]] = {"MVS_SLM": [], "MVS_SLP": []}
 
     def before_motion(self, functions: Sequence[BlockFunction]) -> Iterator[Command]:
-        """What happens before the motion of the block with these functions."""
+        """Yield the commands before the motion of the block."""
         for function in functions:
             if function.synchronisation in _BEFORE:
                 yield function.output
@@ -54,7 +56,7 @@ class TechnologyOutputs:
         yield from _awaits(functions, _AWAITED_BEFORE)
 
     def after_motion(self, functions: Sequence[BlockFunction]) -> Iterator[Command]:
-        """What happens behind the motion of the block."""
+        """Yield the commands after the motion of the block."""
         for function in functions:
             if function.synchronisation in _AFTER:
                 yield function.output
@@ -62,11 +64,11 @@ class TechnologyOutputs:
 
     @property
     def awaits_feed(self) -> bool:
-        """Whether the next motion with feed waits for something."""
+        """Whether the next motion with feed must wait."""
         return bool(self._late["MVS_SLM"])
 
     def take_measuring(self, functions: list[BlockFunction]) -> BlockFunction | None:
-        """The function that goes out where an edge is found, taken away from the others."""
+        """Remove and return the function that is output at an edge."""
         for function in functions:
             if function.synchronisation == "MNE_SNS":
                 functions.remove(function)
@@ -74,15 +76,15 @@ class TechnologyOutputs:
         return None
 
     def before_feed(self) -> Iterator[Command]:
-        """A motion with feed begins: MVS_SLM is due."""
+        """Yield the waits of MVS_SLM before a motion with feed."""
         return self._settle("MVS_SLM")
 
     def explicit_synchronisation(self) -> Iterator[Command]:
-        """``#EXPL SYN``: MVS_SLP is due."""
+        """Yield the waits of MVS_SLP at ``#EXPL SYN``."""
         return self._settle("MVS_SLP")
 
     def _settle(self, synchronisation: str) -> Iterator[Command]:
-        """Wait for what went out under a type that waits late."""
+        """Yield the pending waits of a type."""
         due = self._late[synchronisation]
         self._late[synchronisation] = []
         for function in due:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """``#ERROR`` of the main program and of realtime cycles (RC-402).
 
-In: the checked statement. Out: its parts, and for the main program the commands that tell the error
-where it stands in the queue. The values of a warning or error stand in the order of the program.
+In: the checked statement. Out: its parts, and for the main program the commands that report the
+error in its order in the queue. Values appear in the order of the program.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from nctakt.messages.user_errors import INVALID_USER_ERROR_ID, INVALID_USER_ERRO
 from nctakt.nc import tree
 from nctakt.nc.check.user_errors import KEYWORDS
 
-#: RC where none is given: an error that a reset clears.
+#: Default of RC: an error that a reset clears.
 DEFAULT_REACTION = 2.0
 
 HIGHEST_ID = 1000
@@ -32,9 +32,9 @@ HIGHEST_REACTION = 7
 
 @dataclass(frozen=True, slots=True)
 class UserErrorParts:
-    """What the keywords of one ``#ERROR`` give.
+    """The parts of one ``#ERROR``.
 
-    ``values``: of each keyword whose value is told its place in ``KEYWORDS`` and its value.
+    ``values``: for each further keyword its index in ``KEYWORDS`` and its value.
     """
 
     identity: tree.Expression
@@ -43,7 +43,7 @@ class UserErrorParts:
 
 
 def parts(statement: tree.UserError) -> UserErrorParts:
-    """The parts of a checked statement."""
+    """Return the parts of a checked statement."""
     keywords: dict[str, tree.Expression] = {}
     for keyword in statement.keywords:
         assert isinstance(keyword, tree.Keyword)
@@ -58,7 +58,7 @@ def parts(statement: tree.UserError) -> UserErrorParts:
 def user_error(
     values: Values, statement: tree.UserError, number: int
 ) -> Generator[Command, Answer]:
-    """The commands of an ``#ERROR`` of the main program."""
+    """Yield the commands of an ``#ERROR`` of the main program."""
     error_parts = parts(statement)
     identity = yield from _whole(
         values, error_parts.identity, number, 1, HIGHEST_ID, INVALID_USER_ERROR_ID
@@ -82,7 +82,7 @@ def user_error(
 def _whole(
     values: Values, expression: tree.Expression, number: int, low: int, high: int, message: Message
 ) -> Generator[Command, Answer, int]:
-    """A whole number from ``low`` to ``high``, or the message that refuses it."""
+    """Return an integer from ``low`` to ``high``; raises ``DecodeError`` with the given message."""
     value = yield from values.evaluate(expression, number)
     if not (low <= value <= high and value == int(value)):
         values.fail(message, expression.span, value=value)

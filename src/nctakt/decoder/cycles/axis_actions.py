@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Single-axis commands of a checked cycle -> the statements that run in the tick (RC-405 … RC-410).
+"""Single-axis commands of a checked cycle -> statements that run in the tick (RC-405 … RC-410).
 
 Units are those of the cycle's definition: positions and feeds of linear axes in mm or inch, feeds
 per minute, in the unit of P-CHAN-00108 under G71. Rotary axes: degrees, degrees per minute.
@@ -26,7 +26,7 @@ from nctakt.nc.vocabulary.axis_commands import (
 
 
 class ActionBuilder:
-    """Builds the single-axis commands of one cycle; ``axes`` are those that it names."""
+    """Builds the single-axis commands of one cycle; ``axes``: those that it names."""
 
     def __init__(self, values: Values, expressions: ExpressionBuilder) -> None:
         self._environment = values.environment
@@ -36,7 +36,7 @@ class ActionBuilder:
         self.axes: dict[str, None] = {}
 
     def build(self, bracket: tree.BracketCommand) -> Statement:
-        """The statement of one command."""
+        """Return the statement of one command."""
         command, wrong = read_axis_command(bracket)
         assert not wrong, wrong
         self.axes[command.axis] = None
@@ -61,7 +61,9 @@ class ActionBuilder:
         return actions.MoveAxis(*moving, position, unit, bool(command.absolute), offsets)
 
     def _speed(self, command: AxisCommand) -> actions.Speed:
-        """FEED of the command, else of an earlier one with G01, else the rapid speed."""
+        """Return the speed: FEED of this command, of an earlier one with G01, or the rapid
+        speed.
+        """
         axis = self._axis(command.axis)
         memory = self._feeds.setdefault(command.axis, actions.FeedMemory())
         if command.feed is not None and not command.has_idle_feed:
@@ -72,7 +74,7 @@ class ActionBuilder:
         return actions.Speed(axis.rapid_speed, memory)
 
     def _feed_unit(self, axis: AxisConfiguration) -> float:
-        """What FEED=1 is in mm/s or degrees/s."""
+        """Return FEED=1 in mm/s or degrees/s."""
         if not axis.is_linear:
             return 1.0 / 60.0
         if self._state.inch:

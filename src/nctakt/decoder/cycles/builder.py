@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A checked realtime cycle -> the tree that runs in the tick (RC-2xx, RC-302, RC-403, RC-501).
 
-Synchronous variables become loads and stores; asynchronous ones are read now and stand in the tree
-as constants (``frozen``). The unit of length is the one that is active at the definition (RC-410).
+Synchronous variables become loads and stores; asynchronous ones are read once and become constants
+(``frozen``). The unit of length is the one active at the definition (RC-410).
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ _REACTIONS = {
 
 @dataclass(frozen=True, slots=True)
 class FrozenValue:
-    """An asynchronous variable that became a constant: its text, its value, its place."""
+    """An asynchronous variable that became a constant: text, value, span."""
 
     name: str
     value: float
@@ -59,7 +59,7 @@ class FrozenValue:
 
 @dataclass(frozen=True, slots=True)
 class CycleBranch:
-    """A branch of a cycle: its place and frequency, and the node that counts its firings."""
+    """A branch of a cycle: span, frequency, and the node that counts its firings."""
 
     span: Span
     frequency: str
@@ -68,7 +68,7 @@ class CycleBranch:
 
 @dataclass(slots=True)
 class CycleDefinition:
-    """What is known of a built cycle: for results, listings and diagnosis.
+    """A built cycle, for results, listings and diagnosis data.
 
     ``axes``: those that its single-axis commands name.
     """
@@ -99,9 +99,9 @@ _PROBES_OF_A_CONDITION = 3
 
 
 class CycleBuilder:
-    """Builds one cycle; ``first_probe`` is its number in the probe rows.
+    """Builds one cycle; ``first_probe``: its number in the probe rows.
 
-    Its conditions have the numbers behind it, ``$ELSE`` among them.
+    The numbers behind it belong to its conditions, ``$ELSE`` included.
     """
 
     def __init__(self, values: Values, first_probe: int) -> None:
@@ -119,7 +119,7 @@ class CycleBuilder:
     def build(
         self, statement: tree.RealtimeCycle, serial: int, identity: int, scope: str
     ) -> CycleDefinition:
-        """The cycle of a definition."""
+        """Return the cycle of a definition."""
         body = self._sequence(statement.body)
         events = self._statements + _OWN_EVENTS
         slots = self._values.environment.parameters.realtime_cycles.buffers
@@ -140,7 +140,7 @@ class CycleBuilder:
         )
 
     def _distinct_frozen(self) -> tuple[FrozenValue, ...]:
-        """In the order of the text, each access once: ``+=`` builds its target's index twice."""
+        """Return the frozen values in the order of the text, each access once."""
         by_span = {frozen.span: frozen for frozen in self._frozen}
         return tuple(by_span[span] for span in sorted(by_span))
 

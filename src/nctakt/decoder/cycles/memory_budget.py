@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a realtime cycle takes of the memory of P-CHAN-00407 (RC-504).
+"""The share of a realtime cycle in the memory of P-CHAN-00407 (RC-504).
 
-In: the checked tree of a cycle. Out: bytes, the sum of documented sizes: no source tells the
-controller's own, so these are ours. They depend on the program's text only, not on how its nodes
-are fused.
+In: the checked tree of a cycle. Out: bytes, the sum of documented sizes; the sizes are our own,
+since no source names the controller's. They depend on the program's text only, not on fused nodes.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ _NODES = (tree.Expression, tree.Word, tree.BracketCommand)
 
 
 def memory_bytes(cycle: tree.RealtimeCycle, action_places: int) -> int:
-    """Bytes of one loaded cycle."""
+    """Return the bytes of one loaded cycle."""
     total = CYCLE_BYTES + action_places * ACTION_PLACE_BYTES
     for statement in cycle.body:
         for node in _walk(statement):
@@ -39,7 +38,7 @@ def memory_bytes(cycle: tree.RealtimeCycle, action_places: int) -> int:
 
 
 def _walk(node: tree.Node) -> Iterator[tree.Node]:
-    """The node and all below it."""
+    """Yield the node and all nodes below it."""
     yield node
     for field in dataclasses.fields(node):
         value = getattr(node, field.name)

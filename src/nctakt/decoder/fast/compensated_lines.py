@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Plain blocks beside which the tool goes -> its ways in the channel's queue, without objects.
+"""Plain blocks along a compensated contour -> rows of the queue, without objects.
 
-In: the lines of plain blocks while a contour is compensated, one motion behind (``tool_path.py``).
-Out: rows of the queue, equal to the bit to those of the tree's way (``compensation.py``), which
-hands its contour over and takes it back. A line with which there is something to tell is not taken.
+In: the lines of plain blocks during compensation, one motion behind (``tool_path.py``). Out: rows
+equal to the bit to those of ``compensation.py``, which exports its contour and imports it again. A
+line that needs a message is left to the tree.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from nctakt.kernel.tick.command_queue import CommandRing
 
 
 class CompensatedLines:
-    """The contour of one channel with so many axes.
+    """The contour of one channel with ``count`` axes.
 
-    ``is_on``: plain blocks are compensated. ``first``, ``second``: the axes of the plane, at the
-    ``distance`` to the left of whose lines the tool goes. What is held: the motion that is known
-    but for its end, ``source`` … ``stops``, from ``start`` to ``target``; ``has_first_piece``: its
-    first piece is in the queue. ``deviation``, ``limits_jerk``: as of all lines. ``has_next``: a
-    line has come behind it, the next one, and it is not yet in the queue as a whole.
+    ``is_on``: plain blocks are compensated. ``first``, ``second``: the axes of the plane;
+    ``distance``: of the tool to the left of the lines, mm. The pending motion, known except for its
+    end: ``source`` … ``stops``, from ``start`` to ``target``; ``has_first_piece``: its first piece
+    is in the queue. ``deviation``, ``limits_jerk``: of all lines. ``has_next``: the next line has
+    arrived, and the pending motion is not yet completely in the queue.
     """
 
     def __init__(self, tool: ToolPath, count: int) -> None:
@@ -37,7 +37,7 @@ class CompensatedLines:
         self.begin = memoryview(bytearray(size)).cast("d")
         self.end = memoryview(bytearray(size)).cast("d")
         self.arc = memoryview(bytearray(8 * rows.ARC_WIDTH)).cast("d")
-        #: The places of the latest motions, by the last digits of their numbers.
+        #: Source numbers of the last motions, by their number modulo 64.
         self.sources = memoryview(bytearray(8 * 64)).cast("d")
         self.source = 0
         self.number = 0
@@ -56,16 +56,16 @@ class CompensatedLines:
         self.next_stops = False
 
     def set_motion(self, axis: int, start: float, target: float) -> None:
-        """The way of an axis in the motion that is held."""
+        """Set start and target of an axis in the pending motion."""
         self.start[axis] = start
         self.target[axis] = target
 
     def motion_of(self, axis: int) -> tuple[float, float]:
-        """As ``set_motion``."""
+        """Return start and target of an axis in the pending motion."""
         return (self.start[axis], self.target[axis])
 
     def source_of(self, number: int) -> int:
-        """The place of one of the latest motions."""
+        """Return the source number of one of the last motions."""
         return int(self.sources[number & 63])
 
     def try_join(
@@ -76,7 +76,7 @@ class CompensatedLines:
         highs: memoryview[float],
         is_contour: bool,
     ) -> int:
-        """Join a line with the motion that is held; 0: that is not for here."""
+        """Join a line to the pending motion; return 0 if the tree must do it."""
         x = start[self.first]
         y = start[self.second]
         x_2 = target[self.first]
@@ -93,9 +93,10 @@ class CompensatedLines:
         )
 
     def emit(self, ring: CommandRing, timed: int) -> int:
-        """The pieces of the motion that is held into the queue, up to so many commands in it.
+        """Put the pieces of the pending motion into the queue, up to ``timed`` commands in it.
 
-        0: not all of them fit. Behind the last one the line that came then is held.
+        Return 0 if not all of them fit. After the last one the next line becomes the pending
+        motion.
         """
         before = self.tool.number - 1
         while ring.timed_count < timed:
@@ -108,7 +109,7 @@ class CompensatedLines:
         return 0
 
     def advance(self, before: int) -> None:
-        """The line that came is held; the one that was is over."""
+        """Make the next line the pending motion."""
         self.sources[before & 63] = self.source
         self.has_next = False
         self.has_first_piece = False
@@ -122,7 +123,9 @@ class CompensatedLines:
             self.target[i] = self.next_target[i]
 
     def emit_piece(self, ring: CommandRing, shape: int, before: int) -> None:
-        """One piece; other axes move on the first one, and only the last one stops exactly."""
+        """Put one piece into the queue; other axes move on the first one, the last one may stop
+        exactly.
+        """
         base = self.tool.taken_place()
         for i in range(self.count):
             self.begin[i] = self.target[i] if self.has_first_piece else self.start[i]
@@ -177,7 +180,7 @@ class CompensatedLines:
         feed_v: float,
         stops: int,
     ) -> None:
-        """A line has come, to be held when the one before it is in the queue."""
+        """Set the line that follows the pending motion."""
         self.has_next = True
         self.next_source = source
         self.next_number = number

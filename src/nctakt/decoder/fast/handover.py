@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""When plain blocks take the short way, and what they find and leave there.
+"""Decides when plain blocks bypass the tree, and transfers the modal state.
 
-In: the lines that come next in a long program. Out: a ``PlainRun``, with which the queue is filled
-directly (``lines.py``) for as long as plain blocks follow. The modal state goes there and
-comes back, so that both ways mix block by block; a block that the short way does not take is
-decoded from its tree, with its diagnostics.
+In: the next lines of a long program. Out: a ``PlainRun``, which fills the queue directly
+(``lines.py``) as long as plain blocks follow. The modal state is exported and imported again, so
+that both paths alternate block by block; a block that the fast path does not accept is decoded from
+its tree, with its diagnostics.
 """
 
 from __future__ import annotations
@@ -31,22 +31,22 @@ from nctakt.nc.source import LineReader
 
 
 class PendingContour(Protocol):
-    """A contour that the tool is beside, or may be (``compensation.py``)."""
+    """The compensated contour of a program, possibly none (``compensation.py``)."""
 
     tool: ToolPath
 
     def can_export(self) -> bool:
-        """Whether plain blocks may go on with it; true without a contour."""
+        """Return whether plain blocks may continue it; true without a contour."""
 
     def export_to(self, lines: CompensatedLines) -> None:
-        """What is held goes there."""
+        """Export the pending contour."""
 
     def import_from(self, lines: CompensatedLines, file: str) -> None:
-        """And comes back, of this file."""
+        """Import the pending contour; ``file``: the name of the text."""
 
 
 class PlainBlocks:
-    """The plain blocks of one program; not more than ``max_blocks`` in a row may take no time."""
+    """The plain blocks of one program; at most ``max_blocks`` in a row may take no time."""
 
     def __init__(
         self,
@@ -73,9 +73,9 @@ class PlainBlocks:
         self._run = PlainRun(0, 0, self)
 
     def decode(self, reader: SectionReader, blocks: int) -> Generator[Command, Answer, int]:
-        """Decode the plain blocks that come next.
+        """Decode the plain blocks that follow; return ``blocks`` after them.
 
-        ``blocks``: how many were decoded since the last one that takes time, before and behind.
+        ``blocks``: the number of blocks decoded since the last one that takes time.
         """
         lines = reader.lines
         if lines is None or not self._is_next_plain(lines) or not self._is_allowed():
@@ -89,7 +89,7 @@ class PlainBlocks:
         return self._plain_lines.blocks
 
     def _is_next_plain(self, lines: LineReader) -> bool:
-        """Whether the next line that says anything is plain; empty ones are taken."""
+        """Return whether the next line is plain; skip empty ones."""
         while lines.more():
             what = self._scanner.read(lines.group[lines.index])
             if what != EMPTY:
@@ -98,7 +98,7 @@ class PlainBlocks:
         return False
 
     def _is_allowed(self) -> bool:
-        """Whether nothing is active that plain blocks do not know."""
+        """Return whether the state of the program allows plain lines."""
         return (
             self._state.allows_plain_lines
             and not self._environment.offsets.systems.is_active
@@ -142,9 +142,10 @@ class PlainBlocks:
             self._contour.import_from(self._compensated, self._file)
 
     def fill(self, ring: CommandRing, timed: int) -> None:
-        """Fill the queue up to so many commands that take time, or up to a block that is not plain.
+        """Fill the queue with up to ``timed`` commands that take time, or up to the next other
+        block.
 
-        Whoever takes the ``PlainRun`` does this.
+        Called by the consumer of the ``PlainRun``.
         """
         lines = self._lines
         assert lines is not None
@@ -165,6 +166,6 @@ class PlainBlocks:
 
 @dataclass(frozen=True, slots=True)
 class PlainRun(Command):
-    """Plain blocks come next, which ``blocks`` puts into the queue."""
+    """Plain blocks follow; ``blocks`` puts them into the queue."""
 
     blocks: PlainBlocks

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Plain blocks -> lines in the channel's queue, without objects in between.
 
-In: lines, and the modal state in numbers (``handover.py`` hands it over and takes it back).
-Out: rows of the queue, equal to the bit to those of the tree's way (``block_decoder.py``,
-``path_motion.py``). Whatever that way would refuse or not do alone is left to it: the line is not
-taken.
+In: lines, and the modal state as numbers (``handover.py`` exports and imports it). Out: rows of the
+queue, equal to the bit to those of the tree (``block_decoder.py``, ``path_motion.py``). Lines with
+mistakes or other effects are left to the tree.
 """
 
 from __future__ import annotations
@@ -17,12 +16,12 @@ from nctakt.nc.vocabulary.functions import RAPID
 
 
 class PlainLines:
-    """Takes plain blocks of one channel.
+    """Decodes plain blocks of one channel.
 
-    Modal state: ``motion`` 0 … 3, ``feed_v`` mm/s, 0 none yet, ``is_absolute``; ``feed_factor``: F
-    -> mm per minute; how blocks end. ``source_base``: the number of the text's line 0, column 0, -1
-    for a text whose places have none. ``blocks``: how many were decoded since the last one
-    that takes time, ``max_blocks`` how many may be.
+    Modal state: ``motion`` 0 … 3, ``feed_v`` mm/s, 0 before the first F, ``is_absolute``;
+    ``feed_factor``: F -> mm per minute; the ends of blocks. ``source_base``: the source number of
+    line 0, column 0, -1 for a text without source numbers. ``blocks``: the number of blocks since
+    the last one that takes time, ``max_blocks``: its maximum.
     """
 
     def __init__(self, scanner: PlainScanner, count: int, compensated: CompensatedLines) -> None:
@@ -56,7 +55,7 @@ class PlainLines:
     def set_axis(
         self, axis: int, position: float, offset: float, factor: float, low: float, high: float
     ) -> None:
-        """An axis: where it is, the zero of absolute positions, its unit and software limits."""
+        """Set position, zero of absolute positions, unit and software limits of an axis."""
         self.positions[axis] = position
         self.offsets[axis] = offset
         self.factors[axis] = factor
@@ -64,14 +63,14 @@ class PlainLines:
         self.highs[axis] = high
 
     def axis_positions(self) -> list[float]:
-        """Where the axes are."""
+        """Return the positions of the axes in mm or degrees."""
         return [self.positions[i] for i in range(self.count)]
 
     def fill(self, ring: CommandRing, timed: int, lines: list[str], index: int, number: int) -> int:
-        """Fill the queue up to so many commands that take time with the blocks of these lines.
+        """Fill the queue with up to ``timed`` commands that take time, from ``lines[index]`` on.
 
-        From ``lines[index]`` on, which is line ``number`` of the text; the first line that was not
-        taken. There is room in the queue.
+        ``number``: the line number of ``lines[index]``. Return the index of the first line not
+        decoded. The queue must have room.
         """
         end = len(lines)
         while index < end and ring.timed_count < timed:
@@ -106,11 +105,11 @@ class PlainLines:
         return index
 
     def resume(self, ring: CommandRing, timed: int) -> bool:
-        """Go on with the pieces of a line that the queue had no room for: true when it has."""
+        """Continue with the pieces of a line that did not fit; return whether all fit now."""
         return not self.compensated.has_next or self.compensated.emit(ring, timed) != 0
 
     def decode(self, line: str, number: int) -> int:
-        """Decode the line of this number: 0 not taken, 1 nothing moves, 2 a line is due."""
+        """Decode a line: return 0 if not accepted, 1 if nothing moves, 2 if a line is due."""
         scanner = self.scanner
         what = scanner.read(line)
         if what != 2:
@@ -145,13 +144,15 @@ class PlainLines:
         return 2
 
     def try_join(self, motion: int) -> int:
-        """Whether the tool can go beside the scanned block, with nothing to tell of it."""
+        """Return whether the tool can follow the scanned block without a message."""
         return self.compensated.try_join(
             self.positions, self.target, self.lows, self.highs, motion != self.rapid
         )
 
     def set_target(self) -> int:
-        """Put the target of the scanned block: 1 it is elsewhere, 0 it is not, -1 out of limits."""
+        """Set the target of the scanned block: return 1 if it moves, 0 if not, -1 outside
+        limits.
+        """
         scanner = self.scanner
         moves = 0
         for i in range(self.count):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Calls of subprograms and the ends of them: what is called, with what, and where it goes on.
+"""Calls of subprograms and their returns: the called program, its arguments, the return point.
 
 In: calls in the tree, M17 with its options, M6 and G80 … G819 with programs of the channel list.
 Out: ``CallFrame`` and ``Return`` for ``program.py``, which runs them.
@@ -26,7 +26,7 @@ from nctakt.nc.vocabulary.functions import RETURN_COMMANDS, SUBPROGRAM_ENDS, TOO
 
 
 class Calls:
-    """Makes call_stack of calls; the texts come from ``DecoderEnvironment.subprogram``.
+    """Makes call frames; ``DecoderEnvironment.subprogram`` provides the texts.
 
     ``has_implicit_programs``: some words of blocks call programs.
     """
@@ -40,7 +40,7 @@ class Calls:
     # --- what is called -------------------------------------------------------------------------
 
     def call(self, call: tree.SubprogramCall, number: int) -> Generator[Command, Answer, CallFrame]:
-        """The frame of a call with the values that it hands over."""
+        """Return the frame of a call with its arguments."""
         name = yield from self._values.evaluate_any(call.name, number)
         assert isinstance(name, str)
         arguments: dict[int, float | str] | None = None
@@ -67,14 +67,16 @@ class Calls:
         return self._environment.subprogram(name, caller, span)
 
     def implicit_frame(self, name: str, span: Span) -> CallFrame:
-        """The frame of a program that the channel list names."""
+        """Return the frame of a program that the channel list names."""
         text = self._file(name, span)
         return CallFrame(text, text.main)
 
     def implicit_call(
         self, block: tree.Block, number: int
     ) -> Generator[Command, Answer, tuple[tree.Block, CallFrame | None]]:
-        """The block without M6 or G80 … that call a program of the list, and that program."""
+        """Return the block without the M6 or G80 … that calls a program, and that program's
+        frame.
+        """
         programs = self._environment.parameters.implicit_programs
         for word in block.words:
             name = implicit_program(word, programs)
@@ -96,7 +98,7 @@ class Calls:
     def return_of(
         self, block: tree.Block, number: int
     ) -> Generator[Command, Answer, tuple[tree.Block, Return]]:
-        """The block without its M17 or M29, and where that leads."""
+        """Return the block without its M17 or M29, and the return."""
         calls: int | None = 1
         label: str | None = None
         others: list[tree.BlockWord] = []
@@ -112,7 +114,7 @@ class Calls:
         return rest, Return(calls, label, block.span)
 
     def _is_output(self, word: tree.BlockWord) -> bool:
-        """Whether M17 or M29 stands in the channel list (P-CHAN-00041): then the PLC gets it."""
+        """Return whether M17 or M29 is in the channel list and therefore output (P-CHAN-00041)."""
         assert isinstance(word, tree.Word)
         assert isinstance(word.value, tree.Number)
         return int(word.value.value) in self._environment.parameters.m_functions
@@ -120,7 +122,7 @@ class Calls:
     def _options(
         self, command: tree.BracketCommand, number: int
     ) -> Generator[Command, Answer, tuple[int | None, str | None]]:
-        """``[MAIN]``, ``[JUMPS=2]`` and a label."""
+        """Return the values of ``[MAIN]`` or ``[JUMPS=2]``, and of a label."""
         calls: int | None = 1
         label: str | None = None
         for item in command.items:
@@ -139,15 +141,15 @@ class Calls:
 
 
 def has_return(block: tree.Block) -> bool:
-    """Whether M17 or M29 stands in a block."""
-    for word in block.words:  # no generator: this is asked of each block
+    """Return whether a block contains M17 or M29."""
+    for word in block.words:  # no generator, because it is called for each block
         if _is_return(word):
             return True
     return False
 
 
 def label_of(item: tree.Keyword | tree.Expression) -> str | None:
-    """The label that stands in the brackets of M17."""
+    """Return the label in the brackets of M17."""
     if isinstance(item, tree.Name):
         return item.name
     if isinstance(item, tree.Keyword):
@@ -172,7 +174,7 @@ def _is_return(word: tree.BlockWord) -> bool:
 
 
 def implicit_program(word: tree.BlockWord, programs: ImplicitPrograms) -> str:
-    """The program of the channel list that a word calls; empty for none."""
+    """Return the program of the channel list that a word calls; empty if there is none."""
     if not isinstance(word, tree.Word) or not isinstance(word.value, tree.Number):
         return ""
     number = word.value.value

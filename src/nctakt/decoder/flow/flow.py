@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Control structures of the main program: conditions, loops, branches, and the ways out of them.
+"""Control structures of the main program: conditions, loops, branches, and their exits.
 
-In: structures of the tree. Out: the commands of the branches that are taken, and a ``Signal`` for
-what is around. A jump goes up to its program, which begins again at the statement that holds the
-label; that statement is then entered here, whatever its conditions say.
+In: structures of the tree. Out: the commands of the branches taken, and a ``Signal`` for the
+enclosing structure. A jump leads up to its program, which restarts at the statement that holds the
+label; that statement is entered here regardless of its conditions.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from nctakt.nc.outline import bodies_of, leads_to
 
 @dataclass(frozen=True, slots=True)
 class Jump:
-    """To a label of the program that decodes."""
+    """A jump to a label of the same program."""
 
     label: str
     span: Span
@@ -32,7 +32,7 @@ class Jump:
 
 @dataclass(frozen=True, slots=True)
 class Return:
-    """Back over so many calls, ``None`` for all of them, and on at a label if there is one."""
+    """A return over ``calls`` calls, ``None`` for all of them, continuing at a label if given."""
 
     calls: int | None
     label: str | None
@@ -60,7 +60,7 @@ class Flow:
         self._count = count
 
     def structure(self, statement: Structure, number: int) -> Decoding:
-        """A structure from its beginning; ``number`` is the N word of its first line."""
+        """Decode a structure; ``number``: the N word of its first line."""
         match statement:
             case tree.If():
                 return (yield from self._if(statement, number))
@@ -74,7 +74,7 @@ class Flow:
                 return (yield from self._switch(statement, number))
 
     def enter(self, statement: tree.Statement, label: str) -> Decoding:
-        """A structure from a label inside it on, as if its conditions had led there."""
+        """Decode a structure from a label inside it on, regardless of its conditions."""
         bodies = list(bodies_of(statement))
         first = next(i for i, body in enumerate(bodies) if any(leads_to(s, label) for s in body))
         signal = yield from self._run(bodies[first], label)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""``#`` commands of the main program that have no file of their own.
+"""``#`` commands of the main program without a module of their own.
 
-In: nodes that the checker has let pass. Out: commands, or an effect on the decoder's state.
+In: checked nodes. Out: commands, or changes of the decoder's state.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from nctakt.nc.vocabulary.system_variables import TIMERS
 
 
 class HashCommands:
-    """Decodes them for one program."""
+    """Decodes these commands for one program."""
 
     def __init__(self, values: Values) -> None:
         self._values = values
@@ -33,9 +33,10 @@ class HashCommands:
         self._systems = CsCommands(values)
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
-        """``#DELETE``, ``#CS``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``.
+        """Execute ``#DELETE``, ``#CS``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE
+        CLEAR``.
 
-        Others have no effect.
+        Other commands have no effect.
         """
         words = tuple(word.name for word in command.words)
         if words == ("DELETE",):
@@ -69,7 +70,7 @@ class HashCommands:
                 self._values.state.message_file = text
 
     def timer(self, timer: tree.Timer, number: int) -> Generator[Command, Answer]:
-        """``#TIMER``: at once, or with SYN in its place among the blocks."""
+        """Execute ``#TIMER`` at once, or with SYN in the order of the blocks."""
         identity = 0.0
         for keyword in timer.keywords:
             assert isinstance(keyword, tree.Keyword)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Modal calls: cycles that run again behind each block, or each block with a motion.
+"""Modal calls: cycles repeated after each block, or after each block with a motion.
 
-In: ``L CYCLE [NAME=… MODAL_MOVE …]``, and the statements of the program that has called. Out: the
-calls that are due. A modal call belongs to the program in which it stands: it ends with that
-program, with ``#DISABLE MODAL CYCLE`` or with another modal call, and has no effect in programs
-that are called. The values that it hands over are those of the moment in which it was decoded.
+In: ``L CYCLE [NAME=… MODAL_MOVE …]``, and the statements of the calling program. Out: the calls
+that are due. A modal call belongs to its program: it ends with that program, with ``#DISABLE MODAL
+CYCLE`` or with another modal call, and does not apply to called programs. Its arguments are those
+at the time of decoding.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from nctakt.decoder.state.call_stack import CallFrame, CallStack, ModalCall
 from nctakt.nc import tree
 from nctakt.nc.check.calls import MODAL_BLOCK, MODAL_MOVE
 
-#: What is followed by no call: calls themselves, and what only leads the way.
+#: Statements without a call after them: calls themselves, and control flow.
 _WITHOUT_CALL = (
     tree.SubprogramCall,
     tree.If,
@@ -30,7 +30,7 @@ _WITHOUT_CALL = (
 
 
 def modal_word(call: tree.SubprogramCall) -> str:
-    """``MODAL_MOVE`` or ``MODAL_BLOCK`` of a call, empty without."""
+    """Return ``MODAL_MOVE`` or ``MODAL_BLOCK`` of a call, empty without."""
     for item in call.keywords:
         if isinstance(item, tree.Keyword):
             if item.name in MODAL_MOVE:
@@ -47,7 +47,7 @@ class ModalCalls:
         self._call_stack = call_stack
 
     def begin(self, call: tree.SubprogramCall, frame: CallFrame) -> None:
-        """A call has begun; where it is modal, further ones follow."""
+        """Note a call; a modal one will be repeated."""
         word = modal_word(call)
         if word:
             self._call_stack.set_modal(ModalCall(_copy(frame), call.span, word == MODAL_BLOCK))
@@ -55,18 +55,18 @@ class ModalCalls:
             self._call_stack.top.modal.is_due = False
 
     def end(self) -> None:
-        """``#DISABLE MODAL CYCLE``."""
+        """End the modal call (``#DISABLE MODAL CYCLE``)."""
         self._call_stack.set_modal(None)
 
     def after_block(self, line: int, has_motion: bool) -> None:
-        """The words of a block that calls nothing and ends nothing are decoded."""
+        """Note a decoded block of words that calls nothing and ends nothing."""
         modal = self._call_stack.top.modal
         if modal is not None and (modal.after_each_block or has_motion):
             modal.is_due = True
             modal.line = line
 
     def after_statement(self, statement: tree.Statement) -> None:
-        """A statement that is no block of words is decoded."""
+        """Note a decoded statement other than a block of words."""
         modal = self._call_stack.top.modal
         if modal is None or not modal.after_each_block:
             return
@@ -75,7 +75,9 @@ class ModalCalls:
             modal.line = statement.span.line
 
     def take_due(self, line: int | None = None) -> tuple[CallFrame, ModalCall] | None:
-        """The call that comes before the block in this line, or ``None`` for the next block."""
+        """Return the call due before the block in this line, or before the next block for
+        ``None``.
+        """
         modal = self._call_stack.top.modal
         if modal is None or not modal.is_due or modal.line == line:
             return None
@@ -84,6 +86,6 @@ class ModalCalls:
 
 
 def _copy(frame: CallFrame) -> CallFrame:
-    """The frame of another run: its own parameters may be changed."""
+    """Return a copy of the frame for another run, whose parameters may change."""
     arguments = None if frame.arguments is None else dict(frame.arguments)
     return CallFrame(frame.text, frame.section, arguments)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Realtime loops: a body that is decoded once and then repeated by the realtime part.
+"""Realtime loops: a body that is decoded once and repeated by the realtime part.
 
-In: the commands that the statements of the body yield. Out: the same between the loop's two ends,
-after a look at them all: a pass ends where it began and fits into the history of the path.
+In: the commands of the statements of the body. Out: the same commands between the two ends of the
+loop, after a check of all of them: a pass ends where it began and fits into the history of the
+path.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ from nctakt.messages.backward import (
 )
 from nctakt.nc import tree
 
-#: How far the end of a pass may be from its begin, in mm or degrees: a rounding.
+#: Maximum distance between start and end of a pass due to rounding, mm or degrees.
 CLOSE_ENOUGH = 1e-9
 
 
@@ -52,7 +53,7 @@ class RealtimeLoops:
         self._run = run
 
     def loop(self, loop: tree.RealtimeLoop, number: int) -> Generator[Command, Answer]:
-        """The commands of a loop; the decoder goes on when the realtime part has left it."""
+        """Yield the commands of a loop; decoding continues when the realtime part has left it."""
         size = self._environment.history_size
         if self._state.path.compensation.is_active:
             self._values.fail(RT_WHILE_DURING_COMPENSATION, loop.span)
@@ -82,7 +83,9 @@ class RealtimeLoops:
         yield LoopEnd(source, number)
 
     def _body(self, loop: tree.RealtimeLoop) -> list[Command]:
-        """All commands of the body; none that the decoder would have to wait for."""
+        """Return all commands of the body; raises ``DecodeError`` for one that would have to
+        wait.
+        """
         commands: list[Command] = []
         decoded = self._run(loop.body, None)
         while True:

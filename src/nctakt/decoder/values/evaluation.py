@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Values at decode time: expressions, and variables that the main program reads.
+"""Evaluation at decode time: expressions, and variables that the main program reads.
 
 An asynchronous variable is read at once; a synchronous one and every V.RT* variable through the
-channel: the read waits until the path stands (RC-308).
+channel, which waits until the path has stopped (RC-308).
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ from nctakt.nc.vocabulary.variable_table import Aggregate, Location
 
 Evaluation = Generator[Command, Answer, float]
 
-#: Operations whose fault is a wrong argument of a function (21241).
+#: Operations whose fault is an invalid argument of a function (21241).
 _FUNCTIONS = frozenset(
     ("SQRT", "EXP", "DEXP", "LN", "LOG", "SIN", "COS", "TAN", "COT", "ASIN", "ACOS", "ATAN2", "INV")
 )
@@ -89,13 +89,13 @@ class Evaluator:
 
     @cached_property
     def _context(self) -> Context:
-        """Made for the first expression that is read as a tree."""
+        """The context of expressions evaluated as trees, created on first use."""
         return empty_context()
 
     # --- reading --------------------------------------------------------------------------------
 
     def constant_value(self, expression: tree.Expression) -> float | None:
-        """The value of an expression that needs nothing else; ``None``: it has to be evaluated."""
+        """Return the value of an expression that needs no evaluation, else ``None``."""
         if isinstance(expression, TemplateExpression):
             return self._template_evaluator.value(
                 self._plans.of_template(expression.template), expression.occurrence
@@ -103,9 +103,9 @@ class Evaluator:
         return expression.value if isinstance(expression, tree.Number) else None
 
     def evaluate(self, expression: tree.Expression, number: int) -> Evaluation:
-        """The value of an expression; synchronous variables in it empty the channel first.
+        """Return the value of an expression; synchronous variables empty the channel first.
 
-        ``number`` is the N word of the block. Raises ``DecodeError`` where there is no value.
+        ``number``: the N word of the block. Raises ``DecodeError`` if there is no value.
         """
         value = self.constant_value(expression)
         if value is not None:
@@ -120,7 +120,7 @@ class Evaluator:
     def evaluate_any(
         self, expression: tree.Expression, number: int
     ) -> Generator[Command, Answer, float | str]:
-        """As ``evaluate``; the value may be a text."""
+        """Return the value of an expression, a number or a text; raises ``DecodeError``."""
         if isinstance(expression, tree.StringLiteral):
             return expression.value
         value = self.constant_value(expression)
@@ -135,7 +135,7 @@ class Evaluator:
         return text
 
     def _text(self, expression: tree.Expression) -> str:
-        """The value of an expression whose value is a text."""
+        """Return the value of an expression that must be a text."""
         if isinstance(expression, tree.StringLiteral):
             return expression.value
         if isinstance(expression, tree.Binary):
@@ -154,7 +154,7 @@ class Evaluator:
         return value
 
     def _is_text(self, expression: tree.Expression) -> bool:
-        """Whether the value of an expression is a text now."""
+        """Return whether the current value of an expression is a text."""
         if isinstance(expression, tree.Parameter) and expression.call:
             return isinstance(self._argument(expression), str)
         if isinstance(expression, tree.Variable) and is_program_variable(expression):
@@ -164,7 +164,9 @@ class Evaluator:
         return is_text(expression, self.environment.names)
 
     def _query_number(self, call: tree.Call) -> Operand | None:
-        """The number that a function of names or texts gives."""
+        """Return the numeric result of a function of names or texts, ``None`` for other
+        functions.
+        """
         if not FUNCTIONS[call.function].decoder_only:
             return None
         value = self._query(call)
@@ -189,7 +191,7 @@ class Evaluator:
         return self.program_values.function(call, values)
 
     def _exists(self, asked: tree.Expression) -> bool:
-        """Whether there is a variable, an M or H function of the list, a parameter of the call."""
+        """Return whether a variable, an M or H function of the list, or a call parameter exists."""
         if isinstance(asked, tree.Parameter):
             if not asked.call:
                 return self._parameter(asked) in self.state.parameters
@@ -209,7 +211,7 @@ class Evaluator:
         return all(0 <= self._index(index) < dimension.count for index, dimension in counts)
 
     def _size(self, asked: tree.Expression, dimension: int) -> int:
-        """Elements of an array; a list's has one dimension."""
+        """Return the number of elements of an array in a dimension; arrays of lists have one."""
         assert isinstance(asked, tree.Variable)
         if is_program_variable(asked):
             return self.program_values.size(asked, dimension)
@@ -218,13 +220,13 @@ class Evaluator:
         return aggregate.node.array_elements if is_first and isinstance(aggregate, Aggregate) else 0
 
     def declare(self, declaration: tree.Declaration, number: int) -> Generator[Command, Answer]:
-        """A line of ``#VAR``."""
+        """Declare the variable of a line of ``#VAR``."""
         yield from self.program_values.declare(
             declaration, number, self.evaluate, self.evaluate_any
         )
 
     def _argument(self, parameter: tree.Parameter) -> float | str:
-        """What the call of the innermost cycle has handed over as @P1, @P2, …"""
+        """Return the argument @P1, @P2, … of the innermost cycle; raises ``DecodeError`` 900312."""
         number = self._parameter(parameter)
         value = self.state.call_stack.arguments.get(number)
         if value is None:
@@ -232,14 +234,14 @@ class Evaluator:
         return value
 
     def _compare_texts(self, comparison: tree.Binary) -> Operand | None:
-        """Two texts are equal when all their characters are."""
+        """Return the result of comparing two texts, ``None`` for numbers."""
         if not (self._is_text(comparison.left) or self._is_text(comparison.right)):
             return None
         is_equal = self._text(comparison.left) == self._text(comparison.right)
         return constant(1.0 if is_equal == (comparison.operator == "==") else 0.0)
 
     def evaluate_now(self, expression: tree.Expression) -> float:
-        """The value with what every variable holds at this moment, synchronous ones too."""
+        """Return the value with the current values of all variables, including synchronous ones."""
         for variable in variables_in(expression):
             self._fetched[id(variable)] = self._read_now(variable)
         value = self._compute(expression)
@@ -250,9 +252,9 @@ class Evaluator:
         return self._computed(expression, self._plans.of(expression))
 
     def _computed(self, expression: tree.Expression, plan: Plan | None) -> float:
-        """The value of an expression whose variables are fetched; as planned, if all are numbers.
+        """Return the value of an expression with fetched variables, by its plan if it is numeric.
 
-        What goes wrong is found out with the values in the nodes, where faults are told.
+        A fault is found by evaluating the tree again, which locates and reports it.
         """
         if plan is not None and plan.node is not None and self._load(plan.leaves):
             context = self._plans.context
@@ -272,7 +274,7 @@ class Evaluator:
         return value
 
     def _load(self, leaves: Sequence[Leaf]) -> bool:
-        """Put the values of leaves into the cells of the plans; false where one is no number."""
+        """Load the values of leaves into the cells of the plans; return false for a text."""
         cells = self._plans.cells
         parameters = self.state.parameters
         for cell, leaf in enumerate(leaves):
@@ -288,7 +290,7 @@ class Evaluator:
     def _fetch(
         self, expression: tree.Expression, number: int, plan: Plan | None = None
     ) -> Generator[Command, Answer]:
-        """Get the values of all variables of an expression, innermost indices first."""
+        """Fetch the values of all variables of an expression, innermost indices first."""
         for variable in plan.variables if plan is not None else variables_in(expression):
             if is_decoder_data(variable):
                 if variable.family == "A":
@@ -304,7 +306,7 @@ class Evaluator:
             source = self.environment.source_id(variable.span)
             answer = yield ReadRealtime(source, number, cell)
             assert isinstance(answer, float)
-            # the answer is of the tick that ran last, so the memory still holds what it was
+            # the answer is from the last tick, so the memory still holds the same value
             self._fetched[id(variable)] = self._value_in(cell, location)
 
     def _leaf(self, node: tree.Variable | tree.Parameter) -> Operand:
@@ -321,7 +323,7 @@ class Evaluator:
         return constant(self.state.parameters.get(self._parameter(node), 0.0))
 
     def no_macro(self, text: tree.StringLiteral) -> NoReturn:
-        """A text where a number is needed names no macro."""
+        """Report a text where a number is needed as an undefined macro."""
         self.fail(UNKNOWN_MACRO, text.span, name=text.value, nearest="–")
 
     def _parameter(self, node: tree.Parameter) -> int:
@@ -330,7 +332,7 @@ class Evaluator:
         return int(self._index(node.index))
 
     def _index(self, index: tree.Expression) -> float:
-        """The number of an element; a fault in its expression gives the program up."""
+        """Return the rounded value of an index; raises ``DecodeError`` for a fault."""
         return arithmetic.round_half_even(self._compute(index))
 
     def _read_now(self, variable: tree.Variable) -> float | str:
@@ -342,7 +344,7 @@ class Evaluator:
         return self._value_in(self.cell(variable, location), location)
 
     def _system(self, variable: tree.Variable) -> float:
-        """V.G and V.A."""
+        """Return the value of a V.G or V.A variable."""
         environment = self.environment
         system = system_variable(variable, tuple(environment.axis_numbers))
         assert system is not None
@@ -363,7 +365,7 @@ class Evaluator:
         return self.system.read(variable, system)
 
     def _flush_before(self, variable: tree.Variable, number: int) -> Generator[Command, Answer]:
-        """Empty the channel in front of a variable that shows where an axis is."""
+        """Empty the channel before a variable that shows a present position."""
         system = system_variable(variable, tuple(self.environment.axis_numbers))
         if system is not None and system.waits:
             cell = self.system.cell(variable, system)
@@ -371,7 +373,7 @@ class Evaluator:
             yield ReadRealtime(self.environment.source_id(variable.span), number, cell)
 
     def _value_in(self, cell: int, location: Location) -> float | str:
-        """What the memory holds in this moment."""
+        """Return the current value in memory."""
         if not location.is_numeric:
             return strings.read(self.environment.memory, cell, location.size_bytes)
         return self._in_unit(self.environment.cells[cell], location)
@@ -380,13 +382,13 @@ class Evaluator:
         return value / self.state.length_unit_mm if location.is_length else value
 
     def locate(self, variable: tree.Variable) -> Location:
-        """Where a variable lives; the checker has seen that it exists."""
+        """Return the location of a variable that the checker has found to exist."""
         location = resolve(variable, self.environment.names)
         assert isinstance(location, Location), variable
         return location
 
     def cell(self, variable: tree.Variable, location: Location | Aggregate) -> int:
-        """The cell of a variable with the values that its indices have now (50929 outside)."""
+        """Return the cell of a variable for the current values of its indices; 50929 outside."""
         cell = location.cell
         for index, dimension in zip(indices_of(variable), location.dimensions, strict=True):
             number = self._index(index)
@@ -402,11 +404,13 @@ class Evaluator:
         return cell
 
     def check_flush_allowed(self, command: str, span: Span) -> None:
-        """What waits until the path stands cannot be while contours are compensated (RC-308)."""
+        """Raise ``DecodeError`` 20651 while compensation is active, because it cannot wait
+        (RC-308).
+        """
         compensation = self.state.path.compensation
         if compensation.side:
             self.fail(FLUSH_DURING_COMPENSATION, span, command=command, word=compensation.word)
 
     def fail(self, message: Message, span: Span, **values: object) -> NoReturn:
-        """Give the program up."""
+        """Raise ``DecodeError`` with this message."""
         raise DecodeError(diagnostic(message, span, self.environment.line_text(span), **values))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Expression of the tree -> expression of the realtime part, (RC-206).
+"""Expressions of the tree -> expressions of the realtime part (RC-206).
 
-The one meaning of operators and functions for decoder and cycles: in a cycle a variable becomes a
-load, in the decoder the value that it has now, and the tree is evaluated at once. Nodes with simple
-operands are fused (``fusing.py``).
+Decoder and cycles share this meaning of operators and functions: in a cycle a variable becomes a
+load; in the decoder it becomes its current value, and the result is evaluated at once. Nodes with
+simple operands are fused (``fusing.py``).
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ _UNARY: dict[str, type[expressions.Unary]] = {
     "FLOOR": expressions.Floor,
 }
 
-#: The comparisons: two expressions, and variable with number.
+#: Comparisons of two expressions, and of a variable with a number.
 _COMPARISONS: dict[
     str, tuple[type[conditions.Comparison], type[conditions.CellComparison], str]
 ] = {
@@ -78,7 +78,7 @@ _COMPARISONS: dict[
     "!=": (conditions.IsNotEqual, conditions.IsNotEqualCellConstant, "!="),
 }
 
-#: What combines conditions into one.
+#: Combinations of conditions.
 COMBINATIONS: dict[str, type[conditions.Combination]] = {
     "&&": conditions.Both,
     "||": conditions.Either,
@@ -92,11 +92,11 @@ def _unexpected(text: tree.StringLiteral) -> NoReturn:
 
 
 class ExpressionBuilder:
-    """``leaf`` says what a variable or parameter becomes, ``number`` what a number does.
+    """Builds expressions; ``leaf`` converts variables and parameters, ``number`` numbers.
 
-    ``compare_texts`` gives the value of ``==`` and ``!=`` between texts, ``None`` between numbers;
-    ``query`` that of a function of names or texts, ``None`` of one of numbers. ``macro`` tells of
-    one that is not defined.
+    ``compare_texts`` returns the result of ``==`` and ``!=`` between texts, ``None`` for numbers;
+    ``query`` that of a function of names or texts, ``None`` for other functions. ``macro`` reports
+    an undefined macro.
     """
 
     def __init__(
@@ -115,11 +115,11 @@ class ExpressionBuilder:
 
     @cached_property
     def _context(self) -> Context:
-        """Made when a value is computed: most builders only build."""
+        """The context of folded constants, created on first use."""
         return empty_context()
 
     def build(self, expression: tree.Expression) -> Operand:
-        """The node of an expression that the checker has let pass."""
+        """Return the operand of a checked expression."""
         match expression:
             case tree.Number():
                 return self._number(expression)
@@ -143,7 +143,7 @@ class ExpressionBuilder:
         raise AssertionError(expression)
 
     def condition(self, expression: tree.Expression) -> Condition:
-        """The condition of an ``$IF``; ``&&`` and ``||`` combine conditions."""
+        """Return the condition of an ``$IF``; ``&&`` and ``||`` combine conditions."""
         if isinstance(expression, tree.Binary) and expression.operator in COMBINATIONS:
             left, right = self._part(expression.left), self._part(expression.right)
             return COMBINATIONS[expression.operator](left, right)
@@ -160,7 +160,7 @@ class ExpressionBuilder:
         return general(left_operand.node, right_operand.node)
 
     def _part(self, expression: tree.Expression) -> Condition:
-        """An operand of ``&&`` or ``||``."""
+        """Return the condition of an operand of ``&&`` or ``||``."""
         if isinstance(expression, tree.Binary) and (
             expression.operator in COMBINATIONS or expression.operator in _COMPARISONS
         ):
@@ -168,7 +168,7 @@ class ExpressionBuilder:
         return conditions.IsTruePart(self.build(expression).node)
 
     def combine(self, operator: str, left: Operand, right: Operand) -> Operand:
-        """``left operator right``."""
+        """Return ``left operator right``."""
         if left.constant is not None and right.constant is not None:
             return self._folded(_BINARY[operator](left.node, right.node))
         return fuse(operator, left, right) or Operand(_BINARY[operator](left.node, right.node))
@@ -193,7 +193,9 @@ class ExpressionBuilder:
         return self._unary(call.function, call.arguments[0])
 
     def _folded(self, node: Expression) -> Operand:
-        """A node of known operands: its value, unless it is a fault that the run has to tell."""
+        """Return the value of a node with constant operands; the node itself for a fault at run
+        time.
+        """
         self._context.fault = 0
         value = node.measure(self._context)
         if self._context.fault or value - value != 0.0:

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Nodes with simple operands -> one node that does the work of several
-(``kernel/cycles/fused.py``).
+"""Fuses nodes with simple operands into one node (``kernel/cycles/fused.py``).
 
-In: operator and built operands. Out: the fused node, or none where nothing fits. Fusing changes
-neither a bit of a result nor a count: what is counted stands on the tree (``nc/check/cost.py``).
+In: operator and operands. Out: the fused node, or ``None``. Fusing changes neither results, to the
+last bit, nor instruction counts, which depend on the tree (``nc/check/cost.py``).
 """
 
 from __future__ import annotations
@@ -18,10 +17,10 @@ Terms = tuple[tuple[int, float], ...]
 
 @dataclass(frozen=True, slots=True)
 class Operand:
-    """A node.
+    """A built node.
 
-    ``constant`` is its value where that is known, ``cell`` the variable that it only loads;
-    ``terms`` the sum that it is, where it is one of variables and their multiples.
+    ``constant``: its value if known; ``cell``: the variable that it only loads; ``terms``: its
+    terms if it is a sum of multiples of variables.
     """
 
     node: Expression
@@ -31,12 +30,12 @@ class Operand:
 
 
 def constant(value: float) -> Operand:
-    """A known number."""
+    """Return the operand of a known number."""
     return Operand(expressions.Constant(value), value)
 
 
 def load(cell: int) -> Operand:
-    """A variable of the memory."""
+    """Return the operand of a variable in memory."""
     return Operand(expressions.Load(cell), cell=cell, terms=((cell, 1.0),))
 
 
@@ -75,7 +74,7 @@ _SUMS = {2: fused.SumOfTwo, 3: fused.SumOfThree, 4: fused.SumOfFour}
 
 
 def fuse(operator: str, left: Operand, right: Operand) -> Operand | None:
-    """``left operator right``, not both known, as one node."""
+    """Return ``left operator right``, not both constant, as one node; ``None`` if none fits."""
     if operator == "/" and right.constant:
         return Operand(fused.DivideExpressionConstant(left.node, right.constant))
     if operator not in _OPERATIONS:
@@ -89,9 +88,9 @@ def fuse(operator: str, left: Operand, right: Operand) -> Operand | None:
 
 
 def _sum(operator: str, left: Operand, right: Operand) -> Terms:
-    """The terms of a sum or difference, if it has any and they are at most four.
+    """Return the terms of a sum or difference, at most four; empty if it is not one.
 
-    Only what is added last may be negated: ``a - [b + c]`` is no sum of terms to the last bit.
+    Only the last term may be negated: ``a - [b + c]`` is not a sum of terms to the last bit.
     """
     if operator == "+" and len(left.terms) == 1:
         left, right = right, left
@@ -102,7 +101,7 @@ def _sum(operator: str, left: Operand, right: Operand) -> Terms:
 
 
 def _multiple(left: Operand, right: Operand) -> Operand | None:
-    """A number times a variable, or times a sum."""
+    """Return a number times a variable or times a sum."""
     if left.constant is not None:
         left, right = right, left
     if right.constant is None or not left.terms:
@@ -116,7 +115,7 @@ def _multiple(left: Operand, right: Operand) -> Operand | None:
 
 
 def _pair(operator: str, left: Operand, right: Operand, terms: Terms = ()) -> Operand | None:
-    """Two operands, of which at least one is a variable or a number."""
+    """Return the node of two operands of which at least one is a variable or a number."""
     operation = _OPERATIONS[operator]
     if operator != "-" and right.cell is None and right.constant is None:
         left, right = right, left

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Expressions of the main program that are evaluated again and again: made once, then computed.
+"""Plans of repeated expressions of the main program: built once, then evaluated.
 
 In: an expression. Out: its ``Plan``: the variables that it reads, and the same nodes as in realtime
-cycles, with a cell for each variable and parameter. Whoever evaluates puts the values of this
-moment into the cells. Only expressions of numbers have nodes; what depends on texts or on the
-parameters of a call has none. A template is an expression that came again and again in the text;
-its numbers have cells, too (``forms.py``).
+cycles, with a cell for each variable and parameter; the evaluator loads the current values into the
+cells. Only numeric expressions have nodes; those with texts or call parameters have none. The
+numbers of a template have cells, too (``template_plans.py``).
 """
 
 from __future__ import annotations
@@ -22,10 +21,10 @@ from nctakt.nc.fast.templates import ExpressionTemplate
 from nctakt.nc.vocabulary.operators import FUNCTIONS
 from nctakt.nc.vocabulary.resolution import bare_name, variables_in
 
-#: Expressions that are remembered; then all are forgotten, so that no program is too long.
+#: Maximum number of remembered expressions; then all are forgotten.
 MAX_PLANS = 4096
 
-#: Variables and parameters of an expression with nodes.
+#: Maximum number of variables and parameters of an expression with nodes.
 MAX_LEAVES = 32
 
 Leaf = tree.Variable | tree.Parameter
@@ -35,8 +34,8 @@ Leaf = tree.Variable | tree.Parameter
 class Plan:
     """How an expression is evaluated.
 
-    ``variables``: all in it, those of indices first. ``leaves``: what its nodes read, in the order
-    of the cells. ``node`` is ``None`` where it has to be built anew each time.
+    ``variables``: all variables in it, those of indices first. ``leaves``: the operands of its
+    nodes in the order of the cells. ``node``: ``None`` if it must be built for each evaluation.
     """
 
     expression: tree.Expression
@@ -46,7 +45,7 @@ class Plan:
 
 
 class Plans:
-    """The plans of one program; ``cells`` are those that their nodes read, by ``context``."""
+    """The plans of one program; their nodes read ``cells`` through ``context``."""
 
     def __init__(self) -> None:
         self.memory = bytearray(8 * max(MAX_LEAVES, MAX_CELLS))
@@ -58,9 +57,9 @@ class Plans:
         self._builder = ExpressionBuilder(self._leaf)
 
     def of(self, expression: tree.Expression) -> Plan | None:
-        """The plan of an expression; ``None`` for one that is evaluated for the first time.
+        """Return the plan of an expression; ``None`` at its first evaluation.
 
-        What is asked for is kept alive, so that its identity stays its own.
+        The expression is kept alive, because plans are found by its identity.
         """
         remembered = self._plans.get(id(expression))
         if isinstance(remembered, Plan):
@@ -83,7 +82,7 @@ class Plans:
         return Plan(expression, variables, leaves, node if len(leaves) <= MAX_LEAVES else None)
 
     def of_template(self, template: ExpressionTemplate) -> TemplatePlan:
-        """The plan of a template."""
+        """Return the plan of a template."""
         plan = self._template_plans.get(template)
         if plan is None:
             if len(self._template_plans) == MAX_PLANS:
@@ -97,8 +96,7 @@ class Plans:
 
 
 def plan_of_template(template: ExpressionTemplate) -> TemplatePlan:
-    """The plan of a template whose cells hold first its numbers, then variables, then
-    parameters."""
+    """Return the plan of a template; its cells hold numbers, then variables, then parameters."""
     numbers: dict[NumberRecipe, None] = {}
     names: dict[tuple[str, str], None] = {}
     parameters: dict[int, None] = {}
@@ -121,7 +119,7 @@ def plan_of_template(template: ExpressionTemplate) -> TemplatePlan:
         return load(len(numbers) + len(names) + list(parameters).index(parameter))
 
     builder = ExpressionBuilder(leaf, number=number)
-    builder.build(template.tree)  # finds out what there is
+    builder.build(template.tree)  # collects numbers, names and parameters
     node = builder.build(template.tree).node
     count = len(numbers) + len(names) + len(parameters)
     return TemplatePlan(
@@ -134,7 +132,9 @@ def plan_of_template(template: ExpressionTemplate) -> TemplatePlan:
 
 
 def _is_numeric(expression: tree.Expression) -> bool:
-    """Whether an expression has nothing but numbers, variables and parameters by their number."""
+    """Return whether an expression consists of numbers, variables and parameters with constant
+    index.
+    """
     match expression:
         case tree.Number() | tree.Constant() | tree.Variable():
             return True

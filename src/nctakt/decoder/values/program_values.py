@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Reading, writing and asking for the variables of a program's own, and functions of texts.
+"""Access to program variables, and functions of texts, at decode time.
 
-In: nodes, and the numbers of elements that ``variables.py`` has evaluated. Out: values, made when
-the block is decoded. What is wrong gives the program up.
+In: nodes, and indices evaluated by the caller. Out: values. Faults raise ``DecodeError``.
 """
 
 from __future__ import annotations
@@ -27,7 +26,9 @@ EvaluateAny = Callable[[tree.Expression, int], Generator[Command, Answer, float 
 
 
 class ProgramValues:
-    """The variables of one program; ``index`` gives the number of an element, ``fail`` ends it."""
+    """The variables of one program; ``index`` evaluates an index, ``fail`` raises
+    ``DecodeError``.
+    """
 
     def __init__(
         self,
@@ -43,7 +44,7 @@ class ProgramValues:
         return [int(self._index(index)) for index in indices_of(variable)]
 
     def read(self, variable: tree.Variable) -> float | str:
-        """The value now."""
+        """Return the current value."""
         try:
             stored = self._scopes.get(variable.family, bare_name(variable))
             return stored.values[stored.element(self._indices(variable))]
@@ -51,14 +52,14 @@ class ProgramValues:
             self._wrong(error, variable.span)
 
     def is_text(self, variable: tree.Variable) -> bool:
-        """Whether the variable holds texts."""
+        """Return whether the variable holds texts."""
         try:
             return self._scopes.get(variable.family, bare_name(variable)).type == "STRING"
         except VariableError as error:
             self._wrong(error, variable.span)
 
     def write(self, variable: tree.Variable, value: float | str) -> None:
-        """Give the variable a value; V.P and V.S come into being with their first one."""
+        """Assign to the variable; the first value creates V.P and V.S."""
         indices = self._indices(variable)
         path = bare_name(variable)
         try:
@@ -68,7 +69,7 @@ class ProgramValues:
             self._wrong(error, variable.span)
 
     def fill(self, variable: tree.Variable, values: Sequence[float | str]) -> None:
-        """Give the elements of a whole array values."""
+        """Assign to the elements of a whole array."""
         try:
             if any(True for _ in indices_of(variable)):
                 raise VariableError(VALUE_LIST_FOR_ONE_ELEMENT)
@@ -77,7 +78,7 @@ class ProgramValues:
             self._wrong(error, variable.span)
 
     def exists(self, variable: tree.Variable) -> bool:
-        """Whether there is such a variable, and the element where one is named."""
+        """Return whether the variable, and the element if one is named, exists."""
         stored = self._scopes.find(variable.family, bare_name(variable))
         indices = self._indices(variable)
         if stored is None or not indices:
@@ -89,7 +90,9 @@ class ProgramValues:
         return True
 
     def size(self, variable: tree.Variable, dimension: int) -> int:
-        """Elements of an array in a dimension, counted from 1; 0 of what has none."""
+        """Return the number of elements in a dimension, counted from 1; 0 without that
+        dimension.
+        """
         try:
             dimensions = self._scopes.get(variable.family, bare_name(variable)).dimensions
         except VariableError as error:
@@ -97,7 +100,7 @@ class ProgramValues:
         return dimensions[dimension - 1] if 1 <= dimension <= len(dimensions) else 0
 
     def function(self, call: tree.Call, values: Sequence[float | str]) -> float | str:
-        """The result of a function of texts."""
+        """Return the result of a function of texts."""
         result = compute(call.function, values)
         if result is None:
             self._fail(OPERATION_WITHOUT_RESULT, call.span, operation=call.function)
@@ -108,7 +111,7 @@ class ProgramValues:
     def declare(
         self, declaration: tree.Declaration, number: int, evaluate: Evaluate, any_: EvaluateAny
     ) -> Generator[Command, Answer]:
-        """A line of ``#VAR``."""
+        """Declare the variable of a line of ``#VAR``."""
         variable = declaration.variable
         dimensions: list[int] = []
         for index in indices_of(variable):
@@ -143,7 +146,7 @@ class ProgramValues:
     def items(
         self, value: tree.Expression, number: int, any_: EvaluateAny
     ) -> Generator[Command, Answer, list[float | str]]:
-        """The values of a list, lists inside it one after the other."""
+        """Return the values of a list, nested lists flattened."""
         if not isinstance(value, tree.ArrayLiteral):
             return [(yield from any_(value, number))]
         values: list[float | str] = []
@@ -152,7 +155,7 @@ class ProgramValues:
         return values
 
     def delete(self, variable: tree.Variable) -> None:
-        """Forget a variable, or all of a family."""
+        """Delete a variable, or a whole family."""
         self._scopes.delete(variable.family, bare_name(variable))
 
     def _wrong(self, error: VariableError, span: Span) -> NoReturn:
@@ -160,7 +163,7 @@ class ProgramValues:
 
 
 def _type(declaration: tree.Declaration, values: Sequence[float | str]) -> str:
-    """The declared type; without one that of the first value, REAL64 without any."""
+    """Return the declared type; without one that of the first value, REAL64 without a value."""
     if declaration.type_name is not None:
         return TYPES[declaration.type_name]
     return "STRING" if values and isinstance(values[0], str) else "REAL64"

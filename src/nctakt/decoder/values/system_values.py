@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The values of V.G and V.A: positions, offsets, feed, units of the program that decodes.
+"""The values of V.G and V.A: positions, offsets, feed and units of the program.
 
 In: a ``SystemVariable`` of the kinds ``axis`` and ``channel``. Out: its value in the program's
-units; commands, where a zero offset is written. What the list of zero offsets holds stays for the
-programs that follow, until the next start-up.
+units, or commands if a zero offset is assigned. Changes of the list of zero offsets remain for
+later programs until the next start-up.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ Index = Callable[[Expression], float]
 
 
 class SystemValues:
-    """Those of one program; ``index`` gives the number of an element."""
+    """The values of one program; ``index`` evaluates an index."""
 
     def __init__(
         self, environment: DecoderEnvironment, state: ModalState, fail: Fail, index: Index
@@ -42,7 +42,7 @@ class SystemValues:
     # --- reading --------------------------------------------------------------------------------
 
     def read(self, variable: Variable, system: SystemVariable) -> float:
-        """The value of now."""
+        """Return the current value."""
         if system.kind == "channel":
             return self._of_channel(system.subject)
         axis = self._axis_index(variable, system)
@@ -51,11 +51,11 @@ class SystemValues:
         return value / self._state.length_unit_mm if is_linear else value
 
     def cell(self, variable: Variable, system: SystemVariable) -> int:
-        """Where the realtime part shows the measured position of an axis."""
+        """Return the cell of an axis' actual position."""
         return self._cell(self._axis_index(variable, system))
 
     def _of_axis(self, variable: Variable, system: SystemVariable, index: int) -> float:
-        """In mm or degrees."""
+        """Return the value of an axis in mm or degrees."""
         axis = self._environment.axes[index]
         offsets = self._environment.offsets
         match system.subject:
@@ -106,7 +106,7 @@ class SystemValues:
         return 0.0  # MASS_360: angles are degrees
 
     def _measured(self, axis: int) -> float:
-        """What an axis shows of itself in this moment, in mm or degrees."""
+        """Return the actual position of an axis in mm or degrees."""
         return self._environment.cells[self._cell(axis)]
 
     def _cell(self, axis: int) -> int:
@@ -116,7 +116,7 @@ class SystemValues:
         return location.cell
 
     def _axis_index(self, variable: Variable, system: SystemVariable) -> int:
-        """The place of the axis in the channel, by its name or its number."""
+        """Return the index of the axis in the channel."""
         if system.element is None:
             return self._environment.axis_numbers[system.axis]
         return self._element(variable, system.element, len(self._environment.axes))
@@ -137,7 +137,7 @@ class SystemValues:
     def write(
         self, variable: Variable, system: SystemVariable, value: float, source: int, number: int
     ) -> Iterator[SetOffset]:
-        """A zero offset, active or in the list, or the one that programs begin with."""
+        """Assign a zero offset, active or in the list, or the default group."""
         offsets = self._environment.offsets
         if system.kind == "channel":
             group = arithmetic.round_half_even(value)

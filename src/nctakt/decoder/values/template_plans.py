@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Expressions by their template: computed with the numbers of an occurrence, without a tree.
+"""Evaluation of template expressions from the numbers of an occurrence, without a tree.
 
-In: a ``TemplateExpression`` of ``nc/fast/templates.py``. Out: its value, or that it has none here;
-then its tree is evaluated, and the mistake is told there. A template is made once, of the same
-nodes as in realtime cycles, with a cell for each number, variable and parameter. Variables are
-looked up again only when some have come or gone.
+In: a ``TemplateExpression`` of ``nc/fast/templates.py``. Out: its value, or ``None``; then its tree
+is evaluated, which reports any mistake. A template is built once, of the same nodes as in realtime
+cycles, with a cell for each number, variable and parameter. Variables are looked up again only
+after declarations and deletions.
 """
 
 from __future__ import annotations
@@ -16,16 +16,15 @@ from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.expressions import Expression
 from nctakt.nc.fast.recipes import Occurrence
 
-#: Numbers, variables and parameters of a template that is computed.
+#: Maximum number of numbers, variables and parameters of a template.
 MAX_CELLS = 64
 
 
 class TemplatePlan:
-    """What a template needs, each with its cell, the cells in the order of ``number_indices``,
-    names, numbers.
+    """The node of a template and the sources of its cells.
 
     ``number_indices`` and ``signs``: numbers of the occurrence. ``names``: family and path of
-    variables. ``parameters``: P1, P2, … ``node`` is ``None`` where the template cannot be computed.
+    variables. ``parameters``: P1, P2, … ``node``: ``None`` if the template cannot be evaluated.
     """
 
     def __init__(
@@ -41,14 +40,14 @@ class TemplatePlan:
         self.signs = list(signs)
         self.names = list(names)
         self.parameters = list(parameters)
-        #: The values of the variables as they were found at this count of ``Scopes.changes``, and
-        #: whether they take any number as it is.
+        #: The values of the variables, looked up at this count of ``Scopes.changes``, and
+        #: whether all of them are REAL64.
         self.values: list[list[float | str]] = []
         self.changes = -1
         self.is_real = False
 
     def find(self, scopes: Scopes) -> int:
-        """Look the variables up; 0 where one does not exist or has elements."""
+        """Look the variables up; return 0 if one does not exist or has elements."""
         self.values = []
         self.changes = -1
         self.is_real = True
@@ -63,7 +62,7 @@ class TemplatePlan:
 
 
 class TemplateEvaluator:
-    """Computes forms; ``scopes`` and ``parameters`` are those of the program."""
+    """Evaluates templates with the ``scopes`` and ``parameters`` of a program."""
 
     def __init__(
         self,
@@ -78,7 +77,9 @@ class TemplateEvaluator:
         self.parameters = parameters
 
     def value(self, plan: TemplatePlan, occurrence: Occurrence) -> float | None:
-        """The value of a template in an occurrence; ``None`` where its tree has to tell."""
+        """Return the value of a template in an occurrence; ``None`` if its tree must be
+        evaluated.
+        """
         if plan.node is None:
             return None
         if plan.changes != self.scopes.changes and plan.find(self.scopes) == 0:
@@ -104,7 +105,7 @@ class TemplateEvaluator:
         return result
 
     def write(self, plan: TemplatePlan, value: float) -> int:
-        """Give the variable or parameter that the template is a value; 0 where its tree has to."""
+        """Assign to the variable or parameter of a template; return 0 if its tree is needed."""
         if plan.parameters:
             self.parameters[plan.parameters[0]] = value
             return 1

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Functions of texts at decode time: parts, search, conversion.
 
-In: the values of the arguments. Out: a number or a text; ``None`` where there is no result.
-Positions count from 1.
+In: the values of the arguments. Out: a number or a text; ``None`` if there is no result. Positions
+count from 1.
 """
 
 from __future__ import annotations
@@ -95,5 +95,5 @@ _FUNCTIONS: dict[str, Callable[[Sequence[Value]], Value | None]] = {
 
 
 def compute(function: str, values: Sequence[Value]) -> Value | None:
-    """The result of a function."""
+    """Return the result of a function, ``None`` for invalid arguments."""
     return _FUNCTIONS[function](values)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The text of a ``#MSG``: a format with ``%d``, ``%f`` … and its values."""
+"""The text of a ``#MSG``, formatted with ``%d``, ``%f`` … and its values."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ _REAL = "feEgG"
 
 
 class FormatError(ValueError):
-    """The format wants something else than what it is given."""
+    """The format does not fit its values."""
 
 
 def format_text(text: str, values: Sequence[float | str]) -> str:
-    """The text with the values in their places; raises ``FormatError``.
+    """Return the text with its values filled in; raises ``FormatError``.
 
-    A value may be a number under any conversion: ``%d`` shows it rounded, ``%f`` with its fraction.
+    Any conversion accepts a number: ``%d`` shows it rounded, ``%f`` with its fraction.
     """
     left = list(values)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Variables that the main program writes, beside those that it reads (``evaluation.py``).
+"""Variables that the main program writes, in addition to those that it reads (``evaluation.py``).
 
 An asynchronous variable is written at once; a synchronous one and every V.RT* variable through the
 queue (RC-308).
@@ -50,7 +50,7 @@ class Values(Evaluator):
     """Evaluates expressions of one program and writes its variables."""
 
     def assign(self, statement: tree.Assignment, number: int) -> Generator[Command, Answer]:
-        """``target operator value``; structures and arrays as wholes (RC-310)."""
+        """Execute ``target operator value``, including structures and arrays (RC-310)."""
         value = statement.value
         if isinstance(statement.target, TemplateExpression):
             at_once = self._immediate_result(statement)
@@ -78,7 +78,7 @@ class Values(Evaluator):
         yield from self.store(statement.target, result, number)
 
     def _immediate_result(self, statement: tree.Assignment) -> float | None:
-        """The number that an assignment gives its target, if all is known for it."""
+        """Return the number to assign if it is known without evaluation, else ``None``."""
         value = self.constant_value(statement.value)
         if value is None or statement.operator == "=":
             return value
@@ -99,7 +99,7 @@ class Values(Evaluator):
     def store(
         self, target: tree.Variable | tree.Parameter, value: float | str, number: int
     ) -> Generator[Command, Answer]:
-        """Give a variable a value, at once or through the queue."""
+        """Assign a value to a variable, at once or through the queue."""
         if isinstance(target, TemplateExpression):
             if self._store_in_template(target, value):
                 return
@@ -136,7 +136,7 @@ class Values(Evaluator):
             self._store_now(cell, stored)
 
     def _store_in_template(self, target: TemplateExpression, value: float | str) -> bool:
-        """Give a variable of the program's own a number; false where more has to be seen to."""
+        """Assign a number to a program variable; return false if its tree is needed."""
         if isinstance(value, str):
             return False
         return bool(self._template_evaluator.write(self._plans.of_template(target.template), value))
@@ -144,7 +144,7 @@ class Values(Evaluator):
     def _write_system(
         self, target: tree.Variable, value: float | str, number: int
     ) -> Generator[Command, Answer]:
-        """V.G: the active tool, zero offsets."""
+        """Assign to V.G: the active tool, zero offsets."""
         system = system_variable(target, tuple(self.environment.axis_numbers))
         assert system is not None
         if isinstance(value, str):
@@ -160,7 +160,7 @@ class Values(Evaluator):
     def _target_cell(
         self, variable: tree.Variable, location: Location | Aggregate, number: int
     ) -> Generator[Command, Answer, int]:
-        """The cell of a variable that is written; what its indices need is read first."""
+        """Return the cell of an assigned variable after fetching its indices."""
         for index in indices_of(variable):
             yield from self._fetch(index, number)
         return self.cell(variable, location)
@@ -168,7 +168,7 @@ class Values(Evaluator):
     def _send(
         self, cell: int, value: float | bytes, source: int, number: int, is_reported: bool
     ) -> Generator[Command, Answer]:
-        """A value on its way through the queue."""
+        """Send a value through the queue."""
         if isinstance(value, bytes):
             axis_count = len(self.environment.axes)
             yield from write_text(source, number, cell, value, axis_count)
@@ -176,7 +176,7 @@ class Values(Evaluator):
             yield WriteVariable(source, number, cell, value, is_reported)
 
     def _store_now(self, cell: int, value: float | bytes) -> None:
-        """A value that is there at once."""
+        """Store a value in memory at once."""
         if isinstance(value, bytes):
             strings.write(self.environment.memory, cell, value)
         else:
@@ -189,9 +189,9 @@ class Values(Evaluator):
         aggregate: Aggregate,
         number: int,
     ) -> Generator[Command, Answer]:
-        """Copy a structure or array, member by member as each is synchronous or not (RC-308).
+        """Copy a structure or array member by member, each synchronous or not (RC-308).
 
-        All members are those of one moment: a synchronous one empties the channel, once.
+        All members are of the same moment: a synchronous one empties the channel once.
         """
         assert isinstance(target, tree.Variable)
         destination = resolve_aggregate(target, self.environment.names)
@@ -212,14 +212,14 @@ class Values(Evaluator):
                 self._store_now(cell, value)
 
     def _raw(self, cell: int, leaf: Node) -> float | bytes:
-        """A member's value as the memory holds it."""
+        """Return the value of a member as stored in memory."""
         if SCALARS[leaf.type].is_numeric:
             return self.environment.cells[cell]
         first = cell * CELL_BYTES
         return bytes(self.environment.memory[first : first + leaf.size_bytes])
 
     def convert(self, value: float | str, location: Location, span: Span) -> float | bytes:
-        """The value as the variable's type takes it (RC-307)."""
+        """Return the value converted to the variable's type (RC-307); raises ``DecodeError``."""
         if isinstance(value, str):
             size = location.size_bytes
             wrong = strings.misfit(location.name, location.type, size, value)

@@ -169,6 +169,34 @@ def test_json(folder: Path, capsys: Capture, words: list[str], keys: set[str]) -
         assert document["threads"][1]["worst_phase_us"] == 499.999
 
 
+def test_fix(folder: Path, capsys: Capture) -> None:
+    """--fix writes what counts into the list, --output into another file; the result is shown."""
+    path = folder / "rtconf.lis"
+    text = EXAMPLE_1.replace("cycle_time 2000", "cycle_time 1750")
+    path.write_text(text, "utf-8")
+    anew = folder / "anew.lis"
+    assert run("show", path, "--output", anew, "--convention", "field") == 0
+    captured = capsys.readouterr()
+    assert "note 900619" in captured.err and "1 entries corrected" in captured.err
+    assert "1000153" not in captured.err
+    assert path.read_text("utf-8") == text
+    assert anew.read_text("utf-8") == EXAMPLE_1
+    assert run("show", path, "--fix", "--quiet") == 0
+    assert path.read_text("utf-8") == EXAMPLE_1
+    capsys.readouterr()
+    assert run("show", path, "--fix", "--format", "json") == 0
+    found = json.loads(capsys.readouterr().out)["diagnostics"]
+    assert "0 entries corrected, 0 made comments, 0 lines added" in found[-1]["text"]
+
+
+def test_fix_never_takes_another_input(folder: Path, capsys: Capture) -> None:
+    """--output onto the list itself is refused: that is what --fix is for."""
+    path = folder / "rtconf.lis"
+    assert run("show", path, "--output", path) == 2
+    assert "error 900913" in capsys.readouterr().err
+    assert path.read_text("utf-8") == EXAMPLE_1
+
+
 def test_ignored_messages(folder: Path, capsys: Capture) -> None:
     """--ignore: neither shown nor counted."""
     words = ["show", folder / "rtconf.lis", "--strict"]

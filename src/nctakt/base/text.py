@@ -58,6 +58,19 @@ def decode_text(data: bytes) -> DecodedText:
     return DecodedText(text, "utf-8" if len(body) == len(data) else "utf-8-sig")
 
 
+def encode_text(text: str, like: bytes) -> bytes:
+    """Return ``text`` in the encoding, and with the byte order mark, in which ``like`` is read."""
+    encoding = decode_text(like).encoding
+    if encoding == "utf-16":
+        mark = like[:2]
+        return mark + text.encode("utf-16-le" if mark == _UTF16_MARKS[0] else "utf-16-be")
+    if encoding == "cp1252":
+        bytes_of = {character: byte for byte, character in WINDOWS_1252.items()}
+        codes = (bytes_of.get(character, ord(character)) for character in text)
+        return bytes(code if code < 256 else ord("?") for code in codes)
+    return text.encode(encoding)
+
+
 def is_binary(data: bytes) -> bool:
     """Whether a file is no text: it has NULs and more control characters than any text would.
 

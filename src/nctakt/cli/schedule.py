@@ -13,23 +13,26 @@ from typing import Any
 
 import click
 
-from nctakt.base.diagnostics import Language
+from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.cli.schedule_options import (
     LIST_OPTIONS,
     MODEL_OPTIONS,
     OUTPUT_OPTIONS,
+    ListRead,
     drawn_cycles,
     guarded,
     make_model,
     open_outputs,
     publish,
     read_list,
+    read_list_text,
     read_model_load,
     wanted_cycles,
     with_options,
 )
 from nctakt.cli.schedule_run import run
-from nctakt.messages import Collector
+from nctakt.messages import Collector, diagnostic
+from nctakt.messages.schedule_check import LIST_REWRITTEN
 
 _EPILOG = """\b
 Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a number
@@ -54,9 +57,18 @@ command.add_command(run)
 
 
 @command.command("show", short_help="The list as it stands and as it counts.")
-@with_options(*LIST_OPTIONS)
+@with_options(
+    *LIST_OPTIONS,
+    click.option(
+        "--fix", is_flag=True, help="Write the values that count into the list; comments stay."
+    ),
+    click.option("--output", metavar="FILE", help="Write the list with them to another file."),
+)
 def show(**words: Any) -> int:
-    """Check a list; show each parameter raw and effective, with the reason."""
+    """Check a list; show each parameter raw and effective, with the reason.
+
+    With --fix or --output what is written is shown.
+    """
     return guarded(_show, words)
 
 
@@ -80,10 +92,42 @@ def _show(words: dict[str, Any]) -> int:
     from nctakt.schedule.report import effective_report  # noqa: PLC0415
 
     read = read_list(words)
+    notes: list[Diagnostic] = []
+    if words["fix"] or words["output"] is not None:
+        read, note = _write_fixed(read, words)
+        notes.append(note)
     language: Language = words["language"]
     rows = effective_rows(words["file"], read.data, read.configuration, read.found, language)
     text = f"{effective_report(rows, language)}\n"
-    return publish(words, read.found, [], text, effective_document(rows))
+    return publish(words, read.found, notes, text, effective_document(rows))
+
+
+def _write_fixed(read: ListRead, words: dict[str, Any]) -> tuple[ListRead, Diagnostic]:
+    """Write the list with the values that count; return it as it is read then, and a note."""
+    from nctakt.files.output import OutputFile  # noqa: PLC0415
+    from nctakt.schedule.rewrite import rewrite  # noqa: PLC0415
+
+    anew = rewrite(
+        words["file"],
+        read.data,
+        read.values,
+        read.configuration,
+        {one.entry for one in read.found},
+        read.options.convention,
+    )
+    target = words["output"] or words["file"]
+    if anew.is_changed or words["output"] is not None:
+        option = "--output" if words["output"] is not None else "--fix"
+        with OutputFile(target, option, read.access) as file:
+            file.write(anew.data)
+    note = diagnostic(
+        LIST_REWRITTEN,
+        file=target,
+        corrected=anew.corrected,
+        commented=anew.commented,
+        added=anew.added,
+    )
+    return read_list_text(target, anew.data, read.access, read.options), note
 
 
 def _simulate(words: dict[str, Any]) -> int:

@@ -31,6 +31,7 @@ from nctakt.messages import Collector
 
 if TYPE_CHECKING:
     from nctakt.lists.declared.rtconf import RtconfConfiguration
+    from nctakt.lists.format.values import Values
     from nctakt.lists.machine.scheduling_profile import RtconfOptions
     from nctakt.schedule.load import Load
     from nctakt.schedule.model import Model
@@ -147,6 +148,7 @@ class ListRead:
 
     access: FileAccess
     options: RtconfOptions
+    values: Values
     configuration: RtconfConfiguration
     data: bytes
     found: list[Diagnostic]
@@ -163,7 +165,6 @@ def guarded(function: Callable[[dict[str, Any]], int], words: dict[str, Any]) ->
 
 def read_list(words: dict[str, Any]) -> ListRead:
     """The list that the words name, and what was found in it; raises ``Failure``."""
-    from nctakt.lists.machine.scheduling import load_rtconf  # noqa: PLC0415 - not for the help
     from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
 
     read_selection((), words["ignore"])  # a word that fits no message is told before all else
@@ -177,10 +178,17 @@ def read_list(words: dict[str, Any]) -> ListRead:
         words["lenient"],
     )
     access = file_access(words["confined"])
-    data = access.read_bytes(Path(words["file"]))
+    data = access.read_bytes(Path(words["file"]), is_replaced=bool(words.get("fix")))
+    return read_list_text(words["file"], data, access, options)
+
+
+def read_list_text(file: str, data: bytes, access: FileAccess, options: RtconfOptions) -> ListRead:
+    """Return the list that ``data`` is, and what was found in it."""
+    from nctakt.lists.machine.scheduling import read_rtconf  # noqa: PLC0415 - not for the help
+
     collector = Collector()
-    configuration = load_rtconf(words["file"], data, collector, options)
-    return ListRead(access, options, configuration, data, collector.diagnostics)
+    values, configuration = read_rtconf(file, data, collector, options)
+    return ListRead(access, options, values, configuration, data, collector.diagnostics)
 
 
 def publish(

@@ -153,3 +153,15 @@ WINDOWS_TIME_OFF = error(
     value=("windows_time as written, in µs", "windows_time, wie geschrieben, in µs"),
     slice=("time_slice, in µs", "time_slice, in µs"),
 )
+LIST_REWRITTEN = note(
+    900619,
+    en="{file}: {corrected} entries corrected, {commented} made comments, {added} lines added",
+    de="{file}: {corrected} Einträge berichtigt, {commented} auskommentiert, {added} Zeilen "
+    "ergänzt",
+    remedy_en="Nothing to do; what is still found needs a decision.",
+    remedy_de="Nichts zu tun; was jetzt noch gemeldet ist, braucht eine Entscheidung.",
+    file=("the list", "die Liste"),
+    corrected=("entries with another value or name", "Einträge mit anderem Wert oder Namen"),
+    commented=("entries that did not count", "Einträge, die nicht galten"),
+    added=("lines that were missing", "Zeilen, die fehlten"),
+)

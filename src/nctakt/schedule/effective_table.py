@@ -11,12 +11,10 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.lists.declared.rtconf import RTCONF, RtconfConfiguration
 from nctakt.lists.format.entries import read_entries
-from nctakt.lists.format.parameter import Parameter, shown, with_indices
+from nctakt.lists.format.parameter import Parameter, Value, shown, with_indices
 from nctakt.lists.format.reader import BLANKS, Entry
+from nctakt.lists.format.values import Key
 from nctakt.messages import Collector
-
-#: A parameter of the list: its pattern and its indices.
-_Key = tuple[str, tuple[int, ...]]
 
 _WRITTEN = {"en": "as written", "de": "wie geschrieben"}
 _DEFAULT = {"en": "default", "de": "Standardwert"}
@@ -44,13 +42,13 @@ def effective_rows(
     language: Language,
 ) -> list[EffectiveRow]:
     """The table of a list."""
-    entries = _entries(file, data)
-    counts = _effective(configuration)
+    entries = effective_entries(file, data)
+    counts = {key: shown(value) for key, value in effective_values(configuration).items()}
     keys = sorted({*entries, *counts}, key=_rank)
     return [_row(key, entries.get(key), counts.get(key), diagnostics, language) for key in keys]
 
 
-def _rank(key: _Key) -> tuple[object, ...]:
+def _rank(key: Key) -> tuple[object, ...]:
     patterns = [parameter.pattern for parameter in RTCONF.parameters]
     pattern, indices = key
     group = 0 if not indices else 1 if pattern.startswith("thread") else 2
@@ -58,9 +56,9 @@ def _rank(key: _Key) -> tuple[object, ...]:
     return group, indices[:1], is_function, indices, patterns.index(pattern)
 
 
-def _entries(file: str, data: bytes) -> dict[_Key, Entry]:
-    """The entry that counts for each parameter that the list names."""
-    found: dict[_Key, Entry] = {}
+def effective_entries(file: str, data: bytes) -> dict[Key, Entry]:
+    """Return the entry that counts for each parameter that the list names."""
+    found: dict[Key, Entry] = {}
     for entry in read_entries(file, data, RTCONF, Collector()):
         known = RTCONF.find(entry.pattern) if entry.is_well_formed else None
         if known is None:
@@ -75,42 +73,42 @@ def _entries(file: str, data: bytes) -> dict[_Key, Entry]:
     return found
 
 
-def _effective(configuration: RtconfConfiguration) -> dict[_Key, str]:
-    """What counts, as text."""
-    found: dict[_Key, str] = {
+def effective_values(configuration: RtconfConfiguration) -> dict[Key, Value]:
+    """Return what counts, by parameter; not the number of interrupt_source, only its meaning."""
+    values: dict[Key, Value] = {
         ("interrupt_source", ()): configuration.interrupt_source.value,
-        ("cycle_time", ()): str(configuration.cycle_time_us),
-        ("time_slice", ()): str(configuration.time_slice_us),
-        ("windows_time", ()): str(configuration.windows_time_us),
-        ("external_object_name", ()): shown(configuration.external_object_name),
+        ("cycle_time", ()): configuration.cycle_time_us,
+        ("time_slice", ()): configuration.time_slice_us,
+        ("windows_time", ()): configuration.windows_time_us,
+        ("external_object_name", ()): configuration.external_object_name,
         ("schedule", ()): configuration.schedule,
     }
     for thread in configuration.threads:
         at = (thread.index,)
-        found |= {
-            ("thread[].name", at): shown(thread.name),
-            ("thread[].cycle", at): str(thread.cycle_us),
-            ("thread[].priority", at): str(thread.priority),
-            ("thread[].error_on_overflow", at): shown(thread.error_on_overflow),
-            ("thread[].cpu", at): str(thread.cpu),
-            ("thread[].context_info", at): str(thread.context),
+        values |= {
+            ("thread[].name", at): thread.name,
+            ("thread[].cycle", at): thread.cycle_us,
+            ("thread[].priority", at): thread.priority,
+            ("thread[].error_on_overflow", at): thread.error_on_overflow,
+            ("thread[].cpu", at): thread.cpu,
+            ("thread[].context_info", at): thread.context,
         }
         for function in thread.functions:
             place = (thread.index, function.index)
-            found |= {
+            values |= {
                 ("thread[].function[].name", place): function.name,
-                ("thread[].function[].calls_per_cycle", place): str(function.calls_per_cycle),
-                ("thread[].function[].trace_bit", place): str(function.trace_bit),
+                ("thread[].function[].calls_per_cycle", place): function.calls_per_cycle,
+                ("thread[].function[].trace_bit", place): function.trace_bit,
             }
     for external in configuration.external_threads:
         at = (external.index,)
-        found["external_thread[].cycle", at] = str(external.cycle_us)
-        found["external_thread[].semaphore_name", at] = external.semaphore_name
-    return found
+        values["external_thread[].cycle", at] = external.cycle_us
+        values["external_thread[].semaphore_name", at] = external.semaphore_name
+    return values
 
 
 def _row(
-    key: _Key,
+    key: Key,
     entry: Entry | None,
     effective: str | None,
     diagnostics: list[Diagnostic],

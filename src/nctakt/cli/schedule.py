@@ -14,6 +14,7 @@ from typing import Any
 import click
 
 from nctakt.base.diagnostics import Diagnostic, Language
+from nctakt.cli.schedule_compare import compare
 from nctakt.cli.schedule_options import (
     LIST_OPTIONS,
     MODEL_OPTIONS,
@@ -44,6 +45,7 @@ Exit codes: 0 all well, 1 the schedule has errors (or warnings with --strict),
   nctakt schedule show rtconf.lis
   nctakt schedule simulate rtconf.lis --load load.toml --plot schedule.svg
   nctakt schedule analyse rtconf.lis --load load.toml
+  nctakt schedule compare rtconf.lis other.lis --load load.toml
   nctakt schedule run rtconf.lis --load load.toml --duration 10s
 """
 
@@ -53,6 +55,7 @@ def command() -> None:
     """What a scheduling list (rtconf.lis) means, without a machine and on this one."""
 
 
+command.add_command(compare)
 command.add_command(run)
 
 

@@ -163,8 +163,11 @@ def guarded(function: Callable[[dict[str, Any]], int], words: dict[str, Any]) ->
         return EXIT_USAGE
 
 
-def read_list(words: dict[str, Any]) -> ListRead:
-    """The list that the words name, and what was found in it; raises ``Failure``."""
+def read_list(words: dict[str, Any], access: FileAccess | None = None) -> ListRead:
+    """Return the list that the words name, and what was found in it; raises ``Failure``.
+
+    ``access``: the files of the command, where it has more than one list.
+    """
     from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
 
     read_selection((), words["ignore"])  # a word that fits no message is told before all else
@@ -177,7 +180,7 @@ def read_list(words: dict[str, Any]) -> ListRead:
         words["hal_timer"],
         words["lenient"],
     )
-    access = file_access(words["confined"])
+    access = access or file_access(words["confined"])
     data = access.read_bytes(Path(words["file"]), is_replaced=bool(words.get("fix")))
     return read_list_text(words["file"], data, access, options)
 

@@ -289,7 +289,7 @@ def analysis_report(
                 us(one.demand),
                 us(one.period),
                 f"{100 * one.demand / one.period:.2f}",
-                _bound(one),
+                bound_text(one),
                 NONE if numbers.response_max is None else us(numbers.response_max),
                 NONE if one.slack is None else us(one.slack),
                 verdict.get(language),
@@ -300,8 +300,8 @@ def analysis_report(
     return "\n".join([*lines, *_cpus(analysis, language), "", *_margins(margins, language)]) + "\n"
 
 
-def _bound(task: TaskAnalysis) -> str:
-    """A response, marked where it is not exact."""
+def bound_text(task: TaskAnalysis) -> str:
+    """Return a response, marked where it is not exact."""
     if task.response is None:
         return "∞"
     return us(task.response) if task.is_exact else f"≤ {us(task.response)}"

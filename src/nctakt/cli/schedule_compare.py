@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt schedule compare``: two scheduling lists beside each other.
+
+In: two lists, one load or one for each, choices of the rules. Out: what differs, what became
+better and what worse (standard output), a picture of both, and the exit code as for a simulation.
+"""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nctakt.cli.schedule_options import (
+    LIST_OPTIONS,
+    MODEL_OPTIONS,
+    drawn_cycles,
+    guarded,
+    make_model,
+    publish,
+    read_list,
+    read_model_load,
+    wanted_cycles,
+    with_options,
+)
+from nctakt.messages import Collector
+
+if TYPE_CHECKING:
+    from nctakt.base.diagnostics import Diagnostic
+    from nctakt.cli.schedule_options import ListRead
+    from nctakt.files.access import FileAccess
+    from nctakt.files.output import OutputFile
+    from nctakt.schedule.compare import Side
+    from nctakt.schedule.model import Model
+
+
+@click.command("compare", short_help="Two lists: what became better, what worse.")
+@click.argument("file", metavar="A.LIS")
+@click.argument("second", metavar="B.LIS")
+@with_options(*LIST_OPTIONS[1:], *MODEL_OPTIONS)
+@click.option("--load-b", metavar="FILE.toml", help="Another load for B [default: that of A].")
+@click.option("--plot", metavar="FILE", help="Draw both schedules (.svg, .png, .html).")
+@click.option(
+    "--drawn", type=click.IntRange(min=1, max=100_000), metavar="N", help="NC cycles in pictures."
+)
+def compare(**words: Any) -> int:
+    """Compare two lists: responses, overflows and Windows' time, with the same load."""
+    return guarded(_compare, words)
+
+
+@dataclass(frozen=True, slots=True)
+class _Input:
+    """A list that was read, with its model; ``found``: what was found behind the list."""
+
+    words: dict[str, Any]
+    read: ListRead
+    model: Model
+    found: list[Diagnostic]
+
+
+def _compare(words: dict[str, Any]) -> int:
+    from nctakt.cli.file_options import file_access  # noqa: PLC0415 - not for the help
+    from nctakt.schedule.compare import compare as compare_sides  # noqa: PLC0415
+    from nctakt.schedule.compare_report import (  # noqa: PLC0415
+        comparison_document,
+        comparison_report,
+    )
+
+    access = file_access(words["confined"])
+    others = words | {"file": words["second"], "load": words["load_b"] or words["load"]}
+    inputs = [_read(one, access) for one in (words, others)]
+    with ExitStack() as stack:
+        picture = _open_picture(words["plot"], access)
+        if picture is not None:
+            stack.enter_context(picture)
+        # Both are drawn over as many NC cycles, so that they can be laid beside each other.
+        drawn = min(drawn_cycles(one.model, words) for one in inputs) if picture else 0
+        first, second = (_side(one, drawn) for one in inputs)
+        comparison = compare_sides(first, second)
+        text = comparison_report(comparison, first, second, words["language"])
+        document = comparison_document(comparison, first, second)
+        listed = [one for given in inputs for one in given.read.found]
+        found = [one for given in inputs for one in given.found]
+        code = publish(words, listed, found, text, document)
+        if picture is not None:
+            _draw(picture, inputs, (first, second), text)
+    return code
+
+
+def _read(words: dict[str, Any], access: FileAccess) -> _Input:
+    """Read a list and its load."""
+    read = read_list(words, access)
+    collector = Collector()
+    load = read_model_load(read, words, collector)
+    model = make_model(read, load, words, collector)
+    return _Input(words, read, model, collector.diagnostics)
+
+
+def _side(given: _Input, drawn: int) -> Side:
+    """Analyse and simulate one list, ``drawn`` NC cycles with a record."""
+    from nctakt.schedule.analyse import analyse  # noqa: PLC0415
+    from nctakt.schedule.compare import Side  # noqa: PLC0415
+    from nctakt.schedule.self_check import check_bounds  # noqa: PLC0415
+    from nctakt.schedule.simulate import simulate  # noqa: PLC0415
+
+    words = given.words
+    run = simulate(given.model, max(wanted_cycles(given.model, words), drawn), record=drawn)
+    analysis = analyse(given.model)
+    check_bounds(analysis, run)
+    return Side(Path(words["file"]).name, given.read.configuration, analysis, run)
+
+
+def _open_picture(path: str | None, access: FileAccess) -> OutputFile | None:
+    """Open the file of the picture, if there is to be one; raises ``Failure``."""
+    from nctakt.files.output import OutputFile  # noqa: PLC0415
+    from nctakt.schedule.draw import check_picture  # noqa: PLC0415
+
+    if path is None:
+        return None
+    check_picture(path)
+    return OutputFile(path, "--plot", access)
+
+
+def _draw(picture: OutputFile, inputs: list[_Input], sides: tuple[Side, Side], report: str) -> None:
+    """Draw both schedules below each other."""
+    from nctakt.schedule.draw import write_picture  # noqa: PLC0415
+    from nctakt.schedule.gantt import below_each_other, gantt, picture_title  # noqa: PLC0415
+
+    language = inputs[0].words["language"]
+    figure = below_each_other(
+        [
+            gantt(side.run, picture_title(one.words["file"], one.words["load"]), language)
+            for side, one in zip(sides, inputs, strict=True)
+        ]
+    )
+    picture.fill(lambda path: write_picture(figure, path, language, report))

@@ -15,6 +15,7 @@ import click
 
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.cli.schedule_compare import compare
+from nctakt.cli.schedule_learn import learn
 from nctakt.cli.schedule_options import (
     LIST_OPTIONS,
     MODEL_OPTIONS,
@@ -46,6 +47,7 @@ Exit codes: 0 all well, 1 the schedule has errors (or warnings with --strict),
   nctakt schedule simulate rtconf.lis --load load.toml --plot schedule.svg
   nctakt schedule analyse rtconf.lis --load load.toml
   nctakt schedule compare rtconf.lis other.lis --load load.toml
+  nctakt schedule learn rtconf.lis recording.vcd --output load.toml
   nctakt schedule run rtconf.lis --load load.toml --duration 10s
 """
 
@@ -56,6 +58,7 @@ def command() -> None:
 
 
 command.add_command(compare)
+command.add_command(learn)
 command.add_command(run)
 
 

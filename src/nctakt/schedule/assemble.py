@@ -216,7 +216,13 @@ class _Assembly:
             ]
         times = {one.index: self._execution(thread, one) for one in thread.functions}
         return tuple(
-            Call(function.name, number, times[function.index], function.trace_bit)
+            Call(
+                function.name,
+                number,
+                times[function.index],
+                function.trace_bit,
+                function.index,
+            )
             for number, function in order
         )
 

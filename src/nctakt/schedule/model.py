@@ -63,12 +63,16 @@ class Execution:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """One call of a function within an activation; ``number`` counts the function's calls."""
+    """One call of a function within an activation; ``number`` counts the function's calls.
+
+    ``index``: that of the function in the thread's list.
+    """
 
     function: str
     number: int
     execution: Execution
     trace_bit: int = 0
+    index: int = 0
 
 
 @dataclass(frozen=True, slots=True)

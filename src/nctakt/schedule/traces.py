@@ -61,26 +61,26 @@ def write_vcd(run: Simulation, path: Path) -> None:
 
         bits = trace_bits(run.model, record)
         for bit, names in bit_functions(run.model).items():
-            level("trace", _identifier("_".join((f"bit{bit}", *names))), _apart(bits[bit]))
+            level("trace", identifier("_".join((f"bit{bit}", *names))), _apart(bits[bit]))
         nc = [one.time for one in record.events if one.kind is EventKind.INTERRUPT]
         level("interrupts", "NC", [(time, time + GAP) for time in nc])
         ticks = _ticks(run)
         level("interrupts", "timer", [(time, time + GAP) for time in ticks])
         for i, task in enumerate(tasks):
             ran = [(one.begin, one.end) for one in record.segments if one.task == i]
-            level("running", _identifier(task.name), _merged(ran))
-            level("suspended", _identifier(task.name), suspended_times(run, i))
+            level("running", identifier(task.name), _merged(ran))
+            level("suspended", identifier(task.name), suspended_times(run, i))
             late = [
                 one.time
                 for one in record.events
                 if one.task == i and one.kind is EventKind.OVERFLOW
             ]
-            level("overflow", _identifier(task.name), [(time, time + GAP) for time in late])
+            level("overflow", identifier(task.name), [(time, time + GAP) for time in late])
         for cpu in run.model.cpus:
             variable = writer.register_var("cpu", f"cpu{cpu}", "string", init="")
             for one in record.segments:
                 if one.cpu == cpu and one.end > one.begin:
-                    changes.append((one.begin, 1, variable, _identifier(tasks[one.task].name)))
+                    changes.append((one.begin, 1, variable, identifier(tasks[one.task].name)))
             rest = "Windows" if cpu in run.model.windows_cpus else "idle"
             for begin, _ in windows_times(run, cpu):
                 changes.append((begin, 0, variable, rest))
@@ -94,8 +94,8 @@ def _ticks(run: Simulation) -> range:
     return ticks if len(ticks) <= MOST_TICKS else range(0)
 
 
-def _identifier(name: str) -> str:
-    """A name without the characters that end one in a VCD file."""
+def identifier(name: str) -> str:
+    """Return a name without the characters that end one in a VCD file."""
     return "".join(one if one.isprintable() and not one.isspace() else "_" for one in name)
 
 

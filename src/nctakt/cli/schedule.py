@@ -33,6 +33,7 @@ from nctakt.cli.schedule_options import (
     with_options,
 )
 from nctakt.cli.schedule_run import run
+from nctakt.cli.schedule_suggest import suggest
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.schedule_check import LIST_REWRITTEN
 
@@ -47,6 +48,7 @@ Exit codes: 0 all well, 1 the schedule has errors (or warnings with --strict),
   nctakt schedule simulate rtconf.lis --load load.toml --plot schedule.svg
   nctakt schedule analyse rtconf.lis --load load.toml
   nctakt schedule compare rtconf.lis other.lis --load load.toml
+  nctakt schedule suggest rtconf.lis --load load.toml --slack 20
   nctakt schedule learn rtconf.lis recording.vcd --output load.toml
   nctakt schedule run rtconf.lis --load load.toml --duration 10s
 """
@@ -60,6 +62,7 @@ def command() -> None:
 command.add_command(compare)
 command.add_command(learn)
 command.add_command(run)
+command.add_command(suggest)
 
 
 @command.command("show", short_help="The list as it stands and as it counts.")

@@ -243,8 +243,17 @@ def read_model_load(read: ListRead, words: dict[str, Any], collector: Collector)
     return load
 
 
-def make_model(read: ListRead, load: Load, words: dict[str, Any], collector: Collector) -> Model:
-    """The model; raises ``Failure`` when list or load leave nothing to schedule."""
+def make_model(
+    read: ListRead,
+    load: Load,
+    words: dict[str, Any],
+    collector: Collector,
+    configuration: RtconfConfiguration | None = None,
+) -> Model:
+    """Return the model; raises ``Failure`` when list or load leave nothing to schedule.
+
+    ``configuration``: another one than that of the list.
+    """
     from nctakt.schedule.assemble import assemble  # noqa: PLC0415
     from nctakt.schedule.model import Rules  # noqa: PLC0415
     from nctakt.schedule.open_schedule import PLACED  # noqa: PLC0415
@@ -252,7 +261,12 @@ def make_model(read: ListRead, load: Load, words: dict[str, Any], collector: Col
     rules = Rules(words["overflow"], words["calls"], words["suspension"])
     profile = read.options.profile
     model = assemble(
-        read.configuration, load, profile, collector, rules=rules, cpu_base=words["cpu_base"]
+        configuration or read.configuration,
+        load,
+        profile,
+        collector,
+        rules=rules,
+        cpu_base=words["cpu_base"],
     )
     errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
     if any(one.message not in PLACED for one in errors) or not read.configuration.threads:

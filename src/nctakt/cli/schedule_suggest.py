@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt schedule suggest``: values with which each thread has the slack that is asked for.
+
+In: a list, maybe a load, slacks, what may be varied. Out: suggestions with their bounds (standard
+output), the best one as a list in a file, and the exit code: 1 where nothing was found.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nctakt.base.failure import Failure
+from nctakt.cli.schedule_options import (
+    LIST_OPTIONS,
+    MODEL_OPTIONS,
+    guarded,
+    make_model,
+    publish,
+    read_list,
+    read_model_load,
+    with_options,
+)
+from nctakt.messages import Collector, diagnostic
+from nctakt.messages.suggest import INVALID_SLACK, NOTHING_SUGGESTED
+
+if TYPE_CHECKING:
+    from nctakt.cli.schedule_options import ListRead
+    from nctakt.files.output import OutputFile
+    from nctakt.lists.declared.rtconf import RtconfConfiguration
+    from nctakt.schedule.model import Model
+    from nctakt.schedule.suggest import Slacks, Suggestions
+
+_NAMES = ["windows_time", "time_slice", "priorities", "cpus", "calls"]
+
+
+@click.command("suggest", short_help="Values that leave each thread the slack asked for.")
+@with_options(*LIST_OPTIONS, *MODEL_OPTIONS)
+@click.option(
+    "--slack",
+    "slacks",
+    metavar="[THREAD=]PCT",
+    multiple=True,
+    help="The part of its period that each thread, or one, shall have left [default: 10].",
+)
+@click.option(
+    "--vary",
+    "variables",
+    type=click.Choice(_NAMES),
+    multiple=True,
+    help="What may be changed [default: all of it].",
+)
+@click.option(
+    "--cpus",
+    type=click.IntRange(1, 7),
+    metavar="N",
+    help="CPUs that threads may have [default: those of the load, or of the list].",
+)
+@click.option("--output", metavar="FILE", help="Write the list with the first suggestion.")
+def suggest(**words: Any) -> int:
+    """Search values of windows_time, time_slice, priorities, CPUs and calls_per_cycle."""
+    return guarded(_suggest, words)
+
+
+def _suggest(words: dict[str, Any]) -> int:
+    from nctakt.files.output import OutputFile  # noqa: PLC0415 - not for the help
+    from nctakt.schedule.suggest import VARIABLES  # noqa: PLC0415
+    from nctakt.schedule.suggest import suggest as search  # noqa: PLC0415
+    from nctakt.schedule.suggest_report import (  # noqa: PLC0415
+        suggestion_document,
+        suggestion_report,
+    )
+
+    read = read_list(words)
+    collector = Collector()
+    load = read_model_load(read, words, collector)
+    model = make_model(read, load, words, collector)
+    slacks = _slacks(words["slacks"], model)
+    count = words["cpus"] or max(model.cpus)
+    if load.cpus is not None:
+        load = replace(load, cpus=max(load.cpus, count))
+
+    def model_of(configuration: RtconfConfiguration) -> Model:
+        return make_model(read, load, words, Collector(), configuration)
+
+    variables = words["variables"] or VARIABLES
+    base = words["cpu_base"]
+    cpus = range(max(1, base), base + count)  # as the list numbers them, which has no CPU 0
+    found = search(read.configuration, model_of, slacks, variables, cpus)
+    if not found.is_met and not found.better:
+        collector.report(NOTHING_SUGGESTED, None)
+    elif words["output"] is not None:
+        with OutputFile(words["output"], "--output", read.access) as file:
+            _write(file, read, found)
+    text = suggestion_report(found, slacks, words["language"])
+    document = suggestion_document(found, slacks)
+    return publish(words, read.found, collector.diagnostics, text, document)
+
+
+def _slacks(texts: tuple[str, ...], model: Model) -> Slacks:
+    """Return what the words of ``--slack`` ask for; raises ``Failure`` (900648)."""
+    from nctakt.schedule.suggest import Slacks  # noqa: PLC0415
+
+    names = [task.name for task in model.tasks]
+    everybody, threads = 10.0, {}
+    for text in texts:
+        name, equals, number = text.rpartition("=")
+        try:
+            share = float(number.removesuffix("%"))
+        except ValueError:
+            share = -1.0
+        if not 0 <= share < 100 or (equals and name not in names):
+            raise Failure(diagnostic(INVALID_SLACK, text=text, names=", ".join(names)))
+        if equals:
+            threads[name] = share
+        else:
+            everybody = share
+    return Slacks(everybody, threads)
+
+
+def _write(file: OutputFile, read: ListRead, found: Suggestions) -> None:
+    """Write the list with the first suggestion, or as it counts where it needs none."""
+    from nctakt.schedule.rewrite import rewrite  # noqa: PLC0415
+    from nctakt.schedule.suggest_report import changed_entries  # noqa: PLC0415
+
+    best = found.better[0] if found.better else found.present
+    names = {one.entry for one in read.found}
+    names |= {name for name, _, _ in changed_entries(found.present, best)}
+    convention = read.options.convention
+    configuration = best.configuration
+    anew = rewrite(file.name, read.data, read.values, configuration, names, convention)
+    file.write(anew.data)

@@ -16,7 +16,7 @@ from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.messages import Collector
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.load import read_load
-from nctakt.schedule.ticks import Duties, Share, TickSchedule
+from nctakt.schedule.ticks import Share, ThreadRoles, TickSchedule
 
 LIST = """\
 interrupt_source 3
@@ -51,7 +51,7 @@ def scheduled(
     options = RtconfOptions(PROFILES[system])
     configuration = load_rtconf("rtconf.lis", text.encode(), collector, options)
     model = assemble(configuration, read_load("l", load, collector), options.profile, collector)
-    return TickSchedule(model, Duties(every, (0,), (((1,), (0,)),), plc))
+    return TickSchedule(model, ThreadRoles(every, (0,), (((1,), (0,)),), plc))
 
 
 def shares(count: int, *lines: str, **load: Any) -> list[Share]:

@@ -29,7 +29,7 @@ from nctakt.cli.schedule_options import (
     read_list,
     read_list_text,
     read_model_load,
-    wanted_cycles,
+    simulated_cycles,
     with_options,
 )
 from nctakt.cli.schedule_run import run
@@ -56,7 +56,7 @@ Exit codes: 0 all well, 1 the schedule has errors (or warnings with --strict),
 
 @click.group("schedule", epilog=_EPILOG, short_help="Show, simulate, analyse, run rtconf.lis.")
 def command() -> None:
-    """What a scheduling list (rtconf.lis) means, without a machine and on this one."""
+    """Show, simulate, analyse, compare, improve and run scheduling lists (rtconf.lis)."""
 
 
 command.add_command(compare)
@@ -121,7 +121,7 @@ def _write_fixed(read: ListRead, words: dict[str, Any]) -> tuple[ListRead, Diagn
         read.data,
         read.values,
         read.configuration,
-        {one.entry for one in read.found},
+        {finding.entry for finding in read.found},
         read.options.convention,
     )
     target = words["output"] or words["file"]
@@ -150,16 +150,16 @@ def _simulate(words: dict[str, Any]) -> int:
     collector = Collector()
     load = read_model_load(read, words, collector)
     model = make_model(read, load, words, collector)
-    cycles = wanted_cycles(model, words)
+    cycles = simulated_cycles(model, words)
     drawn = drawn_cycles(model, words)
     outputs = open_outputs(read, words)
     run = run_model(model, max(cycles, drawn) if words["drawn"] else cycles, record=drawn)
-    found = [*collector.diagnostics, *simulation_findings(run)]
+    findings = [*collector.diagnostics, *simulation_findings(run)]
     phases = simulate_worst_phases(run)
     report = simulation_report(run, phases, words["language"])
     if words["histogram"]:
         report += "\n".join([*response_report(run, words["language"]), ""])
-    code = publish(words, read.found, found, report, simulation_document(run, phases))
+    code = publish(words, read.found, findings, report, simulation_document(run, phases))
     outputs.write(run, report)
     return code
 
@@ -178,13 +178,13 @@ def _analyse(words: dict[str, Any]) -> int:
     load = read_model_load(read, words, collector)
     model = make_model(read, load, words, collector)
     analysis = analyse_model(model)
-    run = run_model(model, wanted_cycles(model, words), record=0)
+    run = run_model(model, simulated_cycles(model, words), record=0)
     check_bounds(analysis, run)
-    found = [
+    findings = [
         *collector.diagnostics,
         *analysis_findings(analysis),
         *starvation_findings(run),
     ]
     margins = find_margins(model)
     text = analysis_report(analysis, margins, run, words["language"])
-    return publish(words, read.found, found, text, analysis_document(analysis, margins, run))
+    return publish(words, read.found, findings, text, analysis_document(analysis, margins, run))

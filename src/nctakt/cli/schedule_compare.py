@@ -23,7 +23,7 @@ from nctakt.cli.schedule_options import (
     publish,
     read_list,
     read_model_load,
-    wanted_cycles,
+    simulated_cycles,
     with_options,
 )
 from nctakt.messages import Collector
@@ -71,20 +71,20 @@ def _compare(words: dict[str, Any]) -> int:
 
     access = file_access(words["confined"])
     others = words | {"file": words["second"], "load": words["load_b"] or words["load"]}
-    inputs = [_read(one, access) for one in (words, others)]
+    inputs = [_read(item, access) for item in (words, others)]
     with ExitStack() as stack:
         picture = _open_picture(words["plot"], access)
         if picture is not None:
             stack.enter_context(picture)
         # Both are drawn over as many NC cycles, so that they can be laid beside each other.
-        drawn = min(drawn_cycles(one.model, words) for one in inputs) if picture else 0
-        first, second = (_side(one, drawn) for one in inputs)
+        drawn = min(drawn_cycles(item.model, words) for item in inputs) if picture else 0
+        first, second = (_side(item, drawn) for item in inputs)
         comparison = compare_sides(first, second)
         text = comparison_report(comparison, first, second, words["language"])
         document = comparison_document(comparison, first, second)
-        listed = [one for given in inputs for one in given.read.found]
-        found = [one for given in inputs for one in given.found]
-        code = publish(words, listed, found, text, document)
+        listed = [item for side_input in inputs for item in side_input.read.found]
+        findings = [item for side_input in inputs for item in side_input.found]
+        code = publish(words, listed, findings, text, document)
         if picture is not None:
             _draw(picture, inputs, (first, second), text)
     return code
@@ -99,18 +99,20 @@ def _read(words: dict[str, Any], access: FileAccess) -> _Input:
     return _Input(words, read, model, collector.diagnostics)
 
 
-def _side(given: _Input, drawn: int) -> Side:
+def _side(side_input: _Input, drawn: int) -> Side:
     """Analyse and simulate one list, ``drawn`` NC cycles with a record."""
     from nctakt.schedule.analyse import analyse  # noqa: PLC0415
     from nctakt.schedule.compare import Side  # noqa: PLC0415
     from nctakt.schedule.self_check import check_bounds  # noqa: PLC0415
     from nctakt.schedule.simulate import simulate  # noqa: PLC0415
 
-    words = given.words
-    run = simulate(given.model, max(wanted_cycles(given.model, words), drawn), record=drawn)
-    analysis = analyse(given.model)
+    words = side_input.words
+    run = simulate(
+        side_input.model, max(simulated_cycles(side_input.model, words), drawn), record=drawn
+    )
+    analysis = analyse(side_input.model)
     check_bounds(analysis, run)
-    return Side(Path(words["file"]).name, given.read.configuration, analysis, run)
+    return Side(Path(words["file"]).name, side_input.read.configuration, analysis, run)
 
 
 def _open_picture(path: str | None, access: FileAccess) -> OutputFile | None:
@@ -132,8 +134,12 @@ def _draw(picture: OutputFile, inputs: list[_Input], sides: tuple[Side, Side], r
     language = inputs[0].words["language"]
     figure = below_each_other(
         [
-            gantt(side.run, picture_title(one.words["file"], one.words["load"]), language)
-            for side, one in zip(sides, inputs, strict=True)
+            gantt(
+                side.run,
+                picture_title(side_input.words["file"], side_input.words["load"]),
+                language,
+            )
+            for side, side_input in zip(sides, inputs, strict=True)
         ]
     )
     picture.fill(lambda path: write_picture(figure, path, language, report))

@@ -137,7 +137,9 @@ def with_options(*options: Callable[[Any], Any]) -> Callable[[Any], Any]:
     """All options at once, in their order."""
 
     def add(function: Any) -> Any:
-        return functools.reduce(lambda found, option: option(found), reversed(options), function)
+        return functools.reduce(
+            lambda decorated, option: option(decorated), reversed(options), function
+        )
 
     return add
 
@@ -207,10 +209,10 @@ def publish(
     results as ``text`` has them, for other programs.
     """
     selection = read_selection((), words["ignore"])
-    listed = [one for one in listed if selection.takes(one.id)]
-    found = [one for one in found if selection.takes(one.id)]
+    listed = [finding for finding in listed if selection.takes(finding.id)]
+    found = [finding for finding in found if selection.takes(finding.id)]
     lowest = Severity.WARNING if words["quiet"] else Severity.NOTE
-    shown = [one for one in (*listed, *found) if one.severity >= lowest]
+    shown = [finding for finding in (*listed, *found) if finding.severity >= lowest]
     if words["format"] == "json":
         diagnostics = diagnostics_as_json(shown, words["file"], words["language"])
         whole = {"nctakt": __version__, **document, "diagnostics": diagnostics}
@@ -222,9 +224,9 @@ def publish(
 
 
 def _exit_code(listed: Sequence[Diagnostic], found: Sequence[Diagnostic], *, strict: bool) -> int:
-    if any(one.severity is Severity.ERROR for one in listed):
+    if any(finding.severity is Severity.ERROR for finding in listed):
         return EXIT_USAGE
-    worst = max((one.severity for one in (*listed, *found)), default=Severity.NOTE)
+    worst = max((finding.severity for finding in (*listed, *found)), default=Severity.NOTE)
     fails = worst is Severity.ERROR or (strict and worst is Severity.WARNING)
     return EXIT_NC_ERROR if fails else EXIT_RAN
 
@@ -268,14 +270,14 @@ def make_model(
         rules=rules,
         cpu_base=words["cpu_base"],
     )
-    errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
-    if any(one.message not in PLACED for one in errors) or not read.configuration.threads:
+    errors = [finding for finding in collector.diagnostics if finding.severity is Severity.ERROR]
+    if any(finding.message not in PLACED for finding in errors) or not read.configuration.threads:
         raise Failure(*read.found, *collector.diagnostics)
     return model
 
 
-def wanted_cycles(model: Model, words: dict[str, Any]) -> int:
-    """How many NC cycles are simulated."""
+def simulated_cycles(model: Model, words: dict[str, Any]) -> int:
+    """Return the number of NC cycles to simulate."""
     from nctakt.lists.format.times import read_time  # noqa: PLC0415
     from nctakt.schedule.open_schedule import cycles_within  # noqa: PLC0415
 
@@ -285,7 +287,7 @@ def wanted_cycles(model: Model, words: dict[str, Any]) -> int:
 
 
 def drawn_cycles(model: Model, words: dict[str, Any]) -> int:
-    """How many NC cycles pictures and traces show."""
+    """Return the number of NC cycles in pictures and traces."""
     from nctakt.schedule.simulate import hyperperiod  # noqa: PLC0415
 
     return words["drawn"] or min(hyperperiod(model), _MOST_DRAWN)

@@ -25,7 +25,7 @@ from nctakt.cli.schedule_options import (
     publish,
     read_list,
     read_model_load,
-    wanted_cycles,
+    simulated_cycles,
     with_options,
 )
 from nctakt.messages import Collector, diagnostic
@@ -89,7 +89,7 @@ def _run(words: dict[str, Any]) -> int:
     check_system()
     read = read_list(words)
     collector = Collector()
-    load = _here(read_model_load(read, words, collector), collector)
+    load = _on_this_machine(read_model_load(read, words, collector), collector)
     model = make_model(read, load, words, collector)
     plan = _plan(read, model, words, collector)
     language = words["language"]
@@ -101,32 +101,32 @@ def _run(words: dict[str, Any]) -> int:
         collector.report(LEFTOVERS_REMOVED, None, names=", ".join(names))
     log = run_plan(plan, for_all_users=words["all_users"])
     measurement = measure(log, drawn_cycles(model, words))
-    collector.diagnostics += run_findings(log, measurement, wanted_cycles(model, words))
+    collector.diagnostics += run_findings(log, measurement, simulated_cycles(model, words))
     foreign = [i for i, taken in enumerate(log.taken) if taken is not None]
-    found = [*collector.diagnostics, *simulation_findings(measurement.run, foreign)]
+    findings = [*collector.diagnostics, *simulation_findings(measurement.run, foreign)]
     simulated = simulate(model, measurement.run.cycles, record=0)
     report = run_report(measurement, plan, simulated, language)
     if words["histogram"]:
         report += "\n".join([*response_report(measurement.run, language), ""])
-    code = publish(words, read.found, found, report, run_document(measurement, simulated))
+    code = publish(words, read.found, findings, report, run_document(measurement, simulated))
     outputs.write(measurement.run, report)
     return code
 
 
-def _here(load: Load, collector: Collector) -> Load:
+def _on_this_machine(load: Load, collector: Collector) -> Load:
     """The load on the processors of this machine."""
     from nctakt.linux.machine import present_cpus, usable_cpus  # noqa: PLC0415
 
     present, usable = present_cpus(), usable_cpus()
-    for key, given in (("cpus", load.cpus), ("offline", load.offline)):
-        if given:
+    for key, entry in (("cpus", load.cpus), ("offline", load.offline)):
+        if entry:
             collector.report(LOAD_MACHINE_IGNORED, None, key=key, cpus=", ".join(map(str, usable)))
     offline = tuple(cpu for cpu in present if cpu not in usable)
     return replace(load, cpus=max(present), offline=offline)
 
 
 def _plan(read: ListRead, model: Model, words: dict[str, Any], collector: Collector) -> Plan:
-    """What runs where; raises ``Failure`` (900687, 900688)."""
+    """Return the plan of the run; raises ``Failure`` (900688, 900708)."""
     from nctakt.linux.machine import fifo_refusal  # noqa: PLC0415
     from nctakt.linux.names import check_name  # noqa: PLC0415
     from nctakt.linux.plan import crowded_cpus, make_plan, semaphore_name  # noqa: PLC0415
@@ -148,7 +148,7 @@ def _plan(read: ListRead, model: Model, words: dict[str, Any], collector: Collec
         is_fifo = False
     plan = make_plan(
         model,
-        wanted_cycles(model, words),
+        simulated_cycles(model, words),
         is_fifo=is_fifo,
         plays_external=words["stand_in"],
         source=source,

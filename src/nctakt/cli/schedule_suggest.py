@@ -88,14 +88,14 @@ def _suggest(words: dict[str, Any]) -> int:
     variables = words["variables"] or VARIABLES
     base = words["cpu_base"]
     cpus = range(max(1, base), base + count)  # as the list numbers them, which has no CPU 0
-    found = search(read.configuration, model_of, slacks, variables, cpus)
-    if not found.is_met and not found.better:
+    suggestions = search(read.configuration, model_of, slacks, variables, cpus)
+    if not suggestions.is_met and not suggestions.better:
         collector.report(NOTHING_SUGGESTED, None)
     elif words["output"] is not None:
         with OutputFile(words["output"], "--output", read.access) as file:
-            _write(file, read, found)
-    text = suggestion_report(found, slacks, words["language"])
-    document = suggestion_document(found, slacks)
+            _write(file, read, suggestions)
+    text = suggestion_report(suggestions, slacks, words["language"])
+    document = suggestion_document(suggestions, slacks)
     return publish(words, read.found, collector.diagnostics, text, document)
 
 
@@ -120,14 +120,14 @@ def _slacks(texts: tuple[str, ...], model: Model) -> Slacks:
     return Slacks(everybody, threads)
 
 
-def _write(file: OutputFile, read: ListRead, found: Suggestions) -> None:
+def _write(file: OutputFile, read: ListRead, suggestions: Suggestions) -> None:
     """Write the list with the first suggestion, or as it counts where it needs none."""
     from nctakt.schedule.rewrite import rewrite  # noqa: PLC0415
     from nctakt.schedule.suggest_report import changed_entries  # noqa: PLC0415
 
-    best = found.better[0] if found.better else found.present
-    names = {one.entry for one in read.found}
-    names |= {name for name, _, _ in changed_entries(found.present, best)}
+    best = suggestions.better[0] if suggestions.better else suggestions.present
+    names = {finding.entry for finding in read.found}
+    names |= {name for name, _, _ in changed_entries(suggestions.present, best)}
     convention = read.options.convention
     configuration = best.configuration
     anew = rewrite(file.name, read.data, read.values, configuration, names, convention)

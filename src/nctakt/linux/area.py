@@ -132,7 +132,7 @@ class SharedArea:
         activations = sum(task.activations for task in tasks)
         capacity = _capacity(4 * len(plan.moments) + 4 * activations)
         at_log = self._take(ENTRY.itemsize * capacity)
-        places = [self._take_task(task) for task in tasks]
+        offsets = [self._take_task(task) for task in tasks]
         self.memory = mmap.mmap(-1, self._size)
         self.head: Any = AreaPart.from_buffer(self.memory)
         self.tasks: Any = (TaskPart * len(tasks)).from_buffer(self.memory, at_tasks)
@@ -141,8 +141,8 @@ class SharedArea:
         self.head.log.entries, self.head.log.capacity = at_log, capacity
         self._numbers(at_moments, len(plan.moments))[:] = plan.moments
         self._describe(plan)
-        for part, task, place in zip(self.tasks, tasks, places, strict=True):
-            self._describe_task(part, task, *place)
+        for part, task, task_offsets in zip(self.tasks, tasks, offsets, strict=True):
+            self._describe_task(part, task, *task_offsets)
 
     def _take(self, size: int) -> int:
         """Room for ``size`` bytes; where it begins."""
@@ -194,14 +194,14 @@ class SharedArea:
         """All entries of all logs, in the order of time."""
         logs = [self.head.log, *(task.log for task in self.tasks)]
         parts = [np.frombuffer(self.memory, ENTRY, log.count, log.entries) for log in logs]
-        found = np.concatenate(parts)
-        return found[np.argsort(found["time"], kind="stable")]
+        entries = np.concatenate(parts)
+        return entries[np.argsort(entries["time"], kind="stable")]
 
     def due(self, part: Any) -> list[int]:
-        """When the jobs of a task were due, in ns."""
+        """Return the moments when the jobs of a task were due, in ns."""
         count = part.jobs if part.has_process else 0
-        found: list[int] = self._numbers(part.due, count).tolist()
-        return found
+        moments: list[int] = self._numbers(part.due, count).tolist()
+        return moments
 
 
 def _capacity(entries: int) -> int:

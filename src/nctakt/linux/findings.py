@@ -29,13 +29,13 @@ from nctakt.schedule.findings import is_rare, us
 _SILENT_PERIODS = 4
 
 
-def run_findings(log: RunLog, measurement: Measurement, wanted: int) -> Iterator[Diagnostic]:
-    """Yield what a run shows; ``wanted``: for so many NC cycles it was asked."""
+def run_findings(log: RunLog, measurement: Measurement, requested: int) -> Iterator[Diagnostic]:
+    """Yield what a run shows; ``requested``: for so many NC cycles it was asked."""
     cycles = measurement.run.cycles
     yield from placement_refusals(log)
     if log.was_stopped:
         yield diagnostic(SCHEDULE_RUN_STOPPED, cycles=cycles)
-    is_shorter = cycles == log.plan.cycles < wanted
+    is_shorter = cycles == log.plan.cycles < requested
     if log.is_cut or is_shorter:
         yield diagnostic(SCHEDULE_RECORDING_FULL, cycles=cycles)
     if late := late_wakes(measurement):

@@ -22,7 +22,7 @@ _PRESENT = Path("/sys/devices/system/cpu/present")
 
 
 def check_system() -> None:
-    """Whether a schedule can run here; raises ``Failure`` (900680, 900681)."""
+    """Raise ``Failure`` (900680, 900681) where no schedule can run."""
     if sys.platform != "linux":
         raise Failure(diagnostic(LINUX_ONLY, system=sys.platform))
     if importlib.util.find_spec("nctakt.linux.processes") is None:
@@ -31,11 +31,11 @@ def check_system() -> None:
 
 def parse_cpus(text: str) -> tuple[int, ...]:
     """The processors that the system names (``0-2,4``), from 1 on, as many as a list can name."""
-    found: list[int] = []
+    cpus: list[int] = []
     for part in text.strip().split(","):
         low, _, high = part.partition("-")
-        found += range(int(low) + 1, int(high or low) + 2)
-    return tuple(cpu for cpu in found if cpu <= MOST_CPUS)
+        cpus += range(int(low) + 1, int(high or low) + 2)
+    return tuple(cpu for cpu in cpus if cpu <= MOST_CPUS)
 
 
 def present_cpus() -> tuple[int, ...]:
@@ -51,7 +51,7 @@ def usable_cpus() -> tuple[int, ...]:
 
 
 def fifo_refusal() -> str | None:
-    """Why the system does not permit SCHED_FIFO, in its words; ``None`` where it does."""
+    """Return the system's reason for refusing SCHED_FIFO; ``None`` where it is permitted."""
     assert sys.platform == "linux"
     policy, parameter = os.sched_getscheduler(0), os.sched_getparam(0)
     try:

@@ -67,8 +67,8 @@ class _Measuring:
         self._timer: list[int] = []
         self._suspended = [False] * self._cycles
         #: For each processor and cycle the time in which a task had it, and who was late.
-        places = max(model.cpus) + 1
-        self._taken = [[0] * self._cycles for _ in range(places)]
+        cpu_count = max(model.cpus) + 1
+        self._taken = [[0] * self._cycles for _ in range(cpu_count)]
         self._late: dict[tuple[int, int], list[int]] = {}
         self._points = [suspension_point(model, begin) for begin in begins[:-1]]
 
@@ -93,7 +93,9 @@ class _Measuring:
             None,
             self._record.result(),
         )
-        return Measurement(run, tuple(self._timer), tuple(tuple(one) for one in self._wakes))
+        return Measurement(
+            run, tuple(self._timer), tuple(tuple(latencies) for latencies in self._wakes)
+        )
 
     def _count(self) -> None:
         cycle = -1
@@ -114,7 +116,7 @@ class _Measuring:
             self._record.entry(cycle, time, value, kind, i, call, cpu)
 
     def _scheduled(self, kind: int, cycle: int, time: int, value: int, i: int, call: int) -> None:
-        """What the scheduler did in a cycle."""
+        """Count an action of the scheduler in a cycle."""
         counters = self._counters
         if kind == layout.RELEASE:
             counters.due[i] += 1
@@ -177,10 +179,10 @@ class _Measuring:
 
 
 def tolerated(model: Model) -> int:
-    """How much of Windows' time may be missing in a cycle, in ns."""
+    """Return the part of Windows' time that may be missing in a cycle, in ns."""
     return model.windows // TOLERATED
 
 
 def late_wakes(measurement: Measurement) -> list[int]:
-    """How late the scheduler woke where that was more than one time slice, in ns."""
+    """Return the scheduler's delays of more than one time slice, in ns."""
     return [late for late in measurement.timer if late > measurement.run.model.slice]

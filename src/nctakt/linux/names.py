@@ -116,7 +116,7 @@ def _remove_semaphores(names: list[str]) -> None:
 
 def remove_stale() -> list[str]:
     """Remove what killed runs of this user have left behind; the semaphores' names."""
-    found: list[str] = []
+    names: list[str] = []
     for record in sorted(FOLDER.glob(f"{_PREFIX}*")):
         try:
             handle = _open(record, os.O_RDWR)
@@ -125,12 +125,12 @@ def remove_stale() -> list[str]:
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
             if os.fstat(handle).st_uid == os.geteuid():
-                found += _clear(record, handle)
+                names += _clear(record, handle)
         except BlockingIOError:  # its run is alive
             pass
         finally:
             os.close(handle)
-    return found
+    return names
 
 
 def _clear(record: Path, handle: int) -> list[str]:

@@ -94,7 +94,7 @@ def make_plan(
         )
         for number, task in enumerate(model.tasks)
     ]
-    tasks.sort(key=lambda one: (-one.task.urgency, one.number))
+    tasks.sort(key=lambda planned: (-planned.task.urgency, planned.number))
     is_timer = model.source is InterruptSource.TIMER
     return Plan(
         model,
@@ -113,7 +113,7 @@ def _table(times: list[int], calls: int) -> npt.NDArray[np.int64]:
 
 
 def _earliest(model: Model) -> int:
-    """What is added to all moments, so that none is negative: whole time slices."""
+    """Return the time slices to add to all moments so that none is negative, in ns."""
     least = model.train.phase - model.train.jitter
     return -(least // model.slice) * model.slice if least < 0 else 0
 
@@ -144,17 +144,21 @@ def _draw(
 def crowded_cpus(plan: Plan) -> list[tuple[int, float]]:
     """The processors of which threads could take so much that nothing else goes on: CPU, share."""
     model = plan.model
-    found: list[tuple[int, float]] = []
+    crowded: list[tuple[int, float]] = []
     for cpu in model.cpus:
-        own = [one for one in plan.tasks if one.has_process and one.task.cpu in (cpu, ANY_CPU)]
+        own = [
+            planned
+            for planned in plan.tasks
+            if planned.has_process and planned.task.cpu in (cpu, ANY_CPU)
+        ]
         demands = [
-            (one.task.kind, one.task.longest / (one.task.every * model.train.distance))
-            for one in own
+            (planned.task.kind, planned.task.longest / (planned.task.every * model.train.distance))
+            for planned in own
         ]
         firm = sum(demand for kind, demand in demands if kind is not TaskClass.ASYNCHRONOUS)
         loose = sum(demand for kind, demand in demands if kind is TaskClass.ASYNCHRONOUS)
         if cpu in model.windows_cpus:
             loose = min(loose, max(0.0, 1 - model.windows / model.cycle - firm))
         if firm + loose >= _CROWDED:
-            found.append((cpu, firm + loose))
-    return found
+            crowded.append((cpu, firm + loose))
+    return crowded

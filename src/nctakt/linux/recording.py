@@ -70,8 +70,8 @@ class RecordOfRun:
 
     def _begins_job(self, i: int, job: int, time: int) -> None:
         self._current[i] = job
-        found = self._jobs[i].get(job)
-        if found is not None and found.waits and time < self._end:
+        recorded = self._jobs[i].get(job)
+        if recorded is not None and recorded.waits and time < self._end:
             self._event(time, EventKind.RELEASE, i, job)
 
     def _segment(self, i: int, begin: int, end: int, call: int, cpu: int) -> None:
@@ -106,13 +106,13 @@ class RecordOfRun:
         """All of it, in the order of time."""
         jobs = [
             Job(i, number, job.due, self._times(i, number, job))
-            for i, found in enumerate(self._jobs)
-            for number, job in found.items()
+            for i, recorded in enumerate(self._jobs)
+            for number, job in recorded.items()
         ]
         return Record(
             self._begins[0],
             self._end,
-            tuple(sorted(self._segments, key=lambda one: (one.begin, one.cpu))),
+            tuple(sorted(self._segments, key=lambda segment: (segment.begin, segment.cpu))),
             tuple(sorted(self._events, key=lambda event: event.time)),
             tuple(jobs),
         )

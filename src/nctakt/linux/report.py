@@ -32,7 +32,7 @@ _ORDINARY = Text("ordinary scheduling", "gewöhnliches Scheduling")
 
 
 def plan_report(plan: Plan, language: Language) -> str:
-    """Who is who in a run: processors, priorities, semaphores."""
+    """Return the processors, priorities and semaphores of a run."""
     heads = Text(
         "Thread|Class|CPU|Linux CPU|SCHED_FIFO|Semaphore|Played by",
         "Thread|Klasse|CPU|Linux-CPU|SCHED_FIFO|Semaphor|Gespielt von",
@@ -97,9 +97,9 @@ def run_report(
 
 
 def _punctuality(measurement: Measurement, plan: Plan, language: Language) -> list[str]:
-    """How late the timer came, and how long after its wake-up each thread began: a histogram."""
+    """Return histograms of the timer's delay and of each thread's wake-up latency."""
     columns = [(Text("Timer", "Timer").get(language), measurement.timer)]
-    for planned in sorted(plan.tasks, key=lambda one: one.number):
+    for planned in sorted(plan.tasks, key=lambda task: task.number):
         if planned.has_process:
             columns.append((planned.task.name, measurement.wakes[planned.number]))
     head = Text("Wake-up latency, µs", "Aufwachverzögerung, µs").get(language)
@@ -125,7 +125,7 @@ def _mean(times: tuple[int, ...]) -> int:
 
 
 def _within(times: tuple[int, ...], low: int, high: int | None) -> int:
-    """How many are at least ``low`` and below ``high``; the first step takes early ones, too."""
+    """Count times from ``low`` to below ``high``; the first step takes early ones, too."""
     return sum((time >= low or not low) and (high is None or time < high) for time in times)
 
 
@@ -137,21 +137,21 @@ def _comparison(run: Simulation, simulated: Simulation, language: Language) -> l
     )
     rows = []
     for i, task in enumerate(run.model.tasks):
-        for name, what in (
+        for name, measured in (
             (Text("simulated", "simuliert"), simulated),
             (Text("run", "gelaufen"), run),
         ):
-            numbers = what.tasks[i]
+            numbers = measured.tasks[i]
             rows.append(
                 [
-                    task.name if what is simulated else "",
+                    task.name if measured is simulated else "",
                     name.get(language),
                     str(numbers.due),
                     str(numbers.completed),
                     str(numbers.overflows),
                     str(numbers.lost),
                     str(numbers.suspensions),
-                    f"{100 * numbers.busy / what.duration:.2f}",
+                    f"{100 * numbers.busy / measured.duration:.2f}",
                     *responses(numbers),
                 ]
             )

@@ -38,7 +38,7 @@ _SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 @dataclass(frozen=True, slots=True)
 class RunLog:
-    """What the processes of a run wrote down.
+    """The log of the processes of a run.
 
     ``due``: for each task of the model, when its jobs were due, in ns. ``taken``: how many
     wake-ups of each external thread somebody took, of as many as ``posted`` says. ``was_stopped``:
@@ -134,11 +134,11 @@ def _log(plan: Plan, area: SharedArea) -> RunLog:
 def placement_refusals(log: RunLog) -> list[Diagnostic]:
     """1000181 for each thread whose processor the system refused."""
     names = {task.number: task.task for task in log.plan.tasks}
-    found: list[Diagnostic] = []
+    refusals: list[Diagnostic] = []
     for number, error in log.cpu_errors:
         reason = os.strerror(error)
         task = names[number]
-        found.append(
+        refusals.append(
             diagnostic(
                 CPU_NOT_ASSIGNABLE,
                 thread=task.name,
@@ -146,11 +146,11 @@ def placement_refusals(log: RunLog) -> list[Diagnostic]:
                 reason=reason,
             )
         )
-    return found
+    return refusals
 
 
 def _failure(plan: Plan, head: Any) -> Diagnostic:
-    """Why a run could not begin, or did not come to its end."""
+    """Return the reason why a run could not begin, or did not come to its end."""
     number = head.status_number
     names = {task.number: task.task.name for task in plan.tasks}
     if head.status == layout.NO_SEMAPHORE and head.status_task < 0:

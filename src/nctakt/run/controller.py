@@ -74,9 +74,9 @@ class Controller:
         access = access or FileAccess()
         if not isinstance(machine, Machine):
             machine = load_machine(machine, access=access)
-        duties = None
+        roles = None
         if schedule is not None:
-            machine, duties = scheduled(machine, schedule)
+            machine, roles = scheduled(machine, schedule)
         self.machine = machine
         self.cycle_time_us = machine.cycle_time_us
         self.diagnostics: list[Diagnostic] = list(machine.diagnostics)
@@ -88,8 +88,8 @@ class Controller:
             for index in range(len(self._machine.channels))
         ]
         self._scheduled_run: ScheduledRun | None = None
-        if schedule is not None and duties is not None:
-            self._scheduled_run = ScheduledRun(self._machine, schedule, duties)
+        if schedule is not None and roles is not None:
+            self._scheduled_run = ScheduledRun(self._machine, schedule, roles)
             for index, channel in enumerate(self._channels):
                 channel.budget = self._scheduled_run.budget(index)
         self._kernel = self._machine.kernel

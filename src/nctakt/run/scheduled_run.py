@@ -26,16 +26,16 @@ from nctakt.run.decode_budget import DecodeBudget
 from nctakt.schedule.findings import simulation_findings
 from nctakt.schedule.model import NS_PER_US
 from nctakt.schedule.open_schedule import RunSchedule
-from nctakt.schedule.thread_roles import find_duties
-from nctakt.schedule.ticks import Duties, Share, TickSchedule
+from nctakt.schedule.thread_roles import find_thread_roles
+from nctakt.schedule.ticks import Share, ThreadRoles, TickSchedule
 
 #: Findings about the machine's own scheduling list, which has no effect under a schedule: no list,
 #: contexts without a thread, realtime cycles in the time of Windows.
 _OF_OWN_LIST = (RTCONF_MISSING, CHANNEL_CONTEXT_WITHOUT_THREAD, CYCLES_MAY_TAKE_WINDOWS_TIME)
 
 
-def scheduled(machine: Machine, schedule: RunSchedule) -> tuple[Machine, Duties]:
-    """Return the machine with the ticks of a schedule, and the duties of the threads.
+def scheduled(machine: Machine, schedule: RunSchedule) -> tuple[Machine, ThreadRoles]:
+    """Return the machine with the ticks of a schedule, and the roles of the threads.
 
     Raises ``Failure`` if a thread for the interpolation or a decoder is missing.
     """
@@ -46,12 +46,12 @@ def scheduled(machine: Machine, schedule: RunSchedule) -> tuple[Machine, Duties]
     parameters = [channel.parameters for channel in machine.channels]
     check_contexts(schedule.configuration, parameters, collector)
     check_time_limits(schedule.configuration, parameters, collector)
-    duties = find_duties(
+    roles = find_thread_roles(
         schedule.configuration, schedule.model, parameters, schedule.load.plc, collector
     )
-    if duties is None:
+    if roles is None:
         raise Failure(*collector.diagnostics)
-    tick_us = duties.every * schedule.configuration.cycle_time_us
+    tick_us = roles.every * schedule.configuration.cycle_time_us
     if machine.rtconf is not None and tick_us != machine.cycle_time_us:
         collector.report(
             TICK_MISMATCH, None, file=schedule.file, cycle=tick_us, other=machine.cycle_time_us
@@ -62,17 +62,19 @@ def scheduled(machine: Machine, schedule: RunSchedule) -> tuple[Machine, Duties]
         rtconf=schedule.configuration,
         diagnostics=tuple(collector.diagnostics),
     )
-    return changed, duties
+    return changed, roles
 
 
 class ScheduledRun:
     """The schedule of a machine while programs run."""
 
-    def __init__(self, machine: AssembledMachine, schedule: RunSchedule, duties: Duties) -> None:
+    def __init__(
+        self, machine: AssembledMachine, schedule: RunSchedule, roles: ThreadRoles
+    ) -> None:
         self._machine = machine
         self.schedule = schedule
-        self._duties = duties
-        self._ticks = TickSchedule(schedule.model, duties)
+        self._roles = roles
+        self._ticks = TickSchedule(schedule.model, roles)
         self._share: Share | None = None
         self._tick = -1
         self._overflows: dict[int, list[int]] = {}
@@ -105,7 +107,7 @@ class ScheduledRun:
         return share
 
     def _begin_tick(self, share: Share, runs: Sequence[ChannelRun], *, has_plc: bool) -> None:
-        for (_, channels), time_ns in zip(self._duties.decoders, share.decoding, strict=True):
+        for (_, channels), time_ns in zip(self._roles.decoders, share.decoding, strict=True):
             busy = [index for index in channels if runs[index].wants_to_decode]
             for index in channels:
                 self._budgets[index].grant(time_ns // len(busy) if index in busy else 0)

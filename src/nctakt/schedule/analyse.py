@@ -33,7 +33,7 @@ class TaskAnalysis:
 
     @property
     def slack(self) -> int | None:
-        """What is left of the period."""
+        """Return the part of the period that is left, in ns."""
         return None if self.response is None else self.period - self.response
 
 
@@ -54,7 +54,7 @@ class CpuAnalysis:
 
     @property
     def reaches_windows(self) -> bool:
-        """Whether Windows can have less than its time."""
+        """Return whether Windows can have less than its time."""
         return bool(self.intruders) or self.is_late
 
 
@@ -73,12 +73,12 @@ class Analysis:
 
     @property
     def can_overflow(self) -> bool:
-        """Whether any task may be due while it is still busy."""
+        """Return whether any task may be due while it is still busy."""
         return any(task.can_overflow for task in self.tasks)
 
     @property
     def is_exact(self) -> bool:
-        """Whether all responses are those of the simulation."""
+        """Return whether all responses are those of the simulation."""
         return all(task.is_exact for task in self.tasks)
 
 

@@ -111,13 +111,13 @@ class _Assembly:
 
     def _find_cpus(self) -> tuple[int, ...]:
         """The processors that can be used; without a number those that the list names."""
-        wanted = [thread.cpu - self._cpu_base + 1 for thread in self._configuration.threads]
-        wanted += [
+        numbers = [thread.cpu - self._cpu_base + 1 for thread in self._configuration.threads]
+        numbers += [
             self._load.external[one.semaphore_name].cpu
             for one in self._configuration.external_threads
             if one.semaphore_name in self._load.external
         ]
-        count = max((1, *wanted)) if self._load.cpus is None else self._load.cpus
+        count = max((1, *numbers)) if self._load.cpus is None else self._load.cpus
         usable = tuple(cpu for cpu in range(1, count + 1) if cpu not in self._load.offline)
         if usable:
             return usable
@@ -145,15 +145,15 @@ class _Assembly:
         return ANY_CPU
 
     def _train(self, cycle: int) -> Train:
-        given = self._load.interrupt
-        phase = given.get("phase", 0)
+        entries = self._load.interrupt
+        phase = entries.get("phase", 0)
         if self._configuration.interrupt_source is InterruptSource.TIMER:
             for key in ("period", "drift", "jitter"):
-                if key in given:
+                if key in entries:
                     self._collector.report(LOAD_INTERRUPT_WITHOUT_EFFECT, None, key=key)
             return Train(cycle, phase)
-        period = given.get("period", cycle)
-        drift = given.get("drift", 0)
+        period = entries.get("period", cycle)
+        drift = entries.get("drift", 0)
         if period + drift <= 0:
             expected = Text("more than minus the period", "mehr als minus die Periode")
             self._collector.report(
@@ -165,13 +165,15 @@ class _Assembly:
             )
             drift = 0
         # Two interrupts never change places.
-        jitter = min(given.get("jitter", 0), (period + drift - 1) // 2)
-        return Train(period, phase, drift, jitter, is_phase_known="phase" in given)
+        jitter = min(entries.get("jitter", 0), (period + drift - 1) // 2)
+        return Train(period, phase, drift, jitter, is_phase_known="phase" in entries)
 
     def _threads(self) -> list[Task]:
         threads = self._configuration.threads
         cycle = self._configuration.cycle_time_us
-        highest = max(threads, key=lambda one: self._urgency(one.priority), default=None)
+        highest = max(
+            threads, key=lambda candidate: self._urgency(candidate.priority), default=None
+        )
         has_realtime = any(is_realtime(thread) for thread in threads)
         return [
             Task(
@@ -214,7 +216,7 @@ class _Assembly:
                 for function in thread.functions
                 if number < function.calls_per_cycle
             ]
-        times = {one.index: self._execution(thread, one) for one in thread.functions}
+        times = {called.index: self._execution(thread, called) for called in thread.functions}
         return tuple(
             Call(
                 function.name,
@@ -227,13 +229,13 @@ class _Assembly:
         )
 
     def _execution(self, thread: SchedulerThread, function: ThreadFunction) -> Execution:
-        place = f"thread[{thread.index}].function[{function.index}]"
-        for key in (place, function.name):
+        path = f"thread[{thread.index}].function[{function.index}]"
+        for key in (path, function.name):
             if key in self._load.functions:
-                found = self._load.functions[key]
-                if found.parts and function.name != REALTIME_FUNCTION:
-                    self._refuse_parts(key, found.parts)
-                return found
+                execution = self._load.functions[key]
+                if execution.parts and function.name != REALTIME_FUNCTION:
+                    self._refuse_parts(key, execution.parts)
+                return execution
         assumed = ASSUMED.functions.get(function.name, ASSUMED_FUNCTION)
         if not self._load.is_assumed and function.name not in self._missing:
             self._missing.append(function.name)
@@ -261,7 +263,7 @@ class _Assembly:
 
     def _external_threads(self, threads: list[Task]) -> list[Task]:
         tasks: list[Task] = []
-        realtime = [one.urgency for one in threads if one.kind is TaskClass.REALTIME]
+        realtime = [task.urgency for task in threads if task.kind is TaskClass.REALTIME]
         for thread in self._configuration.external_threads:
             name = thread.semaphore_name
             load = self._load.external.get(name)
@@ -291,17 +293,17 @@ class _Assembly:
         if self._load.is_assumed:
             return
         threads = self._configuration.threads
-        known = [one.name for thread in threads for one in thread.functions]
-        places = [
-            f"thread[{thread.index}].function[{one.index}]"
+        functions = [item.name for thread in threads for item in thread.functions]
+        paths = [
+            f"thread[{thread.index}].function[{item.index}]"
             for thread in threads
-            for one in thread.functions
+            for item in thread.functions
         ]
-        external = [one.semaphore_name for one in self._configuration.external_threads]
-        for given, names in ((self._load.functions, known), (self._load.external, external)):
+        external = [item.semaphore_name for item in self._configuration.external_threads]
+        for entries, names in ((self._load.functions, functions), (self._load.external, external)):
             shown = ", ".join(dict.fromkeys(names))
-            for name in given:
-                if name not in names and name not in places:
+            for name in entries:
+                if name not in names and name not in paths:
                     self._collector.report(
                         LOAD_OF_UNUSED_FUNCTION, None, name=name, names=shown or "–"
                     )

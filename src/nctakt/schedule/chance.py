@@ -62,9 +62,9 @@ def _generator(seed: int) -> Any:
     from numpy.random import MT19937  # noqa: PLC0415 - a schedule without chance needs no numpy
 
     words = random.Random(seed).getstate()[1]
-    found = MT19937()
-    state = found.state
+    generator = MT19937()
+    state = generator.state
     state["state"]["key"][:] = words[:-1]
     state["state"]["pos"] = words[-1]
-    found.state = state
-    return found
+    generator.state = state
+    return generator

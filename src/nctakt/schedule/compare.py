@@ -20,7 +20,7 @@ from nctakt.schedule.results import Simulation, TaskNumbers, WindowsNumbers
 
 
 class Verdict(enum.Enum):
-    """What became of something from the first list to the second."""
+    """The change from the first list to the second."""
 
     BETTER = "better"
     WORSE = "worse"
@@ -110,8 +110,8 @@ def _threads(first: Side, second: Side) -> Iterator[ThreadComparison]:
 def _by_name(side: Side) -> dict[str, ThreadSide]:
     """Return the threads by name; of several with one name, all but the first by their key."""
     threads: dict[str, ThreadSide] = {}
-    found = zip(side.run.model.tasks, side.analysis.tasks, side.run.tasks, strict=True)
-    for task, bound, numbers in found:
+    rows = zip(side.run.model.tasks, side.analysis.tasks, side.run.tasks, strict=True)
+    for task, bound, numbers in rows:
         name = task.key if task.name in threads else task.name
         threads[name] = ThreadSide(bound, numbers)
     return threads

@@ -76,13 +76,13 @@ def _windows(comparison: Comparison, language: Language) -> list[str]:
     )
     rows = [
         [
-            f"CPU {one.cpu}" if one.cpu else Text("sum", "Summe").get(language),
-            *(NONE if share is None else f"{100 * share:.2f}" for share in one.shares),
-            *(NONE if least is None else us(least) for least in one.least),
-            _VERDICTS[one.verdict].get(language),
+            f"CPU {windows.cpu}" if windows.cpu else Text("sum", "Summe").get(language),
+            *(NONE if share is None else f"{100 * share:.2f}" for share in windows.shares),
+            *(NONE if least is None else us(least) for least in windows.least),
+            _VERDICTS[windows.verdict].get(language),
         ]
-        for one in comparison.windows
-        if one.cpu or len(comparison.windows) > 2  # the sum of one processor is that processor
+        for windows in comparison.windows
+        if windows.cpu or len(comparison.windows) > 2  # the sum of one processor is that processor
     ]
     return table(heads.get(language).split("|"), rows)
 
@@ -93,8 +93,8 @@ def comparison_document(comparison: Comparison, first: Side, second: Side) -> Do
         "first": first.name,
         "second": second.name,
         "parameters": [
-            {"name": name, "first": one, "second": other}
-            for name, one, other in comparison.parameters
+            {"name": name, "first": windows, "second": other}
+            for name, windows, other in comparison.parameters
         ],
         "threads": [
             {
@@ -107,14 +107,14 @@ def comparison_document(comparison: Comparison, first: Side, second: Side) -> Do
         ],
         "windows": [
             {
-                "cpu": one.cpu or None,
+                "cpu": windows.cpu or None,
                 "share_pct": [
-                    None if share is None else round(100 * share, 3) for share in one.shares
+                    None if share is None else round(100 * share, 3) for share in windows.shares
                 ],
-                "min_us": [None if time is None else time / NS_PER_US for time in one.least],
-                "verdict": one.verdict.value,
+                "min_us": [None if time is None else time / NS_PER_US for time in windows.least],
+                "verdict": windows.verdict.value,
             }
-            for one in comparison.windows
+            for windows in comparison.windows
         ],
     }
 

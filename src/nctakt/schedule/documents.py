@@ -72,12 +72,12 @@ def analysis_document(analysis: Analysis, margins: Margins, run: Simulation) -> 
         ],
         "cpus": [
             {
-                "cpu": one.cpu,
-                "demand_pct": round(100 * one.demand, 3),
-                "supply_pct": round(100 * one.suspendable_supply, 3),
-                "reaches_windows": one.reaches_windows,
+                "cpu": cpu.cpu,
+                "demand_pct": round(100 * cpu.demand, 3),
+                "supply_pct": round(100 * cpu.suspendable_supply, 3),
+                "reaches_windows": cpu.reaches_windows,
             }
-            for one in analysis.cpus
+            for cpu in analysis.cpus
         ],
         "margins": _margins(margins),
     }
@@ -87,14 +87,14 @@ def _margins(margins: Margins) -> Document:
     return {
         "functions": [
             {
-                "function": one.function,
-                "present_us": _us(one.present),
-                "limit_us": _us(one.limit),
-                "change_us": _us(one.change),
+                "function": margin.function,
+                "present_us": _us(margin.present),
+                "limit_us": _us(margin.limit),
+                "change_us": _us(margin.change),
             }
-            for one in margins.functions
+            for margin in margins.functions
         ],
-        "factors": [{"cpu": one.cpu, "factor": one.factor} for one in margins.factors],
+        "factors": [{"cpu": margin.cpu, "factor": margin.factor} for margin in margins.factors],
         "windows_time_us": _us(margins.windows_time),
         "cycle_time_us": _us(margins.cycle_time),
     }
@@ -124,7 +124,7 @@ def _numbers(run: Simulation) -> Document:
             {**_names(task), **_thread(run, task, numbers)}
             for task, numbers in zip(run.model.tasks, run.tasks, strict=True)
         ],
-        "windows": [_windows(run, one) for one in run.windows],
+        "windows": [_windows(run, windows) for windows in run.windows],
     }
 
 
@@ -148,7 +148,8 @@ def _thread(run: Simulation, task: Task, numbers: TaskNumbers) -> Document:
         "response_mean_us": _us(mean),
         "response_max_us": _us(numbers.response_max),
         "percentiles_us": {
-            f"{one / 10:g}": _us(numbers.responses.percentile(one)) for one in PERCENTILES_PER_MILLE
+            f"{share / 10:g}": _us(numbers.responses.percentile(share))
+            for share in PERCENTILES_PER_MILLE
         },
         "histogram_us": [
             [_us(low), _us(high), count] for low, high, count in numbers.responses.bars(_MAX_BARS)
@@ -159,17 +160,19 @@ def _thread(run: Simulation, task: Task, numbers: TaskNumbers) -> Document:
     }
 
 
-def _windows(run: Simulation, one: WindowsNumbers) -> Document:
+def _windows(run: Simulation, windows: WindowsNumbers) -> Document:
     names = [task.name for task in run.model.tasks]
     return {
-        "cpu": one.cpu or None,
-        "share_pct": round(100 * one.total / run.duration, 3),
-        "min_us": _us(one.least),
-        "mean_us": _us(rounded_mean(one.total, run.cycles)),
-        "max_us": _us(one.most),
-        "cycles_below": one.violated,
-        "late_suspensions": one.late,
-        "culprits": {name: count for name, count in zip(names, one.culprits, strict=True) if count},
+        "cpu": windows.cpu or None,
+        "share_pct": round(100 * windows.total / run.duration, 3),
+        "min_us": _us(windows.least),
+        "mean_us": _us(rounded_mean(windows.total, run.cycles)),
+        "max_us": _us(windows.most),
+        "cycles_below": windows.violated,
+        "late_suspensions": windows.late,
+        "culprits": {
+            name: count for name, count in zip(names, windows.culprits, strict=True) if count
+        },
     }
 
 

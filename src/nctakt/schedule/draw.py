@@ -32,7 +32,7 @@ _HTML = """\
 
 
 def check_picture(path: str) -> None:
-    """Whether such a picture can be drawn; raises ``Failure`` (900635, 900634)."""
+    """Raise ``Failure`` (900635, 900634) where such a picture cannot be drawn."""
     ending = Path(path).suffix.lower()
     if ending not in (".svg", ".png", ".html"):
         raise Failure(diagnostic(UNKNOWN_PICTURE_FORMAT, file=path))

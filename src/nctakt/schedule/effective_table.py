@@ -58,19 +58,19 @@ def _rank(key: Key) -> tuple[object, ...]:
 
 def effective_entries(file: str, data: bytes) -> dict[Key, Entry]:
     """Return the entry that counts for each parameter that the list names."""
-    found: dict[Key, Entry] = {}
+    entries: dict[Key, Entry] = {}
     for entry in read_entries(file, data, RTCONF, Collector()):
-        known = RTCONF.find(entry.pattern) if entry.is_well_formed else None
-        if known is None:
+        declared = RTCONF.find(entry.pattern) if entry.is_well_formed else None
+        if declared is None:
             continue
-        parameter, alias = known
+        parameter, alias = declared
         ranges = zip(entry.indices, parameter.index_ranges, strict=True)
         key = (parameter.pattern, entry.indices)
         if all(low <= index <= high for index, (low, high) in ranges):
-            present_name_stands = key in found and found[key].pattern == parameter.pattern
+            present_name_stands = key in entries and entries[key].pattern == parameter.pattern
             if alias is None or not present_name_stands:
-                found[key] = entry
-    return found
+                entries[key] = entry
+    return entries
 
 
 def effective_values(configuration: RtconfConfiguration) -> dict[Key, Value]:
@@ -94,11 +94,11 @@ def effective_values(configuration: RtconfConfiguration) -> dict[Key, Value]:
             ("thread[].context_info", at): thread.context,
         }
         for function in thread.functions:
-            place = (thread.index, function.index)
+            indices = (thread.index, function.index)
             values |= {
-                ("thread[].function[].name", place): function.name,
-                ("thread[].function[].calls_per_cycle", place): function.calls_per_cycle,
-                ("thread[].function[].trace_bit", place): function.trace_bit,
+                ("thread[].function[].name", indices): function.name,
+                ("thread[].function[].calls_per_cycle", indices): function.calls_per_cycle,
+                ("thread[].function[].trace_bit", indices): function.trace_bit,
             }
     for external in configuration.external_threads:
         at = (external.index,)
@@ -118,14 +118,14 @@ def _row(
     name = with_indices(*key)
     line = 0 if entry is None else entry.key_span.line
     reasons = [
-        f"{one.id}: {one.text(language)}"
-        for one in diagnostics
-        if one.entry == name
-        or (not one.entry and line and one.span is not None and one.span.line == line)
+        f"{finding.id}: {finding.text(language)}"
+        for finding in diagnostics
+        if finding.entry == name
+        or (not finding.entry and line and finding.span is not None and finding.span.line == line)
     ]
     if not reasons:
-        known = _DEFAULT if entry is None else _UNUSED if effective is None else _WRITTEN
-        reasons = [known[language]]
+        usual = _DEFAULT if entry is None else _UNUSED if effective is None else _WRITTEN
+        reasons = [usual[language]]
     raw = "" if entry is None else _raw(entry)
     shown_value = "–" if effective is None else effective
     return EffectiveRow(
@@ -142,6 +142,6 @@ def _raw(entry: Entry) -> str:
 
 
 def _parameter(pattern: str) -> Parameter:
-    found = RTCONF.find(pattern)
-    assert found is not None
-    return found[0]
+    declared = RTCONF.find(pattern)
+    assert declared is not None
+    return declared[0]

@@ -67,8 +67,8 @@ _NARROW_PART, _MEAN_PART, _WIDE_PART, _BOLD = 0.4, 0.66, 1.0, 1.1
 def text_width(label: Label) -> float:
     """Return the width of a label in pixels, rather too much than too little."""
     parts = (
-        _NARROW_PART if one in _NARROW else _WIDE_PART if one in _WIDE else _MEAN_PART
-        for one in label.text
+        _NARROW_PART if character in _NARROW else _WIDE_PART if character in _WIDE else _MEAN_PART
+        for character in label.text
     )
     return sum(parts) * label.size * (_BOLD if label.bold else 1.0)
 
@@ -125,9 +125,9 @@ def _tip(text: str) -> str:
 
 def _box(box: Box) -> str:
     fill = "#ffffff" if box.hatched else box.fill
-    x, y, width, height = (_number(one) for one in (box.x, box.y, box.width, box.height))
-    place = f'x="{x}" y="{y}" width="{width}" height="{height}"'
-    rectangle = f'<rect {place} fill="{fill}">{_tip(box.tip)}</rect>'
+    x, y, width, height = (_number(number) for number in (box.x, box.y, box.width, box.height))
+    attributes = f'x="{x}" y="{y}" width="{width}" height="{height}"'
+    rectangle = f'<rect {attributes} fill="{fill}">{_tip(box.tip)}</rect>'
     return rectangle + (_hatching(box) if box.hatched else "")
 
 

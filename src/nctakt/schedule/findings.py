@@ -80,15 +80,15 @@ def is_rare(count: int, due: int) -> bool:
 
 
 def culprits(model: Model, windows: WindowsNumbers) -> str:
-    """Who ran in Windows' time in how many cycles."""
-    found = [
+    """Return the tasks that ran in Windows' time, each with its number of cycles."""
+    names = [
         f"{task.name} {count}"
         for task, count in zip(model.tasks, windows.culprits, strict=True)
         if count
     ]
     if windows.late:
-        found.append(f"{_LATE} {windows.late}")
-    return ", ".join(found)
+        names.append(f"{_LATE} {windows.late}")
+    return ", ".join(names)
 
 
 def _without_windows_time(model: Model, responses: list[int], least: int) -> Iterator[Diagnostic]:
@@ -97,19 +97,19 @@ def _without_windows_time(model: Model, responses: list[int], least: int) -> Ite
         return
     for task, response in zip(model.tasks, responses, strict=True):
         if response > model.cycle:
-            what = Text(
+            reason = Text(
                 f"{task.name} needs longer than one NC cycle",
                 f"{task.name} braucht länger als einen NC-Takt",
             )
-            yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what=what)
+            yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what=reason)
             return
     if least == 0:
-        what = Text("Windows gets no time in some cycles", "Windows bekommt manchmal keine Zeit")
-        yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what=what)
+        reason = Text("Windows gets no time in some cycles", "Windows bekommt manchmal keine Zeit")
+        yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what=reason)
 
 
 def analysis_findings(analysis: Analysis) -> Iterator[Diagnostic]:
-    """What can go wrong when all run as long as they can."""
+    """Yield diagnostics of what can go wrong when all run as long as they can."""
     model = analysis.model
     for cpu in analysis.cpus:
         if cpu.demand > cpu.suspendable_supply:
@@ -125,11 +125,11 @@ def analysis_findings(analysis: Analysis) -> Iterator[Diagnostic]:
             yield diagnostic(
                 WINDOWS_TIME_CAN_BE_VIOLATED, cpu=cpu.cpu, windows=us(model.windows), who=who
             )
-    for task, one in zip(model.tasks, analysis.tasks, strict=True):
-        if one.can_overflow:
-            response = "∞" if one.response is None else f"{us(one.response)} µs"
+    for task, bound in zip(model.tasks, analysis.tasks, strict=True):
+        if bound.can_overflow:
+            response = "∞" if bound.response is None else f"{us(bound.response)} µs"
             yield diagnostic(
-                THREAD_CAN_OVERFLOW, thread=task.name, response=response, cycle=us(one.period)
+                THREAD_CAN_OVERFLOW, thread=task.name, response=response, cycle=us(bound.period)
             )
-    responses = [one.response or 0 for one in analysis.tasks]
+    responses = [bound.response or 0 for bound in analysis.tasks]
     yield from _without_windows_time(model, responses, 1)

@@ -90,8 +90,8 @@ def gantt(run: Simulation, title: PictureTitle, language: Language) -> Figure:
     signs, y = legend(run.model, _MARGIN, y, width - _MARGIN, language)
     shapes += signs
     contents = _Contents(run, language)
-    for place, strip in enumerate(strips):
-        drawing = _StripDrawing(contents, strip, inner / max(1, longest), y, width, place == 0)
+    for index, strip in enumerate(strips):
+        drawing = _StripDrawing(contents, strip, inner / max(1, longest), y, width, index == 0)
         shapes += drawing.shapes()
         y = drawing.bottom
     return Figure(width, int(y + _MARGIN), tuple(shapes))
@@ -133,7 +133,7 @@ def _head(
 
 
 class _Contents:
-    """What is drawn, computed once for all strips; times in ns."""
+    """The contents of a picture, computed once for all strips; times in ns."""
 
     def __init__(self, run: Simulation, language: Language) -> None:
         model = run.model
@@ -285,12 +285,13 @@ class _StripDrawing:
                 yield Stroke(points, colour_of(self._model, task), 1.0)
 
     def _running(self) -> Iterator[Shape]:
-        for one in self._contents.run.record.segments:
-            if span := self._clip(one.begin, one.end):
-                name = self._model.tasks[one.task].name
-                tip = f"{name} #{one.job}, CPU {one.cpu}: {us(one.begin)} … {us(one.end)} µs"
-                colour = colour_of(self._model, one.task)
-                yield self._box(span, self._task_y(one.task), _BAR, colour, tip)
+        for segment in self._contents.run.record.segments:
+            if span := self._clip(segment.begin, segment.end):
+                name = self._model.tasks[segment.task].name
+                times = f"{us(segment.begin)} … {us(segment.end)} µs"
+                tip = f"{name} #{segment.job}, CPU {segment.cpu}: {times}"
+                colour = colour_of(self._model, segment.task)
+                yield self._box(span, self._task_y(segment.task), _BAR, colour, tip)
 
     def _parts(self) -> Iterator[Shape]:
         """Yield what the interpolation consists of, in the lower half of its bars."""

@@ -27,7 +27,7 @@ _TRACE_BITS = Text("Trace bits", "Trace-Bits")
 
 
 class RowKind(enum.Enum):
-    """What a row shows."""
+    """Kinds of row."""
 
     HEADING = enum.auto()
     TASK = enum.auto()
@@ -107,12 +107,12 @@ def strips_of(run: Simulation) -> list[Strip]:
     for moment in (*_interesting(run), *(strip.begin for strip in strips)):
         if len(chosen) < MAX_STRIPS:
             chosen[_strip_at(strips, moment)] = None
-    return [strips[place] for place in sorted(chosen)]
+    return [strips[index] for index in sorted(chosen)]
 
 
 def _strip_at(strips: list[Strip], moment: int) -> int:
     return next(
-        (place for place, strip in enumerate(strips) if moment < strip.end), len(strips) - 1
+        (index for index, strip in enumerate(strips) if moment < strip.end), len(strips) - 1
     )
 
 
@@ -124,8 +124,8 @@ def _interesting(run: Simulation) -> Iterator[int]:
         if event.kind is EventKind.OVERFLOW:
             first_overflow.setdefault(event.task, event.time)
         elif event.kind is EventKind.END:
-            known = longest.get(event.task)
-            if known is None or event.value > known[0]:
+            before = longest.get(event.task)
+            if before is None or event.value > before[0]:
                 longest[event.task] = (event.value, event.time)
     yield from first_overflow.values()
     for cpu in run.model.windows_cpus:

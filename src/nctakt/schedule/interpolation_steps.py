@@ -31,7 +31,7 @@ class Part:
 
 
 def has_parts(model: Model) -> bool:
-    """Whether the load names parts."""
+    """Return whether the load names parts."""
     return any(call.execution.parts for task in model.tasks for call in task.calls)
 
 
@@ -40,15 +40,15 @@ def dead_times(model: Model) -> list[tuple[str, int]]:
 
     A call that nothing interrupts, at the begin of its cycle.
     """
-    found: list[tuple[str, int]] = []
+    times: list[tuple[str, int]] = []
     for task in model.tasks:
         for call in task.calls:
             if call.execution.parts:
                 cycle = task.every * model.train.distance
                 whole = sum(call.execution.parts)
-                found.append((task.name, cycle if model.schedule == "STANDARD" else whole))
+                times.append((task.name, cycle if model.schedule == "STANDARD" else whole))
                 break
-    return found
+    return times
 
 
 def parts_of(model: Model, record: Record) -> list[Part]:
@@ -56,7 +56,7 @@ def parts_of(model: Model, record: Record) -> list[Part]:
     segments: dict[tuple[int, int], list[Segment]] = {}
     for segment in record.segments:
         segments.setdefault((segment.task, segment.job), []).append(segment)
-    found: list[Part] = []
+    parts: list[Part] = []
     for job in record.jobs:
         calls = model.tasks[job.task].calls
         if not job.times or not any(call.execution.parts for call in calls):
@@ -66,8 +66,8 @@ def parts_of(model: Model, record: Record) -> list[Part]:
         for ran in calls_of_job(replace(job, times=times), own, model):
             part = meanings[ran.call]
             if part is not None:
-                found += _pieces(ran, part, own, record.end)
-    return found
+                parts += _pieces(ran, part, own, record.end)
+    return parts
 
 
 def _split(

@@ -86,7 +86,11 @@ class _Learning:
             if len(several) > 1 and self._recording.bits.get(bit):
                 names = ", ".join(f"{self._model.tasks[i].name}: {name}" for i, name in several)
                 self._found.append(diagnostic(SHARED_BIT_NOT_LEARNT, bit=bit, names=names))
-        return {bit: next(iter(one)) for bit, one in callers.items() if len(one) == 1}
+        return {
+            bit: next(iter(callers_of_bit))
+            for bit, callers_of_bit in callers.items()
+            if len(callers_of_bit) == 1
+        }
 
     def times(self) -> LearntTimes:
         """Return the times of all functions with a bit."""
@@ -98,7 +102,7 @@ class _Learning:
                 continue
             running = self._recording.running.get(identifier(self._model.tasks[caller[0]].name))
             if running is not None:
-                lengths = [_overlap(running, *one) for one in high]
+                lengths = [_overlap(running, *call) for call in high]
             else:
                 blocked, is_known = self._blocked(caller[0])
                 lengths = [end - begin - _overlap(blocked, begin, end) for begin, end in high]
@@ -173,8 +177,8 @@ class _Learning:
         return []
 
 
-def _share_cpu(model: Model, one: int, other: int) -> bool:
-    cpus = (model.tasks[one].cpu, model.tasks[other].cpu)
+def _share_cpu(model: Model, task: int, other: int) -> bool:
+    cpus = (model.tasks[task].cpu, model.tasks[other].cpu)
     return cpus[0] == cpus[1] or ANY_CPU in cpus
 
 
@@ -191,12 +195,12 @@ def _union(times: Times) -> Times:
 
 def _overlap(times: Sequence[tuple[int, int]], begin: int, end: int) -> int:
     """Return how long ``times``, which are apart and in order, lie in a time."""
-    place = max(0, bisect_left(times, (begin, begin)) - 1)
+    index = max(0, bisect_left(times, (begin, begin)) - 1)
     total = 0
-    while place < len(times) and times[place][0] < end:
-        start, stop = times[place]
+    while index < len(times) and times[index][0] < end:
+        start, stop = times[index]
         total += max(0, min(stop, end) - max(start, begin))
-        place += 1
+        index += 1
     return total
 
 

@@ -188,136 +188,136 @@ class _Reader:
             expected=expected,
         )
 
-    def _check_names(self, table: str, found: dict[str, Any], names: tuple[str, ...]) -> None:
-        for name in found:
+    def _check_names(self, table: str, entries: dict[str, Any], names: tuple[str, ...]) -> None:
+        for name in entries:
             if name not in names:
                 key = f"{table}.{name}" if table else name
                 self._collector.report(UNKNOWN_LOAD_ENTRY, None, key=key, names=", ".join(names))
 
     def _subtable(self, tables: dict[str, Any], name: str) -> dict[str, Any]:
-        found = tables.get(name, {})
-        if isinstance(found, dict):
-            return found
-        self._report(name, found, _TABLE)
+        table = tables.get(name, {})
+        if isinstance(table, dict):
+            return table
+        self._report(name, table, _TABLE)
         return {}
 
     def _table(self, tables: dict[str, Any], name: str) -> dict[str, Any]:
-        found = self._subtable(tables, name)
-        self._check_names(name, found, _ENTRIES[name])
-        return found
+        table = self._subtable(tables, name)
+        self._check_names(name, table, _ENTRIES[name])
+        return table
 
-    def _external(self, name: str, found: Any) -> ExternalLoad:
+    def _external(self, name: str, entry: Any) -> ExternalLoad:
         key = f"external.{name}"
-        if not isinstance(found, dict):
-            self._report(key, found, _TABLE)
+        if not isinstance(entry, dict):
+            self._report(key, entry, _TABLE)
             return ExternalLoad()
-        self._check_names(key, found, _ENTRIES["external"])
-        time = self._execution(f"{key}.time", found["time"]) if "time" in found else None
+        self._check_names(key, entry, _ENTRIES["external"])
+        time = self._execution(f"{key}.time", entry["time"]) if "time" in entry else None
         if time is not None and time.parts:
-            self._report(f"{key}.time", found["time"], _TIME)
+            self._report(f"{key}.time", entry["time"], _TIME)
         return ExternalLoad(
             time,
-            self._integer(f"{key}.priority", found.get("priority")),
-            self._cpu(f"{key}.cpu", found.get("cpu")) or 1,
+            self._integer(f"{key}.priority", entry.get("priority")),
+            self._cpu(f"{key}.cpu", entry.get("cpu")) or 1,
         )
 
-    def _interrupt(self, found: dict[str, Any]) -> dict[str, int]:
+    def _interrupt(self, entries: dict[str, Any]) -> dict[str, int]:
         times: dict[str, int] = {}
         for name in _ENTRIES["interrupt"]:
-            if name in found:
+            if name in entries:
                 signed = name == "drift"
-                time = self._time(f"interrupt.{name}", found[name], signed=signed)
+                time = self._time(f"interrupt.{name}", entries[name], signed=signed)
                 if time is not None and (name != "period" or time > 0):
                     times[name] = time
                 elif time is not None:
-                    self._report("interrupt.period", found[name], _TIME)
+                    self._report("interrupt.period", entries[name], _TIME)
         return times
 
-    def _execution(self, key: str, found: Any) -> Execution | None:
-        if isinstance(found, dict):
-            if sorted(found) == sorted(PARTS):
-                return self._parts(key, found)
-            bounds = found.get("uniform")
-            if list(found) == ["uniform"] and isinstance(bounds, list) and len(bounds) == 2:
+    def _execution(self, key: str, entry: Any) -> Execution | None:
+        if isinstance(entry, dict):
+            if sorted(entry) == sorted(PARTS):
+                return self._parts(key, entry)
+            bounds = entry.get("uniform")
+            if list(entry) == ["uniform"] and isinstance(bounds, list) and len(bounds) == 2:
                 low, high = (self._time(key, bound) for bound in bounds)
                 if low is None or high is None:
                     return None
                 if low <= high:
                     return Execution((low, high), spread=True)
-            self._report(key, found, _TIMES)
+            self._report(key, entry, _TIMES)
             return None
-        if isinstance(found, list) and found:
-            times = [self._time(key, one) for one in found]
-            known = tuple(time for time in times if time is not None)
-            return Execution(known) if len(known) == len(times) else None
-        if isinstance(found, list):
-            self._report(key, found, _TIMES)
+        if isinstance(entry, list) and entry:
+            times = [self._time(key, item) for item in entry]
+            values = tuple(time for time in times if time is not None)
+            return Execution(values) if len(values) == len(times) else None
+        if isinstance(entry, list):
+            self._report(key, entry, _TIMES)
             return None
-        time = self._time(key, found)
+        time = self._time(key, entry)
         return None if time is None else Execution((time,))
 
-    def _parts(self, key: str, found: dict[str, Any]) -> Execution | None:
+    def _parts(self, key: str, entry: dict[str, Any]) -> Execution | None:
         """A time that consists of three."""
-        times = [self._time(f"{key}.{part}", found[part]) for part in PARTS]
-        known = tuple(time for time in times if time is not None)
-        if len(known) != 3:
+        times = [self._time(f"{key}.{part}", entry[part]) for part in PARTS]
+        values = tuple(time for time in times if time is not None)
+        if len(values) != 3:
             return None
-        return Execution((sum(known),), parts=known)
+        return Execution((sum(values),), parts=values)
 
-    def _time(self, key: str, found: Any, *, signed: bool = False) -> int | None:
+    def _time(self, key: str, entry: Any, *, signed: bool = False) -> int | None:
         """A time in ns."""
-        time_ns = _nanoseconds(found)
+        time_ns = _nanoseconds(entry)
         low = -LONGEST_US * NS_PER_US if signed else 0
         if time_ns is not None and low <= time_ns <= LONGEST_US * NS_PER_US:
             return time_ns
-        self._report(key, found, _SIGNED if signed else _TIME)
+        self._report(key, entry, _SIGNED if signed else _TIME)
         return None
 
-    def _integer(self, key: str, found: Any) -> int | None:
-        if isinstance(found, int) and not isinstance(found, bool):
-            return int(found)
-        if found is None:
+    def _integer(self, key: str, entry: Any) -> int | None:
+        if isinstance(entry, int) and not isinstance(entry, bool):
+            return int(entry)
+        if entry is None:
             return None
-        self._report(key, found, _NUMBER)
+        self._report(key, entry, _NUMBER)
         return None
 
-    def _block(self, found: Any) -> int:
-        time = None if found is None else self._time("controller.block", found)
+    def _block(self, entry: Any) -> int:
+        time = None if entry is None else self._time("controller.block", entry)
         return ASSUMED_BLOCK if time is None else time
 
-    def _name(self, key: str, found: Any) -> str | None:
-        if found is None or isinstance(found, str):
-            return found
-        self._report(key, found, _NAME)
+    def _name(self, key: str, entry: Any) -> str | None:
+        if entry is None or isinstance(entry, str):
+            return entry
+        self._report(key, entry, _NAME)
         return None
 
-    def _cpu(self, key: str, found: Any) -> int | None:
-        if found is None:
+    def _cpu(self, key: str, entry: Any) -> int | None:
+        if entry is None:
             return None
-        if _is_cpu(found):
-            return int(found)
-        self._report(key, found, _CPU)
+        if _is_cpu(entry):
+            return int(entry)
+        self._report(key, entry, _CPU)
         return None
 
-    def _cpus(self, key: str, found: Any) -> tuple[int, ...] | None:
-        if found is None:
+    def _cpus(self, key: str, entry: Any) -> tuple[int, ...] | None:
+        if entry is None:
             return None
-        is_list = isinstance(found, list) and all(_is_cpu(one) for one in found)
-        if is_list and len(set(found)) == len(found):
-            return tuple(sorted(found))
-        self._report(key, found, _CPUS)
+        is_list = isinstance(entry, list) and all(_is_cpu(item) for item in entry)
+        if is_list and len(set(entry)) == len(entry):
+            return tuple(sorted(entry))
+        self._report(key, entry, _CPUS)
         return None
 
 
-def _nanoseconds(found: Any) -> int | None:
+def _nanoseconds(entry: Any) -> int | None:
     """A number of microseconds or a text with a unit in ns; ``None`` if it is neither."""
-    if isinstance(found, str):
-        size = nanoseconds(found.removeprefix("-"))
-        return -size if size is not None and found.startswith("-") else size
-    if isinstance(found, bool) or not isinstance(found, int | float):
+    if isinstance(entry, str):
+        size = nanoseconds(entry.removeprefix("-"))
+        return -size if size is not None and entry.startswith("-") else size
+    if isinstance(entry, bool) or not isinstance(entry, int | float):
         return None
-    return round(float(found) * NS_PER_US) if abs(found) <= LONGEST_US else None
+    return round(float(entry) * NS_PER_US) if abs(entry) <= LONGEST_US else None
 
 
-def _is_cpu(found: Any) -> bool:
-    return isinstance(found, int) and not isinstance(found, bool) and 1 <= found <= MOST_CPUS
+def _is_cpu(entry: Any) -> bool:
+    return isinstance(entry, int) and not isinstance(entry, bool) and 1 <= entry <= MOST_CPUS

@@ -37,7 +37,7 @@ class FunctionLimit:
 
     @property
     def change(self) -> int | None:
-        """How much longer it may be; negative: how much shorter it must be."""
+        """Return the difference from the present time; negative where it must be shorter."""
         return None if self.limit is None else self.limit - self.present
 
 
@@ -75,8 +75,8 @@ def _fits(model: Model, cpus: Container[int] | None = None) -> bool:
     """Return whether nothing overflows, on some processors or on all."""
     analysis = analyse(model)
     return not any(
-        found.can_overflow
-        for task, found in zip(model.tasks, analysis.tasks, strict=True)
+        bound.can_overflow
+        for task, bound in zip(model.tasks, analysis.tasks, strict=True)
         if cpus is None or task.cpu in cpus
     )
 

@@ -27,7 +27,7 @@ Suspension = Literal["ticks", "elapsed"]
 
 
 class TaskClass(enum.Enum):
-    """What the scheduler may do with a task."""
+    """Kinds of task by what the scheduler may do with them."""
 
     #: Holds the interpolation; never suspended.
     REALTIME = "realtime"
@@ -52,7 +52,7 @@ class Execution:
 
     @property
     def is_constant(self) -> bool:
-        """Whether each call takes the same time."""
+        """Return whether each call takes the same time."""
         return len(set(self.values)) == 1
 
     @property
@@ -119,7 +119,7 @@ class Train:
 
 @dataclass(frozen=True, slots=True)
 class Overheads:
-    """What scheduling itself costs, in ns.
+    """The costs of scheduling itself, in ns.
 
     ``switch`` is added to a job each time it gets a processor that ran something else before,
     ``activation`` to each job that an interrupt releases.
@@ -171,7 +171,7 @@ class Model:
 
     @property
     def is_synchronous(self) -> bool:
-        """Whether NC interrupts always fall on timer interrupts."""
+        """Return whether NC interrupts always fall on timer interrupts."""
         if self.source is InterruptSource.TIMER:
             return True
         train = self.train

@@ -67,8 +67,8 @@ def open_schedule(
     if collector.has_errors:
         raise Failure(*collector.diagnostics)
     model = assemble(configuration, times, options.profile, collector)
-    errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
-    if any(one.message not in PLACED for one in errors):
+    errors = [finding for finding in collector.diagnostics if finding.severity is Severity.ERROR]
+    if any(finding.message not in PLACED for finding in errors):
         raise Failure(*collector.diagnostics)
     return RunSchedule(str(rtconf), configuration, model, times, tuple(collector.diagnostics))
 

@@ -29,9 +29,9 @@ def write_png(figure: Figure, path: Path) -> None:
     axes.set_xlim(0, figure.width)
     axes.set_ylim(figure.height, 0)
     axes.axis("off")
-    for place, shape in enumerate(figure.shapes):
+    for layer, shape in enumerate(figure.shapes):
         if isinstance(shape, Box):
-            axes.add_patch(_rectangle(shape, place))
+            axes.add_patch(_rectangle(shape, layer))
         elif isinstance(shape, Stroke):
             axes.plot(
                 [x for x, _ in shape.points],
@@ -39,16 +39,16 @@ def write_png(figure: Figure, path: Path) -> None:
                 color=shape.colour,
                 linewidth=shape.width * _POINTS,
                 linestyle=(0, (4, 3)) if shape.dashed else "-",
-                zorder=place,
+                zorder=layer,
             )
             for head in arrow_heads(shape):
-                axes.add_patch(Polygon(head, color=shape.colour, zorder=place))
+                axes.add_patch(Polygon(head, color=shape.colour, zorder=layer))
         else:
-            _write(axes, shape, place)
+            _write(axes, shape, layer)
     sheet.savefig(path, format="png", dpi=_DPI, metadata={"Software": None})
 
 
-def _rectangle(box: Box, place: int) -> Rectangle:
+def _rectangle(box: Box, layer: int) -> Rectangle:
     return Rectangle(
         (box.x, box.y),
         box.width,
@@ -57,11 +57,11 @@ def _rectangle(box: Box, place: int) -> Rectangle:
         facecolor="#ffffff" if box.hatched else box.fill,
         edgecolor=box.fill,
         hatch="////" if box.hatched else None,
-        zorder=place,
+        zorder=layer,
     )
 
 
-def _write(axes: Any, label: Label, place: int) -> None:
+def _write(axes: Any, label: Label, layer: int) -> None:
     axes.text(
         label.x,
         label.y,
@@ -71,6 +71,6 @@ def _write(axes: Any, label: Label, place: int) -> None:
         va="baseline",
         color=label.colour,
         fontweight="bold" if label.bold else "normal",
-        zorder=place,
+        zorder=layer,
         parse_math=False,
     )

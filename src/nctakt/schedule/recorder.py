@@ -53,11 +53,11 @@ class Recorder:
     def segment(self, cpu: int, begin: int, end: int, task: int, overhead: int) -> None:
         """``task`` has a processor for a while."""
         job = self._numbers[task] - 1
-        place = self._newest.get(cpu)
-        if place is not None and not overhead:
-            last = self._segments[place]
+        index = self._newest.get(cpu)
+        if index is not None and not overhead:
+            last = self._segments[index]
             if (last.end, last.task, last.job) == (begin, task, job):
-                self._segments[place] = Segment(cpu, last.begin, end, task, job, last.overhead)
+                self._segments[index] = Segment(cpu, last.begin, end, task, job, last.overhead)
                 return
         self._newest[cpu] = len(self._segments)
         self._segments.append(Segment(cpu, begin, end, task, job, overhead))
@@ -70,6 +70,6 @@ class Recorder:
     def result(self) -> Record:
         """All of it, in the order of time."""
         events = sorted(self._events, key=lambda event: event.time)
-        segments = sorted(self._segments, key=lambda one: (one.begin, one.cpu))
+        segments = sorted(self._segments, key=lambda segment: (segment.begin, segment.cpu))
         begin = 0 if self._begin is None else self._begin
         return Record(begin, self._end, tuple(segments), tuple(events), tuple(self._jobs))

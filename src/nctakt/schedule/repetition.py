@@ -50,7 +50,7 @@ class Repetition:
         self._seen = 0
 
     def cycles_to_skip(self, state: RepeatingState, cycle: int, cycles: int, now: int) -> int:
-        """How many of the remaining cycles are whole repetitions; they are counted already."""
+        """Count and return the remaining cycles that are whole repetitions."""
         if self.period is not None or cycle % state.hyperperiod:
             return 0
         key = state.key(now)

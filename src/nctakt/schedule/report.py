@@ -102,7 +102,7 @@ def chosen_report(model: Model, language: Language) -> list[str]:
 
 
 def dead_time_report(model: Model, language: Language) -> list[str]:
-    """How long the interpolation takes from reading to putting out, where the load tells."""
+    """Return the time from reading to putting out of the interpolation, where the load tells it."""
     text = Text(
         "schedule {schedule}: {thread} puts out {time} µs after it has begun to read",
         "schedule {schedule}: {thread} gibt {time} µs nach Beginn des Lesens aus",
@@ -139,7 +139,7 @@ def simulation_report(
 def _phase_report(
     run: Simulation, worst_phases: Mapping[int, Simulation], language: Language
 ) -> list[str]:
-    """What becomes of the threads and of Windows with the phases that are the worst for them."""
+    """Return the numbers of threads and of Windows with the phases that are the worst for them."""
     assumed = Text(
         "The load names no phase of the NC interrupt: {phase} µs is assumed.",
         "Die Last nennt keine Phase des NC-Interrupts: angenommen ist {phase} µs.",
@@ -150,12 +150,12 @@ def _phase_report(
         return [f"{lines[0]} {same.get(language)}"]
     runs = [run, *worst_phases.values()]
     heads = Text("Phase", "Phase").get(language)
-    columns = [us(one.model.train.phase) for one in runs]
+    columns = [us(simulation.model.train.phase) for simulation in runs]
     rows = []
     for i, task in enumerate(run.model.tasks):
         for name, value in (("R max", _longest), (_OVERFLOWS.get(language), _overflows)):
-            rows.append([task.name, name, *(value(one.tasks[i]) for one in runs)])
-    least = [us(one.windows[-1].least) for one in runs]
+            rows.append([task.name, name, *(value(simulation.tasks[i]) for simulation in runs)])
+    least = [us(simulation.windows[-1].least) for simulation in runs]
     rows.append(["Windows", Text("least", "kleinste").get(language), *least])
     return [*lines, *table([heads, "µs", *columns], rows, left=2)]
 
@@ -172,17 +172,21 @@ def response_report(run: Simulation, language: Language) -> list[str]:
     """Return the percentiles of all responses, and a histogram for each thread."""
     heads = [
         Text("Response, µs", "Antwortzeit, µs").get(language),
-        *(f"{_permille(one)} %" for one in PERCENTILES_PER_MILLE),
+        *(f"{_permille(share)} %" for share in PERCENTILES_PER_MILLE),
         "100 %",
     ]
     tasks = list(zip(run.model.tasks, run.tasks, strict=True))
     rows = []
     for task, numbers in tasks:
         longest = numbers.response_max
-        shares = [numbers.responses.percentile(one) for one in PERCENTILES_PER_MILLE]
+        shares = [numbers.responses.percentile(share) for share in PERCENTILES_PER_MILLE]
         # A share that stands for several responses may end behind the longest of them.
-        times = [one if one is None or longest is None else min(one, longest) for one in shares]
-        rows.append([task.name, *(NONE if one is None else us(one) for one in (*times, longest))])
+        times = [
+            share if share is None or longest is None else min(share, longest) for share in shares
+        ]
+        rows.append(
+            [task.name, *(NONE if share is None else us(share) for share in (*times, longest))]
+        )
     lines = ["", *table(heads, rows)]
     for task, numbers in tasks:
         bars = numbers.responses.bars(_MAX_BARS)
@@ -255,18 +259,18 @@ def _windows_table(run: Simulation, language: Language) -> list[str]:
         "Windows|Share %|Min|Mean|Max|Cycles below windows_time|Who",
         "Windows|Anteil %|Min|Mittel|Max|Takte unter windows_time|Wer",
     )
-    places = run.windows if len(run.windows) > 2 else run.windows[:-1]
+    windows = run.windows if len(run.windows) > 2 else run.windows[:-1]
     rows = [
         [
-            f"CPU {one.cpu}" if one.cpu else Text("sum", "Summe").get(language),
-            f"{100 * one.total / run.duration:.2f}",
-            us(one.least),
-            us(rounded_mean(one.total, run.cycles)),
-            us(one.most),
-            str(one.violated) if run.model.windows else NONE,
-            culprits(run.model, one) or NONE,
+            f"CPU {numbers.cpu}" if numbers.cpu else Text("sum", "Summe").get(language),
+            f"{100 * numbers.total / run.duration:.2f}",
+            us(numbers.least),
+            us(rounded_mean(numbers.total, run.cycles)),
+            us(numbers.most),
+            str(numbers.violated) if run.model.windows else NONE,
+            culprits(run.model, numbers) or NONE,
         ]
-        for one in places
+        for numbers in windows
     ]
     return table(heads.get(language).split("|"), rows)
 
@@ -281,17 +285,17 @@ def analysis_report(
         "Thread|C|T|C/T %|R berechnet|R simuliert|Reserve|Überlauf",
     )
     rows = []
-    for task, one, numbers in zip(analysis.model.tasks, analysis.tasks, run.tasks, strict=True):
-        verdict = Text("possible", "möglich") if one.can_overflow else Text("no", "nein")
+    for task, bound, numbers in zip(analysis.model.tasks, analysis.tasks, run.tasks, strict=True):
+        verdict = Text("possible", "möglich") if bound.can_overflow else Text("no", "nein")
         rows.append(
             [
                 task.name,
-                us(one.demand),
-                us(one.period),
-                f"{100 * one.demand / one.period:.2f}",
-                bound_text(one),
+                us(bound.demand),
+                us(bound.period),
+                f"{100 * bound.demand / bound.period:.2f}",
+                bound_text(bound),
                 NONE if numbers.response_max is None else us(numbers.response_max),
-                NONE if one.slack is None else us(one.slack),
+                NONE if bound.slack is None else us(bound.slack),
                 verdict.get(language),
             ]
         )
@@ -349,8 +353,8 @@ def _cpus(analysis: Analysis, language: Language) -> list[str]:
         "CPU|Demand %|Supply beside windows_time %", "CPU|Bedarf %|Angebot neben windows_time %"
     )
     rows = [
-        [str(one.cpu), f"{100 * one.demand:.2f}", f"{100 * one.suspendable_supply:.2f}"]
-        for one in analysis.cpus
+        [str(cpu.cpu), f"{100 * cpu.demand:.2f}", f"{100 * cpu.suspendable_supply:.2f}"]
+        for cpu in analysis.cpus
     ]
     return table(heads.get(language).split("|"), rows)
 
@@ -362,12 +366,12 @@ def _margins(margins: Margins, language: Language) -> list[str]:
     )
     rows = [
         [
-            one.function,
-            us(one.present),
-            NONE if one.limit is None else us(one.limit),
-            NONE if one.change is None else _signed(one.change),
+            margin.function,
+            us(margin.present),
+            NONE if margin.limit is None else us(margin.limit),
+            NONE if margin.change is None else _signed(margin.change),
         ]
-        for one in margins.functions
+        for margin in margins.functions
     ]
     lines = table(heads.get(language).split("|"), rows)
     factor = Text(

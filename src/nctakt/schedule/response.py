@@ -88,12 +88,12 @@ class ResponseSearch:
             if k != i and task.calls and task.urgency >= urgency and cpu in self.cpus_of(k)
         ]
 
-    def response(self, i: int, known: Sequence[int | None]) -> Response:
+    def response(self, i: int, bounds: Sequence[int | None]) -> Response:
         """Return the longest response of task ``i``."""
         if not self.model.tasks[i].calls:
             return Response(0, False, True)
         cpus = self.cpus_of(i)
-        responses = [_BusyTime(self, i, cpu, known).longest_response() for cpu in cpus]
+        responses = [_BusyTime(self, i, cpu, bounds).longest_response() for cpu in cpus]
         times = [time for time in responses if time is not None]
         if not times:
             return Response(None)
@@ -102,10 +102,10 @@ class ResponseSearch:
         if self.work[i].longest(1) == 0:
             # A job without work ends when it begins, but comes too late at the same moment.
             time -= 1
-        is_exact = not can_overflow and len(cpus) == 1 and self._is_exact(i, cpus[0], time, known)
+        is_exact = not can_overflow and len(cpus) == 1 and self._is_exact(i, cpus[0], time, bounds)
         return Response(time, can_overflow, is_exact)
 
-    def _is_exact(self, i: int, cpu: int, time: int, known: Sequence[int | None]) -> bool:
+    def _is_exact(self, i: int, cpu: int, time: int, bounds: Sequence[int | None]) -> bool:
         model = self.model
         others = self.more_urgent(i, cpu)
         urgencies = [model.tasks[k].urgency for k in (i, *others)]
@@ -119,13 +119,15 @@ class ResponseSearch:
         )
         if not is_regular:
             return False
-        responses = {k: known[k] for k in others}
-        if any(one is None or one >= self.period(k) for k, one in responses.items()):
+        responses = {k: bounds[k] for k in others}
+        if any(response is None or response >= self.period(k) for k, response in responses.items()):
             return False
         if not self.is_guarded(cpu):
             return True
         # What cannot be suspended must be over when the others are.
-        in_time = {k: (one or 0) <= self.supply.least_per_cycle for k, one in responses.items()}
+        in_time = {
+            k: (response or 0) <= self.supply.least_per_cycle for k, response in responses.items()
+        }
         if model.tasks[i].kind is not TaskClass.ASYNCHRONOUS:
             return time <= self.supply.least_per_cycle and all(in_time.values())
         fixed = [k for k in others if model.tasks[k].kind is not TaskClass.ASYNCHRONOUS]
@@ -136,7 +138,7 @@ class _BusyTime:
     """The search for one task on one processor."""
 
     def __init__(
-        self, search: ResponseSearch, i: int, cpu: int, known: Sequence[int | None]
+        self, search: ResponseSearch, i: int, cpu: int, bounds: Sequence[int | None]
     ) -> None:
         model = search.model
         self._search = search
@@ -148,7 +150,7 @@ class _BusyTime:
         self._is_suspendable = self._can_be_suspended(i)
         self._is_behind = bool(suspendable) and not self._is_suspendable
         #: For each other task the NC interrupts before the busy time whose jobs it can still have.
-        self._pending = {k: self._pending_of(k, known[k]) for k in others}
+        self._pending = {k: self._pending_of(k, bounds[k]) for k in others}
         self._fixed = [k for k in others if k not in suspendable]
         self._suspendable = suspendable
         self._steps = 0
@@ -157,7 +159,7 @@ class _BusyTime:
         return self._is_guarded and self._search.model.tasks[k].kind is TaskClass.ASYNCHRONOUS
 
     def _pending_of(self, k: int, response: int | None) -> int | None:
-        """How many earlier NC interrupts count for a task; ``None``: without limit."""
+        """Return how many earlier NC interrupts count for a task; ``None``: without limit."""
         search = self._search
         is_free = search.has_free_tasks and search.model.tasks[k].cpu == ANY_CPU
         if not self._is_behind and not is_free:

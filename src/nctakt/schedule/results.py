@@ -79,7 +79,7 @@ class Segment:
 
 
 class EventKind(enum.Enum):
-    """What happens at a moment."""
+    """Kinds of event."""
 
     INTERRUPT = "NC"
     RELEASE = "RELEASE"

@@ -45,7 +45,7 @@ class RewrittenList:
 
     @property
     def is_changed(self) -> bool:
-        """Whether it is not the list that it was."""
+        """Return whether it differs from the list before."""
         return bool(self.corrected or self.commented or self.added)
 
 
@@ -84,7 +84,9 @@ class _Rewriting:
         self._required = required
         findings = Collector()
         self._entries = read_entries(file, data, RTCONF, findings)
-        self._has_end = all(one.message is not LIST_WITHOUT_END for one in findings.diagnostics)
+        self._has_end = all(
+            finding.message is not LIST_WITHOUT_END for finding in findings.diagnostics
+        )
         self._counting = effective_entries(file, data)
         self._keys = {entry.key_span.line: key for key, entry in self._counting.items()}
 
@@ -103,11 +105,11 @@ class _Rewriting:
             commented += line is None
             corrected += line not in (None, entry.line)
             lines[entry.key_span.line - 1] = f"# {entry.line.strip()}" if line is None else line
-        added = sorted(self._additions(len(lines)), key=lambda one: one[0], reverse=True)
+        added = sorted(self._additions(len(lines)), key=lambda addition: addition[0], reverse=True)
         # From the last one on, so that the places of the others stay.
-        for place, line in added:
-            lines.insert(place, line)
-            ends.insert(place, usual)
+        for index, line in added:
+            lines.insert(index, line)
+            ends.insert(index, usual)
         counts = (corrected, commented, len(added))
         if not any(counts):
             return RewrittenList(self._data, *counts)
@@ -151,21 +153,21 @@ class _Rewriting:
         """Return before which line an entry is added: behind those of the same element."""
         pattern, indices = key
         element = pattern.split("[]")[0]
-        places = [
+        lines = [
             entry.key_span.line
             for (other, others), entry in self._counting.items()
             if others[:1] == indices[:1] and other.split("[]")[0] == element
         ]
-        if indices and places:
-            return max(places)
+        if indices and lines:
+            return max(lines)
         return min((entry.key_span.line for entry in self._entries), default=1) - 1
 
 
 def _with_value(entry: Entry, key: Key, value: Value) -> str:
     """Return the line of an entry with another value, its comment behind it."""
-    found = RTCONF.find(key[0])
-    assert found is not None
-    read = read_string if found[0].type is ValueType.STRING else read_word
+    declared = RTCONF.find(key[0])
+    assert declared is not None
+    read = read_string if declared[0].type is ValueType.STRING else read_word
     word = read(entry, Collector())
     line = entry.line
     if word is None:

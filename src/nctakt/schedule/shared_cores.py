@@ -27,7 +27,7 @@ class RunningState(Protocol):
 
     @property
     def suspendable(self) -> Sequence[bool]:
-        """Whether each task can be suspended."""
+        """Return for each task whether it can be suspended."""
 
     @property
     def counters(self) -> Counters:
@@ -40,8 +40,8 @@ class RunningState(Protocol):
         """Let task ``i`` run from ``now`` to ``until``, ``overhead`` of it for switching."""
 
 
-class Places:
-    """Which task runs where."""
+class Placement:
+    """The processor of each task."""
 
     def __init__(self, model: Model) -> None:
         self._model = model
@@ -55,7 +55,7 @@ class Places:
         return tuple(self._where)
 
     def cpu_at_stop(self, i: int) -> int:
-        """Where task ``i`` was when the cycle's point of suspension came."""
+        """Return the processor that task ``i`` had at the point of suspension."""
         return self._at_stop[i]
 
     def run(

@@ -30,7 +30,7 @@ cdef class SchedulerState:
     cdef bint _is_regular
     cdef long long _offset
     cdef list _processors
-    cdef object _places
+    cdef object _placement
     cdef list _order
     cdef list _has_ties
     cdef list _due_table

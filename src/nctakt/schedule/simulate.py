@@ -24,7 +24,7 @@ from nctakt.schedule.model import ANY_CPU, Model, TaskClass, suspension_point
 from nctakt.schedule.recorder import Recorder
 from nctakt.schedule.repetition import Repetition
 from nctakt.schedule.results import Event, EventKind, Simulation
-from nctakt.schedule.shared_cores import Places
+from nctakt.schedule.shared_cores import Placement
 from nctakt.schedule.work import Work
 
 #: No job: the work left of a task that waits.
@@ -47,8 +47,8 @@ def simulate(
     ``repeat``: count repetitions instead of simulating them, where that is exact.
     """
     assert cycles > 0
-    wanted = hyperperiod(model) if record is None else record
-    state = SchedulerState(model, Recorder(min(cycles, wanted)))
+    recorded = hyperperiod(model) if record is None else record
+    state = SchedulerState(model, Recorder(min(cycles, recorded)))
     search = Repetition() if repeat and state.can_repeat else None
     start = begin = state.interrupt(0)
     cycle = 0
@@ -100,14 +100,14 @@ class SchedulerState:
         self._is_regular = bool(model.windows) and model.is_synchronous
         self._offset = max(0, model.cycle - model.windows)
         self._processors = [(cpu, cpu in model.windows_cpus) for cpu in model.cpus]
-        self._place_tasks()
+        self._sort_tasks()
         self._due_table = self._make_due_table()
 
-    def _place_tasks(self) -> None:
+    def _sort_tasks(self) -> None:
         """The tasks of each processor, the most urgent first."""
         tasks, cpus = self.model.tasks, self.model.cpus
         is_free = len(cpus) > 1 and any(task.cpu == ANY_CPU for task in tasks)
-        self._places = Places(self.model) if is_free else None
+        self._placement = Placement(self.model) if is_free else None
         #: Of all processors together under ``ANY_CPU``.
         self._order: list[list[int]] = []
         self._has_ties: list[bool] = []
@@ -128,7 +128,7 @@ class SchedulerState:
 
     @property
     def can_repeat(self) -> bool:
-        """Whether nothing in the model is random."""
+        """Return whether nothing in the model is random."""
         return not self.model.train.jitter and not any(work.is_random for work in self._work)
 
     def key(self, now: int) -> tuple[object, ...]:
@@ -141,7 +141,7 @@ class SchedulerState:
             tuple(tuple(now - due for due in waiting) for waiting in self._waiting),
             tuple(work.state for work in self._work),
             tuple(self._last),
-            None if self._places is None else self._places.state,
+            None if self._placement is None else self._placement.state,
             0 if self.model.is_synchronous else now % self.model.slice,
         )
 
@@ -158,7 +158,7 @@ class SchedulerState:
         return moment
 
     def end_record(self, now: int) -> None:
-        """What comes from ``now`` on is not recorded."""
+        """End the record at ``now``."""
         self.recorder.close(now)
         self._records = False
 
@@ -167,9 +167,9 @@ class SchedulerState:
         self._release(cycle, begin)
         point = self._point(begin)
         stop = end if point == NEVER or point > end else point
-        if self._places is not None:
+        if self._placement is not None:
             order = self._by_urgency(ANY_CPU)
-            self._idle = array("q", self._places.run(self, order, begin, stop, end))
+            self._idle = array("q", self._placement.run(self, order, begin, stop, end))
         else:
             for cpu, on_windows in self._processors:
                 limit = stop if on_windows else end
@@ -179,11 +179,11 @@ class SchedulerState:
         self.counters.end_cycle(self._idle, point, end, is_missed, suspended)
 
     def _point(self, begin: int) -> int:
-        """When suspendable tasks are stopped in the cycle from ``begin`` on, or ``NEVER``."""
+        """Return the point of suspension in the cycle from ``begin`` on, or ``NEVER``."""
         if self._is_regular:
             return begin + self._offset
-        found = suspension_point(self.model, begin)
-        return NEVER if found is None else found
+        point = suspension_point(self.model, begin)
+        return NEVER if point is None else point
 
     def _release(self, cycle: int, begin: int) -> None:
         if self._records:
@@ -238,7 +238,7 @@ class SchedulerState:
         return end - now
 
     def switch(self, i: int, cpu: int) -> int:
-        """What it costs to give ``cpu`` to task ``i``."""
+        """Return the cost of giving ``cpu`` to task ``i``, in ns."""
         return 0 if self._last[cpu] == i else self._switch
 
     def advance(self, i: int, cpu: int, now: int, until: int, overhead: int) -> int:
@@ -270,22 +270,22 @@ class SchedulerState:
 
     def _suspend(self, moment: int) -> bool:
         """Stop what can be stopped on Windows' processors; whether there was anything."""
-        found = False
+        is_any = False
         for i in self._stoppable:
             if self.left[i] == IDLE:
                 continue
             cpu = self._cpu[i]
-            if cpu == ANY_CPU and self._places is not None:
-                cpu = self._places.cpu_at_stop(i)
+            if cpu == ANY_CPU and self._placement is not None:
+                cpu = self._placement.cpu_at_stop(i)
             if cpu == ANY_CPU or cpu in self.model.windows_cpus:
-                found = True
+                is_any = True
                 self.counters.suspensions[i] += 1
                 if self._records:
                     self.recorder.suspend(moment, i, self.left[i])
-        return found
+        return is_any
 
     def result(self, cycles: int, begin: int, end: int, repeats: int | None) -> Simulation:
-        """What the simulation gives back."""
+        """Return the results of the simulation."""
         unfinished = [self._due[i] if left != IDLE else None for i, left in enumerate(self.left)]
         return Simulation(
             self.model,

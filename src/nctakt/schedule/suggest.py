@@ -118,8 +118,8 @@ class _Search:
         """Analyse a list and say what it lacks."""
         analysis = analyse(self._model_of(configuration))
         shortfall = sum(
-            self._shortfall(task.name, found)
-            for task, found in zip(analysis.model.tasks, analysis.tasks, strict=True)
+            self._shortfall(task.name, bound)
+            for task, bound in zip(analysis.model.tasks, analysis.tasks, strict=True)
             if task.calls
         )
         # What Windows was sure to get it shall be sure to get.
@@ -129,11 +129,11 @@ class _Search:
         changes = sum(values[key] != value for key, value in self._values.items())
         return _Judged(Suggestion(configuration, analysis, changes), shortfall)
 
-    def _shortfall(self, name: str, found: TaskAnalysis) -> float:
-        limit = max(1.0, self._slacks.limit(name, found.period))
-        if found.response is None:
+    def _shortfall(self, name: str, bound: TaskAnalysis) -> float:
+        limit = max(1.0, self._slacks.limit(name, bound.period))
+        if bound.response is None:
             return _NO_BOUND
-        return min(_NO_BOUND, max(0.0, found.response / limit - 1))
+        return min(_NO_BOUND, max(0.0, bound.response / limit - 1))
 
     @staticmethod
     def _windows_kept(analysis: Analysis) -> bool:
@@ -154,7 +154,7 @@ class _Search:
             if len(self._different(solutions)) >= _MAX_SUGGESTIONS:
                 break
             open_ones = [judged for judged in reached if judged.shortfall > 0]
-            beam = sorted(open_ones, key=lambda one: one.shortfall)[:_BEAM]
+            beam = sorted(open_ones, key=lambda candidate: candidate.shortfall)[:_BEAM]
         return self._different(solutions)[:_MAX_SUGGESTIONS]
 
     def _different(self, solutions: list[_Judged]) -> list[Suggestion]:
@@ -192,7 +192,7 @@ class _Search:
     @staticmethod
     def _usage(analysis: Analysis) -> list[float]:
         """Return which part of its period each thread needs at most."""
-        return [0.0, *((found.response or 0) / max(1, found.period) for found in analysis.tasks)]
+        return [0.0, *((bound.response or 0) / max(1, bound.period) for bound in analysis.tasks)]
 
     # --- changes ----------------------------------------------------------------------------------
 
@@ -222,8 +222,8 @@ class _Search:
         """Yield lists in which two threads have changed their priorities, the realtime one not."""
         threads = configuration.threads
         free = [i for i, thread in enumerate(threads) if not is_realtime(thread)]
-        for place, i in enumerate(free):
-            for k in free[place + 1 :]:
+        for index, i in enumerate(free):
+            for k in free[index + 1 :]:
                 one, other = threads[i], threads[k]
                 if one.priority != other.priority:
                     changed = {
@@ -242,7 +242,7 @@ class _Search:
 
     def max_calls(self) -> dict[str, int]:
         """Return for each thread how often it could call task_rnd, all else unchanged."""
-        found: dict[str, int] = {}
+        calls_of_threads: dict[str, int] = {}
         for i, thread in enumerate(self._present.threads):
             present = _calls_of(thread)
             if not present:
@@ -253,8 +253,8 @@ class _Search:
                 if self.judge(more).shortfall > 0:
                     break
                 calls += 1
-            found[thread.name] = calls
-        return found
+            calls_of_threads[thread.name] = calls
+        return calls_of_threads
 
 
 #: More calls of a function are not tried.
@@ -289,9 +289,9 @@ def _calls_of(thread: SchedulerThread) -> int:
 def _with_calls(thread: SchedulerThread, calls: int) -> SchedulerThread:
     """Return the thread with another number of calls of its (first) rotating function."""
     functions = list(thread.functions)
-    place = next(i for i, function in enumerate(functions) if function.name == _ROTATING)
-    others = _calls_of(thread) - functions[place].calls_per_cycle
-    functions[place] = replace(functions[place], calls_per_cycle=calls - others)
+    index = next(i for i, function in enumerate(functions) if function.name == _ROTATING)
+    others = _calls_of(thread) - functions[index].calls_per_cycle
+    functions[index] = replace(functions[index], calls_per_cycle=calls - others)
     return replace(thread, functions=tuple(functions))
 
 
@@ -304,7 +304,7 @@ def _fewer_calls(configuration: RtconfConfiguration) -> Iterator[RtconfConfigura
                 continue
             for fewer in dict.fromkeys((calls - 1, calls // 2, 1)):
                 functions = tuple(
-                    replace(one, calls_per_cycle=fewer) if one is function else one
-                    for one in thread.functions
+                    replace(called, calls_per_cycle=fewer) if called is function else called
+                    for called in thread.functions
                 )
                 yield _with_threads(configuration, {i: replace(thread, functions=functions)})

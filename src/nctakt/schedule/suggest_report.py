@@ -62,16 +62,16 @@ def _threads(suggestion: Suggestion, slacks: Slacks, language: Language) -> list
     )
     yes, no = Text("yes", "ja").get(language), Text("no", "nein").get(language)
     rows = []
-    for task, found in zip(suggestion.analysis.model.tasks, suggestion.analysis.tasks, strict=True):
-        is_met = found.response is not None and found.response <= slacks.limit(
-            task.name, found.period
+    for task, bound in zip(suggestion.analysis.model.tasks, suggestion.analysis.tasks, strict=True):
+        is_met = bound.response is not None and bound.response <= slacks.limit(
+            task.name, bound.period
         )
         rows.append(
             [
                 task.name,
-                f"{found.period / NS_PER_US:g}",
-                bound_text(found),
-                _slack_text(found),
+                f"{bound.period / NS_PER_US:g}",
+                bound_text(bound),
+                _slack_text(bound),
                 f"{slacks.threads.get(task.name, slacks.everybody):g}",
                 yes if is_met or not task.calls else no,
             ]
@@ -79,12 +79,12 @@ def _threads(suggestion: Suggestion, slacks: Slacks, language: Language) -> list
     return table(heads.get(language).split("|"), rows)
 
 
-def _slack_pct(found: TaskAnalysis) -> float | None:
-    return None if found.slack is None else 100 * found.slack / max(1, found.period)
+def _slack_pct(bound: TaskAnalysis) -> float | None:
+    return None if bound.slack is None else 100 * bound.slack / max(1, bound.period)
 
 
-def _slack_text(found: TaskAnalysis) -> str:
-    share = _slack_pct(found)
+def _slack_text(bound: TaskAnalysis) -> str:
+    share = _slack_pct(bound)
     return NONE if share is None else f"{share:.1f}"
 
 
@@ -115,8 +115,8 @@ def _thread_documents(suggestion: Suggestion) -> list[Document]:
         {
             "key": task.key,
             "name": task.name,
-            "response_bound_us": None if found.response is None else found.response / NS_PER_US,
-            "slack_pct": _slack_pct(found),
+            "response_bound_us": None if bound.response is None else bound.response / NS_PER_US,
+            "slack_pct": _slack_pct(bound),
         }
-        for task, found in pairs
+        for task, bound in pairs
     ]

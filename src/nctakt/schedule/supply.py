@@ -86,7 +86,7 @@ class Supply:
         return min(length, cycles * self._latest + min(rest, self._latest))
 
     def _lengths(self, cycles: int) -> tuple[int, int, int]:
-        """How many of ``cycles`` are as long, as short and as usual when they alternate.
+        """Return the numbers of long, short and usual cycles among ``cycles`` that alternate.
 
         Two long ones never follow each other without a short one between them, nor two short ones
         without a long one. The loss of a cycle is convex in its length, so nothing loses more.

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Which threads of a list work for a controller.
 
-In: the list, its model, the contexts of the channels. Out: ``Duties``; what leaves a controller
-without decoder, interpolation or a common tick goes to the collector. A channel's threads are those
-with its contexts (P-RTCF-00017 with P-CHAN-00410 and 00411), else all with the function.
+In: the list, its model, the contexts of the channels. Out: ``ThreadRoles``; what leaves a
+controller without decoder, interpolation or a common tick goes to the collector. A channel's
+threads are those with its contexts (P-RTCF-00017 with P-CHAN-00410 and 00411), else all with the
+function.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from nctakt.messages.scheduled_runs import (
     UNKNOWN_PLC_THREAD,
 )
 from nctakt.schedule.model import Model, TaskClass
-from nctakt.schedule.ticks import DECODER_FUNCTION, Duties
+from nctakt.schedule.ticks import DECODER_FUNCTION, ThreadRoles
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,21 +42,21 @@ class _Lists:
 
     def interpolators(self, context: int) -> tuple[int, ...]:
         """The threads of the interpolation; without ``task_int`` the most urgent thread is it."""
-        found = self.with_function(REALTIME_FUNCTION, context)
+        callers = self.with_function(REALTIME_FUNCTION, context)
         tasks = enumerate(self.model.tasks)
-        return found or tuple(
+        return callers or tuple(
             i for i, task in tasks if task.kind is TaskClass.REALTIME and task.calls
         )
 
 
-def find_duties(
+def find_thread_roles(
     configuration: RtconfConfiguration,
     model: Model,
     channels: Sequence[ChannelParameters],
     plc: str | None,
     collector: Collector,
-) -> Duties | None:
-    """The duties; ``None`` where there are errors. ``plc``: its semaphore, if the load names it."""
+) -> ThreadRoles | None:
+    """The roles; ``None`` where there are errors. ``plc``: its semaphore, if the load names it."""
     lists = _Lists(configuration, model)
     found = Collector()
     interpolators: dict[int, None] = {}
@@ -77,7 +78,7 @@ def find_duties(
     if found.has_errors:
         return None
     groups = tuple((threads, tuple(own)) for threads, own in decoders.items())
-    return Duties(periods.pop(), tuple(interpolators), groups, place)
+    return ThreadRoles(periods.pop(), tuple(interpolators), groups, place)
 
 
 def _plc(model: Model, name: str | None, collector: Collector) -> int | None:
@@ -88,6 +89,6 @@ def _plc(model: Model, name: str | None, collector: Collector) -> int | None:
     for i in external:
         if model.tasks[i].name == name:
             return i
-    known = ", ".join(model.tasks[i].name for i in external)
-    collector.report(UNKNOWN_PLC_THREAD, None, name=name, names=known or "–")
+    names = ", ".join(model.tasks[i].name for i in external)
+    collector.report(UNKNOWN_PLC_THREAD, None, name=name, names=names or "–")
     return None

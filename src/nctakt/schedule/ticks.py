@@ -27,8 +27,8 @@ _TICKS_AHEAD = 2
 
 
 @dataclass(frozen=True, slots=True)
-class Duties:
-    """Who works for a controller; numbers are places in ``Model.tasks``.
+class ThreadRoles:
+    """The threads that work for a controller, as indices in ``Model.tasks``.
 
     ``every``: NC cycles of a tick. ``interpolators``: without a call of one of them there is no
     tick. ``decoders``: groups of threads, each with the channels (from 0) that it decodes for.
@@ -43,7 +43,7 @@ class Duties:
 
 @dataclass(frozen=True, slots=True)
 class Share:
-    """What a tick has to do with the schedule.
+    """The share of one tick in the schedule.
 
     ``decoding``: for each group of decoders its time in ns since the tick before. ``is_lost``: the
     interpolation is not called, since its thread is still busy. ``overflows``: the threads that
@@ -60,9 +60,9 @@ class Share:
 class TickSchedule:
     """A schedule that goes on tick by tick."""
 
-    def __init__(self, model: Model, duties: Duties) -> None:
-        self._duties = duties
-        self._watcher = _Watcher(model, duties)
+    def __init__(self, model: Model, roles: ThreadRoles) -> None:
+        self._roles = roles
+        self._watcher = _Watcher(model, roles)
         self._state = SchedulerState(model, self._watcher)
         self._model = model
         self._cycle = 0
@@ -79,7 +79,7 @@ class TickSchedule:
         following = self._period()
         decoding = tuple(a + b for a, b in zip(late, now.early, strict=True))
         plc_calls = now.plc_late + following.plc_early
-        if self._duties.plc is None:
+        if self._roles.plc is None:
             plc_calls = 1
         self._late, self._now = now.late, following
         return Share(decoding, now.is_lost, now.overflows, plc_calls)
@@ -91,8 +91,8 @@ class TickSchedule:
         responses are those up to here, two ticks ahead of the controller.
         """
         whole = self._state.result(self._cycle, self._start, self._begin, None)
-        cycles = ticks * self._duties.every
-        mark = next((one for one in self._marks if one.ticks == ticks), None)
+        cycles = ticks * self._roles.every
+        mark = next((candidate for candidate in self._marks if candidate.ticks == ticks), None)
         if mark is None:
             return replace(whole, cycles=cycles)
         first = self._first_mark
@@ -101,16 +101,16 @@ class TickSchedule:
         return replace(whole, cycles=cycles, windows=tuple(windows), missed_suspensions=missed)
 
     def _mark(self) -> _Mark:
-        """What Windows got up to here, where it has a guaranteed time: after so many ticks."""
+        """Return the numbers of Windows at this tick."""
         counters = self._state.counters
-        ticks = self._cycle // self._duties.every - 1
+        ticks = self._cycle // self._roles.every - 1
         return _Mark(ticks, counters.windows_numbers(), counters.missed)
 
     def _period(self) -> _Period:
         """The NC cycles from one activation of the interpolation to the next."""
         self._watcher.clear()
         begin = self._begin
-        for _ in range(self._duties.every):
+        for _ in range(self._roles.every):
             end = self._state.interrupt(self._cycle + 1)
             self._state.run_cycle(self._cycle, self._begin, end)
             self._begin = end
@@ -122,7 +122,7 @@ class TickSchedule:
 
 @dataclass(frozen=True, slots=True)
 class _Mark:
-    """How the schedule stood when so many ticks were over."""
+    """The state of the schedule after ``ticks`` ticks."""
 
     ticks: int
     windows: tuple[WindowsNumbers, ...]
@@ -130,7 +130,7 @@ class _Mark:
 
 
 def _since(first: WindowsNumbers, last: WindowsNumbers) -> WindowsNumbers:
-    """What was violated behind ``first``."""
+    """Return the numbers of Windows from ``first`` to ``last``."""
     return replace(
         last,
         violated=last.violated - first.violated,
@@ -154,10 +154,10 @@ class _Period:
 class _Watcher(Recorder):
     """Keeps of a period what concerns the controller, instead of all that happens."""
 
-    def __init__(self, model: Model, duties: Duties) -> None:
+    def __init__(self, model: Model, roles: ThreadRoles) -> None:
         super().__init__(1)
-        self._duties = duties
-        decoding = {task for tasks, _ in duties.decoders for task in tasks}
+        self._roles = roles
+        decoding = {task for tasks, _ in roles.decoders for task in tasks}
         self._calls = {task: _Calls(model, task) for task in decoding}
         self._released: set[int] = set()
         self._begun: dict[int, int] = {}
@@ -173,13 +173,13 @@ class _Watcher(Recorder):
             calls.worked.clear()
 
     def period(self, begin: int) -> _Period:
-        """What the period that began at ``begin`` was."""
-        interpolators = self._duties.interpolators
+        """Return the period that began at ``begin``."""
+        interpolators = self._roles.interpolators
         is_lost = any(task not in self._begun for task in interpolators)
         cut = begin if is_lost else self._begun[interpolators[0]]
         early: list[int] = []
         late: list[int] = []
-        for tasks, _ in self._duties.decoders:
+        for tasks, _ in self._roles.decoders:
             worked = [piece for task in tasks for piece in self._calls[task].worked]
             before = sum(max(0, min(end, cut) - start) for start, end in worked)
             early.append(before)
@@ -206,7 +206,7 @@ class _Watcher(Recorder):
         """An overflow, or the end of the PLC's call."""
         if event.kind is EventKind.OVERFLOW:
             self._overflows.append(event.task)
-        elif event.kind is EventKind.END and event.task == self._duties.plc:
+        elif event.kind is EventKind.END and event.task == self._roles.plc:
             self._plc_ends.append(event.time)
 
     def job(self, task: int, due: int, now: int, times: tuple[int, ...]) -> None:
@@ -225,7 +225,7 @@ class _Watcher(Recorder):
 
 
 class _Calls:
-    """How far a thread is in the calls of its job, and when it was in those of the decoder."""
+    """The progress of a thread in the calls of its job, and its times in those of the decoder."""
 
     def __init__(self, model: Model, task: int) -> None:
         self._decodes = [call.function == DECODER_FUNCTION for call in model.tasks[task].calls]

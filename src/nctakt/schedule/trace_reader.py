@@ -52,7 +52,7 @@ class RecordedJob:
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """What was recorded from ``begin`` to ``end``.
+    """The signals recorded from ``begin`` to ``end``.
 
     ``bits``: when each trace bit is high. ``running``: when each thread has a processor, where the
     recording has it. ``interrupts``: the NC interrupts, where it has them. ``jobs``: whole jobs, of
@@ -178,7 +178,7 @@ def _read_csv(file: str, text: str) -> Recording:
         return _events(file, rows[1:])
     match = _TIME_COLUMN.fullmatch(heads[0]) if heads else None
     columns = {
-        int(found[1]): place for place, head in enumerate(heads) if (found := _BIT.search(head))
+        int(bit[1]): column for column, head in enumerate(heads) if (bit := _BIT.search(head))
     }
     if match is None or not columns:
         raise _refuse(
@@ -194,10 +194,10 @@ def _samples(file: str, rows: list[list[str]], unit: Decimal, columns: dict[int,
     if any(after < before for before, after in pairwise(times)):
         raise _refuse(file, "time runs backwards", "die Zeit läuft rückwärts")
     recording = Recording(times[0] if times else 0, times[-1] if times else 0)
-    for bit, place in columns.items():
+    for bit, column in columns.items():
         high: Times = []
         since: int | None = None
-        levels = _numbers(file, rows, place, Decimal(1))
+        levels = _numbers(file, rows, column, Decimal(1))
         for time, level in zip(times, levels, strict=True):
             if level >= Decimal("0.5") and since is None:
                 since = time
@@ -234,10 +234,10 @@ def _events(file: str, rows: list[list[str]]) -> Recording:
     return Recording(begin, end, jobs=jobs)
 
 
-def _numbers(file: str, rows: list[list[str]], place: int, unit: Decimal) -> Iterator[Decimal]:
+def _numbers(file: str, rows: list[list[str]], column: int, unit: Decimal) -> Iterator[Decimal]:
     for row in rows:
         if row:
-            yield _number(file, row[place] if place < len(row) else "") * unit
+            yield _number(file, row[column] if column < len(row) else "") * unit
 
 
 def _number(file: str, text: str) -> Decimal:

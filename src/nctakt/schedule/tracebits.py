@@ -36,36 +36,36 @@ def calls_of(model: Model, record: Record) -> list[Ran]:
     segments: dict[tuple[int, int], list[Segment]] = {}
     for segment in record.segments:
         segments.setdefault((segment.task, segment.job), []).append(segment)
-    found: list[Ran] = []
+    calls: list[Ran] = []
     for job in record.jobs:
-        found += calls_of_job(job, segments.get((job.task, job.number), []), model)
-    return found
+        calls += calls_of_job(job, segments.get((job.task, job.number), []), model)
+    return calls
 
 
 def calls_of_job(job: Job, segments: list[Segment], model: Model) -> Iterator[Ran]:
     """Distributes the time that a job had a processor over its calls, in their order."""
     pieces = list(_work_of(segments, model.overheads.activation))
-    place = 0
+    index = 0
     for call, time in enumerate(job.times):
         begin: int | None = None
         left = time
-        while place < len(pieces):
-            start, length = pieces[place]
+        while index < len(pieces):
+            start, length = pieces[index]
             if begin is None:
                 begin = start
             used = min(left, length)
             left -= used
-            pieces[place] = (start + used, length - used)
+            pieces[index] = (start + used, length - used)
             if left == 0:
                 yield Ran(job.task, job.number, call, begin, start + used)
                 break
-            place += 1
+            index += 1
         if left or begin is None:
             if begin is not None:
                 yield Ran(job.task, job.number, call, begin, None)
             return
-        if pieces[place][1] == 0 and place + 1 < len(pieces):
-            place += 1
+        if pieces[index][1] == 0 and index + 1 < len(pieces):
+            index += 1
 
 
 def _work_of(segments: list[Segment], activation: int) -> Iterator[tuple[int, int]]:

@@ -34,7 +34,7 @@ _EVENT_ORDER = ("END", "SUSPEND", "NC", "RESUME", "RELEASE", "OVERFLOW", "TICK",
 
 
 def check_vcd() -> None:
-    """Whether a VCD file can be written; raises ``Failure`` (900634)."""
+    """Raise ``Failure`` (900634) where no VCD file can be written."""
     if importlib.util.find_spec("vcd") is None:
         raise Failure(diagnostic(LIBRARY_MISSING, library="pyvcd", what="--vcd"))
 
@@ -62,29 +62,29 @@ def write_vcd(run: Simulation, path: Path) -> None:
         bits = trace_bits(run.model, record)
         for bit, names in bit_functions(run.model).items():
             level("trace", identifier("_".join((f"bit{bit}", *names))), _apart(bits[bit]))
-        nc = [one.time for one in record.events if one.kind is EventKind.INTERRUPT]
+        nc = [item.time for item in record.events if item.kind is EventKind.INTERRUPT]
         level("interrupts", "NC", [(time, time + GAP) for time in nc])
         ticks = _ticks(run)
         level("interrupts", "timer", [(time, time + GAP) for time in ticks])
         for i, task in enumerate(tasks):
-            ran = [(one.begin, one.end) for one in record.segments if one.task == i]
+            ran = [(item.begin, item.end) for item in record.segments if item.task == i]
             level("running", identifier(task.name), _merged(ran))
             level("suspended", identifier(task.name), suspended_times(run, i))
             late = [
-                one.time
-                for one in record.events
-                if one.task == i and one.kind is EventKind.OVERFLOW
+                item.time
+                for item in record.events
+                if item.task == i and item.kind is EventKind.OVERFLOW
             ]
             level("overflow", identifier(task.name), [(time, time + GAP) for time in late])
         for cpu in run.model.cpus:
             variable = writer.register_var("cpu", f"cpu{cpu}", "string", init="")
-            for one in record.segments:
-                if one.cpu == cpu and one.end > one.begin:
-                    changes.append((one.begin, 1, variable, identifier(tasks[one.task].name)))
+            for item in record.segments:
+                if item.cpu == cpu and item.end > item.begin:
+                    changes.append((item.begin, 1, variable, identifier(tasks[item.task].name)))
             rest = "Windows" if cpu in run.model.windows_cpus else "idle"
             for begin, _ in windows_times(run, cpu):
                 changes.append((begin, 0, variable, rest))
-        for time, _, variable, value in sorted(changes, key=lambda one: one[:2]):
+        for time, _, variable, value in sorted(changes, key=lambda item: item[:2]):
             writer.change(variable, time, value)
 
 
@@ -96,27 +96,30 @@ def _ticks(run: Simulation) -> range:
 
 def identifier(name: str) -> str:
     """Return a name without the characters that end one in a VCD file."""
-    return "".join(one if one.isprintable() and not one.isspace() else "_" for one in name)
+    return "".join(
+        character if character.isprintable() and not character.isspace() else "_"
+        for character in name
+    )
 
 
 def _apart(times: list[tuple[int, int]]) -> list[tuple[int, int]]:
     """Times that touch, with a gap between them that can be seen."""
-    found: list[tuple[int, int]] = []
+    shown: list[tuple[int, int]] = []
     for begin, end in times:
-        touches = bool(found) and found[-1][1] == begin and end - begin > GAP
-        found.append((begin + GAP if touches else begin, end))
-    return found
+        touches = bool(shown) and shown[-1][1] == begin and end - begin > GAP
+        shown.append((begin + GAP if touches else begin, end))
+    return shown
 
 
 def _merged(times: list[tuple[int, int]]) -> list[tuple[int, int]]:
     """Times that touch as one, empty ones left out."""
-    found: list[tuple[int, int]] = []
+    merged: list[tuple[int, int]] = []
     for begin, end in sorted(times):
-        if found and begin <= found[-1][1]:
-            found[-1] = (found[-1][0], max(end, found[-1][1]))
+        if merged and begin <= merged[-1][1]:
+            merged[-1] = (merged[-1][0], max(end, merged[-1][1]))
         elif end > begin:
-            found.append((begin, end))
-    return found
+            merged.append((begin, end))
+    return merged
 
 
 def write_perfetto(run: Simulation, path: Path) -> None:
@@ -131,10 +134,10 @@ def _time(time: int) -> float:
 
 
 def _names(run: Simulation) -> list[dict[str, Any]]:
-    found: list[dict[str, Any]] = []
+    names: list[dict[str, Any]] = []
 
     def name(kind: str, pid: int, tid: int, text: str) -> None:
-        found.append({"ph": "M", "name": kind, "pid": pid, "tid": tid, "args": {"name": text}})
+        names.append({"ph": "M", "name": kind, "pid": pid, "tid": tid, "args": {"name": text}})
 
     name("process_name", 0, 0, "calls")
     for cpu in run.model.cpus:
@@ -142,26 +145,26 @@ def _names(run: Simulation) -> list[dict[str, Any]]:
     for i, task in enumerate(run.model.tasks):
         for pid in (0, *run.model.cpus):
             name("thread_name", pid, i + 1, task.name)
-    return found
+    return names
 
 
 def _slices(run: Simulation) -> list[dict[str, Any]]:
     tasks, record = run.model.tasks, run.record
-    found: list[dict[str, Any]] = [
+    slices: list[dict[str, Any]] = [
         {
             "ph": "X",
-            "name": tasks[one.task].name,
-            "pid": one.cpu,
-            "tid": one.task + 1,
-            "ts": _time(one.begin),
-            "dur": _time(one.end - one.begin),
-            "args": {"job": one.job},
+            "name": tasks[segment.task].name,
+            "pid": segment.cpu,
+            "tid": segment.task + 1,
+            "ts": _time(segment.begin),
+            "dur": _time(segment.end - segment.begin),
+            "args": {"job": segment.job},
         }
-        for one in record.segments
+        for segment in record.segments
     ]
     for call in calls_of(run.model, record):
         end = record.end if call.end is None else call.end
-        found.append(
+        slices.append(
             {
                 "ph": "X",
                 "name": tasks[call.task].calls[call.call].function,
@@ -173,7 +176,7 @@ def _slices(run: Simulation) -> list[dict[str, Any]]:
             }
         )
     for part in parts_of(run.model, record):
-        found.append(
+        slices.append(
             {
                 "ph": "X",
                 "name": PARTS[part.part],
@@ -183,7 +186,7 @@ def _slices(run: Simulation) -> list[dict[str, Any]]:
                 "dur": _time(part.end - part.begin),
             }
         )
-    return found
+    return slices
 
 
 def _instants(run: Simulation) -> list[dict[str, Any]]:
@@ -191,14 +194,14 @@ def _instants(run: Simulation) -> list[dict[str, Any]]:
     return [
         {
             "ph": "i",
-            "name": one.kind.value,
+            "name": event.kind.value,
             "pid": 0,
-            "tid": one.task + 1,
-            "ts": _time(one.time),
-            "s": "g" if one.kind is EventKind.INTERRUPT else "t",
+            "tid": event.task + 1,
+            "ts": _time(event.time),
+            "s": "g" if event.kind is EventKind.INTERRUPT else "t",
         }
-        for one in run.record.events
-        if one.kind in shown
+        for event in run.record.events
+        if event.kind in shown
     ]
 
 
@@ -210,22 +213,22 @@ def _counters(run: Simulation) -> list[dict[str, Any]]:
     }
     for cpu in run.model.windows_cpus:
         tracks[f"Windows CPU {cpu}"] = windows_times(run, cpu)
-    found: list[dict[str, Any]] = []
+    samples: list[dict[str, Any]] = []
     for name, times in tracks.items():
         for begin, end in times:
             for time, value in ((begin, 1), (end, 0)):
-                found.append(
+                samples.append(
                     {"ph": "C", "name": name, "pid": 0, "ts": _time(time), "args": {"": value}}
                 )
-    return found
+    return samples
 
 
 def windows_shares(run: Simulation) -> list[tuple[int, int, int]]:
     """For each recorded cycle its begin, and what Windows gets on each of its processors."""
     events = run.record.events
-    begins = [one.time for one in events if one.kind is EventKind.INTERRUPT]
+    begins = [event.time for event in events if event.kind is EventKind.INTERRUPT]
     ends = [*begins[1:], run.record.end]
-    found: list[tuple[int, int, int]] = []
+    shares: list[tuple[int, int, int]] = []
     for cpu in run.model.windows_cpus:
         free = deque(windows_times(run, cpu))
         for begin, end in zip(begins, ends, strict=True):
@@ -235,8 +238,8 @@ def windows_shares(run: Simulation) -> list[tuple[int, int, int]]:
                 share += min(stop, end) - max(start, begin)
                 if stop > end:
                     free.appendleft((end, stop))
-            found.append((begin, cpu, share))
-    return found
+            shares.append((begin, cpu, share))
+    return shares
 
 
 def write_csv(run: Simulation, path: Path) -> None:
@@ -250,9 +253,14 @@ def write_csv(run: Simulation, path: Path) -> None:
         rows.append((event.time, event.kind.value, name, "", "", value))
     for time in _ticks(run):
         rows.append((time, "TICK", "", "", "", ""))
-    for one in record.segments:
-        cells = (tasks[one.task].name, str(one.cpu), str(one.job), us(one.end - one.begin))
-        rows.append((one.begin, "RUN", *cells))
+    for segment in record.segments:
+        cells = (
+            tasks[segment.task].name,
+            str(segment.cpu),
+            str(segment.job),
+            us(segment.end - segment.begin),
+        )
+        rows.append((segment.begin, "RUN", *cells))
     for begin, cpu, share in windows_shares(run):
         rows.append((begin, "WINDOWS", "", str(cpu), "", us(share)))
     rows.sort(key=lambda row: (row[0], _EVENT_ORDER.index(row[1])))

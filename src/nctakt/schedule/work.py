@@ -43,7 +43,7 @@ class Work:
 
     @property
     def is_constant(self) -> bool:
-        """Whether all jobs take the same time."""
+        """Return whether all jobs take the same time."""
         return self._constant != _CHANGES
 
     @property
@@ -53,7 +53,7 @@ class Work:
 
     @property
     def state(self) -> tuple[int, ...]:
-        """Where each function's list of times stands."""
+        """Return the position in each function's list of times."""
         return tuple(self._places)
 
     def draw(self) -> int:

@@ -99,7 +99,7 @@ def load_rtconf(
 def read_rtconf(
     file: str, data: bytes, collector: Collector, options: RtconfOptions = STANDARD_OPTIONS
 ) -> tuple[Values, RtconfConfiguration]:
-    """As ``load_rtconf``, with the values as they stand in the list."""
+    """Read one rtconf.lis; return the values as they stand in it, and what counts."""
     values = load_list(RTCONF, file, data, collector)
     return values, effective(values, collector, options)
 
@@ -110,9 +110,9 @@ def effective(
     """Normalise the values of an rtconf.lis."""
     findings = Collector()
     configuration = _effective(values, findings, options)
-    for found in findings.diagnostics:
-        is_lenient = options.lenient and found.message in _LENIENT
-        collector.diagnostics.append(replace(found, is_lenient=True) if is_lenient else found)
+    for finding in findings.diagnostics:
+        is_lenient = options.lenient and finding.message in _LENIENT
+        collector.diagnostics.append(replace(finding, is_lenient=True) if is_lenient else finding)
     return configuration
 
 
@@ -225,35 +225,35 @@ def _windows_time(
     has_windows = options.profile.has_windows
     if not has_windows and not values.given(*key):
         return 0
-    wanted = _given_or(values, "windows_time", slice_, collector)
-    if wanted == 0:
+    written = _given_or(values, "windows_time", slice_, collector)
+    if written == 0:
         if has_windows:
             values.report(collector, WINDOWS_TIME_ZERO, key)
         return 0
     # Vendors' lists for Linux carry the cycle time here, and mean nothing by it.
-    means_nothing = not has_windows and not slice_ <= wanted < cycle
+    means_nothing = not has_windows and not slice_ <= written < cycle
     if options.ignore_windows or means_nothing:
-        values.report(collector, WINDOWS_TIME_IGNORED, key, value=wanted)
+        values.report(collector, WINDOWS_TIME_IGNORED, key, value=written)
         return 0
-    if wanted < slice_:
+    if written < slice_:
         values.report(
             collector,
             WINDOWS_TIME_OFF if options.small_windows_is_off else WINDOWS_TIME_BELOW_TIME_SLICE,
             key,
-            value=wanted,
+            value=written,
             slice=slice_,
         )
         if options.small_windows_is_off:
             return 0
-        wanted = slice_
-    rounded = wanted // slice_ * slice_
-    if rounded != wanted:
+        written = slice_
+    rounded = written // slice_ * slice_
+    if rounded != written:
         values.report(
             collector,
             TIME_NOT_A_MULTIPLE,
             key,
             key="windows_time",
-            value=wanted,
+            value=written,
             effective=rounded,
             step=slice_,
         )
@@ -281,21 +281,21 @@ def _thread_cycle(
 ) -> int:
     key = (pattern, index)
     name = with_indices(pattern, (index,))
-    wanted = values.integer(pattern, index)
-    if wanted == 0:
+    written = values.integer(pattern, index)
+    if written == 0:
         values.report(collector, THREAD_CYCLE_MISSING, key, key=name, effective=cycle_time)
         return cycle_time
-    rounded = _round_up(wanted, cycle_time)
+    rounded = _round_up(written, cycle_time)
     if rounded > _LONGEST_TIME_US:
         values.report(collector, SCHEDULE_TIME_TOO_LONG, key, key=name, limit=_LONGEST_TIME_US)
         return cycle_time
-    if rounded != wanted:
+    if rounded != written:
         values.report(
             collector,
             TIME_NOT_A_MULTIPLE,
             key,
             key=name,
-            value=wanted,
+            value=written,
             effective=rounded,
             step=cycle_time,
         )

@@ -39,7 +39,7 @@ _EXTREME = re.compile(r"\b(highest|lowest)\b", re.I)
 
 
 def is_realtime(thread: SchedulerThread) -> bool:
-    """Whether the thread holds the interpolation."""
+    """Return whether the thread holds the interpolation."""
     return any(function.name == REALTIME_FUNCTION for function in thread.functions)
 
 
@@ -154,7 +154,8 @@ def check_contexts(
             ("schedule.context.com", "task_com", channel.context_com),
         ):
             if context and not any(
-                thread.context == context and any(one.name == function for one in thread.functions)
+                thread.context == context
+                and any(called.name == function for called in thread.functions)
                 for thread in configuration.threads
             ):
                 collector.report(

@@ -42,8 +42,8 @@ def check_indices(
     collector: Collector,
 ) -> None:
     """Report the first gap in ``indices`` of ``prefix``, and the first one beyond the manual."""
-    places = list(enumerate(indices))
-    gap = next(((place, index) for place, index in places if place != index), None)
+    numbered = list(enumerate(indices))
+    gap = next(((number, index) for number, index in numbered if number != index), None)
     if gap is not None:
         missing, index = gap
         at = (*outer, index)
@@ -63,14 +63,14 @@ def check_function_names(
     collector: Collector,
 ) -> None:
     """Report functions that are not the controller's: misspelt ones, and the user's together."""
-    known = (*KNOWN_FUNCTIONS, *options.functions)
+    names_known = (*KNOWN_FUNCTIONS, *options.functions)
     own: dict[str, tuple[int, int]] = {}
     for thread in threads:
         for function in thread.functions:
             name, at = function.name, (thread.index, function.index)
-            if name in known:
+            if name in names_known:
                 continue
-            if similar := get_close_matches(name, known, 1, _SIMILAR):
+            if similar := get_close_matches(name, names_known, 1, _SIMILAR):
                 values.report(
                     collector,
                     MISSPELLED_THREAD_FUNCTION,

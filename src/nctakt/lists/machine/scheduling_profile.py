@@ -49,7 +49,7 @@ PROFILES = {
 
 @dataclass(frozen=True, slots=True)
 class RtconfOptions:
-    """What the list itself does not say.
+    """Choices that the list itself does not make.
 
     ``convention``: what the numbers of interrupt_source mean (``auto``: what the line's comment
     says). ``functions``: names of functions beside the controller's. ``small_windows_is_off``: a

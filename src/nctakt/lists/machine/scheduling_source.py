@@ -48,7 +48,7 @@ _HARDWARE = re.compile(r"\b(?:irq|isr|hw)\b|interrupt|hardware|sercos|\bextern")
 
 @dataclass(frozen=True, slots=True)
 class SourceReading:
-    """What a number means, by which convention, and why."""
+    """The meaning of a number, its convention, and the reason."""
 
     source: InterruptSource
     convention: Convention
@@ -65,7 +65,7 @@ class SourceReading:
 
 
 def comment_of(entry: Entry) -> str:
-    """What stands behind the first blank behind a number."""
+    """Return the text behind the first blank behind a number."""
     words = entry.rest.strip(BLANKS).split(None, 1)
     return words[1].strip(BLANKS) if len(words) > 1 else ""
 
@@ -75,9 +75,9 @@ def read_source(number: int, comment: str, convention: Convention) -> SourceRead
     if convention != "auto":
         table = INTERRUPT_SOURCES if convention == "table" else FIELD_SOURCES
         return SourceReading(table[number], convention, Text("as chosen", "wie gewählt"))
-    found, reason = _judge(number, comment)
-    table = INTERRUPT_SOURCES if found == "table" else FIELD_SOURCES
-    return SourceReading(table[number], found, reason)
+    judged, reason = _judge(number, comment)
+    table = INTERRUPT_SOURCES if judged == "table" else FIELD_SOURCES
+    return SourceReading(table[number], judged, reason)
 
 
 def _judge(number: int, comment: str) -> tuple[Convention, Text]:
@@ -97,8 +97,8 @@ def _judge(number: int, comment: str) -> tuple[Convention, Text]:
             f"der Kommentar '{quoted}' erklärt keine Zahl",
         )
     meanings: dict[int, set[InterruptSource | None]] = {}
-    for place, match in enumerate(matches):
-        until = matches[place + 1].start() if place + 1 < len(matches) else len(text)
+    for index, match in enumerate(matches):
+        until = matches[index + 1].start() if index + 1 < len(matches) else len(text)
         label = re.split(r"[,;|]", text[match.end() : until])[0]
         meanings.setdefault(int(match[1]), set()).add(_meaning(label))
     if meanings.get(3, {InterruptSource.SEMAPHORE}) == {InterruptSource.SEMAPHORE}:
@@ -119,7 +119,7 @@ def _without_signs(comment: str) -> str:
 
 
 def _meaning(label: str) -> InterruptSource | None:
-    """What a label means; ``None``: nothing that can be told, or external scheduling."""
+    """Return the meaning of a label; ``None`` where it is unclear, or external scheduling."""
     if "schedul" in label or _NEGATION.search(label):
         return None
     if "sema" in label:

@@ -8,12 +8,12 @@ better and what worse (standard output), a picture of both, and the exit code as
 from __future__ import annotations
 
 from contextlib import ExitStack
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt.base.dataclass import dataclass
 from nctakt.cli.schedule_options import (
     LIST_OPTIONS,
     MODEL_OPTIONS,

@@ -9,10 +9,11 @@ with a parameter that has no ID stays in ASCII, unknown entries become comments 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TypeGuard
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language
 from nctakt.files.access import FileAccess
 from nctakt.lists.all_parameters import SCHEMA_BY_KIND

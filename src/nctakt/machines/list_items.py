@@ -7,8 +7,9 @@ entry with its parameter, its value as text and the comment behind it. Nothing i
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language
 from nctakt.base.text import decode_text, split_lines
 from nctakt.lists.format.entries import read_entries

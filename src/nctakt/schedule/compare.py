@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.rtconf import RtconfConfiguration
 from nctakt.lists.format.parameter import shown, with_indices
 from nctakt.schedule.analyse import Analysis, TaskAnalysis

@@ -13,8 +13,9 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.lists.declared.rtconf import REALTIME_FUNCTION, InterruptSource
 from nctakt.messages import diagnostic

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.text import decode_text, encode_text
 from nctakt.lists.declared.rtconf import RTCONF, InterruptSource, RtconfConfiguration
 from nctakt.lists.format.entries import read_entries

@@ -11,9 +11,10 @@ is said.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal
 
+from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.rtconf import RtconfConfiguration, SchedulerThread
 from nctakt.lists.format.values import Key
 from nctakt.lists.machine.scheduling_checks import is_realtime

@@ -106,7 +106,7 @@ def comparisons_in(expression: Expression) -> Iterator[Binary]:
 
 
 def always(operator: str, value: float, low: float, high: float) -> bool | None:
-    """Return whether all or none of the whole numbers from ``low`` to ``high`` fulfil the comparison;
+    """Return whether all or none of the whole numbers from ``low`` to ``high`` compare true;
     ``None`` if some do.
     """
     if operator in ("==", "!="):

@@ -32,7 +32,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "plc.py").write_text(PLC, "utf-8")
     (tmp_path / "machine").mkdir()
     for name, text in commented_lists("en").items():
-        (tmp_path / "machine" / name).write_text(text, "utf-8")
+        (tmp_path / "machine" / name).write_bytes(text)
     for name in ("rtconf.lis", "load.toml"):
         (tmp_path / name).write_bytes((STARVED / name).read_bytes())
     monkeypatch.chdir(tmp_path)

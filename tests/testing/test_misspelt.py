@@ -53,5 +53,5 @@ def test_a_line_without_a_branch_is_an_error() -> None:
         run.fired(line=99)
     (diagnostic,) = failure.value.diagnostics
     assert diagnostic.id == 900663
-    assert diagnostic.remedy() == "Branches stand in the lines 2."
+    assert diagnostic.remedy() == "Lines with branches: 2."
     assert not run_program(Controller(), PROGRAM.replace("> 1", "> 100"), Path()).fired(line=2)

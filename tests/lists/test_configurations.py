@@ -311,15 +311,22 @@ def test_program_paths_come_in_order_of_priority() -> None:
 
 
 def test_implicit_programs() -> None:
-    """P-CHAN-00119, 00252, 00118, 00187."""
+    """P-CHAN-00119, 00252, 00118, 00160 … 00169, 00187."""
     text = "start_init_prog_file a.nc\nfinal_prog_file b.nc (x\nm6_prog_file c\n"
-    found = channel(f"{text}g800_prog_file[3] d.nc\n")[0].implicit_programs
-    assert (found.program_start, found.program_end, found.m6, found.g800) == (
+    text += "g800_prog_file[3] d.nc\ng81_prog_file e.nc\n"
+    found = channel(text)[0].implicit_programs
+    assert (found.program_start, found.program_end, found.m6, found.g) == (
         "a.nc",
         "b.nc",
         "c",
-        {3: "d.nc"},
+        {81: "e.nc", 803: "d.nc"},
     )
+
+
+def test_g80_has_a_parameter_of_its_own() -> None:
+    """P-CHAN-00160: G80 does not call the program of G800."""
+    found = channel("g800_prog_file[0] d.nc\n")[0].implicit_programs
+    assert found.g == {800: "d.nc"}
 
 
 @pytest.mark.parametrize(

@@ -54,6 +54,21 @@ INVALID_FUNCTION_NUMBER = error(
     remedy_de="Die Nummer einer G-, M- oder H-Funktion als ganze Zahl angeben.",
     word=("the word as written", "das Wort, wie geschrieben"),
 )
+NO_PROGRAM_FOR_G_FUNCTION = error(
+    20131,
+    en="unknown G function {word}: the channel list names no program for it",
+    de="unbekannte G-Funktion {word}: die Kanalliste nennt kein Programm dafür",
+    remedy_en="Name the program in the channel list: {key} FILE",
+    remedy_de="Das Programm in der Kanalliste nennen: {key} DATEI",
+    cause_en="G80 … G89 and G800 … G839 call programs of the user (P-CHAN-00160 … 00169, "
+    "P-CHAN-00187).",
+    cause_de="G80 … G89 und G800 … G839 rufen Programme des Anwenders (P-CHAN-00160 … 00169, "
+    "P-CHAN-00187).",
+    word=("the function", "die Funktion"),
+    key=("the key of the channel list", "der Schlüssel in der Kanalliste"),
+    reaction=2,
+    clearing=3,
+)
 FUNCTION_NOT_DEFINED = error(
     900205,
     en="{word} is not defined in the channel list",

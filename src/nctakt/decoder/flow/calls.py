@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Calls of subprograms and their returns: the called program, its arguments, the return point.
 
-In: calls in the tree, M17 with its options, M6 and G80 … G819 with programs of the channel list.
+In: calls in the tree, M17 with its options, M6 and G80 … G839 with programs of the channel list.
 Out: ``CallFrame`` and ``Return`` for ``program.py``, which runs them.
 """
 
@@ -35,7 +35,7 @@ class Calls:
         self._values = values
         self._environment = values.environment
         programs = self._environment.parameters.implicit_programs
-        self.has_implicit_programs = bool(programs.m6 or programs.g800)
+        self.has_implicit_programs = bool(programs.m6 or programs.g)
 
     # --- what is called -------------------------------------------------------------------------
 
@@ -180,7 +180,7 @@ def implicit_program(word: tree.BlockWord, programs: ImplicitPrograms) -> str:
     number = word.value.value
     if word.name == "M" and number == TOOL_CHANGE:
         return programs.m6
-    return programs.of_g(int(number)) if word.name == "G" else ""
+    return programs.g.get(int(number), "") if word.name == "G" else ""
 
 
 def _names(text: ProgramText) -> str:

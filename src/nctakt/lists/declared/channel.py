@@ -191,6 +191,18 @@ _PROGRAMS = (
         "Unterprogramm, das M6 ruft",
         high=_FILE_LENGTH,
     ),
+    *(
+        _channel(
+            f"P-CHAN-{160 + index:05}",
+            f"g{80 + index}_prog_file",
+            ValueType.STRING,
+            "",
+            f"Subprogram that G{80 + index} calls",
+            f"Unterprogramm, das G{80 + index} ruft",
+            high=_FILE_LENGTH,
+        )
+        for index in range(10)
+    ),
     _channel(
         "P-CHAN-00187",
         f"g800_prog_file[0..{MOST_G800 - 1}]",

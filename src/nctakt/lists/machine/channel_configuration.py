@@ -7,7 +7,7 @@ where all lists are at hand (``machine.py``).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.technology_functions import (
@@ -49,6 +49,9 @@ BUILT_IN_G_FUNCTIONS: dict[int, int] = {
     DIMENSION_GROUP: 90,
     CENTRE_GROUP: 162,
 }
+#: G functions that each have a parameter for their program; the first of those that share one.
+CYCLE_FUNCTIONS = range(80, 90)
+FIRST_NUMBERED_CYCLE = 800
 #: The slopes of P-CHAN-00071 that are not simulated.
 OTHER_SLOPES = {2: "SIN2", 3: "HSC"}
 
@@ -126,27 +129,18 @@ class RealtimeCycleLimits:
 
 @dataclass(frozen=True, slots=True)
 class ImplicitPrograms:
-    """Subprograms that run without being called; empty: none. ``g800``: index -> program."""
+    """Subprograms that run without being called; empty: none. ``g``: G function -> program."""
 
     program_start: str
     program_end: str
     m6: str
-    g800: Mapping[int, str]
+    g: Mapping[int, str]
 
     @property
     def names(self) -> tuple[str, ...]:
         """All programs that there are, each once."""
-        all_names = (self.program_start, self.program_end, self.m6, *self.g800.values())
+        all_names = (self.program_start, self.program_end, self.m6, *self.g.values())
         return tuple(dict.fromkeys(name for name in all_names if name))
-
-    def of_g(self, number: int) -> str:
-        """The program that a G function calls: G800 and the following have the indices from 0 on.
-
-        G80 … G89 call what G800 … G809 do (*choice*). Empty: none.
-        """
-        if 80 <= number <= 89:
-            number += 720
-        return self.g800.get(number - 800, "")
 
 
 @dataclass(frozen=True, slots=True)
@@ -310,12 +304,23 @@ def _implicit_programs(values: Values) -> ImplicitPrograms:
         values.text("start_init_prog_file"),
         values.text("final_prog_file"),
         values.text("m6_prog_file"),
-        {
-            index: values.text("g800_prog_file[]", index)
-            for index in values.indices("g800_prog_file[]")
-            if values.text("g800_prog_file[]", index)
-        },
+        {number: name for number, name in _programs_of_g_functions(values) if name},
     )
+
+
+def _programs_of_g_functions(values: Values) -> Iterator[tuple[int, str]]:
+    """Yield G80 … G89 (P-CHAN-00160 … 00169), then G800 and the following (P-CHAN-00187)."""
+    for number in CYCLE_FUNCTIONS:
+        yield number, values.text(program_parameter(number))
+    for index in values.indices("g800_prog_file[]"):
+        yield FIRST_NUMBERED_CYCLE + index, values.text("g800_prog_file[]", index)
+
+
+def program_parameter(number: int) -> str:
+    """Return the name of the parameter with the program of a G function."""
+    if number in CYCLE_FUNCTIONS:
+        return f"g{number}_prog_file"
+    return f"g800_prog_file[{number - FIRST_NUMBERED_CYCLE}]"
 
 
 def _program_start(values: Values, collector: Collector) -> ProgramStart:

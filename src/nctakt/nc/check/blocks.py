@@ -14,17 +14,17 @@ from typing import Literal
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.lists.declared.offsets import MOST_GROUPS
-from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.lists.machine.channel_configuration import ChannelParameters, program_parameter
 from nctakt.messages.checked_axes import INDP_OUTSIDE_REALTIME_CYCLE
 from nctakt.messages.checked_blocks import (
     DUPLICATE_WORD,
     EXCLUSIVE_WORDS,
     EXTRA_PARAMETERS,
     FUNCTION_NOT_DEFINED,
-    G04_NOT_ALONE,
     G60_WITHOUT_MOTION,
     G163_WITHOUT_RADIUS,
     INVALID_FUNCTION_NUMBER,
+    NO_PROGRAM_FOR_G_FUNCTION,
     UNKNOWN_WORD,
     WORD_VALUE_MISSING,
     WORD_VALUE_OUT_OF_RANGE,
@@ -43,6 +43,7 @@ from nctakt.messages.program_structure import (
     SUBPROGRAM_END_IN_MAIN_PROGRAM,
 )
 from nctakt.messages.spindles import NOT_A_SPINDLE_WORD
+from nctakt.nc.check.dwells import check_dwell, dwell_of
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import check_arc
@@ -66,7 +67,6 @@ from nctakt.nc.vocabulary.axis_commands import has_function, is_axis_command
 from nctakt.nc.vocabulary.entries import Entry, Support
 from nctakt.nc.vocabulary.function_rows import Form, Group
 from nctakt.nc.vocabulary.functions import (
-    DWELL,
     EXACT_STOP_ONCE,
     MOTIONS,
     PROGRAM_ENDS,
@@ -118,8 +118,9 @@ class WordChecker:
     def block(self, block: Block, role: Role = "either") -> None:
         """Check one block of a program in this role."""
         self._values.line(*_expressions(block))
-        if _dwell(block) is not None:
-            self._dwell_block(block)
+        dwell = dwell_of(block)
+        if dwell is not None:
+            check_dwell(block, dwell, self._values, self._findings)
             return
         state = _BlockState(role, any(_returns(word) for word in block.words))
         commands, words = split(block.words, self.spindles)
@@ -245,7 +246,7 @@ class WordChecker:
 
     def _g(self, word: Word, number: int, state: _BlockState) -> None:
         entry = support_level.g_function(number)
-        if self._channel.implicit_programs.of_g(number):
+        if number in self._channel.implicit_programs.g:
             for argument in word.arguments:
                 self._values.any_value(argument)
             return
@@ -254,6 +255,10 @@ class WordChecker:
             return
         if isinstance(word.additional, Number) and word.additional.value == entry.neutral:
             self._findings.report_support(replace(entry, support=Support.ACCEPTED), word.span)
+            return
+        if entry.form is Form.SUBPROGRAM:
+            key = program_parameter(number)
+            self._findings.report(NO_PROGRAM_FOR_G_FUNCTION, word.span, word=entry.name, key=key)
             return
         self._findings.report_support(entry, word.span)
         if entry.support is Support.REFUSED:
@@ -418,27 +423,6 @@ class WordChecker:
         if needs_axis and not any(isinstance(word, AxisWord) for word in command.words):
             self._findings.report(COMMAND_WITHOUT_AXIS, command.span, command=name)
 
-    def _dwell_block(self, block: Block) -> None:
-        """Check ``G04`` with its time, ``G04 X0.5``, ``G04 0.5``, or its revolutions, ``G04
-        S10``.
-        """
-        dwell = _dwell(block)
-        assert dwell is not None
-        others = [word for word in block.words if word is not dwell]
-        times: list[Expression] = [] if dwell.additional is None else [dwell.additional]
-        wrong = bool(dwell.arguments)
-        for word in others:
-            if isinstance(word, AxisWord) and word.name == "X" and word.value is not None:
-                times.append(word.value)
-            elif isinstance(word, Word) and word.name == "S" and word.value is not None:
-                times.append(word.value)
-            else:
-                wrong = True
-        if wrong or len(times) != 1:
-            self._findings.report(G04_NOT_ALONE, dwell.span)
-        for time in times:
-            self._values.value(time)
-
 
 def _returns(word: BlockWord) -> bool:
     if isinstance(word, BracketCommand):
@@ -476,15 +460,6 @@ def _is(word: BlockWord, name: str, number: int) -> bool:
         and isinstance(word.value, Number)
         and word.value.value == number
     )
-
-
-def _dwell(block: Block) -> Word | None:
-    """Return the G04 of a block."""
-    for word in block.words:
-        if _is_g(word, DWELL):
-            assert isinstance(word, Word)
-            return word
-    return None
 
 
 def _expressions(block: Block) -> list[Expression]:

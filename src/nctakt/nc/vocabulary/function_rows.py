@@ -52,6 +52,7 @@ class Form(enum.Enum):
     OFFSETS = "G92 X10"
     ZERO_OFFSET = "G159=2"
     RADIUS = "G163=5"
+    SUBPROGRAM = "G80 [1, 2]"
 
 
 class Role(enum.Enum):
@@ -124,9 +125,10 @@ def group(group: Group | None, *rows: GFunction) -> Iterator[GFunction]:
     return (replace(row, group=group) for row in rows)
 
 
-def refused_range(first: int, last: int, en: str, de: str) -> Iterator[GFunction]:
-    """Yield the rows of refused functions from ``first`` to ``last``."""
-    return (refused(number, en, de) for number in range(first, last + 1))
+def subprograms(first: int, last: int) -> Iterator[GFunction]:
+    """Yield the rows of functions that call a program which the channel list names for them."""
+    en, de = "call of a program of the channel list", "Aufruf eines Programms der Kanalliste"
+    return (simulated(number, en, de, Form.SUBPROGRAM) for number in range(first, last + 1))
 
 
 def by_number(*groups: Iterator[GFunction]) -> Mapping[int, GFunction]:

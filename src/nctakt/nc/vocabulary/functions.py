@@ -27,8 +27,8 @@ from nctakt.nc.vocabulary.function_rows import (
     m_function,
     plain,
     refused,
-    refused_range,
     simulated,
+    subprograms,
     weight,
 )
 
@@ -163,7 +163,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         plain(MILLIMETRES, "lengths in mm", "Längen in mm"),
     ),
     group(None, refused(74, "homing", "Referenzfahrt")),
-    refused_range(80, 89, "implicit subprogram", "implizites Unterprogramm"),
+    subprograms(80, 89),
     group(
         Group.DIMENSION,
         plain(ABSOLUTE, "absolute dimensions", "Absolutmaße"),
@@ -329,7 +329,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         plain(EXACT_STOP_OFF, "exact stop off", "Genauhalt aus"),
         plain(EXACT_STOP_ON, "exact stop on", "Genauhalt ein"),
     ),
-    refused_range(800, 819, "implicit subprogram", "implizites Unterprogramm"),
+    subprograms(800, 839),
     group(
         None,
         refused(900, "deceleration at the block's end", "Bremsen am Satzende"),

@@ -24,7 +24,7 @@ PIECES = (b"\n", b"\r\n", b"\r", b"\r\r\n", b"G01 X1", b"\xc3\xa9", b" ", b"(a)"
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Every file is long, and read in small pieces."""
     monkeypatch.setattr(long_text, "SHORT_FILE_BYTES", 0)
-    monkeypatch.setattr(long_text, "LINES_PER_PLACE", 3)
+    monkeypatch.setattr(long_text, "LINES_PER_GROUP", 3)
     monkeypatch.setattr(long_text, "_CHUNK_BYTES", 7)
 
 

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What every stage uses: diagnostics, failures, texts and places in them."""
+"""Diagnostics, failures, texts and positions in them: used by every stage."""

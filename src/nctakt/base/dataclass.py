@@ -102,29 +102,29 @@ def _initialiser(cls: _Class, name: str, assignment: str) -> _Function:
     scope: dict[str, Any] = {"_missing": dataclasses.MISSING}
     lines: list[str] = []
     parameters = {False: ["self"], True: ["*"]}  # by whether they have to be named
-    for one in dataclasses.fields(cls):
-        parameter = value = one.name
-        scope[f"_set_{one.name}"] = getattr(cls, one.name).__set__
-        if one.default is not dataclasses.MISSING:
-            scope[f"_default_{one.name}"] = one.default
-            parameter = f"{one.name}=_default_{one.name}"
-        elif one.default_factory is not dataclasses.MISSING:
-            scope[f"_new_{one.name}"] = one.default_factory
-            parameter = f"{one.name}=_missing"
-            value = f"_new_{one.name}() if {one.name} is _missing else {one.name}"
-        parameters[one.kw_only is True].append(parameter)
-        lines.append(assignment.format(one.name, value))
+    for member in dataclasses.fields(cls):
+        parameter = value = member.name
+        scope[f"_set_{member.name}"] = getattr(cls, member.name).__set__
+        if member.default is not dataclasses.MISSING:
+            scope[f"_default_{member.name}"] = member.default
+            parameter = f"{member.name}=_default_{member.name}"
+        elif member.default_factory is not dataclasses.MISSING:
+            scope[f"_new_{member.name}"] = member.default_factory
+            parameter = f"{member.name}=_missing"
+            value = f"_new_{member.name}() if {member.name} is _missing else {member.name}"
+        parameters[member.kw_only is True].append(parameter)
+        lines.append(assignment.format(member.name, value))
     if hasattr(cls, "__post_init__"):
         lines.append("self.__post_init__()")
-    named = parameters[True] if len(parameters[True]) > 1 else []
-    method = _written(cls, name, [*parameters[False], *named], lines or ["pass"], scope)
-    method.__annotations__ = {one.name: one.type for one in dataclasses.fields(cls)}
+    keyword_only = parameters[True] if len(parameters[True]) > 1 else []
+    method = _written(cls, name, [*parameters[False], *keyword_only], lines or ["pass"], scope)
+    method.__annotations__ = {member.name: member.type for member in dataclasses.fields(cls)}
     return method
 
 
 def _values(cls: _Class, owner: str) -> str:
     """Return the text of a tuple with the values of all fields that are compared."""
-    names = [one.name for one in dataclasses.fields(cls) if one.compare]
+    names = [member.name for member in dataclasses.fields(cls) if member.compare]
     return f"({''.join(f'{owner}.{name}, ' for name in names)})"
 
 
@@ -140,7 +140,7 @@ def _hash(cls: _Class, name: str) -> _Function:
 
 @reprlib.recursive_repr()
 def _repr(self: Any) -> str:
-    shown = (one.name for one in dataclasses.fields(self) if one.repr)
+    shown = (member.name for member in dataclasses.fields(self) if member.repr)
     values = ", ".join(f"{name}={getattr(self, name)!r}" for name in shown)
     return f"{type(self).__qualname__}({values})"
 
@@ -154,12 +154,12 @@ def _delete(_self: object, name: str) -> NoReturn:
 
 
 def _state(self: Any) -> list[Any]:
-    return [getattr(self, one.name) for one in dataclasses.fields(self)]
+    return [getattr(self, member.name) for member in dataclasses.fields(self)]
 
 
 def _set_state(self: Any, state: list[Any]) -> None:
-    for one, value in zip(dataclasses.fields(self), state, strict=True):
-        object.__setattr__(self, one.name, value)
+    for member, value in zip(dataclasses.fields(self), state, strict=True):
+        object.__setattr__(self, member.name, value)
 
 
 _FROZEN = {

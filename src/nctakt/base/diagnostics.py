@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What went wrong, where, and what to do about it.
+"""Diagnostics: the cause of a problem, its position and its remedy.
 
-In: a message of the catalogue (``messages/``), a place, the values of the message's parameters.
+In: a message of the catalogue (``messages/``), a position, the values of the message's parameters.
 Out: a ``Diagnostic``, and its rendering with number, file, line, column, source line, caret and
-remedy. Everything that a user, a list or the PLC can cause is a diagnostic; what only we can cause
-is an ``assert``.
+remedy. Everything that a user, a list or the PLC can cause is a diagnostic; a mistake of nctakt
+itself is an ``assert``.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from nctakt.base.dataclass import dataclass
 
 Language = Literal["en", "de"]
 
-#: The value of a parameter where there is none: no name is similar, a list is empty.
+#: The value of a parameter without a value: no name is similar, a list is empty.
 NOTHING = "–"
 
 #: Longest part of a source line that is shown above the caret, in characters.
@@ -29,14 +29,14 @@ _SENTENCE_END = re.compile(r"(?<=[.?!;]) ")
 
 
 class Severity(enum.IntEnum):
-    """How bad it is; an error keeps a program from running, a warning does not."""
+    """The severity of a message: an error keeps a program from running, a warning does not."""
 
     NOTE = 0
     WARNING = 1
     ERROR = 2
 
     def label(self, language: Language) -> str:
-        """The word in front of the number."""
+        """Return the word before the number: "error", "warning", "note"."""
         return _LABELS[language][self]
 
 
@@ -48,10 +48,10 @@ _LABELS: dict[Language, tuple[str, str, str]] = {
 
 @dataclass(frozen=True, slots=True, order=True)
 class Span:
-    """A place in a text: lines and columns count from 1, ``end_column`` is exclusive.
+    """A position in a text: lines and columns count from 1, ``end_column`` is exclusive.
 
-    ``file`` is the name as the user gave it; a span never covers more than one line. Line 0 is the
-    file as a whole, for what is missing in it.
+    ``file`` is the name as the user wrote it; a span never covers more than one line. Line 0 is the
+    file as a whole, for something that is missing in it.
     """
 
     file: str
@@ -64,7 +64,7 @@ class Span:
 
 
 def whole_file(file: str) -> Span:
-    """Return the span of a finding that belongs to no line of a file."""
+    """Return the span of a diagnostic that belongs to no line of a file."""
     return Span(file, 0, 0, 0)
 
 
@@ -76,7 +76,7 @@ class Text:
     de: str
 
     def get(self, language: Language) -> str:
-        """The text in the language that the user asked for."""
+        """Return the text in the language that the user asked for."""
         return self.de if language == "de" else self.en
 
 
@@ -89,12 +89,12 @@ _NOTHING_SIMILAR = Text(
 class Message:
     """A message of the catalogue, declared in ``messages/``; a slotted class, cheap to make.
 
-    ``id`` is its identity: the controller's own number, or one of ours from 900000 on.
-    ``text`` and ``remedy`` are format strings over the names in ``parameters``, whose values say in
-    English and German what each one means. ``reaction`` and ``clearing`` are the controller's
-    classes for what an error does and what clears it (0: it has none; ``messages/classes.py`` says
-    what they mean). ``cause`` tells, for explanation, what text and remedy do not; ``known_as`` are
-    other numbers that it has.
+    ``id`` is its identity: the number of the controller, or from 900000 on a number of nctakt.
+    ``text`` and ``remedy`` are format strings over the names in ``parameters``, whose values give
+    the meaning of each in English and German. ``reaction`` and ``clearing`` are the controller's
+    classes for the effect of an error and for clearing it (0: none; ``messages/classes.py`` has
+    their meaning). ``cause`` explains how the error comes about; ``known_as`` are its further
+    numbers.
     """
 
     __slots__ = (
@@ -136,27 +136,27 @@ class Message:
 
     @property
     def text(self) -> Text:
-        """What happened, with the parameters' names in braces."""
+        """The problem, with the parameters' names in braces."""
         return Text(*self._text)
 
     @property
     def remedy(self) -> Text:
-        """What to do about it, with the parameters' names in braces."""
+        """The remedy, with the parameters' names in braces."""
         return Text(*self._remedy)
 
     @property
     def cause(self) -> Text:
-        """Why it can happen."""
+        """The cause, for an explanation; empty if text and remedy say it all."""
         return Text(*self._cause)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Diagnostic:
-    """One finding: a message, its place (``None``: no file involved) and its parameters' values.
+    """A message, its position (``None``: no file involved) and its parameters' values.
 
     ``source_line`` is the whole text line of the span, without its end, for the excerpt.
-    ``is_lenient``: an error that only warns here. ``entry``: the entry of a list that it is about,
-    which may be missing there.
+    ``is_lenient``: an error that is only a warning here. ``entry``: the entry of a list that it
+    concerns, which may be missing there.
     """
 
     message: Message
@@ -183,11 +183,11 @@ class Diagnostic:
         return Severity.WARNING if self.is_lenient else self.message.severity
 
     def text(self, language: Language = "en") -> str:
-        """The message with its parameters filled in."""
+        """Return the message with its parameters filled in."""
         return self.message.text.get(language).format_map(self._shown_values(language))
 
     def remedy(self, language: Language = "en") -> str:
-        """The remedy with the parameters filled in; without what would tell of ``NOTHING``."""
+        """Return the remedy with the parameters filled in, without sentences about ``NOTHING``."""
         template = self.message.remedy.get(language)
         values = self._shown_values(language)
         empty = {name for name, value in values.items() if value == NOTHING}
@@ -200,20 +200,20 @@ class Diagnostic:
         ]
         if not sentences:
             return _NOTHING_SIMILAR.get(language)
-        told = " ".join(sentences).removesuffix(";")
-        return told[0].upper() + told[1:]
+        text = " ".join(sentences).removesuffix(";")
+        return text[0].upper() + text[1:]
 
     def _shown_values(self, language: Language) -> dict[str, object]:
-        """The values as a reader of this language writes them."""
+        """Return the values as a reader of this language writes them."""
         return {name: _shown_value(value, language) for name, value in self.values.items()}
 
     def headline(self, language: Language = "en") -> str:
-        """``file:line:column: error 22009: text``, without the excerpt."""
-        place = f"{self.span}: " if self.span is not None else ""
-        return f"{place}{self.severity.label(language)} {self.id}: {self.text(language)}"
+        """Return ``file:line:column: error 22009: text``, without the excerpt."""
+        position = f"{self.span}: " if self.span is not None else ""
+        return f"{position}{self.severity.label(language)} {self.id}: {self.text(language)}"
 
     def render(self, language: Language = "en") -> str:
-        """Headline, source line with caret, remedy; several lines, no newline at the end."""
+        """Return headline, source line with caret and remedy as lines, without a final newline."""
         lines = [self.headline(language)]
         if self.span is not None and self.source_line:
             lines += excerpt(self.source_line, self.span.column, self.span.end_column)
@@ -231,14 +231,14 @@ def _shown_value(value: object, language: Language) -> object:
 
 
 def number_text(value: float) -> str:
-    """A number for a reader: whole ones without ``.0``, others to twelve digits."""
+    """Return a number for a reader: integers without ``.0``, others with twelve digits."""
     return f"{value + 0.0:.12g}"
 
 
 def excerpt(line: str, column: int, end_column: int) -> list[str]:
-    """The source line and a line with carets under ``column`` … ``end_column``.
+    """Return the source line and a line with carets under ``column`` … ``end_column``.
 
-    A long line is cut around the place; what does not print is shown as a dot, a tab as a blank.
+    A long line is cut around them; a character that does not print becomes a dot, a tab a blank.
     """
     start = max(0, min(column - 1 - EXCERPT_WIDTH // 2, len(line) - EXCERPT_WIDTH))
     end = start + EXCERPT_WIDTH

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A request that cannot be carried out, as an exception that carries its diagnostics.
 
-Raised where something that a user gave (a file, an option, a machine, a PLC) makes going on
-impossible; the command line turns it into an exit code, a program that uses nctakt as a library
-catches it.
+Raised where an input of a user (a file, an option, a machine, a PLC) makes it impossible to go on;
+the command line turns it into an exit code, a program that uses nctakt as a library catches it.
 """
 
 from __future__ import annotations
@@ -16,5 +15,5 @@ class Failure(Exception):
 
     def __init__(self, *diagnostics: Diagnostic) -> None:
         assert diagnostics
-        super().__init__("\n".join(found.render() for found in diagnostics))
+        super().__init__("\n".join(diagnostic.render() for diagnostic in diagnostics))
         self.diagnostics = diagnostics

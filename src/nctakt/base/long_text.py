@@ -2,9 +2,8 @@
 """Text files of any length -> their lines, without having all of them in memory.
 
 In: a file. Out: a sequence of lines. The rules are those of ``base/text.py``; a short file is read
-at once. Of a long one the encoding and the places of some lines are found in one pass, then lines
-are read where they are asked for: forward without delay, elsewhere by a step back to the last known
-place.
+at once. Of a long one the encoding and the offsets of some lines are found in one pass, then lines
+are read when they are asked for: forward without delay, elsewhere from the last offset before them.
 """
 
 from __future__ import annotations
@@ -21,13 +20,13 @@ from typing import BinaryIO, overload
 
 from nctakt.base.text import WINDOWS_1252, split_lines
 
-#: Bytes of a file that is read at once.
+#: Size of a file that is read at once, in bytes.
 SHORT_FILE_BYTES = 1_000_000
 
-#: Lines between two places that are remembered, which are read together.
-LINES_PER_PLACE = 512
+#: Lines of a group: they are read together, and the offset of the first is stored.
+LINES_PER_GROUP = 512
 
-#: Bytes of such lines at most.
+#: Maximum size of a group, in bytes.
 MAX_GROUP_BYTES = 64 << 20
 
 _CHUNK_BYTES = 1 << 20
@@ -37,7 +36,7 @@ _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
 
 class LinesTooLong(Exception):
-    """Some lines of a file that are read together have more than ``MAX_GROUP_BYTES``."""
+    """A group of lines has more than ``MAX_GROUP_BYTES``."""
 
 
 def is_long(file: BinaryIO) -> bool:
@@ -53,14 +52,14 @@ def is_long(file: BinaryIO) -> bool:
 class LongText(Sequence[str]):
     """The lines of one file; equal to another if path, size and time of change are.
 
-    Raises ``OSError``, and ``LinesTooLong`` for a file that is no text of lines.
+    Raises ``OSError``, and ``LinesTooLong`` for a file that is not a text of lines.
     """
 
     def __init__(self, path: Path) -> None:
         self._path = path
         state = path.stat()
         self._identity = (str(path), state.st_size, state.st_mtime_ns)
-        self._places = array("Q")
+        self._offsets = array("Q")
         self._count = 0
         self._is_utf8 = True
         with path.open("rb") as file:
@@ -69,12 +68,12 @@ class LongText(Sequence[str]):
         self._lines: list[str] = []
 
     def _scan(self, file: BinaryIO) -> None:
-        """Find encoding, number of lines, and the places of every so many lines."""
+        """Find the encoding, the number of lines and the offset of each group."""
         decoder = codecs.getincrementaldecoder("utf-8")()
-        place = len(_UTF8_MARK) if file.read(3) == _UTF8_MARK else 0
-        file.seek(place)
-        begin, rest = place, b""  # where the bytes at hand begin; what is left of the last ones
-        line_begin = place
+        offset = len(_UTF8_MARK) if file.read(3) == _UTF8_MARK else 0
+        file.seek(offset)
+        chunk_begin, rest = offset, b""  # the offset of the chunk; bytes of the one before it
+        line_begin = offset
         while True:
             chunk = file.read(_CHUNK_BYTES)
             self._check_encoding(decoder, chunk)
@@ -82,37 +81,37 @@ class LongText(Sequence[str]):
             # A carriage return at the very end may be half of a line end.
             usable = len(data) - 1 if chunk and data.endswith(b"\r") else len(data)
             if b"\r" not in data:
-                line_begin = self._add_lines(data, begin, line_begin)
+                line_begin = self._add_lines(data, chunk_begin, line_begin)
             else:
-                for found in _LINE_END.finditer(data, 0, usable):
+                for line_end in _LINE_END.finditer(data, 0, usable):
                     self._add_line(line_begin)
-                    line_begin = begin + found.end()
+                    line_begin = chunk_begin + line_end.end()
             if not chunk:
-                end = begin + len(data)
+                end = chunk_begin + len(data)
                 break
             rest = data[usable:]
-            begin += usable
+            chunk_begin += usable
         if line_begin < end:
             self._add_line(line_begin)
-        self._places.append(end)
-        groups = zip(self._places, self._places[1:], strict=False)
+        self._offsets.append(end)
+        groups = zip(self._offsets, self._offsets[1:], strict=False)
         if any(last - first > MAX_GROUP_BYTES for first, last in groups):
             raise LinesTooLong
 
     def _add_line(self, begin: int) -> None:
-        if self._count % LINES_PER_PLACE == 0:
-            self._places.append(begin)
+        if self._count % LINES_PER_GROUP == 0:
+            self._offsets.append(begin)
         self._count += 1
 
     def _add_lines(self, data: bytes, begin: int, line_begin: int) -> int:
-        """Add the lines that a newline in ``data`` ends; where the one begins that is open.
+        """Add the lines that a newline in ``data`` ends; return the offset of the line behind them.
 
         ``data`` stands at ``begin`` in the file, its first line begins at ``line_begin``.
         """
         lengths = list(accumulate(map(len, data.split(b"\n"))))
         count = len(lengths) - 1
-        for line in range(-self._count % LINES_PER_PLACE, count, LINES_PER_PLACE):
-            self._places.append(begin + lengths[line - 1] + line if line else line_begin)
+        for line in range(-self._count % LINES_PER_GROUP, count, LINES_PER_GROUP):
+            self._offsets.append(begin + lengths[line - 1] + line if line else line_begin)
         self._count += count
         return begin + lengths[count - 1] + count if count else line_begin
 
@@ -125,8 +124,8 @@ class LongText(Sequence[str]):
             self._is_utf8 = False
 
     def _read(self, file: BinaryIO, group: int) -> list[str]:
-        """The lines from a known place to the next one."""
-        begin, end = self._places[group], self._places[group + 1]
+        """Return the lines of a group."""
+        begin, end = self._offsets[group], self._offsets[group + 1]
         file.seek(begin)
         data = file.read(end - begin)
         if self._is_utf8:
@@ -140,16 +139,16 @@ class LongText(Sequence[str]):
         return self.from_line(0)
 
     def from_line(self, first: int) -> Iterator[str]:
-        """The lines from index ``first`` on."""
+        """Yield the lines from index ``first`` on."""
         for group in self.groups(first):
             yield from group
 
     def groups(self, first: int) -> Iterator[list[str]]:
-        """The lines from index ``first`` on, some at a time."""
+        """Yield the lines from index ``first`` on, some at a time."""
         with self._path.open("rb") as file:
-            for group in range(first // LINES_PER_PLACE, len(self._places) - 1):
+            for group in range(first // LINES_PER_GROUP, len(self._offsets) - 1):
                 lines = self._read(file, group)
-                yield lines[max(0, first - group * LINES_PER_PLACE) :]
+                yield lines[max(0, first - group * LINES_PER_GROUP) :]
 
     @overload
     def __getitem__(self, index: int) -> str: ...
@@ -164,12 +163,12 @@ class LongText(Sequence[str]):
             index += self._count
         if not 0 <= index < self._count:
             raise IndexError(index)
-        group = index // LINES_PER_PLACE
+        group = index // LINES_PER_GROUP
         if group != self._group:
             with self._path.open("rb") as file:
                 self._lines = self._read(file, group)
             self._group = group
-        return self._lines[index % LINES_PER_PLACE]
+        return self._lines[index % LINES_PER_GROUP]
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, LongText) and self._identity == other._identity

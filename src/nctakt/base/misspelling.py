@@ -1,25 +1,25 @@
 # SPDX-License-Identifier: MIT
-"""Names that differ from a known one in a letter or two.
+"""Names that differ from a known name in a letter or two.
 
-In: known names, and one that is unknown. Out: the known one that it is a misspelling of, if any is.
-A letter too many, too few, wrong or two swapped ones are an error each; letter case is none.
-``text.nearest`` is the one to take for names that may differ in more than that.
+In: known names, and an unknown one. Out: the known name that it is a misspelling of, if any is. A
+letter too many, too few or wrong and two swapped letters are an error each; letter case does not
+count. ``text.nearest`` suits names that may differ in more than that.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-#: Errors that a name may have.
+#: Maximum number of errors of a name.
 _MAX_ERRORS = 2
-#: A name of so many letters may have one error, one of twice as many two.
+#: Letters per error: a name of as many may have one error, of twice as many two.
 _LETTERS_PER_ERROR = 4
 #: Pieces of a name, of which at least one is left whole by two errors.
 _PIECES = 4
 
 
 class KnownNames:
-    """Known names, prepared so that a search looks at few of them."""
+    """Known names, indexed so that a search compares few of them."""
 
     def __init__(self, names: Iterable[str]) -> None:
         self._by_piece: dict[tuple[int, int, str], list[str]] = {}
@@ -33,15 +33,15 @@ class KnownNames:
         """Return the known name that ``name`` is a misspelling of, ``None`` if there is none."""
         folded = name.casefold()
         limit = min(_MAX_ERRORS, max(1, len(folded) // _LETTERS_PER_ERROR)) + 1
-        found: str | None = None
+        best: str | None = None
         for candidate in self._candidates(folded):
             errors = typing_errors(folded, candidate.casefold(), limit)
             if errors < limit:
-                limit, found = errors, candidate
-        return found
+                limit, best = errors, candidate
+        return best
 
     def _candidates(self, folded: str) -> Iterator[str]:
-        """The names that share a piece with this one, at about the same place."""
+        """Yield the names that share a piece with this one, at about the same place."""
         seen: dict[str, None] = {}
         for length in range(max(1, len(folded) - _MAX_ERRORS), len(folded) + _MAX_ERRORS + 1):
             for number, start, size in _bounds(length):
@@ -54,14 +54,14 @@ class KnownNames:
 
 
 def _bounds(length: int) -> Iterator[tuple[int, int, int]]:
-    """Number, start and length of the pieces of a name of that length."""
+    """Yield number, start and length of the pieces of a name of that length."""
     ends = [length * number // _PIECES for number in range(_PIECES + 1)]
     for number in range(_PIECES):
         yield number, ends[number], ends[number + 1] - ends[number]
 
 
 def typing_errors(first: str, second: str, limit: int) -> int:
-    """Return how many errors make one name of the other; ``limit`` stands for as many and more."""
+    """Return the number of errors between two names; ``limit`` stands for as many and more."""
     if abs(len(first) - len(second)) >= limit:
         return limit
     shortest = min(len(first), len(second))

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Bytes of a list or an NC program -> text -> lines, tolerantly; and misspelt names.
 
-In: the bytes of a file. Out: its text, which encoding was taken and whether that was a guess; then
-its lines. Nothing here fails: each byte sequence has a reading. The rules are those of the ASCII
-lists, and NC programs share them: a byte order mark decides; else UTF-8 if it fits; else
-Windows-1252, in which each byte is a character. Lines end at CR LF, LF or CR and nowhere else.
-``nearest`` finds the known name that a misspelt one may have meant.
+In: the bytes of a file. Out: its text, its encoding and whether that was a guess; then its lines.
+Nothing here fails: each byte sequence can be read. The rules are those of the ASCII lists, and NC
+programs share them: a byte order mark decides; else UTF-8 if it is valid; else Windows-1252, in
+which each byte is a character. Lines end at CR LF, LF or CR and nowhere else. ``nearest`` finds the
+known name that is most similar to a misspelt one.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ WINDOWS_1252 = {
 }
 
 
-#: So many bytes at the start of a file tell whether it is a text.
+#: Bytes at the start of a file that decide whether it is a text.
 _LOOKED_AT_BYTES = 8192
-#: As many control characters are an accident in a text.
+#: Control characters that a text may contain by accident.
 _FEW_CONTROLS = 4
 
 
@@ -37,8 +37,8 @@ _FEW_CONTROLS = 4
 class DecodedText:
     """A file's text (without byte order mark) and how it was read.
 
-    ``encoding`` is ``utf-8``, ``utf-8-sig``, ``utf-16`` or ``cp1252``. ``guessed`` says that
-    the bytes were no UTF-8 and Windows-1252 was taken for want of anything better: worth a note.
+    ``encoding`` is ``utf-8``, ``utf-8-sig``, ``utf-16`` or ``cp1252``. ``guessed``: the bytes were
+    not valid UTF-8, so that Windows-1252 was assumed, which is worth a note.
     """
 
     text: str
@@ -72,9 +72,9 @@ def encode_text(text: str, like: bytes) -> bytes:
 
 
 def is_binary(data: bytes) -> bool:
-    """Whether a file is no text: it has NULs and more control characters than any text would.
+    """Return whether a file is binary: it has NULs and more control characters than a text.
 
-    A text with a few NULs, such as one that is filled up with them at its end, is one.
+    A text with a few NULs, such as one that is padded with them at its end, is not binary.
     """
     begin = data[:_LOOKED_AT_BYTES].rstrip(b"\0")
     if b"\0" not in begin or data.startswith(_UTF16_MARKS):
@@ -84,7 +84,7 @@ def is_binary(data: bytes) -> bool:
 
 
 def split_lines(text: str) -> list[str]:
-    r"""The lines of ``text`` without their ends, which are ``\r\n``, ``\n`` and ``\r`` only.
+    r"""Return the lines of ``text`` without their ends, which are ``\r\n``, ``\n`` and ``\r`` only.
 
     ``str.splitlines`` would also split at form feeds and other separators that may stand inside a
     comment. A line end at the very end of the text does not begin another line.
@@ -95,8 +95,8 @@ def split_lines(text: str) -> list[str]:
     return lines
 
 
-def nearest(wanted: str, known: Iterable[str]) -> str:
-    """The known name that ``wanted`` is nearest to, in whatever letter case; empty if none is."""
-    by_fold = {name.casefold(): name for name in known}
-    found = difflib.get_close_matches(wanted.casefold(), by_fold, n=1)
-    return by_fold[found[0]] if found else ""
+def nearest(name: str, names: Iterable[str]) -> str:
+    """Return the known name most similar to ``name`` in any letter case; empty if none is."""
+    by_fold = {known.casefold(): known for known in names}
+    matches = difflib.get_close_matches(name.casefold(), by_fold, n=1)
+    return by_fold[matches[0]] if matches else ""

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""The users' files: read within bounds, written so that nothing is lost."""
+"""The users' files: read within bounds, and written without loss."""

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Which files a command reads and writes, and which it must not.
+"""Access to the files that a command reads and writes.
 
-In: paths as users, lists and programs name them. Out: their bytes or lines, or a ``Failure``: what
-is read at once has a bound, what lies outside of the allowed folders stays unread, and no file is
-read and written by one command. Files are compared by device and number, whatever their names.
+In: paths as users, lists and programs name them. Out: their bytes or lines, or a ``Failure``: the
+size of a file that is read at once is bounded, files outside of the allowed folders are refused,
+and no file is both read and written by one command. Files are compared by device and inode, not by
+name.
 """
 
 from __future__ import annotations
@@ -28,21 +29,21 @@ from nctakt.messages.files import (
     OUTPUTS_ARE_ONE_FILE,
 )
 
-#: Bytes that are read at once: a list, or a program that is not a plain file.
+#: Maximum size of a file that is read at once, in bytes: a list, or a program from a pipe.
 MAX_BYTES = 64 << 20
 
-#: Bytes that tell whether a file is a text.
+#: Bytes at the begin of a file that decide whether it is a text.
 BEGIN_BYTES = 8192
 
 #: The lists of the built-in machine, which may always be read.
 _BUILT_IN = os.path.realpath(Path(__file__).parent.parent / "machines")
 
-#: Device and number of a file.
+#: Device and inode of a file.
 Identity = tuple[int, int]
 
 
 class FileAccess:
-    """The files of one command; ``folders``: only what lies in them is read, all without any."""
+    """The files of one command; only files in ``folders`` are read, all files if it is empty."""
 
     def __init__(self, folders: Sequence[str | Path] = ()) -> None:
         self.folders = tuple(os.path.realpath(folder) for folder in folders)
@@ -60,25 +61,25 @@ class FileAccess:
 
     @property
     def shown_folders(self) -> str:
-        """The folders for a message."""
+        """The folders as text for a message."""
         return ", ".join(Path(folder).as_posix() for folder in self.folders)
 
     def check_admitted(self, path: str | Path) -> None:
-        """Raise ``Failure`` (900917) for a file outside of the folders, even for one not there."""
+        """Raise ``Failure`` (900917) for a path outside of the folders, even without a file."""
         if not self.admits(path):
             file = Path(path).as_posix()
             raise Failure(diagnostic(FILE_OUTSIDE, file=file, folders=self.shown_folders))
 
     def note(self, path: str | Path) -> None:
-        """Remember that a file is read, by whomever; raises ``Failure`` (900913, 900917)."""
+        """Note that a file is read; raises ``Failure`` (900913, 900917)."""
         self.check_admitted(path)
         try:
             self.note_state(Path(path).stat(), path)
         except OSError:
-            return  # who reads it reports that
+            return  # reported by its reader
 
     def note_state(self, state: os.stat_result, path: str | Path) -> None:
-        """Remember a file by its state; raises ``Failure`` where it is written as well (900913)."""
+        """Note a file by its state; raises ``Failure`` (900913) if it is written as well."""
         if not _can_be_lost(state):
             return
         identity = (state.st_dev, state.st_ino)
@@ -89,7 +90,7 @@ class FileAccess:
             )
 
     def read_bytes(self, path: Path, *, is_replaced: bool = False) -> bytes:
-        """Return what is in a file of at most ``MAX_BYTES``.
+        """Return the content of a file of at most ``MAX_BYTES``.
 
         ``is_replaced``: the command may write it again. Raises ``Failure``: not there (900500), a
         folder (900501), unreadable (900503), read and written (900913), too long (900915), outside
@@ -103,7 +104,7 @@ class FileAccess:
             raise _unreadable(path, error) from error
 
     def read_lines(self, path: Path) -> Sequence[str]:
-        """Return the lines of a file, of a long plain file as they are asked for.
+        """Return the lines of a file; those of a long plain file are read when they are needed.
 
         Raises ``Failure`` as ``read_bytes``; a plain file may have any length, its lines may not.
         """
@@ -128,7 +129,7 @@ class FileAccess:
             raise _unreadable(path, error) from error
 
     def _opened(self, path: Path, *, is_replaced: bool = False) -> BinaryIO:
-        """Open a file and remember it."""
+        """Open a file and note that it is read."""
         self.check_admitted(path)
         try:
             file = path.open("rb")
@@ -149,9 +150,9 @@ class FileAccess:
     # --- writing ---------------------------------------------------------------------------------
 
     def claim(self, state: os.stat_result | None, path: str | Path, option: str) -> None:
-        """Let ``option`` write a file whose state is ``state``, ``None`` if it is not there yet.
+        """Let ``option`` write a file whose state is ``state``, ``None`` for a new file.
 
-        Raises ``Failure`` where it is read (900913) or written (900914).
+        Raises ``Failure`` if it is read (900913) or written (900914) by this command.
         """
         self.check_unread(state, path, option)
         if state is None or not _can_be_lost(state):
@@ -165,13 +166,13 @@ class FileAccess:
         self._written[identity] = option
 
     def check_unread(self, state: os.stat_result | None, path: str | Path, option: str) -> None:
-        """Raise ``Failure`` (900913) where a file has been read by now."""
+        """Raise ``Failure`` (900913) if a file has been read meanwhile."""
         if state is not None and (state.st_dev, state.st_ino) in self._read:
             raise Failure(diagnostic(OUTPUT_IS_READ, option=option, file=str(path)))
 
 
 def read_stream(file: BinaryIO, name: str) -> bytes:
-    """Return what a file gives; raises ``Failure`` (900915) beyond ``MAX_BYTES``."""
+    """Return the content of an open file; raises ``Failure`` (900915) beyond ``MAX_BYTES``."""
     data = file.read(MAX_BYTES + 1)
     if len(data) > MAX_BYTES:
         raise _too_long(name)
@@ -179,7 +180,7 @@ def read_stream(file: BinaryIO, name: str) -> bytes:
 
 
 def _can_be_lost(state: os.stat_result) -> bool:
-    """Return whether it is a file, and not a device such as /dev/null."""
+    """Return whether it is a regular file, not a device such as /dev/null."""
     return not stat.S_ISCHR(state.st_mode)
 
 

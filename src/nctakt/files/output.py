@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""A file of results, which takes its name when it is complete.
+"""A file of results, which gets its name when it is complete.
 
-In: a path, the option that names it, text or bytes. Out: the file. It is written beside its place,
-as ``trace.partial.csv`` for ``trace.csv``, and renamed at the end: what was there before stays as
-long as nothing better is, and what is cut off (a full disk, the process killed) can be read under a
-name that says so. A device or a pipe is written directly.
+In: a path, the option that names it, text or bytes. Out: the file. It is written under another
+name, as ``trace.partial.csv`` for ``trace.csv``, and renamed at the end: an earlier file stays
+until then, and a file that is cut off (a full disk, the process killed) can be read under a name
+that says so. A device or a pipe is written directly.
 """
 
 from __future__ import annotations
@@ -34,10 +34,10 @@ except ImportError:  # Windows, where two processes cannot open the file to writ
 
 
 class OutputFile:
-    """A file to write; raises ``Failure`` at once where it cannot be written (900507).
+    """A file to write; raises ``Failure`` (900507) at once if it cannot be written.
 
-    ``option`` is told where the file is an input (900913) or another output (900914) of the same
-    ``access``. Nothing takes the file's place unless ``write`` is called.
+    ``option`` is named in the message if the file is an input (900913) or another output (900914)
+    of the same ``access``. An earlier file is only replaced if ``write`` is called.
     """
 
     def __init__(
@@ -62,7 +62,7 @@ class OutputFile:
         if state is not None and stat.S_ISDIR(state.st_mode):
             raise Failure(diagnostic(FOLDER_INSTEAD_OF_FILE, file=self.name))
         if state is not None and not stat.S_ISREG(state.st_mode):
-            self._target = Path(self.name)  # the link of a pipe leads to no path
+            self._target = Path(self.name)  # the link of a pipe does not lead to a path
             return self._target.open("wb", buffering=0)
         if state is not None and not os.access(self._target, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
@@ -98,9 +98,9 @@ class OutputFile:
             raise Failure(diagnostic(OUTPUT_IN_USE, file=self.name))
 
     def write(self, data: str | bytes) -> None:
-        """Append to what this command has written; the file is new from the first call on.
+        """Append to the data written by this command; the first call begins a new file.
 
-        Raises ``Failure`` (900507, 900918) where the system takes no more.
+        Raises ``Failure`` (900507, 900918) if the system refuses it.
         """
         self._has_begun = True
         try:
@@ -112,7 +112,7 @@ class OutputFile:
             raise self._unwritable(error) from error
 
     def fill(self, write: Callable[[Path], object]) -> None:
-        """Let ``write`` make the file at a path; raises ``Failure`` as ``write``."""
+        """Let ``write`` create the file at a path; raises ``Failure`` as the method ``write``."""
         self._has_begun = True
         try:
             write(self._partial or self._target)
@@ -121,10 +121,10 @@ class OutputFile:
             raise self._unwritable(error) from error
 
     def close(self) -> None:
-        """Let the file take its name; without a ``write``, leave what was there. Twice is no harm.
+        """Give the file its name, or without a ``write`` leave an earlier file; may be repeated.
 
-        Raises ``Failure`` where that cannot be done (900507), or where the file has been read since
-        (900913); what was written keeps its own name then, as what was cut off does.
+        Raises ``Failure`` if the file cannot be renamed (900507) or has been read since (900913);
+        it then keeps its partial name.
         """
         if self._file.closed:
             return
@@ -138,7 +138,7 @@ class OutputFile:
                     self._access.check_unread(_state_of(self._target), self.name, self._option)
                     self._partial.replace(self._target)
         except OSError as error:
-            if not self._has_failed:  # else it has been told
+            if not self._has_failed:  # else it has been reported
                 raise self._unwritable(error) from error
 
     def __enter__(self) -> Self:
@@ -148,10 +148,12 @@ class OutputFile:
         self.close()
 
     def _unwritable(self, error: OSError) -> Failure:
-        found = [diagnostic(FILE_NOT_WRITABLE, file=self.name, reason=error.strerror or str(error))]
+        diagnostics = [
+            diagnostic(FILE_NOT_WRITABLE, file=self.name, reason=error.strerror or str(error))
+        ]
         if self._has_begun and self._partial is not None:
-            found.append(diagnostic(OUTPUT_CUT_OFF, file=self._partial.as_posix()))
-        return Failure(*found)
+            diagnostics.append(diagnostic(OUTPUT_CUT_OFF, file=self._partial.as_posix()))
+        return Failure(*diagnostics)
 
 
 def write_file(path: str | Path, data: str | bytes) -> None:
@@ -161,7 +163,7 @@ def write_file(path: str | Path, data: str | bytes) -> None:
 
 
 def partial_path(path: Path) -> Path:
-    """Return the name of a file while it is being written: ``out.partial.csv``."""
+    """Return the name of a file while it is written: ``out.partial.csv``."""
     return path.with_name(f"{path.stem}.partial{path.suffix}")
 
 

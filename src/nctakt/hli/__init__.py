@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""The interface image between CNC and PLC (HLI): what stands in it and where."""
+"""The interface image between CNC and PLC (HLI): its values and their offsets."""

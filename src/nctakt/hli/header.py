@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The structures of the HLI as a C header, for a PLC in another process.
 
-Out: a text that is the same for every machine: how many channels and axes there are, and where they
-stand, the image itself says. The compiler checks each place with ``_Static_assert``.
+Out: a text that is the same for every machine: the image itself holds the numbers of channels and
+axes and their offsets. The compiler checks each offset with ``_Static_assert``.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _TYPES = {
 
 
 def describe_hli_c() -> str:
-    """The header."""
+    """Return the text of the header."""
     return "\n".join(_lines()) + "\n"
 
 

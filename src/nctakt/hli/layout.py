@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What stands in the HLI: one declaration of each value, from which all else is made.
+"""The values of the HLI: one declaration of each, from which all else is derived.
 
-Structures of values, as a PLC sees them in memory (``hli/places.py`` gives each its bytes). Made
-from them are the table that the tick works with (``run/shared_image.py``), the C header
-(``hli/header.py``), the document ``docs/reference/hli.md``. ``PANEL`` are the operator's commands
-and ``LAMPS`` what the channel shows for them; each has a cell in the memory, in this order
+Structures of values, as a PLC sees them in memory (``hli/places.py`` gives each its bytes). Derived
+from them are the table of the tick (``run/shared_image.py``), the C header (``hli/header.py``) and
+the document ``docs/reference/hli.md``. ``PANEL`` are the operator's commands and ``LAMPS`` the
+signals of the channel to the operator; each has a cell in the memory, in this order
 (``kernel/plc/panel.py``). From outside they are called ``HLI.OVERRIDE``, ``HLI.STATE`` …
 """
 
@@ -15,16 +15,16 @@ from collections.abc import Iterator
 from nctakt.base.dataclass import dataclass
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 
-#: What stands in front of the names of operator's values: ``HLI.FEED_HOLD``.
+#: The prefix of the names of operator's values: ``HLI.FEED_HOLD``.
 PREFIX = "HLI."
 
 #: The first bytes of an image.
 MAGIC = b"NCTAKT\0\0"
 
-#: Changed whenever a value changes its place or meaning.
+#: Version of the layout, changed whenever a value changes its offset or meaning.
 VERSION = 4
 
-#: Bytes of each number; names are characters, so many in all.
+#: Size of each type, of names as a whole, in bytes.
 TYPE_BYTES = {
     "BOOLEAN": 1,
     "UNS08": 1,
@@ -40,8 +40,8 @@ TYPE_BYTES = {
 class Entry:
     """A value of the HLI: name, type as in variables lists (and UNS64), unit, meaning.
 
-    ``count``: elements of an array, 0 for none. ``source``: the variable of the channel or axis
-    that it shows (``nc/vocabulary/variable_table.py``); nothing for what has a way of its own.
+    ``count``: elements of an array, 0 for a single value. ``source``: the variable of the channel
+    or axis that it shows (``nc/vocabulary/variable_table.py``); empty for a value of other origin.
     """
 
     name: str
@@ -54,9 +54,9 @@ class Entry:
 
 @dataclass(frozen=True, slots=True)
 class Structure:
-    """Values that stand together; ``units``: names of the arrays of ``UNIT`` behind them.
+    """A structure of values; ``units``: names of the arrays of ``UNIT`` behind them.
 
-    ``is_command`` tells that the PLC writes it; the CNC writes all others.
+    ``is_command``: the PLC writes it; the CNC writes all others.
     """
 
     name: str
@@ -66,7 +66,7 @@ class Structure:
     is_command: bool = False
 
 
-#: What the operator commands; the PLC writes it.
+#: The operator's commands, written by the PLC.
 PANEL = (
     Entry("override", "REAL64", "%", "the operator's override of the path"),
     Entry("feed_hold", "BOOLEAN", "", "1: the path brakes to a stand and stays there"),
@@ -79,7 +79,7 @@ PANEL = (
     Entry("optional_stop", "BOOLEAN", "", "1: M01 stops as M00 does"),
 )
 
-#: What the channel shows; the CNC writes it.
+#: The signals to the operator, written by the CNC.
 LAMPS = (
     Entry("state", "UNS08", "", "0 ready, 1 a program runs, 2 error, 3 reset"),
     Entry("paused", "BOOLEAN", "", "1: single block, M00 or M01 waits for START"),
@@ -127,14 +127,14 @@ HEADER = Structure(
 
 UNIT = Structure(
     "hli_unit",
-    "a place for one M or H function",
+    "a slot for one M or H function",
     (
         Entry("serial", "UNS32", "", "0: free; else the running number of the function"),
         Entry("letter", "UNS32", "", "1 M, 2 H"),
         Entry("number", "UNS32", "", "of the function: 100 for M100"),
         Entry("sequence", "UNS32", "", "its number among those of its tick and section, from 1"),
         Entry("axis", "UNS32", "", "`logical` of the axis or spindle that it is for, 0: channel"),
-        Entry("value", "SGN32", "", "what the program gives it, as in M110=130; 0 for none"),
+        Entry("value", "SGN32", "", "its value in the program, as in M110=130; 0 for none"),
         Entry("time_us", "UNS64", "µs", "the begin of the tick that has commanded it"),
         Entry("duration_us", "UNS64", "µs", "the time that the channel list gives it"),
     ),
@@ -241,13 +241,13 @@ LINK = Structure(
     is_command=True,
 )
 
-#: All of them in the order of the image; ``UNIT`` stands in channels.
+#: All structures in the order of the image; ``UNIT`` is a part of channels.
 STRUCTURES = (HEADER, LINK, UNIT, CHANNEL, AXIS, SPINDLE, COMMAND, SPINDLE_COMMAND)
 
 
 @dataclass(frozen=True, slots=True)
 class PanelValue:
-    """A value of the panel by its name from outside: its cell, whether the PLC may write it."""
+    """A value of the panel by its external name: its cell, and whether the PLC writes it."""
 
     name: str
     entry: Entry
@@ -256,7 +256,7 @@ class PanelValue:
 
 
 def panel_values(first_cell: int) -> Iterator[PanelValue]:
-    """The operator's values of a channel whose panel begins at ``first_cell``."""
+    """Yield the operator's values of a channel whose panel begins at ``first_cell``."""
     for offset, entry in enumerate((*PANEL, *LAMPS)):
         name = PREFIX + entry.name.upper()
         yield PanelValue(name, entry, first_cell + offset, entry in PANEL)

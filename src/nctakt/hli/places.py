@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Where each value of the HLI stands in the image of a machine, byte by byte.
+"""The offsets of the HLI's values in the image of a machine, in bytes.
 
-In: the declarations of ``hli/layout.py``, a machine. Out: places of values in their structures, and
-``ImageLayout``: places of the structures in the image. A value stands at a multiple of its own
-size, as a C compiler puts it; a structure takes a multiple of 8 bytes. What the CNC alone writes
-comes first, with the PLC's turn of the lockstep among it; then what the tick latches: the PLC's
-commands, and the V.E variables, which both write.
+In: the declarations of ``hli/layout.py``, a machine. Out: offsets of values in their structures,
+and ``ImageLayout``: offsets of the structures in the image. The offset of a value is a multiple of
+its size, as a C compiler aligns it; the size of a structure is a multiple of 8 bytes. The values
+that only the CNC writes come first, with the PLC's turn of the lockstep among them; then the values
+that the tick latches: the PLC's commands, and the V.E variables, which both write.
 """
 
 from __future__ import annotations
@@ -30,25 +30,25 @@ from nctakt.hli.variables_memory import image_bytes
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 from nctakt.lists.machine.machine import Machine
 
-#: Areas begin at multiples of this: a cache line.
+#: Alignment of the areas in bytes: a cache line.
 AREA_ALIGNMENT = 64
 
 
 @dataclass(frozen=True, slots=True)
 class PlacedEntry:
-    """A value with its first byte in its structure."""
+    """A value and its offset in its structure, in bytes."""
 
     entry: Entry
     offset: int
 
     @property
     def size_bytes(self) -> int:
-        """Of all its elements."""
+        """The size of all its elements."""
         return TYPE_BYTES[self.entry.type] * max(1, self.entry.count)
 
 
 def entries(structure: Structure) -> Iterator[PlacedEntry]:
-    """The values of a structure with their places; not its units."""
+    """Yield the values of a structure with their offsets, without its units."""
     end = 0
     for entry in structure.entries:
         placed = PlacedEntry(entry, _aligned(end, TYPE_BYTES[entry.type]))
@@ -57,17 +57,17 @@ def entries(structure: Structure) -> Iterator[PlacedEntry]:
 
 
 def entry(structure: Structure, name: str) -> PlacedEntry:
-    """One value of a structure by its name."""
+    """Return the value of a structure with this name."""
     return next(placed for placed in entries(structure) if placed.entry.name == name)
 
 
 def unit_offset(structure: Structure, name: str) -> int:
-    """The first byte of an array of units in a structure."""
+    """Return the offset of an array of units in a structure."""
     return _entries_end(structure) + structure.units.index(name) * SLOT_COUNT * size_of(UNIT)
 
 
 def size_of(structure: Structure) -> int:
-    """Bytes of a structure."""
+    """Return the size of a structure in bytes."""
     units = len(structure.units) * SLOT_COUNT
     return _entries_end(structure) + (units * size_of(UNIT) if units else 0)
 
@@ -83,7 +83,7 @@ def _aligned(offset: int, alignment: int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class ImageLayout:
-    """The areas of a machine's image: first bytes, and how many structures stand there."""
+    """The areas of a machine's image: their offsets in bytes and the number of structures."""
 
     channels: int
     axes: int
@@ -99,32 +99,32 @@ class ImageLayout:
 
     @property
     def size(self) -> int:
-        """Bytes of the whole image."""
+        """The size of the whole image in bytes."""
         return self.ve_offset + self.ve_size
 
     def channel(self, index: int) -> int:
-        """The first byte of a channel's state."""
+        """Return the offset of a channel's state."""
         return self.channel_offset + index * size_of(CHANNEL)
 
     def axis(self, index: int) -> int:
-        """The first byte of an axis."""
+        """Return the offset of an axis."""
         return self.axis_offset + index * size_of(AXIS)
 
     def spindle(self, index: int) -> int:
-        """The first byte of a spindle, counted over all channels."""
+        """Return the offset of a spindle, counted over all channels."""
         return self.spindle_offset + index * size_of(SPINDLE)
 
     def spindle_command(self, index: int) -> int:
-        """The first byte of the PLC's answer for a spindle."""
+        """Return the offset of the PLC's answer for a spindle."""
         return self.spindle_command_offset + index * size_of(SPINDLE_COMMAND)
 
     def command(self, index: int) -> int:
-        """The first byte of what the PLC commands a channel."""
+        """Return the offset of the PLC's commands for a channel."""
         return self.command_offset + index * size_of(COMMAND)
 
 
 def image_layout(machine: Machine) -> ImageLayout:
-    """The places in the image of a machine."""
+    """Return the layout of a machine's image."""
     channels, axes = len(machine.channels), len(machine.axes)
     spindles = sum(len(channel.parameters.spindles) for channel in machine.channels)
     link_offset = _aligned(size_of(HEADER), AREA_ALIGNMENT)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The packed memory of V.E as a C header, for programs that look at it.
+"""The packed memory of V.E as a C header, for programs that read it.
 
 In: a machine. Out: the text of a header with a structure for each section (``ve_global``,
-``ve_channel_1`` …), whose compiler checks every place with ``_Static_assert``, and the place of
+``ve_channel_1`` …), whose offsets the compiler checks with ``_Static_assert``, and the offset of
 each section in the shared memory. Names that are words of C get an underscore. A variable that
-overlaps one before it can be no member: it has its place as a number only.
+overlaps an earlier one cannot be a member: its offset is a number only.
 """
 
 from __future__ import annotations
@@ -36,17 +36,17 @@ _WORDS = frozenset(
 
 
 def describe_c(machine: Machine) -> str:
-    """The header of a machine's memory."""
+    """Return the header of a machine's memory."""
     return "\n".join(_Header(machine).lines()) + "\n"
 
 
 def identifier(name: str) -> str:
-    """A name of the list as C can have it."""
+    """Return a name of the list as an identifier of C."""
     return f"{name}_" if name in _WORDS else name
 
 
 class _Header:
-    """Writes one header; structures that are alike are declared once."""
+    """Writes one header; equal structures are declared once."""
 
     def __init__(self, machine: Machine) -> None:
         self._machine = machine
@@ -55,7 +55,7 @@ class _Header:
         self._names: list[str] = []
 
     def lines(self) -> Iterator[str]:
-        """The whole text."""
+        """Yield the whole text."""
         parts = sections(self._machine)
         yield "/* Memory of the V.E variables. Made from the lists of a machine; do not edit. */"
         yield from ("#ifndef NCTAKT_VE_H", "#define NCTAKT_VE_H", "")
@@ -71,7 +71,7 @@ class _Header:
         yield from ("", "#endif")
 
     def _declare(self, node: Node) -> Iterator[str]:
-        """The structures that a variable needs, the innermost first."""
+        """Yield the structures that a variable needs, the innermost first."""
         if not node.members or (node.type, _shape(node)) in self._structures:
             return
         for member in node.members:
@@ -87,7 +87,7 @@ class _Header:
         yield f"}} {name};"
 
     def _member(self, node: Node) -> str:
-        """A declaration without its semicolon."""
+        """Return a declaration without its semicolon."""
         name = identifier(node.name)
         count = f"[{node.array_elements}]" if node.array_elements else ""
         if node.members:
@@ -97,13 +97,13 @@ class _Header:
         return f"char {name}{count}[{node.size_bytes}]"
 
     def _section(self, section: Section) -> Iterator[str]:
-        """The structure of a section; its gaps are members, so that each place is as described."""
+        """Yield the structure of a section; its gaps are members, so that each offset is right."""
         name = f"ve_channel_{section.channel}" if section.channel else "ve_global"
         members: list[Placed] = []
         overlapping: list[Placed] = []
         end = 0
         body: list[str] = []
-        for placed in sorted(section.placed, key=lambda one: one.offset):
+        for placed in sorted(section.placed, key=lambda placed: placed.offset):
             if placed.offset < end:
                 overlapping.append(placed)
                 continue
@@ -123,18 +123,18 @@ class _Header:
             for placed in members:
                 for field in filter(_is_first, fields(placed, self._pack)):
                     path = ".".join(identifier(part) for part in field.path.split("."))
-                    place = f"offsetof({name}, {path}) == {field.offset}"
-                    yield f'_Static_assert({place}, "{path}");'
+                    condition = f"offsetof({name}, {path}) == {field.offset}"
+                    yield f'_Static_assert({condition}, "{path}");'
         yield ""
 
 
 def _shape(node: Node) -> tuple[Node, ...]:
-    """What makes structures of one name the same in C."""
+    """Return the members of a structure; structures with equal members are the same in C."""
     return tuple(_plain(member) for member in node.members)
 
 
 def _plain(node: Node) -> Node:
-    """A member without what C does not know: access rights and synchronisation."""
+    """Return a member without access rights and synchronisation, which C does not know."""
     return Node(
         node.name,
         node.type,
@@ -147,5 +147,5 @@ def _plain(node: Node) -> Node:
 
 
 def _is_first(field: Field) -> bool:
-    """Whether a field lies in the first element of each array around it: those behind follow."""
+    """Return whether a field lies in the first element of each array around it."""
     return "[" not in field.path.replace("[0]", "")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What is recorded: events, sinks that stream them, the trace as an object, files read back.
+"""Recorded signals and events: sinks that stream them, the trace as an object, files read back.
 
-In: what ``kernel/base/record.py`` recorded in the ticks. Out: ``Trace`` in memory, CSV or JSONL
-files.
+In: the rows that ``kernel/base/record.py`` recorded in the ticks. Out: ``Trace`` in memory, CSV or
+JSONL files.
 """
 
 from nctakt.trace.events import Event, EventChunk, EventDecoder, EventNames

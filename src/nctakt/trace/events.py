@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What happened in a tick: the realtime part's event rows -> ``Event`` objects with text.
+"""Events of a tick: the realtime part's event rows -> ``Event`` objects with text.
 
-In: event rows of the realtime part (``kernel/rows.py``) and ``EventNames``, which knows what
-the numbers stand for. Out: events in the order of their occurrence. A chunk of rows is decoded when
-it is looked at, not before: a run that nobody asks for its events pays nothing for them.
+In: event rows of the realtime part (``kernel/rows.py``) and ``EventNames``, the names behind their
+numbers. Out: events in the order of their occurrence. A chunk of rows is decoded when it is first
+read: a run whose events nobody reads does not pay for them.
 """
 
 from __future__ import annotations
@@ -58,13 +58,13 @@ Maker = Callable[[int, float, float, float], tuple[str, str]]
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """One thing that happened in tick ``tick``, which begins at ``time_us``.
+    """An event in tick ``tick``, which begins at ``time_us``.
 
-    ``kind`` is a word, ``text`` its particulars (``fired``, ``17 line 5``). ``span`` is the
-    place in a program that it comes from. ``cycle`` is the realtime cycle it comes from: its
-    programmed ID, or ``#1`` for the first cycle without ID; empty for the path, the decoder and the
-    manager. ``channel`` is the number of its channel where the machine has more than one, else 0;
-    cycles are called ``2:17`` there.
+    ``kind`` is a word, ``text`` gives its particulars (``fired``, ``17 line 5``). ``span`` is its
+    position in a program. ``cycle`` is the realtime cycle that caused it: its programmed ID, or
+    ``#1`` for the first cycle without ID; empty for the path, the decoder and the manager.
+    ``channel`` is the number of its channel on a machine with several channels, else 0; cycles are
+    called ``2:17`` there.
     """
 
     tick: int
@@ -80,46 +80,46 @@ class Event:
 
     @property
     def prefix(self) -> str:
-        """What tells the channel in front of an event's text, ``CH2``, where there are several."""
+        """The channel in front of the event's text, ``CH2``; empty on a machine with one."""
         return f"CH{self.channel} " if self.channel else ""
 
 
 class EventNames(Protocol):
-    """What the numbers in event rows stand for; stays valid for as long as events are looked at."""
+    """The names behind the numbers in event rows; valid for as long as events are read."""
 
     def cycle(self, serial: int) -> str:
-        """The programmed ID of the cycle with this serial number, or ``#1`` without one."""
+        """Return the programmed ID of the cycle with this serial number, or ``#1`` without one."""
 
     def variable(self, cell: int) -> str:
-        """The name of the variable in a memory cell."""
+        """Return the name of the variable in a memory cell."""
 
     def axis(self, index: int) -> str:
-        """The name of an axis."""
+        """Return the name of an axis."""
 
     def message(self, number: int) -> str:
-        """The text of the message with this number."""
+        """Return the text of the message with this number."""
 
     def variable_text(self, number: int) -> str:
-        """The text of a variable whose value was frozen."""
+        """Return the text of a variable whose value was frozen."""
 
     def spindle(self, number: int) -> str:
-        """The name of a spindle of the channel."""
+        """Return the name of a spindle of the channel."""
 
     def user_text(self, number: int) -> str:
-        """A text that is told with a user error."""
+        """Return a text that is reported with a user error."""
 
     def program(self, number: int) -> str:
-        """The file name of a program."""
+        """Return the file name of a program."""
 
     def thread(self, number: int) -> str:
-        """The name of a thread of the schedule."""
+        """Return the name of a thread of the schedule."""
 
     def span(self, source: int) -> Span | None:
-        """The place of a source number."""
+        """Return the position with this source id, ``None`` without one."""
 
 
 def number_text(value: float) -> str:
-    """A number as short as it can be written without loss; whole numbers without ``.0``."""
+    """Return a number as short as it can be written without loss; whole numbers without ``.0``."""
     return repr(value + 0.0).removesuffix(".0")
 
 
@@ -129,7 +129,7 @@ class EventDecoder:
     def __init__(self, cycle_time_us: int, names: EventNames) -> None:
         self._cycle_time_us = cycle_time_us
         self._names = names
-        self._places: dict[int, Span | None] = {}
+        self._spans: dict[int, Span | None] = {}
         self._makers: dict[int, Maker] = {
             rows.EVENT_CREATED: self._created,
             rows.EVENT_STARTED: self._plain("started"),
@@ -166,7 +166,7 @@ class EventDecoder:
         }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
-        """The events of rows that ``Record.take_events`` gave."""
+        """Return the events of rows from ``Record.take_events``."""
         return [self._event(*row) for row in _ROW.iter_unpack(data)]
 
     def _event(
@@ -182,7 +182,7 @@ class EventDecoder:
     ) -> Event:
         number, kind, serial = int(tick), int(kind_number), int(subject)
         time_us = number * self._cycle_time_us
-        span = self._place(int(source))
+        span = self._span(int(source))
         if kind == rows.EVENT_FIRED:
             word, text = self._fired(serial, span)
         elif kind == rows.EVENT_PAUSED:
@@ -194,11 +194,11 @@ class EventDecoder:
         cycle = self._names.cycle(serial) if serial and kind not in _WITHOUT_CYCLE else ""
         return Event(number, time_us, word, text, span, cycle, int(channel))
 
-    def _place(self, source: int) -> Span | None:
-        """Few places make many events: each is looked up once."""
-        if source not in self._places:
-            self._places[source] = self._names.span(source)
-        return self._places[source]
+    def _span(self, source: int) -> Span | None:
+        """Return the position of a source id; each is looked up only once."""
+        if source not in self._spans:
+            self._spans[source] = self._names.span(source)
+        return self._spans[source]
 
     def _plain(self, word: str) -> Maker:
         return lambda serial, _a, _b, _c: (word, self._names.cycle(serial))
@@ -324,7 +324,7 @@ _WITHOUT_CYCLE = (
 
 
 def _function(code: float) -> tuple[str, int]:
-    """Letter and number of a technology function; H functions are coded -number - 1."""
+    """Return the letter and number of a technology function; H functions are coded -number - 1."""
     number = int(code)
     return ("H", -number - 1) if number < 0 else ("M", number)
 
@@ -340,7 +340,7 @@ def _severity_word(number: int) -> str:
 
 
 class EventChunk(Sequence[Event]):
-    """Events of some consecutive ticks, decoded when they are first looked at."""
+    """Events of some consecutive ticks, decoded when they are first read."""
 
     def __init__(self, decoder: EventDecoder, data: bytes) -> None:
         self._decoder = decoder
@@ -363,7 +363,7 @@ class EventChunk(Sequence[Event]):
         return self._decoded()[index]
 
     def subjects(self) -> Iterator[int]:
-        """The number that each event is about: of a cycle, a message or a program."""
+        """Yield the subject number of each event: of a cycle, a message or a program."""
         return (int(row[rows.EVENT_SUBJECT]) for row in _ROW.iter_unpack(self._data))
 
     def _decoded(self) -> list[Event]:

@@ -2,8 +2,8 @@
 """Files that the trace sinks wrote -> ``Trace``.
 
 In: a CSV or JSONL file as ``nctakt.trace.sinks`` writes it. Out: the same signals and events. A
-file whose last line is cut off, since its run was, gives what stands before that line. A CSV file
-knows no units, and its cycle time is that between its first two lines.
+last line that is cut off, since its run was, is left out. A CSV file has no units, and its cycle
+time is the time between its first two lines.
 """
 
 from __future__ import annotations
@@ -26,16 +26,16 @@ from nctakt.trace.recorded import Trace
 from nctakt.trace.sinks import FORMAT_NAME, FORMAT_VERSION, SUFFIXES, Signal, TraceHeader
 
 _ORIGIN = re.compile(r"(?s)(?P<cycle>\S+) (?P<place>.+)")
-_PLACE = re.compile(r"(?s)(?P<file>.+):(?P<line>\d+):(?P<column>\d+)")
+_POSITION = re.compile(r"(?s)(?P<file>.+):(?P<line>\d+):(?P<column>\d+)")
 _CHANNEL = re.compile(r"CH(\d+) ")
 _UNMARKED = {"n": "\n", "r": "\r"}
 
 
 def read_trace(path: str | Path) -> Trace:
-    """Read a trace file; the suffix chooses the format.
+    """Read a trace file in the format of its suffix and return the trace.
 
-    Raises ``Failure``: another suffix (900506), a file that cannot be read (900503), or that is no
-    trace (900508).
+    Raises ``Failure`` for another suffix (900506), a file that cannot be read (900503) and one that
+    is not a trace (900508).
     """
     path = Path(path)
     if path.suffix.lower() not in SUFFIXES:
@@ -54,7 +54,7 @@ def read_trace(path: str | Path) -> Trace:
 
 
 def _whole_lines(lines: Iterable[str]) -> Iterator[str]:
-    """The lines that have an end."""
+    """Yield the lines that are complete."""
     return (line for line in lines if line.endswith("\n"))
 
 
@@ -139,7 +139,7 @@ def _event_of(content: dict[str, Any], tick: int, time_us: int) -> Event:
 
 
 def split_events(cell: str, tick: int, time_us: int) -> list[Event]:
-    """The events of a tick from the CSV's last column, which ``join_events`` made."""
+    """Return the events of a tick from the last column of a CSV line, as by ``join_events``."""
     return [_event(text, tick, time_us) for text in _divide(cell, "; ") if text]
 
 
@@ -159,15 +159,15 @@ def _origin(text: str) -> tuple[str, Span | None]:
     if match is None:
         raise ValueError
     cycle = "" if match["cycle"] == "-" else _unescape(match["cycle"])
-    place = _PLACE.fullmatch(match["place"])
-    if place is None:
+    position = _POSITION.fullmatch(match["place"])
+    if position is None:
         return cycle, None
-    line, column = int(place["line"]), int(place["column"])
-    return cycle, Span(_unescape(place["file"]), line, column, column + 1)
+    line, column = int(position["line"]), int(position["column"])
+    return cycle, Span(_unescape(position["file"]), line, column, column + 1)
 
 
 def _divide(text: str, divider: str) -> list[str]:
-    r"""Split at each ``divider``; a ``\`` keeps the character behind it from being part of one."""
+    r"""Split at each ``divider``; a character behind a ``\`` is never part of one."""
     if "\\" not in text:  # nearly always, and much faster
         return text.split(divider)
     parts = [""]

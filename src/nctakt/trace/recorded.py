@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A trace as an object: signals by name as arrays, and events.
 
-In: what a sink is given, or what a file holds. Out: ``Trace``. The recorded bytes are kept as they
-come; arrays and events are made when they are first asked for, and numpy is loaded only then.
+In: the chunks of a sink, or the content of a file. Out: ``Trace``. The recorded bytes are kept as
+they come; arrays and events are built when they are first read, and numpy is loaded only then.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 class Trace(Mapping[str, "Values"]):
     """The recorded signals by name, one float64 per tick, and the events.
 
-    ``trace["X.ACS.ACT_POS"]`` is the column of a signal; a name that was not recorded raises
-    ``KeyError``, which suggests the nearest one. The arrays cannot be written to.
+    ``trace["X.ACS.ACT_POS"]`` is the column of a signal. Raises ``KeyError`` for a name that was
+    not recorded and suggests the nearest one. The arrays are read-only.
     """
 
     def __init__(
@@ -66,14 +66,14 @@ class Trace(Mapping[str, "Values"]):
 
     @property
     def ticks(self) -> int:
-        """How many ticks have a row."""
+        """The number of ticks that have a row."""
         width = 8 * len(self.signals)
         return sum(map(len, self._chunks)) // width if width else 0
 
     @property
     def tick(self) -> Counts:
         """The number of the tick of each row."""
-        import numpy  # noqa: PLC0415 - a run that asks for no array does not load it
+        import numpy  # noqa: PLC0415 - a run whose arrays nobody reads does not load it
 
         return numpy.arange(self.first_tick, self.first_tick + self.ticks, dtype=numpy.int64)
 
@@ -90,7 +90,7 @@ class Trace(Mapping[str, "Values"]):
         return self._events
 
     def at(self, tick: int, name: str) -> float:
-        """The value of a signal after tick ``tick``; ``IndexError`` for a tick without a row."""
+        """Return a signal after tick ``tick``; raises ``IndexError`` for a tick without a row."""
         if not self.first_tick <= tick < self.first_tick + self.ticks:
             raise IndexError(f"tick {tick} is not recorded")
         return float(self[name][tick - self.first_tick])
@@ -107,7 +107,7 @@ class Trace(Mapping[str, "Values"]):
 
 
 class MemorySink:
-    """Keeps a trace in memory; ``trace`` is there from ``open`` on and sees what came so far."""
+    """Keeps a trace in memory; ``trace`` is valid from ``open`` on and grows with the run."""
 
     def __init__(self) -> None:
         self._header = TraceHeader(0, ())
@@ -116,11 +116,11 @@ class MemorySink:
         self._events: list[Sequence[Event]] = []
 
     def open(self, header: TraceHeader) -> None:
-        """Begin."""
+        """Keep the header."""
         self._header = header
 
     def events(self, events: Sequence[Event]) -> None:
-        """Keep the events; a chunk that decodes itself is not decoded."""
+        """Keep the events; an ``EventChunk`` is not decoded."""
         if len(events):
             self._events.append(events)
 
@@ -132,9 +132,9 @@ class MemorySink:
         self._chunks.append(bytes(rows))
 
     def close(self) -> None:
-        """End; the trace stays."""
+        """Do nothing: the trace stays."""
 
     @property
     def trace(self) -> Trace:
-        """What has been recorded so far."""
+        """The trace recorded so far."""
         return Trace(self._header, self._first_tick, tuple(self._chunks), tuple(self._events))

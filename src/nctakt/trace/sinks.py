@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where a trace goes while it is made: the interface of sinks, and the two file formats.
+"""Sinks, which receive a trace while it is recorded: their interface, and two file formats.
 
 In: the header once, then for chunks of consecutive ticks first their events and then their rows
 (float64, row after row). Out: text in a file, chunk by chunk, in constant memory; what has been
@@ -38,7 +38,7 @@ SUFFIXES = (".csv", ".jsonl")
 
 @dataclass(frozen=True, slots=True)
 class Signal:
-    """One recorded value per tick; ``integral`` says that it only takes whole numbers."""
+    """One recorded value per tick; ``integral``: its values are whole numbers."""
 
     name: str
     unit: str = ""
@@ -47,34 +47,34 @@ class Signal:
 
 @dataclass(frozen=True, slots=True)
 class TraceHeader:
-    """What stands in front of a trace: the length of a tick and the signals in their order."""
+    """The header of a trace: the length of a tick and the signals in their order."""
 
     cycle_time_us: int
     signals: tuple[Signal, ...]
 
 
 class Sink(Protocol):
-    """Takes a trace in pieces: ``open``, then ``events`` and ``rows`` in turn, then ``close``.
+    """Receives a trace in pieces: ``open``, then ``events`` and ``rows`` in turn, then ``close``.
 
-    The events of a tick are given before its row, both in ascending order of ticks, and no tick's
-    events are divided over two calls between which its row is given.
+    The events of a tick come before its row, both in ascending order of ticks, and all events of a
+    tick have come when its row comes.
     """
 
     def open(self, header: TraceHeader) -> None:
-        """Begin; called once, before anything else."""
+        """Open the sink; called once, before anything else."""
 
     def events(self, events: Sequence[Event]) -> None:
-        """What happened in the ticks whose rows come next."""
+        """Receive the events of the ticks whose rows come next."""
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Rows of consecutive ticks from ``first_tick`` on: ``width`` float64 for each tick."""
+        """Receive rows of consecutive ticks from ``first_tick`` on, ``width`` float64 each."""
 
     def close(self) -> None:
-        """End; nothing is called after it."""
+        """Close the sink; called once, after everything else."""
 
 
 def check_suffix(path: Path) -> None:
-    """Raise ``Failure`` (900506) for a file whose suffix names no format."""
+    """Raise ``Failure`` (900506) for a file whose suffix is not that of a format."""
     if path.suffix.lower() not in SUFFIXES:
         raise Failure(
             diagnostic(UNKNOWN_TRACE_FORMAT, file=str(path), suffixes=" or ".join(SUFFIXES))
@@ -82,7 +82,7 @@ def check_suffix(path: Path) -> None:
 
 
 def file_sink(file: Path | OutputFile) -> CsvSink | JsonlSink:
-    """Return a sink that writes ``file``, in the format that its suffix names.
+    """Return a sink that writes ``file`` in the format of its suffix.
 
     Raises ``Failure`` for another suffix (900506). A path is opened with the trace.
     """
@@ -125,7 +125,7 @@ class _FileSink(abc.ABC):
             self._write_waiting()
 
     def close(self) -> None:
-        """Write events behind the last row, and close the file; again: nothing."""
+        """Write the events behind the last row and close the file; a second call does nothing."""
         if self._file is None or self._is_closed:
             return
         self._is_closed = True
@@ -141,11 +141,11 @@ class _FileSink(abc.ABC):
 
     @abc.abstractmethod
     def _header_line(self, header: TraceHeader) -> str:
-        """The first line of the file."""
+        """Return the first line of the file."""
 
     @abc.abstractmethod
     def _line_without_row(self, tick: int, together: Sequence[Event]) -> str:
-        """The line of events in a tick that has no row."""
+        """Return the line with the events of a tick that has no row."""
 
     def _write(self, text: str) -> None:
         assert self._file is not None
@@ -173,9 +173,9 @@ def _unwritable(file: OutputFile | TextIO, error: OSError) -> Failure:
 class CsvSink(_FileSink):
     """One line per tick: ``tick,time_us,<signals…>,events``.
 
-    The last column joins the tick's events with ``; ``. Behind an event stands where it comes
-    from: ``fired 17 line 5 <17 part.nc:5:3>``, cycle and place, ``-`` for what is missing.
-    Without signals only ticks with events have a line.
+    The last column joins the tick's events with ``; ``. Behind an event stands its origin, cycle
+    and position: ``fired 17 line 5 <17 part.nc:5:3>``, with ``-`` for a missing one. Without
+    signals only ticks with events have a line.
     """
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
@@ -194,7 +194,7 @@ class CsvSink(_FileSink):
         return ticks.stop * self._cycle_time_us, self._cycle_time_us
 
     def _event_cells(self, ticks: range) -> list[str]:
-        """The last column of these ticks; takes their events from those that wait."""
+        """Return the last column of these ticks and remove their events from the waiting ones."""
         cells = [""] * len(ticks)
         due = 0
         for tick, together in by_tick(self._waiting):
@@ -219,7 +219,7 @@ class JsonlSink(_FileSink):
 
     ``{"tick": 0, "time_us": 0, "values": [...], "events": [...]}``; ``values`` in the order of the
     header's signals, ``events`` only where there are some. Without signals only ticks with events
-    have a line. A value that is no number is ``null``.
+    have a line. A value that is not a finite number is ``null``.
     """
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:

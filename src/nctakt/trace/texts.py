@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows and events -> the texts that trace files are made of.
+"""Rows and events -> the texts of trace files.
 
 In: float64 values of some ticks, events. Out: texts of numbers column by column, events of a tick
 as one text or as JSON objects, lines and cells of CSV and JSON. Each number is written as short as
@@ -15,17 +15,17 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from nctakt.trace.events import Event
 
-#: A column is looked at in so many places to see whether its values repeat.
+#: Number of samples of a column that decide whether its values repeat.
 _SAMPLES = 64
 
 
 def column_texts(
     values: list[float], width: int, integral: Sequence[bool], missing: str = "nan"
 ) -> list[list[str]]:
-    """The texts of ``values`` (row after row, ``width`` numbers each), column by column.
+    """Return the texts of ``values`` (row after row, ``width`` numbers each), column by column.
 
-    ``missing`` is written for what is no finite number. Columns, not rows, since most columns of a
-    trace repeat their values, or those of another column: such a number is formatted once.
+    ``missing`` stands for a value that is not finite. The texts are made by columns, since most
+    columns of a trace repeat their values, or those of another: such a number is formatted once.
     """
     texts: list[list[str]] = []
     columns: list[tuple[bool, list[float]]] = []
@@ -40,7 +40,7 @@ def column_texts(
 
 
 def _column_text(column: list[float], integral: bool, missing: str) -> list[str]:
-    if 0.0 in column:  # equal to negative zero, which this makes a positive one
+    if 0.0 in column:  # true for negative zero as well, which is written as zero
         column = [value + 0.0 for value in column]
     if integral:
         memo = {value: f"{value:.0f}" for value in dict.fromkeys(column)}
@@ -53,7 +53,7 @@ def _column_text(column: list[float], integral: bool, missing: str) -> list[str]
 
 
 def _finite(texts: list[str], column: list[float], missing: str) -> list[str]:
-    """The texts with ``missing`` for what is not finite; a sum finds out whether there is any."""
+    """Return the texts with ``missing`` for values that are not finite; their sum tells of any."""
     total = sum(column)
     if total - total == 0.0:
         return texts
@@ -63,7 +63,7 @@ def _finite(texts: list[str], column: list[float], missing: str) -> list[str]:
 
 
 def by_tick(events: Sequence[Event]) -> Iterator[tuple[int, list[Event]]]:
-    """Consecutive events of one tick together."""
+    """Yield each tick with its events, which are consecutive."""
     together: list[Event] = []
     for event in events:
         if together and together[0].tick != event.tick:
@@ -75,7 +75,7 @@ def by_tick(events: Sequence[Event]) -> Iterator[tuple[int, list[Event]]]:
 
 
 def join_events(events: Iterable[Event]) -> str:
-    """The events of one tick as one text; ``nctakt.trace.reading.split_events`` undoes it."""
+    """Return the events of a tick as one text, which ``trace.reading.split_events`` divides."""
     return "; ".join(map(_event_text, events))
 
 
@@ -87,14 +87,14 @@ def _event_text(event: Event) -> str:
 
 
 def escape(text: str) -> str:
-    r"""Mark what divides events (``;``, ``<``), ``\`` itself and line ends with a ``\``."""
+    r"""Put a ``\`` before the dividers of events (``;``, ``<``), ``\`` itself and line ends."""
     for plain, marked in (("\\", "\\\\"), (";", "\\;"), ("<", "\\<"), ("\n", "\\n"), ("\r", "\\r")):
         text = text.replace(plain, marked)
     return text
 
 
 def event_object(event: Event) -> dict[str, object]:
-    """An event as a JSON object; cycle and place only where there are some."""
+    """Return an event as a JSON object, without an empty cycle or position."""
     content: dict[str, object] = {"kind": event.kind, "text": event.text}
     if event.channel:
         content["channel"] = event.channel
@@ -111,19 +111,19 @@ def event_object(event: Event) -> dict[str, object]:
 
 
 def json_text(content: object) -> str:
-    """The content as JSON on one line."""
+    """Return the content as JSON on one line."""
     return json.dumps(content, ensure_ascii=False)
 
 
 def csv_line(cells: Sequence[str]) -> str:
-    """A line of CSV with its end."""
+    """Return a line of CSV with its line end."""
     buffer = io.StringIO()
     csv.writer(buffer, lineterminator="\n").writerow(cells)
     return buffer.getvalue()
 
 
 def csv_cell(text: str) -> str:
-    """A cell of CSV, in quotation marks where it needs them."""
+    """Return a cell of CSV, in quotation marks where it needs them."""
     if '"' in text or "," in text:
         doubled = text.replace('"', '""')
         return f'"{doubled}"'

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from nctakt.lists.declared.startup import StartupConfiguration
 from nctakt.lists.format.values import Values
 from nctakt.lists.machine.variables import VariablesConfiguration, VariableScope
-from nctakt.lists.machine.variables_layout import overlaps, pack_of, place, size_of
+from nctakt.lists.machine.variables_layout import overlaps, pack_of, place_variables, size_of
 from nctakt.messages import Collector
 from nctakt.messages.variables import EXTERNAL_VARIABLES_TOO_LARGE, VARIABLES_OVERLAP
 
@@ -42,7 +42,7 @@ def check_memory(
 def _overlapping(variables: VariablesConfiguration, pack: int, collector: Collector) -> None:
     """Tell variables of one scope that share bytes."""
     for scope in VariableScope:
-        placed = place([one for one in variables.external if one.scope is scope], pack)
+        placed = place_variables([one for one in variables.external if one.scope is scope], pack)
         for one, other in overlaps(placed):
             name, earlier = other.variable.name, one.variable.name
             collector.report(VARIABLES_OVERLAP, None, name=name, other=earlier, offset=other.offset)

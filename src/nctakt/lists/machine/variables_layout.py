@@ -89,7 +89,7 @@ def _aligned(offset: int, alignment: int) -> int:
     return -(-offset // alignment) * alignment
 
 
-def place(variables: Sequence[Variable], pack: int) -> tuple[Placed, ...]:
+def place_variables(variables: Sequence[Variable], pack: int) -> tuple[Placed, ...]:
     """The places of variables of one memory."""
     placed: list[Placed] = []
     end = 0

@@ -102,7 +102,7 @@ def test_a_helix_rises_with_its_angle() -> None:
         ("G02 X10 I0 J0", 900700),
         ("G02 X10 R4.9", 900701),
         ("G02 X0 R5", 900700 + 1),
-        ("G02 X10 I4.9", 900702),
+        ("G02 X10 I4.74", 900702),
         ("G02 X0.005 I5", 900702),
         ("G02 X10 K5", 900704),
         ("G00 X9999 Y0\nG03 Y5 J2.5", 900705),
@@ -117,11 +117,32 @@ def test_arcs_that_are_none_have_a_diagnostic(block: str, number: int) -> None:
     assert (run.state, numbers(run)) == ("error", [number])
 
 
-def test_a_target_nearly_on_the_circle_moves_the_centre() -> None:
-    """Up to 0.01 mm: the arc goes about the nearest place that is equally far from both ends."""
-    run = moved("G02 X10 Y0 I5.004 F3000")
+@pytest.mark.parametrize("centre", ["5.004", "4.77"])
+def test_a_centre_nearly_right_is_moved(centre: str) -> None:
+    """P-CHAN-00060: up to 50 per mille of the radius, to where it is equally far from both ends."""
+    run = moved(f"G02 X10 Y0 I{centre} F3000")
     radii = [math.dist(place(run, tick), (5.0, 0.0, 0.0)) for tick in range(run.ticks - 1)]
     assert max(radii) - min(radii) < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("entries", "centre", "state"),
+    [
+        ("", "48", "ended"),
+        ("", "47.9", "error"),  # 2.1 mm, though 50 per mille of 50 mm are 2.5 mm
+        ("mittelpkt_diff 25000", "47.6", "ended"),
+        ("mittelpkt_diff 25000", "47.4", "error"),
+        ("mittelpkt_diff 100\nmittelpkt_faktor 1000", "49.99", "ended"),
+        ("mittelpkt_diff 100\nmittelpkt_faktor 1000", "49.98", "error"),
+        ("mittelpkt_diff 0", "50", "ended"),
+        ("mittelpkt_diff 0", "49.999", "error"),
+    ],
+)
+def test_how_far_a_centre_may_be_off(tmp_path: Path, entries: str, centre: str, state: str) -> None:
+    """P-CHAN-00059 and P-CHAN-00060: both hold; 2 mm and 50 per mille by default."""
+    controller = controller_with(tmp_path, entries)
+    run = perform(f"G00 X0 Y0\nG02 X100 Y0 I{centre} F60000\nM30", controller)
+    assert run.state == state, run.diagnostics
 
 
 def test_a_management_command_between_blocks_does_not_stop_the_path() -> None:

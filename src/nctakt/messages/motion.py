@@ -30,21 +30,23 @@ ARC_RADIUS_TOO_SMALL = error(
     reaction=2,
     clearing=3,
 )
-ARC_TARGET_OFF_CIRCLE = error(
+ARC_CENTRE_TOO_FAR_OFF = error(
     900702,
-    en="the target of the arc is {off} mm off the circle of radius {radius} around its centre",
-    de="das Ziel des Kreisbogens liegt {off} mm neben dem Kreis mit Radius {radius} um den "
-    "Mittelpunkt",
+    en="the centre of the arc would have to be moved by {shift} mm so that the target lies on the "
+    "circle; {allowed} mm are allowed",
+    de="der Mittelpunkt des Kreisbogens müsste um {shift} mm verschoben werden, damit das Ziel auf "
+    "dem Kreis liegt; erlaubt sind {allowed} mm",
     remedy_en="Correct the target or the centre; centres are absolute with G161, relative to the "
     "start with G162.",
     remedy_de="Ziel oder Mittelpunkt berichtigen; Mittelpunkte sind mit G161 absolut, mit G162 "
     "relativ zum Start.",
-    cause_en="0.01 mm or a thousandth of the radius is tolerated, less where start and target are "
-    "close together.",
-    cause_de="0,01 mm oder ein Tausendstel des Radius werden toleriert, weniger, wenn Start und "
-    "Ziel nah beieinander liegen.",
-    off=("the difference between the two radii in mm", "der Unterschied der beiden Radien in mm"),
-    radius=("the radius in mm", "der Radius in mm"),
+    cause_en="The centre is moved to the nearest point that is equally far from both ends, at most "
+    "by P-CHAN-00059 (2 mm) and by P-CHAN-00060 (50 per mille) of the radius.",
+    cause_de="Der Mittelpunkt wird an den nächsten Ort verschoben, der von beiden Enden gleich "
+    "weit entfernt ist, höchstens um P-CHAN-00059 (2 mm) und um P-CHAN-00060 (50 Promille) des "
+    "Radius.",
+    shift=("the distance in mm", "die Strecke in mm"),
+    allowed=("the limit in mm", "die Grenze in mm"),
     reaction=2,
     clearing=3,
 )

@@ -224,7 +224,8 @@ class PathMotion:
         try:
             if words.centre:
                 centre = self._centre(begin, words)
-                arc = arc_about(begin, end, path.plane, centre, clockwise)
+                tolerance = self._environment.parameters.centre_tolerance
+                arc = arc_about(begin, end, path.plane, centre, clockwise, tolerance)
             elif path.radius == 0.0:
                 raise ArcError(ARC_WITHOUT_CENTRE)
             elif start == target:

@@ -13,7 +13,8 @@ from collections.abc import Iterator, Sequence
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Message
 from nctakt.kernel.base import arithmetic
-from nctakt.messages.motion import ARC_RADIUS_TOO_SMALL, ARC_TARGET_OFF_CIRCLE, ARC_WITHOUT_CENTRE
+from nctakt.lists.machine.channel_configuration import CentreTolerance
+from nctakt.messages.motion import ARC_CENTRE_TOO_FAR_OFF, ARC_RADIUS_TOO_SMALL, ARC_WITHOUT_CENTRE
 from nctakt.nc.vocabulary.functions import PLANE_XY, PLANE_YZ, PLANE_ZX
 
 #: G function of a plane -> its first and second axis.
@@ -22,15 +23,14 @@ PLANES = {PLANE_XY: (0, 1), PLANE_ZX: (2, 0), PLANE_YZ: (1, 2)}
 #: Radians of a degree.
 RADIANS = 0.017453292519943295
 
-#: Maximum distance of an end from the circle: mm, or a share of the radius if that is more.
-TOLERANCE_MM = 0.01
-TOLERANCE_SHARE = 0.001
+#: Maximum length missing in a radius whose arc just leads to the target, mm.
+RADIUS_TOLERANCE_MM = 0.01
 
 #: Ends of a circle at most this far apart coincide: sums of G91 are rounded.
 SAME_POINT_MM = 1e-9
 
-#: Maximum shift of the centre as a share of the radius.
-MAX_SHIFT_SHARE = 0.1
+#: A centre at most this far off is exact: coordinates are rounded sums.
+EXACT_CENTRE_MM = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,31 +71,30 @@ def arc_about(
     plane: int,
     centre: tuple[float, float],
     clockwise: bool,
+    tolerance: CentreTolerance,
 ) -> Arc:
     """Return the arc about a centre; a full circle if start and target coincide.
 
-    If target and start differ in their distance from the centre within the tolerance, the centre is
-    moved to the nearest point equidistant from both. Ends that differ only by the rounding of sums
-    make a full circle. Raises ``ArcError`` if the centre would have to move by more than a share of
-    the radius, because the ends are close to each other.
+    The centre is moved to the nearest point equidistant from both ends. Ends that differ only by
+    the rounding of sums make a full circle. Raises ``ArcError`` if the centre would have to move
+    farther than ``tolerance`` allows.
     """
     first, second = PLANES[plane]
     x, y = start[first] - centre[0], start[second] - centre[1]
     u, v = target[first] - centre[0], target[second] - centre[1]
-    radius = _length(x, y)
-    off = abs(_length(u, v) - radius)
-    if radius <= 0.0:
+    if x == 0.0 and y == 0.0:
         raise ArcError(ARC_WITHOUT_CENTRE)
-    if off > max(TOLERANCE_MM, TOLERANCE_SHARE * radius):
-        raise ArcError(ARC_TARGET_OFF_CIRCLE, off=off, radius=radius)
     chord = _length(u - x, v - y)
     if chord <= SAME_POINT_MM:
         return Arc(first, second, *centre, -360.0 if clockwise else 360.0)
     # Move the centre along the chord until it is equidistant from both ends.
     along = ((x + u) * (u - x) + (y + v) * (v - y)) / (2.0 * chord * chord)
-    if abs(along) * chord > MAX_SHIFT_SHARE * radius:
-        raise ArcError(ARC_TARGET_OFF_CIRCLE, off=off, radius=radius)
+    shift = abs(along) * chord
     centre = (centre[0] + along * (u - x), centre[1] + along * (v - y))
+    radius = _length(start[first] - centre[0], start[second] - centre[1])
+    allowed = tolerance.allowed_mm(radius)
+    if shift > max(allowed, EXACT_CENTRE_MM):
+        raise ArcError(ARC_CENTRE_TOO_FAR_OFF, shift=shift, allowed=allowed)
     return Arc(first, second, *centre, _angle(start, target, (first, second), centre, clockwise))
 
 
@@ -110,7 +109,7 @@ def arc_of_radius(
         raise ArcError(ARC_RADIUS_TOO_SMALL, radius=radius, least=chord / 2.0)
     height2 = radius * radius - chord * chord / 4.0
     if height2 < 0.0:
-        if chord / 2.0 - abs(radius) > TOLERANCE_MM:
+        if chord / 2.0 - abs(radius) > RADIUS_TOLERANCE_MM:
             raise ArcError(ARC_RADIUS_TOO_SMALL, radius=radius, least=chord / 2.0)
         height2 = 0.0
     height = arithmetic.square_root(height2) / chord

@@ -272,6 +272,28 @@ _DEFAULTS = (
         "Jeder Eilgangsatz endet mit einem Genauhalt",
     ),
     _channel(
+        "P-CHAN-00059",
+        "mittelpkt_diff",
+        ValueType.REAL64,
+        20_000.0,
+        "How far the centre of an arc may be moved so that both ends lie on the circle",
+        "Wie weit der Mittelpunkt eines Kreises verschoben werden darf, damit beide Enden auf dem "
+        "Kreis liegen",
+        low=0,
+        unit="0.1 µm",
+    ),
+    _channel(
+        "P-CHAN-00060",
+        "mittelpkt_faktor",
+        ValueType.UNS16,
+        50,
+        "How far the centre of an arc may be moved, as a share of the radius",
+        "Wie weit der Mittelpunkt eines Kreises verschoben werden darf, als Anteil des Radius",
+        low=1,
+        high=MAX_UNS16 - 1,
+        unit="‰",
+    ),
+    _channel(
         "P-CHAN-00219",
         "implicit_contour_masking",
         ValueType.BOOLEAN,

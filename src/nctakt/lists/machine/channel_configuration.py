@@ -144,6 +144,18 @@ class ImplicitPrograms:
 
 
 @dataclass(frozen=True, slots=True)
+class CentreTolerance:
+    """How far the centre of an arc may be moved: P-CHAN-00059 and P-CHAN-00060; both hold."""
+
+    distance_mm: float
+    share_of_radius: float
+
+    def allowed_mm(self, radius_mm: float) -> float:
+        """Return the maximum shift of the centre of an arc, mm."""
+        return min(self.distance_mm, self.share_of_radius * radius_mm)
+
+
+@dataclass(frozen=True, slots=True)
 class ChannelParameters:
     """A channel list.
 
@@ -165,6 +177,7 @@ class ChannelParameters:
     residual_path_mm: float
     edge_across_blocks: bool
     looks_for_damage: bool
+    centre_tolerance: CentreTolerance
     context_geo: int
     context_sda: int
     context_com: int
@@ -189,6 +202,9 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         values.integer("kasto_residual_path") / 10_000,
         values.flag("kasto_multi_block"),
         values.flag("implicit_contour_masking"),
+        CentreTolerance(
+            values.real("mittelpkt_diff") / 10_000, values.integer("mittelpkt_faktor") / 1000
+        ),
         values.integer("schedule.context.geo"),
         values.integer("schedule.context.sda"),
         values.integer("schedule.context.com"),

@@ -13,7 +13,10 @@ from pathlib import Path
 import pytest
 
 import nctakt
+from nctakt.checking.check import check_files
+from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import ProgramMessage, Run
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
 
 DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
@@ -99,3 +102,51 @@ def test_a_tool_that_is_not_valid(tmp_path: Path) -> None:
     found, _ = run("D9\n", machine)
     assert [one.id for one in found.errors] == [900866]
     assert found.errors[0].text("de") == "Werkzeug 9 ist nicht gültig"
+
+
+def test_t_selects_the_offsets_of_its_number(tmp_path: Path) -> None:
+    """P-CHAN-00014: T2 is T2 D2; a D of the block counts before it."""
+    machine = machine_with(tmp_path / "m", sda_mds1="einrechnen_mit_t 1")
+    found, said = run(
+        'T2\n#MSG ["%g %g %g", V.G.T_AKT, V.G.D_AKT, V.G.WZ_AKT.L]\n'
+        'D1 T3\n#MSG ["%g %g", V.G.T_AKT, V.G.D_AKT]\n'
+        'T0\n#MSG ["%g %g", V.G.D_AKT, V.G.WZ_AKT.L]\n',
+        machine,
+    )
+    assert (found.errors, said) == ((), ["2 2 80", "3 1", "0 0"])
+
+
+def test_t_that_selects_offsets_needs_a_tool_of_the_list(tmp_path: Path) -> None:
+    """P-CHAN-00014: without the parameter T7 is a warning of the check, with it an error."""
+    program = NcText("p.nc", "T7\nT7 D1\nM30\n")
+    for value, expected in (("0", [(900928, 1), (900928, 2)]), ("1", [(900865, 1), (900928, 2)])):
+        machine = machine_with(tmp_path / value, sda_mds1=f"einrechnen_mit_t {value}")
+        checked = check_files([program], AssembledMachine(load_machine(machine))).found
+        found = [one.diagnostic for one in checked]
+        numbers = [(one.id, one.span and one.span.line) for one in found if one.id != 900201]
+        assert numbers == expected
+
+
+@pytest.mark.parametrize(
+    ("entries", "word", "stops"),
+    [
+        ("", "D1", False),
+        ("flush.d_cmd D", "D1", False),
+        ("flush.d_cmd FAW_D", "D1", True),
+        ("flush.d_cmd FAW_D", "T1", False),
+        ("flush.d_cmd FAW_D\neinrechnen_mit_t 1", "T1", True),
+    ],
+)
+def test_d_empties_the_channel(tmp_path: Path, entries: str, word: str, stops: bool) -> None:
+    """P-CHAN-00271: FAW_D is ``#FLUSH WAIT`` in front of D, T that selects included."""
+    machine = machine_with(tmp_path / "m", sda_mds1=entries)
+    program = "G01 X10 F6000\n{}\nG01 X20\n"
+    ticks = run(program.format(word), machine)[0].ticks
+    assert ticks == run(program.format("#FLUSH WAIT" if stops else "F6000"))[0].ticks
+
+
+def test_d_that_empties_the_channel_is_not_possible_under_compensation(tmp_path: Path) -> None:
+    """P-CHAN-00271, 20651: the path cannot stop between two motions of the contour."""
+    machine = machine_with(tmp_path / "m", sda_mds1="flush.d_cmd FAW_D")
+    found, _ = run("D1\nG41 G01 X20 F6000\nD2\nX40\nG40 X60\n", machine)
+    assert [one.id for one in found.errors] == [20651]

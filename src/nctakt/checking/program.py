@@ -54,7 +54,7 @@ def check_program(
     list lets run with each main program.
     """
     found = Collector()
-    linter = Linter(source, names, limits, found, tools)
+    linter = Linter(source, names, limits, found, tools, channel.tool_selection)
     program = inspect(source, names, channel, found, role=role, watcher=linter)
     wanted: list[tuple[str, Span]] = []
     for call in program.calls:

@@ -15,15 +15,15 @@ from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.fixed_stops import fixed_stop, is_fixed_stop
 from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion, PathWords
 from nctakt.decoder.blocks.spindles import SpindleWords, names_of
-from nctakt.decoder.blocks.technology_output import BlockFunction, TechnologyOutputs, process_ticks
+from nctakt.decoder.blocks.technology_output import BlockFunction, TechnologyOutputs, block_function
 from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM
 from nctakt.decoder.state.commands import (
     Answer,
-    AwaitAcknowledge,
     Command,
     Dwell,
     FixedStop,
     FixedStopEnd,
+    Flush,
     Measure,
     MeasureEnd,
     PositionRequest,
@@ -38,14 +38,11 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.offsets import MOST_GROUPS
-from nctakt.lists.declared.technology_functions import TechnologyFunction
 from nctakt.messages.backward import EDGE_BANDING_NOT_SIMULATED
-from nctakt.messages.checked_blocks import WORD_VALUE_OUT_OF_RANGE
 from nctakt.messages.decoder import INVALID_DWELL_TIME
 from nctakt.messages.fixed_stops import FIXED_STOP_WITHOUT_MOTION
 from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc import tree
-from nctakt.nc.check.blocks import MAX_VALUE, MIN_VALUE
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
     ABSOLUTE,
@@ -73,7 +70,10 @@ ONE_BLOCK = frozenset((EXACT_STOP_ONCE, CONTOURING_ONCE, NO_OVERRIDE))
 
 @dataclass(slots=True)
 class _BlockContent:
-    """A block's words by effect; ``updates_tool_offsets``: the tool's offsets may change."""
+    """A block's words by effect.
+
+    ``updates_tool_offsets``: the tool's offsets may change. ``has_offset_word``: there is a D.
+    """
 
     axes: list[tuple[tree.AxisWord, float]] = field(default_factory=list)
     path: PathWords = field(default_factory=PathWords)
@@ -82,6 +82,7 @@ class _BlockContent:
     zero_group: int | None = None
     is_reference: bool = False
     updates_tool_offsets: bool = False
+    has_offset_word: bool = False
     stops: tuple[tuple[tree.BracketCommand, FixedStop], ...] = ()
     program_stops: tuple[ProgramStop, ...] = ()
     ends_program: bool = False
@@ -162,6 +163,8 @@ class BlockDecoder:
             if isinstance(word, tree.Word) and word.name == "G":
                 if isinstance(word.value, tree.Number):
                     numbers[round(word.value.value)] = word.span
+            elif isinstance(word, tree.Word) and word.name == "D":
+                content.has_offset_word = True
         if numbers:
             self._functions(numbers, content)
         rest: Sequence[tree.BlockWord] = block.words
@@ -198,7 +201,10 @@ class BlockDecoder:
             extra = None
             if word.additional is not None:
                 extra = yield from self._values.evaluate(word.additional, number)
-            self._word(word, value, extra, number, content)
+            if word.name in ("T", "D"):
+                yield from self._tool(word, value, number, content)
+            else:
+                self._word(word, value, extra, number, content)
         if numbers:
             for function in COMPENSATIONS:
                 if function in numbers:
@@ -208,6 +214,21 @@ class BlockDecoder:
         if DWELL in numbers and content.axes:
             content.dwell_s = content.axes.pop()[1]
         return content
+
+    def _tool(
+        self, word: tree.Word, value: float, number: int, content: _BlockContent
+    ) -> Generator[Command, Answer]:
+        """Process T or D; T may select offsets where the block has no D (P-CHAN-00014)."""
+        selection = self._environment.parameters.tool_selection
+        if word.name == "T":
+            self._values.tool.name(word, value)
+            if not selection.by_t or content.has_offset_word:
+                return
+        if selection.flushes:
+            self._values.check_flush_allowed(word.name, word.span)
+            yield Flush(self._environment.source_id(word.span), number, True)
+        self._values.tool.select(word, value)
+        content.updates_tool_offsets = True
 
     def _functions(self, numbers: Mapping[int, Span], content: _BlockContent) -> None:
         """Execute the G functions of a block; modal ones take effect at once."""
@@ -303,10 +324,6 @@ class BlockDecoder:
         if word.name == "F":
             self.path.feed_rate.feed_word(value)
             return
-        if word.name in ("T", "D"):
-            self._values.tool.word(word, value)
-            content.updates_tool_offsets = True
-            return
         if word.name == "R":
             self._state.path.radius = value * self._state.length_unit_mm
             return
@@ -322,39 +339,8 @@ class BlockDecoder:
         parameters = self._environment.parameters
         table = parameters.m_functions if word.name == "M" else parameters.h_functions
         if number in table:
-            plc_value = None if extra is None else self._plc_value(word, number, extra)
-            content.functions.append(self._function(word, number, table[number], plc_value, block))
-
-    def _plc_value(self, word: tree.Word, function: int, value: float) -> int:
-        """Return the value that a function passes to the PLC, a signed 32-bit integer."""
-        whole = int(arithmetic.round_half_even(value))
-        if not MIN_VALUE <= whole <= MAX_VALUE:
-            name = f"{word.name}{function}"
-            self._values.fail(
-                WORD_VALUE_OUT_OF_RANGE,
-                word.span,
-                word=name,
-                value=whole,
-                least=MIN_VALUE,
-                most=MAX_VALUE,
-            )
-        return whole
-
-    def _function(
-        self,
-        word: tree.Word,
-        number: int,
-        function: TechnologyFunction,
-        plc_value: int | None,
-        block: int,
-    ) -> BlockFunction:
-        source = self._environment.source_id(word.span)
-        code = number if word.name == "M" else -number - 1
-        ticks = process_ticks(function, self._environment.cycle_time_us)
-        output = TechnologyOutput(source, block, code, ticks, plc_value)
-        return BlockFunction(
-            function.synchronisation, output, AwaitAcknowledge(source, block, code)
-        )
+            function = block_function(self._values, word, table[number], extra, block)
+            content.functions.append(function)
 
     def _motion(
         self, content: _BlockContent, span: Span, number: int

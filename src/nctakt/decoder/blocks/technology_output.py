@@ -11,8 +11,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
-from nctakt.decoder.state.commands import Command
+from nctakt.decoder.state.commands import AwaitAcknowledge, Command, TechnologyOutput
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.technology_functions import TechnologyFunction
+from nctakt.messages.checked_blocks import WORD_VALUE_OUT_OF_RANGE
+from nctakt.nc.check.blocks import MAX_VALUE, MIN_VALUE
+from nctakt.nc.tree import Word
 
 #: Types that are output before the motion of their block, and after it. A measuring
 #: event is over with the motion at the latest.
@@ -38,6 +43,34 @@ class BlockFunction:
     synchronisation: str
     output: Command
     wait: Command
+
+
+def block_function(
+    values: Values, word: Word, function: TechnologyFunction, extra: float | None, block: int
+) -> BlockFunction:
+    """Return the function of the word ``M110`` or ``M110=130``; ``extra`` is its value."""
+    environment = values.environment
+    plc_value = None if extra is None else _plc_value(values, word, function.number, extra)
+    source = environment.source_id(word.span)
+    code = function.number if word.name == "M" else -function.number - 1
+    ticks = process_ticks(function, environment.cycle_time_us)
+    output = TechnologyOutput(source, block, code, ticks, plc_value)
+    return BlockFunction(function.synchronisation, output, AwaitAcknowledge(source, block, code))
+
+
+def _plc_value(values: Values, word: Word, number: int, value: float) -> int:
+    """Return the value that a function passes to the PLC, a signed 32-bit integer."""
+    whole = int(arithmetic.round_half_even(value))
+    if not MIN_VALUE <= whole <= MAX_VALUE:
+        values.fail(
+            WORD_VALUE_OUT_OF_RANGE,
+            word.span,
+            word=f"{word.name}{number}",
+            value=whole,
+            least=MIN_VALUE,
+            most=MAX_VALUE,
+        )
+    return whole
 
 
 class TechnologyOutputs:

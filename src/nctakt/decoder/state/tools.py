@@ -49,23 +49,27 @@ class ActiveTool:
         self._state = state
         self._fail = fail
 
-    def word(self, word: Word, value: float) -> None:
-        """Process T or D; D must name a valid tool of the list, T is output to the PLC."""
-        number = int(arithmetic.round_half_even(value))
-        if number != value or number < 0:
-            self._fail(INVALID_TOOL_NUMBER, word.span, word=word.name, value=f"{value:g}")
-        state = self._state.tool
-        if word.name == "T":
-            state.number = number
-            return
+    def name(self, word: Word, value: float) -> None:
+        """Process T, the number of the tool for the PLC."""
+        self._state.tool.number = self._number(word, value)
+
+    def select(self, word: Word, value: float) -> None:
+        """Select the data of a valid tool of the list, or none with the number 0."""
+        number = self._number(word, value)
         tool = NO_TOOL if number == 0 else self._environment.tools.get(number)
         if tool is None:
             self._fail(UNKNOWN_TOOL, word.span, tool=number)
         if tool is not NO_TOOL and not tool.valid:
             self._fail(TOOL_NOT_VALID, word.span, tool=number)
-        self._change_radius(tool.radius, f"D{number}", word.span)
-        state.record = number
-        state.tool = tool
+        self._change_radius(tool.radius, f"{word.name}{number}", word.span)
+        self._state.tool.record = number
+        self._state.tool.tool = tool
+
+    def _number(self, word: Word, value: float) -> int:
+        number = int(arithmetic.round_half_even(value))
+        if number != value or number < 0:
+            self._fail(INVALID_TOOL_NUMBER, word.span, word=word.name, value=f"{value:g}")
+        return number
 
     def _change_radius(self, radius: float, command: str, span: Span) -> None:
         """Set the radius for the next motion between G41 or G42 and G40."""

@@ -214,6 +214,28 @@ _PROGRAMS = (
     ),
 )
 
+_TOOLS = (
+    _channel(
+        "P-CHAN-00014",
+        "einrechnen_mit_t",
+        ValueType.BOOLEAN,
+        False,
+        "T also selects the offsets D of the same number",
+        "T wählt zugleich die Korrektur D gleicher Nummer an",
+    ),
+    Parameter(
+        "P-CHAN-00271",
+        "flush.d_cmd",
+        ValueType.NAME,
+        "D",
+        Text(
+            "FAW_D: the channel is emptied, and waited for, in front of each D",
+            "FAW_D: vor jedem D wird der Kanal geleert und darauf gewartet",
+        ),
+        names={"D": None, "FAW_D": None},
+    ),
+)
+
 _DEFAULTS = (
     _channel(
         "P-CHAN-00056",
@@ -428,6 +450,6 @@ CHANNEL = Schema(
     "channel",
     Text("Channel list", "Kanalliste"),
     ListDialect(),
-    _AXES + _SPINDLES + SPINDLE_FUNCTIONS + TECHNOLOGY + _PROGRAMS + _DEFAULTS + _REALTIME,
+    _AXES + _SPINDLES + SPINDLE_FUNCTIONS + TECHNOLOGY + _PROGRAMS + _TOOLS + _DEFAULTS + _REALTIME,
     ParameterTable("channel.tsv"),
 )

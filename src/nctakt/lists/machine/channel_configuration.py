@@ -156,6 +156,18 @@ class CentreTolerance:
 
 
 @dataclass(frozen=True, slots=True)
+class ToolSelection:
+    """What T and D do beyond their own: P-CHAN-00014 and P-CHAN-00271.
+
+    ``by_t``: T selects the offsets of its number, too. ``flushes``: the channel is emptied in front
+    of a D.
+    """
+
+    by_t: bool
+    flushes: bool
+
+
+@dataclass(frozen=True, slots=True)
 class ChannelParameters:
     """A channel list.
 
@@ -178,6 +190,7 @@ class ChannelParameters:
     edge_across_blocks: bool
     looks_for_damage: bool
     centre_tolerance: CentreTolerance
+    tool_selection: ToolSelection
     context_geo: int
     context_sda: int
     context_com: int
@@ -205,6 +218,7 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         CentreTolerance(
             values.real("mittelpkt_diff") / 10_000, values.integer("mittelpkt_faktor") / 1000
         ),
+        ToolSelection(values.flag("einrechnen_mit_t"), values.text("flush.d_cmd") == "FAW_D"),
         values.integer("schedule.context.geo"),
         values.integer("schedule.context.sda"),
         values.integer("schedule.context.com"),

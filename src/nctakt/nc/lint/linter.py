@@ -18,6 +18,7 @@ from math import isfinite
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.lists.declared.tools import Tool
+from nctakt.lists.machine.channel_configuration import ToolSelection
 from nctakt.messages import Collector
 from nctakt.messages.lints import (
     ARC_LIKELY_WITHOUT_CENTRE,
@@ -142,6 +143,7 @@ class Linter:
 
     The caller announces each section (main program, local subprogram) and passes its statements one
     by one, so that the program need not be in memory. ``tools``: those of the channel's list.
+    ``selection``: what T and D do in this channel.
     """
 
     def __init__(
@@ -151,9 +153,11 @@ class Linter:
         limits: StepLimits,
         collector: Collector,
         tools: Mapping[int, Tool],
+        selection: ToolSelection,
     ) -> None:
         self._source = source
         self._tools = tools
+        self._selection = selection
         self._findings = Findings(source, collector)
         self._cycles = CycleLinter(names, self._findings, limits)
         self._channel = FlushChecker(names, self._findings)
@@ -330,14 +334,18 @@ class Linter:
                 elif word.value.value in (INCH, MILLIMETRES):
                     self._state.is_inch = word.value.value == INCH
             elif isinstance(word, Word) and word.name in ("D", "T") and self._tools:
-                self._tool(word)
+                self._tool(word, block)
 
-    def _tool(self, word: Word) -> None:
-        """Check that D names a valid tool, or none (D0), and that T names a tool of the list."""
+    def _tool(self, word: Word, block: Block) -> None:
+        """Check that D names a valid tool, or none (D0), and that T names a tool of the list.
+
+        T that selects offsets (P-CHAN-00014) is as D; beside a D it does not.
+        """
         if not isinstance(word.value, Number) or not word.value.value.is_integer():
             return
         number = int(word.value.value)
-        if word.name == "T":
+        has_d = any(isinstance(other, Word) and other.name == "D" for other in block.words)
+        if word.name == "T" and (has_d or not self._selection.by_t):
             if number > 0 and number not in self._tools:
                 self._findings.report(TOOL_NOT_IN_LIST, word.span, tool=number)
         elif number > 0 and number not in self._tools:

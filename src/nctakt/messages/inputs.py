@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, note, warning
 
 INVALID_TIME = error(
     900510,
@@ -159,4 +159,24 @@ INVALID_GIVEN_INPUT = error(
     remedy_de="V.E.VALUE = 5, V.E.VALUE = 5 at 20ms, plc DATEI, machine ORDNER, until ZEIT, after "
     "ZEIT oder start schreiben.",
     text=("the text of the comment", "der Text des Kommentars"),
+)
+NAMES_OF_DEMO_MACHINE = note(
+    901006,
+    en="the names are looked up on the built-in demo machine",
+    de="die Namen werden an der eingebauten Demo-Maschine gesucht",
+    remedy_en="--machine DIR takes your own machine; in Python it is Controller(DIR).",
+    remedy_de="--machine DIR nimmt die eigene Maschine; in Python ist es Controller(DIR).",
+    cause_en="Variables, axes, spindles, M and H functions come from the lists of a machine.",
+    cause_de="Variablen, Achsen, Spindeln, M- und H-Funktionen stammen aus den Listen einer "
+    "Maschine.",
+)
+STIMULUS_NOT_REACHED = warning(
+    901007,
+    en="{name} did not get its value at {time}: the run ended before, after {end}",
+    de="{name} hat um {time} keinen Wert erhalten: der Lauf endete vorher, nach {end}",
+    remedy_en="Give it an earlier time, or let the run go on (--after, --until).",
+    remedy_de="Eine frühere Zeit angeben oder den Lauf fortsetzen (--after, --until).",
+    name=("the variable", "die Variable"),
+    time=("the time of the value", "die Zeit des Wertes"),
+    end=("how long the run lasted", "die Dauer des Laufs"),
 )

@@ -32,7 +32,7 @@ from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import MISSPELLED_SIGNAL, UNKNOWN_SIGNAL
+from nctakt.messages.inputs import MISSPELLED_SIGNAL, NAMES_OF_DEMO_MACHINE, UNKNOWN_SIGNAL
 from nctakt.messages.plc import STALE_ACKNOWLEDGEMENT
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, Location, NameTable
@@ -178,7 +178,11 @@ class AssembledMachine:
             configuration, self.channels, lambda: self.kernel.tick
         )
         self.access = VariableAccess(
-            layout.tables, [one.panel for one in self.assembled], self.memory, self.kernel
+            layout.tables,
+            [one.panel for one in self.assembled],
+            self.memory,
+            self.kernel,
+            (diagnostic(NAMES_OF_DEMO_MACHINE),) if configuration.is_demo else (),
         )
         self._cell_names: dict[int, str] = {}
         self._stale_names: dict[str, None] = {}

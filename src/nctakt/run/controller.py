@@ -35,8 +35,8 @@ from nctakt.run.program_loader import LoadedProgram, NcText, ProgramErrors
 from nctakt.run.recording import Recording
 from nctakt.run.scheduled_run import ScheduledRun, scheduled
 from nctakt.run.shared_image import SharedImage
-from nctakt.run.stimuli import Stimulus, StimulusLike, read_stimulus
-from nctakt.run.wait_reasons import wait_reason
+from nctakt.run.stimuli import Stimulus, StimulusLike, not_reached, read_stimulus
+from nctakt.run.wait_reasons import wait_reasons
 from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.trace.recorded import MemorySink
 from nctakt.trace.sinks import Sink
@@ -325,8 +325,7 @@ class Controller:
         registry.on_cycle = on_cycle
         statistics = RunStatistics(registry.reactions_of, registry.frozen_in)
         listeners = [*sinks, *((memory,) if memory else ()), statistics]
-        records = bool(sinks) or memory_trace
-        self._recording.open(listeners, signals, records, record_writes, why)
+        self._recording.open(listeners, signals, bool(sinks) or memory_trace, record_writes, why)
         self._plc = plc
         for channel in self._channels:
             channel.channel.hli.acknowledges_itself = plc is None
@@ -346,6 +345,10 @@ class Controller:
                 channel.close()
             registry.on_cycle = None
             self._machine.poll = do_nothing
+        if state not in ("error", "interrupted"):
+            self.diagnostics += not_reached(
+                self._stimuli, (self.tick - first_tick) * self.cycle_time_us
+            )
         if self._scheduled_run is not None:
             self.diagnostics += self._scheduled_run.findings()
         report, coverage = self._recording.why(first_tick, self._loaded_texts())
@@ -398,7 +401,7 @@ class Controller:
             self._channels[number - 1].queue(own, waits_for_start=wait_for_start)
         while self._proceed(channels):
             if self.tick >= end:
-                self._report_wait_reasons()
+                self.diagnostics += wait_reasons(self._machine, self._channels)
                 return worst_state(channels, "limit")
             # A path that brakes ends the run in the tick in which it stands.
             count = 1 if any(channel.is_braking for channel in channels) else PROGRESS_TICKS
@@ -448,13 +451,6 @@ class Controller:
         busy = [channel for channel in channels if channel.is_stopped or channel.is_running]
         if busy:
             self._reset(busy)
-
-    def _report_wait_reasons(self) -> None:
-        """Report, at the limit, what each program waits for that has not come to its end."""
-        for index, channel in enumerate(self._channels):
-            reason = wait_reason(self._machine, index) if channel.result is None else None
-            if reason is not None:
-                self.diagnostics.append(reason)
 
     def _report_progress(
         self, on_progress: Callable[[int, int | None], None] | None, end: int

@@ -20,8 +20,10 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.files import find_below
 from nctakt.messages import Collector, diagnostic
+from nctakt.messages.checked_blocks import FUNCTION_NOT_DEFINED, UNKNOWN_WORD
+from nctakt.messages.checked_values import UNKNOWN_AXIS_OF_VARIABLE, UNKNOWN_VARIABLE
 from nctakt.messages.files import FILE_OUTSIDE
-from nctakt.messages.inputs import TEXT_INSTEAD_OF_FILE
+from nctakt.messages.inputs import NAMES_OF_DEMO_MACHINE, TEXT_INSTEAD_OF_FILE
 from nctakt.messages.program_structure import PROGRAM_NOT_FOUND
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.inspection import inspect
@@ -29,6 +31,9 @@ from nctakt.nc.outline import ProgramText
 from nctakt.nc.source import Source
 from nctakt.nc.tree import StringLiteral
 from nctakt.run.assembly import AssembledMachine
+
+#: Errors in names that the lists of a machine give.
+_LIST_NAMES = (UNKNOWN_VARIABLE, UNKNOWN_AXIS_OF_VARIABLE, UNKNOWN_WORD, FUNCTION_NOT_DEFINED)
 
 #: Characters of a text that are shown where a file name was expected.
 SHOWN_TEXT = 40
@@ -205,6 +210,8 @@ def load(
     loaded.add_implicit(collector)
     diagnostics += collector.diagnostics
     errors = [found for found in collector.diagnostics if found.severity.name == "ERROR"]
+    if machine.configuration.is_demo and any(one.message in _LIST_NAMES for one in errors):
+        diagnostics.append(diagnostic(NAMES_OF_DEMO_MACHINE))
     if errors:
         raise ProgramErrors(*errors)
     return loaded

@@ -9,12 +9,19 @@ RC-002). The controller knows whether the variable exists, and what it can hold.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import NOT_A_STIMULUS, NOT_AN_ASSIGNMENT, UNREADABLE_VALUE
+from nctakt.messages.inputs import (
+    NOT_A_STIMULUS,
+    NOT_AN_ASSIGNMENT,
+    STIMULUS_NOT_REACHED,
+    UNREADABLE_VALUE,
+)
 
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
@@ -55,6 +62,15 @@ def read_stimulus(value: StimulusLike) -> Stimulus:
     if not isinstance(value, tuple | list) or len(value) != 3 or not isinstance(value[1], str):
         raise Failure(diagnostic(NOT_A_STIMULUS, value=repr(value)))
     return Stimulus(*value)
+
+
+def not_reached(stimuli: Iterable[Stimulus], end_us: int) -> list[Diagnostic]:
+    """Return a warning (901007) for each stimulus that is left over at the end of a run."""
+    end = str(Time(end_us))
+    return [
+        diagnostic(STIMULUS_NOT_REACHED, name=one.name, time=str(one.time), end=end)
+        for one in stimuli
+    ]
 
 
 def parse_assignment(text: str) -> tuple[str, float | str]:

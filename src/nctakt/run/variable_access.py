@@ -12,6 +12,7 @@ import re
 from collections.abc import Mapping, Sequence
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.text import nearest
 from nctakt.hli.layout import PREFIX, PanelValue
@@ -54,7 +55,8 @@ class VariableAccess:
     """The variables of all channels, with the writes that wait for the next tick.
 
     ``CH2.V.E.X`` is that of the second channel; without a channel a name is the first one's.
-    ``panels`` are the operator's values of each channel.
+    ``panels`` are the operator's values of each channel, ``remarks`` what else is told about an
+    unknown name.
     """
 
     def __init__(
@@ -63,12 +65,14 @@ class VariableAccess:
         panels: Sequence[Mapping[str, PanelValue]],
         memory: bytearray,
         kernel: Kernel,
+        remarks: Sequence[Diagnostic] = (),
     ) -> None:
         self._names = names
         self._panels = panels
         self._bytes = memoryview(memory)
         self._cells = self._bytes.cast("d")
         self._kernel = kernel
+        self._remarks = remarks
         self._pending: dict[int, float | bytes] = {}
 
     def _find(self, name: str) -> tuple[Location, int]:
@@ -77,11 +81,12 @@ class VariableAccess:
         found = names.resolve_text(path)
         if isinstance(found, NotFound):
             near = found.nearest or nearest(path, (known for known, _, _ in names.values()))
-            if near:
-                raise Failure(
-                    diagnostic(MISSPELLED_MACHINE_VARIABLE, name=name, nearest=f"{prefix}{near}")
-                )
-            raise Failure(diagnostic(UNKNOWN_MACHINE_VARIABLE, name=name))
+            unknown = (
+                diagnostic(MISSPELLED_MACHINE_VARIABLE, name=name, nearest=f"{prefix}{near}")
+                if near
+                else diagnostic(UNKNOWN_MACHINE_VARIABLE, name=name)
+            )
+            raise Failure(unknown, *self._remarks)
         return found
 
     def _find_panel(self, name: str) -> PanelValue | None:

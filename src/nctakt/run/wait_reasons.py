@@ -7,11 +7,17 @@ block, its line and the reason, or none if the program is at work.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.source_ids import statement_span
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import WAITING_AT_RUN_LIMIT
 from nctakt.run.assembly import AssembledMachine
+
+if TYPE_CHECKING:
+    from nctakt.run.channel_run import ChannelRun
 
 #: The reasons by the words of the realtime part.
 _REASONS = {
@@ -54,6 +60,16 @@ _REASONS = {
         "axis {name}, which moves independently", "Achse {name}, die sich unabhängig bewegt"
     ),
 }
+
+
+def wait_reasons(machine: AssembledMachine, channels: Sequence[ChannelRun]) -> list[Diagnostic]:
+    """Return, at the limit, what each program waits for that has not come to its end."""
+    reasons = [
+        wait_reason(machine, index)
+        for index, channel in enumerate(channels)
+        if channel.result is None
+    ]
+    return [reason for reason in reasons if reason is not None]
 
 
 def wait_reason(machine: AssembledMachine, index: int) -> Diagnostic | None:

@@ -131,6 +131,11 @@ class Machine:
     lists: tuple[tuple[str, Path], ...]
     diagnostics: tuple[Diagnostic, ...]
 
+    @property
+    def is_demo(self) -> bool:
+        """Whether this is the built-in demo machine."""
+        return self.folder == _DEMO
+
     def __repr__(self) -> str:
         count = len(self.channels)
         channels = "1 channel" if count == 1 else f"{count} channels"

@@ -109,6 +109,20 @@ def test_a_plc_sees_each_channel() -> None:
     assert seen == [(0.0, 5.0), (0.0, 5.0)]
 
 
+def test_each_channel_has_its_own_operator() -> None:
+    """What is commanded to the second channel is not the first one's, and what it shows neither."""
+    controller = Controller(MACHINE)
+    first, second = controller.hli, controller.hli.of_channel(2)
+    second.override_pct = 50
+    second.feed_hold = True
+    assert (first.override_pct, second.override_pct) == (100.0, 50.0)
+    assert (first.feed_hold, second.feed_hold) == (False, True)
+    controller.select(NcText("a.nc", "G04 1\nM30"), channel=2)
+    second.start()
+    controller.step(3)
+    assert (first.state, second.state) == ("ready", "running")
+
+
 @pytest.mark.parametrize(
     "ask",
     [

@@ -261,7 +261,7 @@ def test_a_write_to_an_unknown_variable_is_a_diagnostic(tmp_path: Path) -> None:
     (tmp_path / "plc.py").write_text(text, "utf-8")
     with pytest.raises(Failure) as caught:
         run("M100\nM30", load_plc(tmp_path / "plc.py"))
-    assert [found.id for found in caught.value.diagnostics] == [900523, 900541]
+    assert [found.id for found in caught.value.diagnostics] == [900523, 900541, 901006]
     assert "hli.write('V.E.COUTN', 1)" in caught.value.diagnostics[0].text()
 
 

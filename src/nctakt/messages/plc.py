@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error, warning
+from nctakt.messages.catalogue import error, note, warning
 
 PLC_CLASS_MISSING = error(
     900520,
@@ -107,9 +107,10 @@ UNKNOWN_PLC_AXIS = error(
     900656,
     en="unknown axis {name}",
     de="unbekannte Achse {name}",
-    remedy_en="Name one of these: {known}",
-    remedy_de="Eine von diesen nennen: {known}",
+    remedy_en="Did you mean {nearest}? Name one of these: {known}",
+    remedy_de="War {nearest} gemeint? Eine von diesen nennen: {known}",
     name=("the name", "der Name"),
+    nearest=("the nearest axis, or –", "die ähnlichste Achse, oder –"),
     known=("the axes of the machine", "die Achsen der Maschine"),
 )
 INVALID_AXIS_COMMAND = error(
@@ -157,4 +158,77 @@ CHANNEL_BEING_RESET = error(
     axis=("the axis", "die Achse"),
     reaction=6,
     clearing=6,
+)
+UNKNOWN_PLC_NAME = error(
+    901008,
+    en="{owner} has no {name}",
+    de="{owner} hat kein {name}",
+    remedy_en="Did you mean {nearest}? docs/plc.md lists the names.",
+    remedy_de="War {nearest} gemeint? docs/plc.md nennt die Namen.",
+    owner=("the object in the PLC's file", "das Objekt in der Datei der SPS"),
+    name=("the name as written", "der Name, wie geschrieben"),
+    nearest=("the nearest known name, or –", "der ähnlichste bekannte Name, oder –"),
+)
+PLC_NAME_NOT_SETTABLE = error(
+    901009,
+    en="hli.{name} cannot be set",
+    de="hli.{name} lässt sich nicht setzen",
+    remedy_en="The attributes that can be set are {settable}.",
+    remedy_de="Setzen lassen sich {settable}.",
+    name=("the attribute", "das Attribut"),
+    settable=("the attributes that can be set", "die Attribute, die sich setzen lassen"),
+)
+WRONG_PLC_TYPE = error(
+    901010,
+    en="{name} is {value}, but must be {expected}",
+    de="{name} ist {value}, muss aber {expected} sein",
+    remedy_en="docs/plc.md shows an example of each.",
+    remedy_de="docs/plc.md zeigt je ein Beispiel.",
+    name=("the attribute", "das Attribut"),
+    value=("the value as written", "der Wert, wie geschrieben"),
+    expected=("what it must be", "was es sein muss"),
+)
+WRONG_HANDLER_PARAMETERS = error(
+    901011,
+    en="{name} does not take the parameters ({expected}) with which it is called",
+    de="{name} nimmt die Parameter ({expected}) nicht an, mit denen es aufgerufen wird",
+    remedy_en="Write def {name}({expected}).",
+    remedy_de="Dort def {name}({expected}) schreiben.",
+    name=("the method", "die Methode"),
+    expected=("the parameters that it needs", "die nötigen Parameter"),
+)
+UNKNOWN_HLI_VALUE = error(
+    901012,
+    en="the HLI has no value {name} here",
+    de="das HLI hat hier keinen Wert {name}",
+    remedy_en="Did you mean {nearest}? Possible are: {known}",
+    remedy_de="War {nearest} gemeint? Möglich sind: {known}",
+    name=("the name", "der Name"),
+    nearest=("the nearest known name, or –", "der ähnlichste bekannte Name, oder –"),
+    known=("the names that there are", "die vorhandenen Namen"),
+)
+UNKNOWN_FUNCTION_IN_PLC = error(
+    901013,
+    en="the PLC waits for {name}, which the channel list does not have",
+    de="die SPS wartet auf {name}; die Kanalliste hat es nicht",
+    remedy_en="Did you mean {nearest}? Define it in the channel list, or delete it here.",
+    remedy_de="War {nearest} gemeint? In der Kanalliste definieren oder hier streichen.",
+    cause_en="The PLC sees M and H functions with a synchronisation type (m_synch[], h_synch[]), "
+    "and the jobs of spindles that it turns (spindel[].plc_control).",
+    cause_de="Die SPS sieht M- und H-Funktionen mit Synchronisationsart (m_synch[], h_synch[]) "
+    "und Aufträge der Spindeln, die sie dreht (spindel[].plc_control).",
+    name=("the function or spindle", "die Funktion oder Spindel"),
+    nearest=(
+        "the nearest name of the channel list, or –",
+        "der ähnlichste Name der Kanalliste, oder –",
+    ),
+)
+HANDLER_NOT_CALLED = note(
+    901014,
+    en="{name} of the PLC was never called: {reason}",
+    de="{name} der SPS wurde nie aufgerufen: {reason}",
+    remedy_en="Check when it should have been called.",
+    remedy_de="Prüfen, wann es hätte aufgerufen werden sollen.",
+    name=("the method", "die Methode"),
+    reason=("what did not come to pass", "was nicht eingetreten ist"),
 )

@@ -12,6 +12,8 @@ from __future__ import annotations
 import importlib.util
 import sys
 import traceback
+from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
@@ -20,8 +22,14 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE, FOLDER_INSTEAD_OF_FILE
-from nctakt.messages.plc import PLC_CLASS_AMBIGUOUS, PLC_CLASS_MISSING, PLC_FAILED, PLC_LOAD_FAILED
-from nctakt.run.plc_view import AnyPlc
+from nctakt.messages.plc import (
+    PLC_CLASS_AMBIGUOUS,
+    PLC_CLASS_MISSING,
+    PLC_FAILED,
+    PLC_LOAD_FAILED,
+    UNKNOWN_PLC_NAME,
+)
+from nctakt.run.plc_view import AnyPlc, WatchedPlc
 
 if TYPE_CHECKING:
     from nctakt.run.plc_view import PlcView
@@ -45,10 +53,15 @@ def load_plc(path: str | Path) -> AnyPlc:
     module = _load_module(path)
     candidates = _candidates(module)
     if not candidates:
-        raise PlcError(diagnostic(PLC_CLASS_MISSING, file=str(path)))
+        raise PlcError(diagnostic(PLC_CLASS_MISSING, file=str(path)), *_misspelt(module))
     if len(candidates) > 1:
         names = ", ".join(candidate.__name__ for candidate in candidates)
         raise PlcError(diagnostic(PLC_CLASS_AMBIGUOUS, file=str(path), names=names))
+    from nctakt.plc.inspection import inspect_plc  # noqa: PLC0415 - a run without PLC needs none
+
+    slips = inspect_plc(path, candidates[0])
+    if slips:
+        raise PlcError(*slips)
     try:
         plc = candidates[0]()
     except (Exception, SystemExit) as error:  # the user's code may raise what it likes
@@ -56,12 +69,33 @@ def load_plc(path: str | Path) -> AnyPlc:
     return _LoadedPlc(plc, path)
 
 
-class _LoadedPlc:
+class _LoadedPlc(WatchedPlc):
     """A PLC from a file; what it raises while it runs becomes a ``PlcError`` (900523)."""
 
     def __init__(self, plc: AnyPlc, path: Path) -> None:
+        self._plc = plc
         self._cycle = plc.cycle
         self._path = path
+
+    def begin_run(self, hli: PlcView) -> None:
+        """Compare the names that it waits for with the machine's; raise ``PlcError`` for others."""
+        if isinstance(self._plc, WatchedPlc):
+            try:
+                self._plc.begin_run(hli)
+            except Failure as failure:
+                raise PlcError(*map(self._as_named, failure.diagnostics)) from failure
+
+    def unused_handlers(self, hli: PlcView) -> list[Diagnostic]:
+        """Return what its class says, with the file's name as the user gave it."""
+        if not isinstance(self._plc, WatchedPlc):
+            return []
+        return [self._as_named(found) for found in self._plc.unused_handlers(hli)]
+
+    def _as_named(self, found: Diagnostic) -> Diagnostic:
+        """The diagnostic with the file's name as the user gave it."""
+        if found.span is None or found.span.file != str(self._path.absolute()):
+            return found
+        return replace(found, span=replace(found.span, file=str(self._path)))
 
     def cycle(self, hli: PlcView) -> None:
         """Run the user's PLC once."""
@@ -125,6 +159,17 @@ def _candidates(module: ModuleType) -> list[type[AnyPlc]]:
         for one in unique
         if not any(other is not one and issubclass(other, one) for other in unique)
     ]
+
+
+def _misspelt(module: ModuleType) -> Iterator[Diagnostic]:
+    """An error for each class of the file with a method whose name is nearly ``cycle``."""
+    from nctakt.plc.inspection import nearest_member  # noqa: PLC0415 - only a mistake needs it
+
+    for name, kind in vars(module).items():
+        if isinstance(kind, type) and kind.__module__ == module.__name__:
+            near = nearest_member(kind)
+            if near:
+                yield diagnostic(UNKNOWN_PLC_NAME, owner=name, name="cycle", nearest=near)
 
 
 def _load_error(error: BaseException, path: Path) -> PlcError:

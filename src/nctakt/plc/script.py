@@ -29,10 +29,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
 
 from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Span, Text
+from nctakt.base.failure import Failure
+from nctakt.base.text import nearest
 from nctakt.lists.format.times import Time, TimeLike, read_time
+from nctakt.messages import diagnostic
+from nctakt.messages.plc import HANDLER_NOT_CALLED, UNKNOWN_FUNCTION_IN_PLC, WRONG_PLC_TYPE
 from nctakt.plc.inputs import read_inputs
-from nctakt.plc.policies import ALL, Policy, SpindlePolicy
-from nctakt.run.stimuli import Stimulus
+from nctakt.plc.policies import ALL, Only, Policy, SpindlePolicy
+from nctakt.run.plc_view import WatchedPlc
+from nctakt.run.stimuli import Stimulus, not_reached
 
 if TYPE_CHECKING:
     from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
@@ -40,6 +46,9 @@ if TYPE_CHECKING:
 _Method = TypeVar("_Method", bound=Callable[..., Any])
 
 _MARK = "_nctakt_when"
+
+_CONDITION = Text("a function that takes the HLI", "eine Funktion, die das HLI nimmt")
+_NAMES = Text('names such as "M100"', 'Namen wie "M100"')
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,12 +78,34 @@ def at(time: TimeLike) -> Callable[[_Method], _Method]:
 
 def when(condition: Callable[[PlcView], object]) -> Callable[[_Method], _Method]:
     """Call the method each time that ``condition(hli)`` becomes true."""
+    if not callable(condition):
+        raise _wrong_type("@when(…)", condition, _CONDITION)
     return _marked(_When(condition))
 
 
 def on(*names: str) -> Callable[[_Method], _Method]:
     """Call the method with each function (``M100``, ``H7``), each job of a spindle (``S3``)."""
+    for name in names:
+        if not isinstance(name, str):
+            raise _wrong_type("@on(…)", name, _NAMES)
     return _marked(_On(frozenset(name.upper() for name in names)))
+
+
+def _wrong_type(name: str, value: object, expected: Text) -> Failure:
+    return Failure(diagnostic(WRONG_PLC_TYPE, name=name, value=repr(value), expected=expected))
+
+
+def handler_parameters(name: str, method: object, *, is_plc: bool) -> tuple[str, ...]:
+    """Return the parameters with which a method is called; none for one that is not called.
+
+    ``is_plc``: its class derives from ``Plc``.
+    """
+    if name == "cycle" or (is_plc and name == "each_tick"):
+        return ("self", "hli")
+    marks = getattr(method, _MARK, ())
+    if any(isinstance(mark, _On) for mark in marks):
+        return ("self", "hli", "function")
+    return ("self", "hli") if marks else ()
 
 
 def _marked(mark: object) -> Callable[[_Method], _Method]:
@@ -94,9 +125,10 @@ class _Memory:
     done: list[tuple[str, int]] = field(default_factory=list)
     was_true: dict[tuple[str, int], bool] = field(default_factory=dict)
     seen: dict[tuple[str, int], tuple[int, int]] = field(default_factory=dict)
+    called: dict[tuple[str, int], None] = field(default_factory=dict)
 
 
-class Plc:
+class Plc(WatchedPlc):
     """Derive from it. ``acknowledge``: a policy; ``inputs``: a CSV file beside the PLC's own.
 
     ``spindles``: the policy for the jobs of spindles that the PLC turns.
@@ -106,13 +138,16 @@ class Plc:
     spindles: ClassVar[SpindlePolicy] = ALL
     inputs: ClassVar[str | Path | None] = None
     _folder: ClassVar[Path] = Path()
+    _source: ClassVar[tuple[str, int]] = ("", 1)
     _marks: ClassVar[tuple[tuple[str, int, object], ...]] = ()
     _memory: _Memory
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
-        file = sys._getframe(1).f_globals.get("__file__")
+        caller = sys._getframe(1)
+        file = caller.f_globals.get("__file__")
         cls._folder = Path() if file is None else Path(file).parent
+        cls._source = (file or "", caller.f_lineno)
         names = dict.fromkeys(name for base in reversed(cls.__mro__) for name in vars(base))
         cls._marks = tuple(
             (name, index, mark)
@@ -126,6 +161,42 @@ class Plc:
         inputs = () if cls.inputs is None else read_inputs(cls._folder / cls.inputs)
         plc._memory = _Memory(list(inputs))
         return plc
+
+    def begin_run(self, hli: PlcView) -> None:
+        """Compare the names of ``@on`` and ``only`` with the channel's (901013)."""
+        known = hli.known_functions()
+        upper = {name.upper() for name in known}
+        wanted = [(name, kind.names) for name, _, kind in self._of(_On)]
+        for attribute in ("acknowledge", "spindles"):
+            policy = getattr(self, attribute)
+            if isinstance(policy, Only):
+                wanted.append((attribute, policy.names))
+        unknown = [
+            diagnostic(
+                UNKNOWN_FUNCTION_IN_PLC,
+                *_place(type(self), place, name),
+                name=name,
+                nearest=nearest(name, known) or NOTHING,
+            )
+            for place, names in wanted
+            for name in sorted(names - upper)
+        ]
+        if unknown:
+            raise Failure(*unknown)
+
+    def unused_handlers(self, hli: PlcView) -> list[Diagnostic]:
+        """Return what is left over at the end of a run: methods (901014), inputs (901007)."""
+        memory = self._memory
+        first_tick = hli.tick + 1 if memory.first_tick is None else memory.first_tick
+        end_us = (hli.tick + 1 - first_tick) * hli.cycle_time_us
+        unused = [
+            diagnostic(
+                HANDLER_NOT_CALLED, *_place(type(self), name), name=name, reason=_reason(mark)
+            )
+            for name, index, mark in self._marks
+            if (name, index) not in memory.called
+        ]
+        return [*not_reached(memory.inputs, end_us), *unused]
 
     def each_tick(self, hli: PlcView) -> None:
         """For what has to be done behind each tick; nothing unless overridden."""
@@ -144,17 +215,17 @@ class Plc:
         for name, index, mark in self._of(_At):
             if mark.time.ticks(tick_us) <= next_tick and (name, index) not in memory.done:
                 memory.done.append((name, index))
-                getattr(self, name)(hli)
+                self._call(name, index, hli)
         for name, index, mark in self._of(_When):
             is_true = bool(mark.condition(hli))
             if is_true and not memory.was_true.get((name, index), False):
-                getattr(self, name)(hli)
+                self._call(name, index, hli)
             memory.was_true[(name, index)] = is_true
         functions, jobs = hli.functions(), hli.spindle_jobs()
         for one in self._new([*functions, *jobs]):
-            for name, _, mark in self._of(_On):
-                if one.name in mark.names:
-                    getattr(self, name)(hli, one)
+            for name, index, mark in self._of(_On):
+                if one.name.upper() in mark.names:
+                    self._call(name, index, hli, one)
         self.each_tick(hli)
         for function in functions:
             if self.acknowledge.answers(function, hli):
@@ -162,6 +233,11 @@ class Plc:
         for job in jobs:
             if self.spindles.answers(job, hli):
                 hli.acknowledge_spindle(job)
+
+    def _call(self, name: str, index: int, *words: object) -> None:
+        """Call a method for its mark ``index``."""
+        self._memory.called[(name, index)] = None
+        getattr(self, name)(*words)
 
     def _of(self, kind: type[Any]) -> Iterator[tuple[str, int, Any]]:
         """The marks of one kind."""
@@ -176,3 +252,33 @@ class Plc:
             if seen.get(one.key) != one.stamp:
                 seen[one.key] = one.stamp
                 yield one
+
+
+def _reason(mark: object) -> Text:
+    """What did not come to pass for a mark."""
+    if isinstance(mark, _At):
+        return Text(f"the run ended before {mark.time}", f"der Lauf endete vor {mark.time}")
+    if isinstance(mark, _On):
+        names = sorted(mark.names)
+        en, de = " or ".join(names), " oder ".join(names)
+        return Text(f"{en} did not appear", f"{de} kam nicht vor")
+    return Text("its condition did not become true", "seine Bedingung wurde nicht wahr")
+
+
+def _place(kind: type[Plc], member: str, word: str = "") -> tuple[Span, str] | tuple[()]:
+    """The span of a method, or of a word at it or in its class, and the source line.
+
+    Empty where the source is not at hand.
+    """
+    import linecache  # noqa: PLC0415 - only what is told needs it
+    import re  # noqa: PLC0415
+
+    code = getattr(getattr(kind, member), "__code__", None)
+    file, first = kind._source if code is None else (code.co_filename, code.co_firstlineno)
+    lines = linecache.getlines(file)
+    sought = re.escape(word) if word else rf"(?<=def ){re.escape(member)}"
+    for number, line in enumerate(lines[first - 1 :], first):
+        found = re.search(rf"{sought}\b", line, re.IGNORECASE)
+        if found is not None:
+            return Span(file, number, found.start() + 1, found.end() + 1), line.rstrip("\n")
+    return ()

@@ -30,7 +30,7 @@ from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine, do_nothing
 from nctakt.run.channel_run import ChannelRun, is_reported, worst_state
 from nctakt.run.one_at_a_time import OneAtATime, alone
-from nctakt.run.plc_view import AnyPlc, PlcView
+from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 from nctakt.run.program_loader import LoadedProgram, NcText, ProgramErrors
 from nctakt.run.recording import Recording
 from nctakt.run.scheduled_run import ScheduledRun, scheduled
@@ -319,6 +319,8 @@ class Controller:
         self._machine.access.apply_writes()
         for stimulus in stimuli:
             self._machine.access.check(stimulus.name, stimulus.value)
+        if isinstance(plc, WatchedPlc):
+            plc.begin_run(self.hli)
         first_diagnostic = len(self.diagnostics) if first_tick else 0
         memory = MemorySink() if memory_trace else None
         registry = self._machine.registry
@@ -346,9 +348,10 @@ class Controller:
             registry.on_cycle = None
             self._machine.poll = do_nothing
         if state not in ("error", "interrupted"):
-            self.diagnostics += not_reached(
-                self._stimuli, (self.tick - first_tick) * self.cycle_time_us
-            )
+            end_us = (self.tick - first_tick) * self.cycle_time_us
+            self.diagnostics += not_reached(self._stimuli, end_us)
+            if isinstance(plc, WatchedPlc):
+                self.diagnostics += plc.unused_handlers(self.hli)
         if self._scheduled_run is not None:
             self.diagnostics += self._scheduled_run.findings()
         report, coverage = self._recording.why(first_tick, self._loaded_texts())

@@ -7,17 +7,25 @@ Everything that it writes counts from the next tick on (RC-002).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import Protocol
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, NoReturn, Protocol
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import NOTHING, Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.hli.layout import AXIS, CHANNEL
+from nctakt.base.text import nearest
+from nctakt.hli.layout import AXIS, CHANNEL, LAMPS
 from nctakt.kernel import codes
+from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.messages import diagnostic
 from nctakt.messages.folders import UNKNOWN_CHANNEL
 from nctakt.messages.memory import NOT_VISIBLE_TO_PLC
-from nctakt.messages.plc import INVALID_AXIS_COMMAND, TOO_MANY_AXIS_COMMANDS, UNKNOWN_PLC_AXIS
+from nctakt.messages.plc import (
+    INVALID_AXIS_COMMAND,
+    TOO_MANY_AXIS_COMMANDS,
+    UNKNOWN_HLI_VALUE,
+    UNKNOWN_PLC_AXIS,
+)
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.variable_access import split_channel
 
@@ -29,11 +37,29 @@ class AnyPlc(Protocol):
         """Take part after each tick, through the interface image."""
 
 
+class WatchedPlc:
+    """A PLC that knows before a run which methods shall be called when."""
+
+    def begin_run(self, hli: PlcView) -> None:
+        """Compare the names that it waits for with the machine's; raise ``Failure`` for others."""
+
+    def unused_handlers(self, hli: PlcView) -> Sequence[Diagnostic]:
+        """Return what is told at the end of a run of methods and inputs that it did not need."""
+        return ()
+
+
 #: The states of a channel in the order of their numbers.
 STATES = ("ready", "running", "error", "reset")
 
 #: How a path walks over its history, in the order of the numbers.
 RETRACES = ("front", "backward", "forward")
+
+
+#: The values of ``PlcView.axis`` and ``PlcView.channel``.
+AXIS_NAMES = tuple(entry.name for entry in AXIS.entries if entry.source)
+CHANNEL_NAMES = tuple(
+    entry.name for entry in (*LAMPS, *CHANNEL.entries) if entry in LAMPS or entry.source
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,13 +137,41 @@ class SpindleEntry:
         return self.time_us, self.function
 
 
+class NamedValues(dict[str, float]):
+    """Values by the names of the interface; another name is a ``Failure`` (901012)."""
+
+    __slots__ = ()
+
+    def __missing__(self, name: object) -> float:
+        near = nearest(str(name), self) or NOTHING
+        raise Failure(diagnostic(UNKNOWN_HLI_VALUE, name=name, nearest=near, known=", ".join(self)))
+
+
 class PlcView:
-    """The PLC's side of one channel; ``of_channel(2)`` is that of the second one."""
+    """The PLC's side of one channel; ``of_channel(2)`` is that of the second one.
+
+    It takes no other attributes than those that can be set, and names the nearest one.
+    """
+
+    __slots__ = ("_hli", "_index", "_machine")
+    _hli: Hli
+    _index: int
+    _machine: AssembledMachine
 
     def __init__(self, machine: AssembledMachine, index: int = 0) -> None:
-        self._machine = machine
-        self._index = index
-        self._hli = machine.channels[index].hli
+        _set(self, "_machine", machine)
+        _set(self, "_index", index)
+        _set(self, "_hli", machine.channels[index].hli)
+
+    if not TYPE_CHECKING:  # which would take any name for known
+
+        def __getattr__(self, name: str) -> NoReturn:
+            raise AttributeError(_unknown(name, public_names(PlcView)), name=name, obj=self)
+
+        def __setattr__(self, name: str, value: object) -> None:
+            if name not in SETTABLE:
+                raise AttributeError(_unknown(name, SETTABLE), name=name, obj=self)
+            _set(self, name, value)
 
     def __repr__(self) -> str:
         return f"<PlcView of channel {self._index + 1}: {self.state}, after tick {self.tick}>"
@@ -144,7 +198,7 @@ class PlcView:
         """The length of a tick."""
         return self._machine.configuration.cycle_time_us
 
-    def channel(self) -> dict[str, float]:
+    def channel(self) -> NamedValues:
         """The state of the channel, by the names of ``hli_channel``: ``path_speed``, ``block`` …"""
         machine = self._machine
         panel = machine.assembled[self._index].panel
@@ -152,16 +206,18 @@ class PlcView:
         for entry in CHANNEL.entries:
             if entry.source:
                 shown[entry.name] = machine.layout.channel_value(self._index, entry.source)
-        return {name: machine.cells[cell] for name, cell in shown.items()}
+        return NamedValues({name: machine.cells[cell] for name, cell in shown.items()})
 
-    def axis(self, name: str) -> dict[str, float]:
+    def axis(self, name: str) -> NamedValues:
         """An axis, by the names of ``hli_axis``: ``command``, ``target``, ``state`` …"""
         machine, index = self._machine, self._axis(name)
-        return {
-            entry.name: machine.cells[machine.layout.axis_value(index, entry.source)]
-            for entry in AXIS.entries
-            if entry.source
-        }
+        return NamedValues(
+            {
+                entry.name: machine.cells[machine.layout.axis_value(index, entry.source)]
+                for entry in AXIS.entries
+                if entry.source
+            }
+        )
 
     # --- single axes: what the function blocks of ``plc/axes.py`` need --------------------------
 
@@ -169,7 +225,9 @@ class PlcView:
         """The number of an axis; raises ``Failure`` (900656) where there is none."""
         names = {axis.name: i for i, axis in enumerate(self._machine.configuration.axes)}
         if name not in names:
-            raise Failure(diagnostic(UNKNOWN_PLC_AXIS, name=name, known=", ".join(names)))
+            near = nearest(str(name), names) or NOTHING
+            known = ", ".join(names)
+            raise Failure(diagnostic(UNKNOWN_PLC_AXIS, name=name, nearest=near, known=known))
         return names[name]
 
     def request_axis(
@@ -209,6 +267,15 @@ class PlcView:
     def axis_fault(self, name: str) -> int:
         """The number of the error that the axis is in."""
         return self._machine.single_axes.fault_of(self._axis(name))
+
+    def known_functions(self) -> list[str]:
+        """Return the M and H functions of the channel, and its spindles that the PLC turns."""
+        parameters = self._machine.assembled[self._index].parameters
+        return [
+            *(f"M{number}" for number in parameters.m_functions),
+            *(f"H{number}" for number in parameters.h_functions),
+            *(spindle.name for spindle in parameters.spindles if spindle.plc_controlled),
+        ]
 
     # --- M and H functions ----------------------------------------------------------------------
 
@@ -294,98 +361,119 @@ class PlcView:
     @property
     def override_pct(self) -> float:
         """The operator's override of the path in percent."""
-        return float(self._machine.read("HLI.OVERRIDE"))
+        return float(self.read("HLI.OVERRIDE"))
 
     @override_pct.setter
     def override_pct(self, value: float) -> None:
         if not 0.0 <= value < float("inf"):
             raise ValueError(f"an override of {value} % is not possible")
-        self._machine.write("HLI.OVERRIDE", value)
+        self.write("HLI.OVERRIDE", value)
 
     @property
     def feed_hold(self) -> bool:
         """Whether the path is held."""
-        return bool(self._machine.read("HLI.FEED_HOLD"))
+        return bool(self.read("HLI.FEED_HOLD"))
 
     @feed_hold.setter
     def feed_hold(self, value: bool) -> None:
-        self._machine.write("HLI.FEED_HOLD", value)
+        self.write("HLI.FEED_HOLD", value)
 
     @property
     def single_block(self) -> bool:
         """Whether the channel stops in front of each block (MO-6)."""
-        return bool(self._machine.read("HLI.SINGLE_BLOCK"))
+        return bool(self.read("HLI.SINGLE_BLOCK"))
 
     @single_block.setter
     def single_block(self, value: bool) -> None:
-        self._machine.write("HLI.SINGLE_BLOCK", value)
+        self.write("HLI.SINGLE_BLOCK", value)
 
     @property
     def optional_stop(self) -> bool:
         """Whether M01 stops the program as M00 does."""
-        return bool(self._machine.read("HLI.OPTIONAL_STOP"))
+        return bool(self.read("HLI.OPTIONAL_STOP"))
 
     @optional_stop.setter
     def optional_stop(self, value: bool) -> None:
-        self._machine.write("HLI.OPTIONAL_STOP", value)
+        self.write("HLI.OPTIONAL_STOP", value)
 
     @property
     def backward_motion(self) -> bool:
         """Whether backward motion on the path is commanded (MO-7)."""
-        return bool(self._machine.read("HLI.BACKWARD_MOTION"))
+        return bool(self.read("HLI.BACKWARD_MOTION"))
 
     @backward_motion.setter
     def backward_motion(self, value: bool) -> None:
-        self._machine.write("HLI.BACKWARD_MOTION", value)
+        self.write("HLI.BACKWARD_MOTION", value)
 
     @property
     def retrace(self) -> str:
         """``front``, or how the path walks over its history: ``backward`` or ``forward``."""
-        return RETRACES[int(self._machine.read("HLI.RETRACE"))]
+        return RETRACES[int(self.read("HLI.RETRACE"))]
 
     @property
     def history(self) -> int:
         """How many blocks the history of the path holds now."""
-        return int(self._machine.read("HLI.HISTORY"))
+        return int(self.read("HLI.HISTORY"))
 
     @property
     def history_size(self) -> int:
         """How many blocks fit into it (P-STUP-00033)."""
-        return int(self._machine.read("HLI.HISTORY_SIZE"))
+        return int(self.read("HLI.HISTORY_SIZE"))
 
     def start(self) -> None:
         """Press START: the selected program begins, or goes on behind M00 or single block."""
-        self._machine.write("HLI.START", 1.0)
+        self.write("HLI.START", 1.0)
 
     def reset(self) -> None:
         """Press RESET: the program is given up, the path brakes to a stand (RC-007)."""
-        self._machine.write("HLI.RESET", 1.0)
+        self.write("HLI.RESET", 1.0)
 
     @property
     def state(self) -> str:
         """``ready``, ``running``, ``error`` or ``reset``."""
-        return STATES[int(self._machine.read("HLI.STATE"))]
+        return STATES[int(self.read("HLI.STATE"))]
 
     @property
     def is_paused(self) -> bool:
         """Whether single block, M00 or M01 waits for START."""
-        return bool(self._machine.read("HLI.PAUSED"))
+        return bool(self.read("HLI.PAUSED"))
 
     @property
     def is_armed(self) -> bool:
         """Whether a selected program waits for START."""
-        return bool(self._machine.read("HLI.ARMED"))
+        return bool(self.read("HLI.ARMED"))
 
     @property
     def error(self) -> int:
         """The number of the error that has stopped the channel, 0 without one."""
-        return int(self._machine.read("HLI.ERROR"))
+        return int(self.read("HLI.ERROR"))
 
     def _own(self, name: str) -> str:
         """The name with its channel, unless it is that of a variable that a PLC does not see."""
         prefix, _, path = split_channel(name)
         own = self._machine.assembled[self._index].prefix if self._index else ""
         return f"{prefix or own}{_seen(path)}"
+
+
+#: Sets an attribute without asking for its name.
+_set = object.__setattr__
+
+#: The attributes of ``PlcView`` that a PLC sets.
+SETTABLE = tuple(
+    name
+    for name, value in vars(PlcView).items()
+    if isinstance(value, property) and value.fset is not None
+)
+
+
+def public_names(kind: type) -> list[str]:
+    """Return the names of a class that its users may use."""
+    return [name for name in dir(kind) if not name.startswith("_")]
+
+
+def _unknown(name: str, known: Iterable[str]) -> str:
+    near = nearest(name, known)
+    return f"hli has no {name} to use" + (f"; did you mean {near}?" if near else "")
 
 
 def _seen(name: str) -> str:
